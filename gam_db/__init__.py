@@ -1,0 +1,23 @@
+"""gam-db: a health indicator for every machine channel, by plain SQL where the telemetry lies."""
+
+from gam_db.calibration import Calibration
+from gam_db.errors import GamError, UserError
+from gam_db.health import certificate, health_at_buckets, health_indicator, support
+from gam_db.parameters import Override, Parameters
+from gam_db.source import Source, WideSource
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "Calibration",
+    "GamError",
+    "Override",
+    "Parameters",
+    "Source",
+    "UserError",
+    "WideSource",
+    "certificate",
+    "health_at_buckets",
+    "health_indicator",
+    "support",
+]

@@ -1,0 +1,170 @@
+"""Time as integers: instants and lengths of the user, in microseconds (UTC) or counter steps.
+
+This module owns what a number, a date or a text means as time. It knows no SQL.
+"""
+
+import datetime as dt
+import math
+import operator
+import re
+from enum import Enum
+from typing import SupportsIndex, TypeAlias, cast
+
+from gam_db.errors import ParameterError
+
+Instant: TypeAlias = int | str | dt.datetime | dt.date
+Length: TypeAlias = int | float | str | dt.timedelta
+
+LONG_AGO = -(2**62)
+FAR_AHEAD = 2**62
+SECOND = 1_000_000
+
+_EPOCH = dt.datetime(1970, 1, 1, tzinfo=dt.UTC)
+_MICROSECOND = dt.timedelta(microseconds=1)
+_UNITS = {
+    "us": 1,
+    "ms": 1_000,
+    "s": SECOND,
+    "min": 60 * SECOND,
+    "h": 3_600 * SECOND,
+    "d": 86_400 * SECOND,
+    "w": 604_800 * SECOND,
+}
+_LENGTH = re.compile(r"([0-9]+(?:\.[0-9]*)?)\s*(us|ms|s|min|h|d|w)")
+
+
+class TimeKind(Enum):
+    """How a source tells time."""
+
+    COUNTER = "counter"
+    TIMESTAMP = "timestamp"
+    TIMESTAMP_WITH_ZONE = "timestamp with time zone"
+    NANOSECONDS = "timestamp in nanoseconds"
+
+    @property
+    def is_counter(self) -> bool:
+        """True for an integer counter, false for anything a calendar can place."""
+        return self is TimeKind.COUNTER
+
+
+def instant(value: object, kind: TimeKind, what: str) -> int:
+    """Return an instant as an integer: a counter value, or microseconds since 1970 (UTC).
+
+    Args:
+        value: an integer for a counter; a datetime (without zone: UTC), a date, a numpy.datetime64 or
+            an ISO 8601 text for timestamps.
+        kind: how the source tells time.
+        what: names the value in an error.
+
+    Raises:
+        ParameterError: the value cannot be an instant of that kind.
+    """
+    value = _plain(value)
+    if kind.is_counter:
+        whole = _whole(value)
+        if whole is not None:
+            return _bounded(whole, what)
+        raise ParameterError(
+            f"{what} is {value!r}, but the source counts time in integers; give an integer."
+        )
+    if isinstance(value, str):
+        try:
+            value = dt.datetime.fromisoformat(value.strip())
+        except ValueError:
+            raise ParameterError(
+                f"{what} is {value!r}, which is no time; write it like 2026-03-01T06:00:00."
+            ) from None
+    if isinstance(value, dt.datetime):
+        zoned = value if value.tzinfo else value.replace(tzinfo=dt.UTC)
+        return (zoned - _EPOCH) // _MICROSECOND
+    if isinstance(value, dt.date):
+        midnight = dt.datetime(value.year, value.month, value.day, tzinfo=dt.UTC)
+        return (midnight - _EPOCH) // _MICROSECOND
+    raise ParameterError(
+        f"{what} is {value!r}, but the source tells time by timestamps; give a datetime or a text "
+        "like 2026-03-01T06:00:00."
+    )
+
+
+def length(value: object, kind: TimeKind, what: str) -> int:
+    """Return a length of time as an integer: counter steps, or microseconds.
+
+    A fraction of a step is dropped: no step of an integer clock lies between.
+
+    Args:
+        value: a number (steps of a counter; seconds where the source has timestamps), a timedelta, or
+            a text such as ``"30 d"``, ``"1.5h"``, ``"200ms"``.
+        kind: how the source tells time.
+        what: names the value in an error.
+
+    Raises:
+        ParameterError: the value is no length of that kind, or negative.
+    """
+    value = _plain(value)
+    steps: int | None = None
+    if kind.is_counter:
+        whole = _whole(value)
+        if whole is not None:
+            steps = whole
+        elif isinstance(value, float) and math.isfinite(value):
+            steps = math.floor(value)
+        else:
+            raise ParameterError(
+                f"{what} is {value!r}, but the source counts time in integers; give a number of "
+                "counter steps."
+            )
+    elif isinstance(value, dt.timedelta):
+        steps = value // _MICROSECOND
+    elif isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value):
+        steps = math.floor(value * SECOND)
+    elif isinstance(value, str):
+        found = _LENGTH.fullmatch(value.strip())
+        if found:
+            steps = math.floor(float(found[1]) * _UNITS[found[2]])
+    if steps is None:
+        raise ParameterError(
+            f"{what} is {value!r}, which is no length of time; give seconds, a timedelta, or a text "
+            "with a unit (us, ms, s, min, h, d, w) such as '30 d'."
+        )
+    if steps < 0:
+        raise ParameterError(f"{what} is {value!r}; it must not be negative.")
+    return _bounded(steps, what)
+
+
+def looks_like_calendar(value: object) -> bool:
+    """Tell whether a value given for time can only mean a calendar, not a counter."""
+    if isinstance(value, str):
+        return not value.strip().lstrip("-").isdigit()
+    return isinstance(value, (dt.date, dt.timedelta)) or type(value).__module__ == "numpy" and (
+        type(value).__name__ in ("datetime64", "timedelta64")
+    )
+
+
+def _plain(value: object) -> object:
+    """Turn NumPy's scalars into Python's; datetime64 beyond microseconds is floored."""
+    kind_of = type(value).__name__
+    if kind_of in ("datetime64", "timedelta64"):
+        return value.astype(f"{kind_of}[us]").item()  # type: ignore[attr-defined]
+    if type(value).__module__ == "numpy" and hasattr(value, "item"):
+        return cast(object, value.item())
+    return value
+
+
+def _whole(value: object) -> int | None:
+    if isinstance(value, bool):
+        return None
+    if isinstance(value, str):
+        digits = value.strip()
+        return int(digits) if digits.lstrip("-").isdigit() and digits.isascii() else None
+    if isinstance(value, float):
+        return int(value) if value.is_integer() else None
+    try:
+        return operator.index(cast(SupportsIndex, value))
+    except TypeError:
+        return None
+
+
+def _bounded(value: int, what: str) -> int:
+    if not LONG_AGO < value < FAR_AHEAD:
+        raise ParameterError(f"{what} is {value}, beyond the range of the clock (2^62).")
+    return value

@@ -1,0 +1,1 @@
+"""Engines: flat data and small rewrites, one file per engine."""

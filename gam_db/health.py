@@ -1,0 +1,107 @@
+"""The exact form: from a source to its health indicator, support and certificate, nothing stored.
+
+This module owns the public calls of that form.
+"""
+
+from typing import Any
+
+import pyarrow as pa
+
+from gam_db.calibration import Calibration
+from gam_db.engines.duckdb import Session
+from gam_db.parameters import Parameters
+from gam_db.source import AnySource
+from gam_db.study import Study
+
+
+def health_indicator(
+    source: AnySource,
+    parameters: Parameters | None = None,
+    calibration: Calibration | None = None,
+    engine: Any = None,
+) -> pa.Table:
+    """Return the health indicator at every scored vector (paper, Eq. 1 to 4).
+
+    Args:
+        source: where the telemetry lies.
+        parameters: of the method; default :class:`Parameters`.
+        calibration: the healthy part; default the first fifth of each channel.
+        engine: None for DuckDB in memory, the path of a DuckDB file, or an open DuckDB connection.
+
+    Returns:
+        One row per scored vector, ordered by asset, channel and time: asset, channel, time (as in the
+        source), cell_key, novel (0 or 1), out_of_range (1 if a coordinate lies outside the calibrated
+        range), straddling (1 if one of its samples is one of calibration), novel_in_window,
+        vectors_in_window (both counts), hi (their ratio, NULL until the window is full).
+
+    Raises:
+        UserError: see its subclasses; the message says what to mend.
+    """
+    return _table("health_indicator", source, parameters, calibration, engine)
+
+
+def health_at_buckets(
+    source: AnySource,
+    parameters: Parameters | None = None,
+    calibration: Calibration | None = None,
+    engine: Any = None,
+) -> pa.Table:
+    """Return the health indicator at the end of every full bucket of ``stride`` scored vectors.
+
+    Arguments and errors as in :func:`health_indicator`, whose integers these are.
+
+    Returns:
+        One row per bucket, ordered: asset, channel, bucket (from 0), first_time, last_time, novel and
+        out_of_range (counts), novel_in_window, hi (both NULL until the window is full).
+    """
+    return _table("bucket_health", source, parameters, calibration, engine)
+
+
+def support(
+    source: AnySource,
+    parameters: Parameters | None = None,
+    calibration: Calibration | None = None,
+    engine: Any = None,
+) -> pa.Table:
+    """Return what was learnt of each channel and the certificate's summary (method, section 5).
+
+    Arguments and errors as in :func:`health_indicator`.
+
+    Returns:
+        One row per channel, ordered: asset, channel, lo, hi, samples, calibration_samples,
+        calibration_vectors, cells, missing_vectors, conflicts, verdict (no_data, constant, ready,
+        too_fine or needs_data), floor, floor_sd, floor_max (shares), good_turing, cells_per_vector,
+        blocks, finest_bins (the finest grid that passes), vectors_needed (further calibration
+        vectors, 0 if it passes, NULL if no figure can be given).
+    """
+    return _table("support_summary", source, parameters, calibration, engine)
+
+
+def certificate(
+    source: AnySource,
+    parameters: Parameters | None = None,
+    calibration: Calibration | None = None,
+    engine: Any = None,
+) -> pa.Table:
+    """Return the certificate of each channel, block by block (method, section 5).
+
+    Arguments and errors as in :func:`health_indicator`.
+
+    Returns:
+        One row per block, ordered: asset, channel, block (from 0), first_time, last_time, vectors and
+        novel (its vectors in cells no other block visited), healthy_hi (their ratio), and the learning
+        curve had calibration ended here: learned_vectors, learned_cells, learned_floor.
+    """
+    return _table("certificate", source, parameters, calibration, engine)
+
+
+def _table(
+    step: str,
+    source: AnySource,
+    parameters: Parameters | None,
+    calibration: Calibration | None,
+    engine: Any,
+) -> pa.Table:
+    with Session(engine) as session:
+        study = Study(session, source, parameters or Parameters(), calibration or Calibration())
+        return study.table(step)

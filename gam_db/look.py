@@ -1,0 +1,116 @@
+"""The look before the work: are the columns there and of use, and which rows cannot be?
+
+This module owns what is refused of a source (method, section 2) and says so in the user's words.
+"""
+
+import dataclasses
+from typing import Any
+
+import pyarrow as pa
+
+from gam_db.clock import FAR_AHEAD, TimeKind
+from gam_db.engines.duckdb import Session
+from gam_db.errors import SourceError, nearest
+from gam_db.source import AnySource, WideSource, declared_kind
+
+
+def resolved(source: AnySource, columns: dict[str, str], session: Session) -> AnySource:
+    """Return the source with its channels named; check its columns against those of the relation.
+
+    Args:
+        source: as the user gave it.
+        columns: name -> type of the relation's columns.
+        session: knows what its types mean.
+
+    Raises:
+        SourceError: a column is missing or of the wrong type.
+    """
+    if isinstance(source, WideSource) and source.channels is None:
+        others = (source.asset, source.time)
+        numeric = tuple(
+            name
+            for name, type_name in columns.items()
+            if name not in others and session.is_numeric(type_name)
+        )
+        if not numeric:
+            raise SourceError("The wide table has no numeric column beside asset and time.")
+        source = dataclasses.replace(source, channels=numeric)
+    for role, column in source.columns.items():
+        if column not in columns:
+            hint = (
+                f"; if there is only one {role}, say {role}=None"
+                if role in ("asset", "channel")
+                else ""
+            )
+            raise SourceError(
+                f"The relation has no column {column!r} for {role}{nearest(column, columns)}{hint}."
+            )
+        _check_type(role, column, columns[column], session)
+    return source
+
+
+def kind_of(source: AnySource, columns: dict[str, str], session: Session) -> TimeKind:
+    """Return how the source tells time, from the type of its time column.
+
+    Raises:
+        SourceError: it is not what the user declared.
+    """
+    kind = session.time_kind(columns[source.time])
+    if kind is None:
+        raise SourceError(f"The column {source.time!r} does not tell time.")
+    declared = declared_kind(source)
+    if declared is not None and declared.is_counter != kind.is_counter:
+        raise SourceError(
+            f"time_kind is {declared.value!r}, but the column {source.time!r} is of type "
+            f"{columns[source.time]}."
+        )
+    return kind
+
+
+def check_rows(names: pa.Table) -> None:
+    """Refuse a source with rows that belong nowhere; ``names`` is the step of that name.
+
+    Raises:
+        SourceError: rows without asset, channel or time (the counts are given), a counter beyond
+            2^62, or no row at all.
+    """
+    rows: list[dict[str, Any]] = names.to_pylist()
+    if not rows:
+        raise SourceError("The source has no row (after where, if there is one).")
+    nameless = {
+        role: sum(row["readings"] + row["without_time"] for row in rows if row[role] is None)
+        for role in ("asset", "channel")
+    }
+    nameless["time"] = sum(row["without_time"] for row in rows)
+    found = [f"{count} without {role}" for role, count in nameless.items() if count]
+    if found:
+        raise SourceError(
+            f"The source has rows that belong nowhere: {', '.join(found)} (NULL, or an infinite "
+            "time). Leave them out by where=, for example "
+            f"where=\"{next(role for role, count in nameless.items() if count)} IS NOT NULL\" with "
+            "your column's name, or mend them."
+        )
+    if any(max(abs(row["earliest"]), abs(row["latest"])) >= FAR_AHEAD for row in rows):
+        raise SourceError(
+            "The time column holds values beyond 2^62; subtract an offset from the counter in a view."
+        )
+
+
+def _check_type(role: str, column: str, type_name: str, session: Session) -> None:
+    if role == "time":
+        if session.time_kind(type_name) is None:
+            raise SourceError(
+                f"The time column {column!r} is of type {type_name}; it must be a timestamp or an "
+                "integer counter. Cast it in a view (text: CAST(... AS TIMESTAMP); seconds with a "
+                "fraction: CAST(FLOOR(seconds * 1000000) AS BIGINT))."
+            )
+    elif role in ("asset", "channel"):
+        if not session.is_name(type_name):
+            raise SourceError(
+                f"The {role} column {column!r} is of type {type_name}; it must be text or an integer."
+            )
+    elif not session.is_numeric(type_name):
+        raise SourceError(
+            f"The {'value' if role == 'value' else 'channel'} column {column!r} is of type "
+            f"{type_name}; readings must be numbers. Cast it in a view if that is what it holds."
+        )

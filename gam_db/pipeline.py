@@ -1,0 +1,159 @@
+"""Pipelines: named SELECT steps, composed into one query or kept as tables on the way.
+
+This module owns how steps refer to one another. It knows neither what they compute nor any engine.
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import cast
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.errors import InternalError
+
+
+@dataclass(frozen=True)
+class Step:
+    """One named SELECT.
+
+    Attributes:
+        name: what other steps call it.
+        query: the filled tree; tables that carry the name of a step are read from that step.
+        comment: what it computes, for whoever reads the query.
+        reads: the steps it reads.
+    """
+
+    name: str
+    query: exp.Query
+    comment: str
+    reads: frozenset[str]
+
+
+@dataclass
+class Pipeline:
+    """Steps in the order in which they were added; a step reads only what was added before it."""
+
+    steps: dict[str, Step] = field(default_factory=dict)
+
+    def add(
+        self,
+        name: str,
+        query: exp.Query,
+        comment: str = "",
+        tables: Mapping[str, str] | None = None,
+    ) -> None:
+        """Add a step.
+
+        Args:
+            name: its name.
+            query: its tree; it is copied.
+            comment: what it computes.
+            tables: for a tree that calls its inputs otherwise: the name in the tree -> the step.
+        """
+        query = query.copy()
+        reads = set()
+        for table in _plain_tables(query):
+            step = (tables or {}).get(table.name, table.name)
+            if step in self.steps:
+                reads.add(step)
+                table.set("this", exp.to_identifier(step))
+        if name in self.steps:
+            raise InternalError(f"The step {name} is there twice.")
+        self.steps[name] = Step(name, query, comment, frozenset(reads))
+
+    def needed(self, targets: Iterable[str], given: Iterable[str] = ()) -> list[Step]:
+        """Return the steps that the targets need, in order, without what is given and its inputs."""
+        known = set(given)
+        wanted = set(targets)
+        pending = list(wanted - known)
+        while pending:
+            for read in self.steps[pending.pop()].reads:
+                if read not in known and read not in wanted:
+                    wanted.add(read)
+                    pending.append(read)
+        return [step for step in self.steps.values() if step.name in wanted - known]
+
+    def query(
+        self,
+        target: str,
+        placed: Mapping[str, exp.Table] | None = None,
+        commented: bool = False,
+    ) -> exp.Query:
+        """Return one query for a step: what it needs becomes its WITH list.
+
+        Args:
+            target: the step whose rows are wanted.
+            placed: steps that exist as tables already.
+            commented: put each step's comment before it.
+        """
+        placed = placed or {}
+        if target in placed:
+            query = union_of(self, [target])
+            place(query, placed)
+            return query
+        steps = self.needed([target], placed.keys())
+        query = self.steps[target].query.copy()
+        inputs = [step for step in steps if step.name != target]
+        place(query, placed)
+        if not inputs:
+            return query
+        if isinstance(query, exp.SetOperation):
+            query = _selected_from(query)
+        listed = []
+        for step in inputs:
+            body = step.query.copy()
+            place(body, placed)
+            entry = exp.CTE(this=body, alias=exp.TableAlias(this=exp.to_identifier(step.name)))
+            if commented and step.comment:
+                entry.comments = [_comment(step.comment)]
+            listed.append(entry)
+        query.set("with_", exp.With(expressions=listed))
+        return query
+
+
+def place(query: exp.Expr, placed: Mapping[str, exp.Table]) -> None:
+    """Let a tree read the given tables where it names their steps; in place."""
+    for table in _plain_tables(query):
+        if table.name in placed:
+            target = placed[table.name].copy()
+            target.set("alias", table.args.get("alias") or exp.TableAlias(this=table.this.copy()))
+            table.replace(target)
+
+
+def union_of(pipeline: Pipeline, parts: list[str]) -> exp.Query:
+    """Return the rows of several steps of the same columns, one under another."""
+    selects: list[exp.Query] = []
+    for part in parts:
+        columns = pipeline.steps[part].query.named_selects
+        selects.append(
+            exp.select(*(exp.column(exp.to_identifier(name)) for name in columns)).from_(
+                exp.Table(this=exp.to_identifier(part))
+            )
+        )
+    return selects[0] if len(selects) == 1 else exp.union(*selects, distinct=False)
+
+
+def filled(name: str, slots: Mapping[str, template.Slot] | None = None) -> exp.Query:
+    """Return a filled template that is a query."""
+    return cast(exp.Query, template.fill(name, slots))
+
+
+def _selected_from(union: exp.Query) -> exp.Query:
+    """Wrap a union, since not every engine takes a WITH list before one."""
+    columns = [exp.column(exp.to_identifier(name), table="rows_of") for name in union.named_selects]
+    return exp.select(*(column.as_(column.name) for column in columns)).from_(
+        union.subquery("rows_of")
+    )
+
+
+def _plain_tables(query: exp.Expr) -> list[exp.Table]:
+    return [
+        table
+        for table in query.find_all(exp.Table)
+        if isinstance(table.this, exp.Identifier) and not table.this.quoted and not table.db
+    ]
+
+
+def _comment(comment: str) -> str:
+    return " " + " ".join(comment.split()) + " "

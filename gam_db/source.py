@@ -1,0 +1,213 @@
+"""Sources: where the telemetry lies, and which columns say what.
+
+This module owns the two layouts and turns a source into the step *readings*. It runs nothing.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import sqlglot
+from sqlglot import exp
+from sqlglot.errors import SqlglotError
+
+from gam_db import template
+from gam_db.clock import TimeKind
+from gam_db.errors import SourceError
+
+ONLY_ASSET = "asset"
+FILE_ENDINGS = (".parquet", ".pq", ".csv", ".tsv", ".csv.gz", ".tsv.gz", ".csv.zst")
+
+TimeNode = Callable[[exp.Expr], exp.Expr]
+
+
+@dataclass(frozen=True)
+class Source:
+    """A long table: one row per reading.
+
+    Attributes:
+        relation: name of a table or view (dots separate catalogue, schema and table; a tuple of parts
+            is taken as it is), path of a Parquet or CSV file (wildcards allowed), or an Arrow table
+            (anything with ``__arrow_c_stream__``, such as a data frame).
+        asset, channel: columns that name the machine and the signal; None if there is one only: its
+            asset is called ``asset`` and its channel like the value column.
+        time: column with a timestamp (without zone: UTC) or an integer counter.
+        value: numeric column.
+        where: a condition in SQL (DuckDB's dialect), applied before everything else.
+        time_kind: "timestamp" or "counter"; needed only where SQL is made without looking at the
+            relation, which then counts as "counter" by default.
+    """
+
+    relation: Any
+    asset: str | None = "asset"
+    channel: str | None = "channel"
+    time: str = "time"
+    value: str = "value"
+    where: str | exp.Expr | None = None
+    time_kind: str | None = None
+
+    def __post_init__(self) -> None:
+        _check_names(self, ("asset", "channel"), ("time", "value"))
+
+    @property
+    def columns(self) -> dict[str, str]:
+        """The columns to be read, by what they say."""
+        said = {"asset": self.asset, "channel": self.channel, "time": self.time, "value": self.value}
+        return {role: column for role, column in said.items() if column is not None}
+
+    @property
+    def value_columns(self) -> tuple[str, ...]:
+        """The columns that hold readings."""
+        return (self.value,)
+
+
+@dataclass(frozen=True)
+class WideSource:
+    """A wide table: one column per channel; a NULL cell is a missing sample, not an absent row.
+
+    Attributes:
+        relation, asset, time, where, time_kind: as in :class:`Source`.
+        channels: the numeric columns, each a channel of that name; None for all numeric columns.
+    """
+
+    relation: Any
+    channels: Sequence[str] | None = None
+    asset: str | None = "asset"
+    time: str = "time"
+    where: str | exp.Expr | None = None
+    time_kind: str | None = None
+
+    def __post_init__(self) -> None:
+        _check_names(self, ("asset",), ("time",))
+        if self.channels is not None:
+            if isinstance(self.channels, str):
+                raise SourceError("channels takes a list of column names, not one text.")
+            object.__setattr__(self, "channels", tuple(self.channels))
+            if not self.channels:
+                raise SourceError("channels is empty; name at least one column, or leave it out.")
+
+    @property
+    def columns(self) -> dict[str, str]:
+        """The columns to be read, by what they say; channels are numbered."""
+        said = {"asset": self.asset, "time": self.time}
+        named = {role: column for role, column in said.items() if column is not None}
+        return named | {f"channel {n}": column for n, column in enumerate(self.value_columns, 1)}
+
+    @property
+    def value_columns(self) -> tuple[str, ...]:
+        """The columns that hold readings."""
+        return tuple(self.channels or ())
+
+
+AnySource = Source | WideSource
+
+
+def declared_kind(source: AnySource) -> TimeKind | None:
+    """Return the way of telling time that the user declared, if any."""
+    if source.time_kind is None:
+        return None
+    try:
+        return TimeKind(source.time_kind)
+    except ValueError:
+        raise SourceError(
+            f"time_kind is {source.time_kind!r}; it takes 'timestamp' or 'counter'."
+        ) from None
+
+
+def readings(source: AnySource, relation: exp.Expr, micros_of: TimeNode) -> exp.Query:
+    """Return the step *readings*: the rows of the source in the method's words.
+
+    Args:
+        source: with its channels named, if it is wide.
+        relation: the node to read from.
+        micros_of: turns the time column into integer microseconds, or leaves a counter as it is.
+    """
+    condition = parsed_condition(source.where)
+    asset = template.text(ONLY_ASSET) if source.asset is None else template.column(source.asset)
+    branches: list[exp.Query] = []
+    for value in source.value_columns:
+        named_by = source.channel if isinstance(source, Source) else None
+        filled = template.fill(
+            "source/readings",
+            {
+                "asset": asset,
+                "channel": template.text(value) if named_by is None else template.column(named_by),
+                "time": micros_of(template.column(source.time)),
+                "reading": template.column(value),
+                "condition": condition,
+            },
+        )
+        for table in list(filled.find_all(exp.Table)):
+            if table.name == "source" and not table.db:
+                alias = table.args.get("alias")
+                table.replace(relation.copy() if alias is None else relation.as_(alias))
+        branches.append(filled)  # type: ignore[arg-type]
+    return branches[0] if len(branches) == 1 else exp.union(*branches, distinct=False)
+
+
+def parsed_condition(where: str | exp.Expr | None) -> exp.Expr:
+    """Return the user's condition as a tree; TRUE where there is none.
+
+    Raises:
+        SourceError: it is not one condition in DuckDB's dialect.
+    """
+    if where is None:
+        return exp.EQ(this=exp.Literal.number(1), expression=exp.Literal.number(1))
+    if isinstance(where, exp.Expr):
+        return where
+    try:
+        parsed = sqlglot.parse_one(where, dialect="duckdb", into=exp.Condition)
+    except SqlglotError as error:
+        raise SourceError(
+            f"where is {where!r}, which is not a condition in SQL; write what would stand after "
+            "WHERE, such as \"speed > 0\"."
+        ) from error
+    return exp.Paren(this=parsed)
+
+
+def is_file(relation: object) -> bool:
+    """Tell whether a relation is the path of a file."""
+    if isinstance(relation, Path):
+        return True
+    return isinstance(relation, str) and relation.lower().endswith(FILE_ENDINGS)
+
+
+def table_names(relation: str | Sequence[str]) -> list[exp.Expr]:
+    """Return what a table name can mean, the likeliest first.
+
+    A name with dots is first taken as the parts of a path, then as one name that holds dots; its parts
+    may be quoted.
+
+    Raises:
+        SourceError: it is empty or has too many parts.
+    """
+    if not isinstance(relation, str):
+        return [_table(tuple(relation))]
+    if not relation.strip():
+        raise SourceError("relation is empty; name a table, a file or an Arrow table.")
+    whole = _table((relation,))
+    if "." not in relation:
+        return [whole]
+    try:
+        parsed = exp.to_table(relation, dialect="duckdb")
+        parts = tuple(part.name for part in parsed.parts)
+    except SqlglotError:
+        return [whole]
+    return [_table(parts), whole]
+
+
+def _table(parts: tuple[str, ...]) -> exp.Expr:
+    if not 1 <= len(parts) <= 3 or not all(isinstance(part, str) and part for part in parts):
+        raise SourceError(f"relation is {parts!r}; a table has one to three parts.")
+    names = [template.name(part) for part in reversed(parts)]
+    return exp.Table(**dict(zip(("this", "db", "catalog"), names, strict=False)))
+
+
+def _check_names(source: object, optional: Sequence[str], needed: Sequence[str]) -> None:
+    for role in (*optional, *needed):
+        column = getattr(source, role)
+        if column is None and role in optional:
+            continue
+        if not isinstance(column, str) or not column:
+            raise SourceError(f"{role} is {column!r}; it takes the name of a column.")

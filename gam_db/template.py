@@ -1,0 +1,189 @@
+"""Templates: one formula, one ``.sql`` file, parsed once; slots are filled on the tree.
+
+This module owns reading a file of ``sql/`` and putting nodes in the place of its ``:slots``. It knows
+neither the method nor any engine, and it never makes SQL from text.
+
+Four kinds of slot value:
+
+* a number, put in as a typed literal (a float as ``CAST(... AS DOUBLE)``: DuckDB would read ``0.1``
+  as a decimal),
+* ``None``, put in as ``NULL``,
+* a node (a quoted column, a condition, a string literal made by :func:`text`),
+* a list of nodes, spliced into a list of columns.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import TypeAlias
+
+import sqlglot
+from sqlglot import exp
+from sqlglot.errors import SqlglotError
+
+from gam_db.errors import TemplateError
+
+Slot: TypeAlias = int | float | None | exp.Expr | Sequence[exp.Expr]
+
+LARGEST_INTEGER = 2**63 - 1
+
+
+@dataclass(frozen=True)
+class Template:
+    """A parsed file of ``sql/``: its name (``folder/file``), its opening comment, tree and slots."""
+
+    name: str
+    comment: str
+    tree: exp.Expr
+    slots: frozenset[str]
+
+
+def sql_folder() -> Path:
+    """Return the folder of the ``.sql`` files: in the installed package, else in the checkout."""
+    installed = Path(__file__).parent / "sql"
+    return installed if installed.is_dir() else Path(__file__).parent.parent / "sql"
+
+
+@cache
+def load(name: str) -> Template:
+    """Read and parse ``sql/<name>.sql``.
+
+    Raises:
+        TemplateError: the file is missing, is not one statement, selects ``*``, names a window, or
+            uses a function that sqlglot does not know (it would be passed to every engine unread).
+    """
+    path = sql_folder() / f"{name}.sql"
+    try:
+        source = path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise TemplateError(f"There is no template sql/{name}.sql.") from error
+    return parse(name, source)
+
+
+def parse(name: str, source: str) -> Template:
+    """Parse the text of a template; see :func:`load`."""
+    try:
+        statements = sqlglot.parse(source, dialect="duckdb")
+    except SqlglotError as error:
+        raise TemplateError(f"sql/{name}.sql cannot be parsed: {error}") from error
+    if len(statements) != 1 or statements[0] is None:
+        raise TemplateError(f"sql/{name}.sql must hold exactly one statement.")
+    tree = statements[0]
+    comment = "\n".join(
+        line.removeprefix("--").removeprefix(" ")
+        for line in source.splitlines()
+        if line.startswith("--")
+    )
+    for node in tree.walk():
+        node.comments = None
+        node._meta = None  # places in the text; copying them takes longer than all else
+        if isinstance(node, exp.Anonymous):
+            raise TemplateError(f"sql/{name}.sql uses the unknown function {node.name}.")
+        if isinstance(node, exp.Star) and not isinstance(node.parent, exp.Count):
+            raise TemplateError(f"sql/{name}.sql selects *; name every column.")
+        if isinstance(node, exp.Select) and node.args.get("windows"):
+            raise TemplateError(f"sql/{name}.sql names a window; write OVER (...) in full.")
+        if isinstance(node, exp.Command):
+            raise TemplateError(f"sql/{name}.sql holds a statement that is not a query.")
+    slots = frozenset(node.name for node in tree.find_all(exp.Placeholder))
+    return Template(name, comment, tree, slots)
+
+
+def fill(name: str, slots: Mapping[str, Slot] | None = None) -> exp.Expr:
+    """Return a copy of the tree of ``sql/<name>.sql`` with every slot filled.
+
+    Raises:
+        TemplateError: a slot of the file is not given, one that is given is not in the file, or a
+            value cannot stand in SQL (NaN, infinity, an integer beyond 64 bits).
+    """
+    return fill_template(load(name), slots or {})
+
+
+def fill_template(template: Template, slots: Mapping[str, Slot]) -> exp.Expr:
+    """Return a copy of a template's tree with every slot filled; see :func:`fill`."""
+    missing = template.slots - slots.keys()
+    surplus = slots.keys() - template.slots
+    if missing or surplus:
+        raise TemplateError(
+            f"sql/{template.name}.sql: "
+            + "; ".join(
+                f"{word} {', '.join(sorted(names))}"
+                for word, names in (("no value for", missing), ("no such slot:", surplus))
+                if names
+            )
+        )
+    tree = template.tree.copy()
+    for placeholder in list(tree.find_all(exp.Placeholder)):
+        value = slots[placeholder.name]
+        if isinstance(value, Sequence):
+            _splice(placeholder, [node.copy() for node in value])
+        else:
+            filled = node_of(value, template.name)
+            if placeholder is tree:
+                tree = filled
+            else:
+                placeholder.replace(_fenced(filled, placeholder))
+    return tree
+
+
+def node_of(value: int | float | None | exp.Expr, where: str = "a slot") -> exp.Expr:
+    """Return the node of a slot value: a typed literal, ``NULL``, or a copy of the node itself."""
+    if value is None:
+        return exp.Null()
+    if isinstance(value, exp.Expr):
+        return value.copy()
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise TemplateError(f"{where}: {type(value).__name__} cannot stand in a slot.")
+    if isinstance(value, int):
+        if abs(value) > LARGEST_INTEGER:
+            raise TemplateError(f"{where}: {value} does not fit in 64 bits.")
+        literal: exp.Expr = exp.Literal.number(abs(value))
+    else:
+        if not math.isfinite(value):
+            raise TemplateError(f"{where}: {value} is not a finite number.")
+        literal = exp.cast(exp.Literal.number(repr(abs(value))), "DOUBLE")
+    return exp.Neg(this=literal) if math.copysign(1, value) < 0 else literal
+
+
+def text(value: str) -> exp.Expr:
+    """Return a string literal; quoting is the generator's."""
+    return exp.Literal.string(value)
+
+
+def name(value: str) -> exp.Identifier:
+    """Return a quoted identifier, taken as it is."""
+    return exp.Identifier(this=value, quoted=True)
+
+
+def column(value: str) -> exp.Column:
+    """Return a quoted column, taken as it is."""
+    return exp.Column(this=name(value))
+
+
+def added(terms: Sequence[exp.Expr]) -> exp.Expr:
+    """Return the sum of the terms, from left to right."""
+    total = terms[0]
+    for term in terms[1:]:
+        total = exp.Add(this=total, expression=term)
+    return total
+
+
+def _splice(placeholder: exp.Placeholder, nodes: Sequence[exp.Expr]) -> None:
+    parent = placeholder.parent
+    if parent is None or placeholder.arg_key != "expressions":
+        raise TemplateError(f"The slot :{placeholder.name} takes a list only among columns.")
+    columns: list[exp.Expr] = []
+    for node in parent.args["expressions"]:
+        columns.extend(nodes if node is placeholder else [node])
+    parent.set("expressions", columns)
+
+
+def _fenced(node: exp.Expr, placeholder: exp.Expr) -> exp.Expr:
+    """Put compound expressions in brackets, so that the neighbours of a slot cannot split them."""
+    compound = isinstance(node, (exp.Connector, exp.Binary, exp.Unary)) and not isinstance(
+        node, exp.Paren
+    )
+    inside_operator = isinstance(placeholder.parent, (exp.Binary, exp.Unary, exp.Between))
+    return exp.Paren(this=node) if compound and inside_operator else node

@@ -1,0 +1,26 @@
+-- Block sizes: the blocks that hold vectors, numbered from 0 in their channel (block) and over all
+-- members of the pool (pool_block).
+-- Reads:  visits
+-- A row:  one block.
+SELECT
+  channel_id,
+  support_id,
+  block_no,
+  vectors,
+  first_time,
+  last_time,
+  CAST(ROW_NUMBER() OVER (PARTITION BY channel_id ORDER BY block_no) AS BIGINT) - 1 AS block,
+  CAST(ROW_NUMBER() OVER (PARTITION BY support_id ORDER BY channel_id, block_no) AS BIGINT) - 1
+    AS pool_block,
+  CAST(COUNT(*) OVER (PARTITION BY support_id) AS BIGINT) AS pool_blocks
+FROM (
+  SELECT
+    channel_id,
+    support_id,
+    block_no,
+    SUM(visits) AS vectors,
+    MIN(first_time) AS first_time,
+    MAX(last_time) AS last_time
+  FROM visits
+  GROUP BY channel_id, support_id, block_no
+) AS summed

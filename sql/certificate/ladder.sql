@@ -1,0 +1,61 @@
+-- Ladder: the floor on every grid of the ladder, read off the stored cells without another look at
+-- the source. On a coarser grid more blocks share a cell.
+-- Reads:  cells, levels, blocks
+-- A row:  one level of one support.
+-- Slots:  :coarse_key  the key of the cell on the coarser grid
+SELECT
+  support_id,
+  level,
+  level_bins,
+  COUNT(*) AS blocks,
+  CAST(CAST(SUM(share_units) AS BIGINT) AS DOUBLE) / (MIN(units) * CAST(COUNT(*) AS DOUBLE))
+    AS floor
+FROM (
+  SELECT
+    block.support_id AS support_id,
+    step.level AS level,
+    step.level_bins AS level_bins,
+    block.units AS units,
+    CASE
+      WHEN lonely.hit = 1
+        THEN CAST(
+          FLOOR(
+            CAST(lonely.visits AS DOUBLE) / CAST(block.vectors AS DOUBLE) * block.units
+            + CAST(5e-1 AS DOUBLE)
+          ) AS BIGINT
+        )
+      ELSE 0
+    END AS share_units
+  FROM blocks AS block
+  CROSS JOIN levels AS step
+  LEFT JOIN (
+    SELECT support_id, level, first_block, SUM(visits) AS visits, 1 AS hit
+    FROM (
+      SELECT
+        support_id,
+        level,
+        coarse_key,
+        SUM(visits) AS visits,
+        MIN(first_block) AS first_block,
+        MAX(last_block) AS last_block
+      FROM (
+        SELECT
+          support_id,
+          level,
+          visits,
+          first_block,
+          last_block,
+          :coarse_key AS coarse_key
+        FROM cells
+        CROSS JOIN levels
+      ) AS coarse
+      GROUP BY support_id, level, coarse_key
+    ) AS merged
+    WHERE first_block = last_block
+    GROUP BY support_id, level, first_block
+  ) AS lonely
+    ON lonely.support_id = block.support_id
+    AND lonely.level = step.level
+    AND lonely.first_block = block.pool_block
+) AS leveled
+GROUP BY support_id, level, level_bins

@@ -1,0 +1,32 @@
+-- Outlook: how much more calibration would bring the floor down to the target. The learning curve is
+-- carried on as a power of the number of vectors, with the exponent seen between half of the blocks
+-- and all of them. No figure where it does not fall, where there are fewer than 4 blocks, or beyond
+-- 1000 times the present calibration: that would be a guess.
+-- Reads:  spread, learning
+-- A row:  one support; needed_total in vectors, NULL where there is no figure.
+-- Slots:  :target_floor
+SELECT
+  support_id,
+  vectors,
+  CASE
+    WHEN exponent > CAST(0 AS DOUBLE)
+      AND LN(floor / NULLIF(CAST(:target_floor AS DOUBLE), CAST(0 AS DOUBLE))) <= exponent * LN(CAST(1000 AS DOUBLE))
+      THEN CAST(vectors AS DOUBLE)
+        * EXP(LN(floor / NULLIF(CAST(:target_floor AS DOUBLE), CAST(0 AS DOUBLE))) / NULLIF(exponent, CAST(0 AS DOUBLE)))
+  END AS needed_total
+FROM (
+  SELECT
+    whole.support_id AS support_id,
+    whole.vectors AS vectors,
+    whole.floor AS floor,
+    LN(half.learned_floor / whole.floor)
+    / LN(CAST(whole.vectors AS DOUBLE) / CAST(half.learned_vectors AS DOUBLE)) AS exponent
+  FROM spread AS whole
+  JOIN learning AS half
+    ON half.support_id = whole.support_id
+  WHERE whole.blocks >= 4
+    AND whole.floor > CAST(0 AS DOUBLE)
+    AND half.learned_floor > CAST(0 AS DOUBLE)
+    AND half.pool_block
+      = CAST(FLOOR(CAST(whole.blocks AS DOUBLE) / CAST(2 AS DOUBLE)) AS BIGINT) - 1
+) AS halves

@@ -1,0 +1,25 @@
+-- Vectors: v(t) = [x(t), x(t - tau), ..., x(t - (m-1) tau)] (Eq. 1) in codes, as the key of its
+-- cell; delays and position in one window pass. For series without breaks; the complete form is
+-- marked_vectors.
+-- Reads:  codes
+-- A row:  one vector, at the time of its newest sample; cell_key is NULL where a sample is missing.
+-- Slots:  :delayed   code_1 ... code_(m-1), the delayed codes
+--         :span      (m-1) * tau, the samples between oldest and newest
+--         :known     all coordinates are there
+--         :cell_key  the mixed-radix integer of the coordinates
+--         :outside   a coordinate lies outside the calibrated range
+SELECT
+  channel_id,
+  time,
+  CASE WHEN :known THEN :cell_key END AS cell_key,
+  CASE WHEN :outside THEN 1 ELSE 0 END AS out_of_range
+FROM (
+  SELECT
+    channel_id,
+    time,
+    code AS code_0,
+    :delayed,
+    CAST(ROW_NUMBER() OVER (PARTITION BY channel_id ORDER BY time) AS BIGINT) AS position
+  FROM codes
+) AS embedded
+WHERE position > :span

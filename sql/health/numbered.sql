@@ -1,0 +1,17 @@
+-- Numbered: the scored vectors of a channel in order, from 1, with the novel ones counted on.
+-- Reads:  novelty
+-- A row:  one scored vector.
+SELECT
+  channel_id,
+  time,
+  cell_key,
+  out_of_range,
+  straddling,
+  novel,
+  CAST(ROW_NUMBER() OVER (PARTITION BY channel_id ORDER BY time) AS BIGINT) AS number,
+  CAST(
+    SUM(novel) OVER (
+      PARTITION BY channel_id ORDER BY time ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
+    ) AS BIGINT
+  ) AS novel_so_far
+FROM novelty

@@ -1,0 +1,16 @@
+-- Novelty: a(t) = 1 if the cell of v(t) is not in the support, else 0 (Eq. 4).
+-- Reads:  monitored, support
+-- A row:  one scored vector.
+SELECT
+  vector.channel_id AS channel_id,
+  vector.time AS time,
+  vector.cell_key AS cell_key,
+  vector.out_of_range AS out_of_range,
+  vector.straddling AS straddling,
+  CASE WHEN healthy.hit = 1 THEN 0 ELSE 1 END AS novel
+FROM monitored AS vector
+LEFT JOIN (
+  SELECT support_id, cell_key, 1 AS hit
+  FROM support
+) AS healthy
+  ON healthy.support_id = vector.support_id AND healthy.cell_key = vector.cell_key

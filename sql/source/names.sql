@@ -1,0 +1,12 @@
+-- Names: the machines and signals that the source speaks of, and what it lacks.
+-- Reads:  readings
+-- A row:  one (asset, channel) pair, a missing name included, so that it can be counted and refused.
+SELECT
+  asset,
+  channel,
+  SUM(CASE WHEN time IS NULL THEN 0 ELSE 1 END) AS readings,
+  SUM(CASE WHEN time IS NULL THEN 1 ELSE 0 END) AS without_time,
+  MIN(time) AS earliest,
+  MAX(time) AS latest
+FROM readings
+GROUP BY asset, channel

@@ -1,0 +1,30 @@
+-- Recounted: the timeline of channels with repeated instants, after these have collapsed.
+-- Reads:  samples, channels, timeline, rules
+-- A row:  one such channel.
+SELECT
+  ordered.channel_id AS channel_id,
+  COUNT(*) AS samples,
+  SUM(ordered.conflict) AS conflicts,
+  MAX(
+    CASE
+      WHEN ordered.position
+        = CAST(FLOOR(rule.fraction * CAST(ordered.series_length AS DOUBLE)) AS BIGINT)
+        THEN ordered.time
+    END
+  ) AS quota_time
+FROM (
+  SELECT
+    sample.channel_id AS channel_id,
+    sample.time AS time,
+    sample.conflict AS conflict,
+    CAST(
+      ROW_NUMBER() OVER (PARTITION BY sample.channel_id ORDER BY sample.time) AS BIGINT
+    ) AS position,
+    CAST(COUNT(*) OVER (PARTITION BY sample.channel_id) AS BIGINT) AS series_length
+  FROM samples AS sample
+  JOIN timeline AS dirty ON dirty.channel_id = sample.channel_id
+  WHERE dirty.repeats > 0
+) AS ordered
+JOIN channels AS named ON named.channel_id = ordered.channel_id
+JOIN rules AS rule ON rule.calibration_no = named.calibration_no
+GROUP BY ordered.channel_id

@@ -1,0 +1,31 @@
+-- Timeline: one look at the times alone. Does an instant occur twice, and when was the calibration
+-- quota of readings reached? A source without repeated instants pays for nothing more.
+-- Reads:  readings, channels, rules
+-- A row:  one channel; quota_time is right only where repeats = 0 (else see recounted).
+SELECT
+  ordered.channel_id AS channel_id,
+  SUM(CASE WHEN ordered.position > 1 AND ordered.time = ordered.previous_time THEN 1 ELSE 0 END)
+    AS repeats,
+  MIN(ordered.time) AS first_time,
+  MAX(
+    CASE
+      WHEN ordered.position
+        = CAST(FLOOR(rule.fraction * CAST(named.readings AS DOUBLE)) AS BIGINT) THEN ordered.time
+    END
+  ) AS quota_time
+FROM (
+  SELECT
+    named.channel_id AS channel_id,
+    reading.time AS time,
+    CAST(
+      ROW_NUMBER() OVER (PARTITION BY named.channel_id ORDER BY reading.time) AS BIGINT
+    ) AS position,
+    LAG(reading.time, 1) OVER (PARTITION BY named.channel_id ORDER BY reading.time)
+      AS previous_time
+  FROM readings AS reading
+  JOIN channels AS named ON named.asset = reading.asset AND named.channel = reading.channel
+  WHERE reading.time IS NOT NULL
+) AS ordered
+JOIN channels AS named ON named.channel_id = ordered.channel_id
+JOIN rules AS rule ON rule.calibration_no = named.calibration_no
+GROUP BY ordered.channel_id

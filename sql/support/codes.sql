@@ -1,0 +1,16 @@
+-- Codes: every sample of the channels to be embedded, coded (Phi, method section 3). A sample is
+-- coded once and its code is delayed, not its value: all delays share one range.
+-- Reads:  samples, bounds
+-- A row:  one sample.
+-- Slots:  :code  the expression of support/code.sql, cast to the narrowest integer that holds it
+SELECT channel_id, time, :code AS code
+FROM (
+  SELECT
+    sample.channel_id AS channel_id,
+    sample.time AS time,
+    sample.value AS value,
+    scale.lo AS lo,
+    scale.hi AS hi
+  FROM samples AS sample
+  JOIN bounds AS scale ON scale.channel_id = sample.channel_id
+) AS ranged

@@ -1,0 +1,30 @@
+-- Marked codes: as codes, with what decides whether a vector may be learnt: is the sample one of
+-- calibration, and does a segment begin with it?
+-- Reads:  samples, bounds, calibration, breaks
+-- A row:  one sample.
+-- Slots:  :code  the expression of support/code.sql, cast to the narrowest integer that holds it
+--         :read  which samples are read
+SELECT channel_id, time, :code AS code, calibrating, breaking
+FROM (
+  SELECT
+    sample.channel_id AS channel_id,
+    sample.time AS time,
+    sample.value AS value,
+    scale.lo AS lo,
+    scale.hi AS hi,
+    CAST(CASE WHEN piece.hit = 1 THEN 1 ELSE 0 END AS SMALLINT) AS calibrating,
+    CAST(CASE WHEN pause.hit = 1 THEN 1 ELSE 0 END AS SMALLINT) AS breaking
+  FROM samples AS sample
+  JOIN bounds AS scale ON scale.channel_id = sample.channel_id
+  LEFT JOIN (
+    SELECT channel_id, time_from, time_to, 1 AS hit
+    FROM calibration
+  ) AS piece
+    ON piece.channel_id = sample.channel_id
+    AND sample.time BETWEEN piece.time_from AND piece.time_to
+  LEFT JOIN (
+    SELECT channel_id, time, 1 AS hit
+    FROM breaks
+  ) AS pause ON pause.channel_id = sample.channel_id AND pause.time = sample.time
+  WHERE :read
+) AS ranged

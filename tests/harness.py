@@ -1,0 +1,96 @@
+"""The forms that must agree, behind one call: each answers the same question with plain rows.
+
+``reference`` is the NumPy count, which shares no code with the SQL. The others run gam_db on DuckDB.
+"""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import pyarrow as pa
+
+import gam_db
+import reference
+from gam_db.engines.duckdb import Session
+from gam_db.study import Study
+
+Row = tuple[str, str, int, float | None]
+Answer = list[dict[str, Any]]
+Form = Callable[[str, list[Row], gam_db.Parameters, gam_db.Calibration], Answer]
+
+#: question -> (call of the reference, call of gam_db)
+QUESTIONS = {
+    "health_indicator": (reference.health_indicator, gam_db.health_indicator),
+    "health_at_buckets": (reference.buckets, gam_db.health_at_buckets),
+    "support": (reference.support, gam_db.support),
+    "certificate": (reference.certificate, gam_db.certificate),
+}
+
+#: question -> the step that answers it
+STEPS = {
+    "health_indicator": "health_indicator",
+    "health_at_buckets": "bucket_health",
+    "support": "support_summary",
+    "certificate": "certificate",
+}
+
+
+def arrow(rows: list[Row]) -> pa.Table:
+    """Return rows as the Arrow table of a long source."""
+    columns = list(zip(*rows, strict=True)) if rows else [(), (), (), ()]
+    types = (pa.string(), pa.string(), pa.int64(), pa.float64())
+    names = ("asset", "channel", "time", "value")
+    arrays = [pa.array(list(c), t) for c, t in zip(columns, types, strict=True)]
+    return pa.table(dict(zip(names, arrays, strict=True)))
+
+
+def by_reference(
+    question: str, rows: list[Row], parameters: gam_db.Parameters, calibration: gam_db.Calibration
+) -> Answer:
+    """Answer by the NumPy reference."""
+    return QUESTIONS[question][0](rows, parameters, calibration)
+
+
+def by_duckdb(
+    question: str, rows: list[Row], parameters: gam_db.Parameters, calibration: gam_db.Calibration
+) -> Answer:
+    """Answer by the exact form on DuckDB, through the public call."""
+    source = gam_db.Source(arrow(rows))
+    answer: Answer = QUESTIONS[question][1](source, parameters, calibration).to_pylist()
+    return answer
+
+
+def all_by_duckdb(
+    rows: list[Row], parameters: gam_db.Parameters, calibration: gam_db.Calibration
+) -> dict[str, Answer]:
+    """Answer every question by the exact form on DuckDB, from one study."""
+    with Session() as session:
+        study = Study(session, gam_db.Source(arrow(rows)), parameters, calibration)
+        return {question: study.table(step).to_pylist() for question, step in STEPS.items()}
+
+
+def made(parameters: dict[str, Any], calibration: dict[str, Any]) -> tuple[Any, Any]:
+    """Return the dataclasses of a drawn case."""
+    overrides = [gam_db.Override(**override) for override in parameters.get("overrides", [])]
+    rules = {
+        pattern: None if rule is None else gam_db.Calibration(**rule)
+        for pattern, rule in calibration.get("overrides", {}).items()
+    }
+    return (
+        gam_db.Parameters(**{**parameters, "overrides": overrides}),
+        gam_db.Calibration(**{**calibration, "overrides": rules}),
+    )
+
+
+def assert_same(expected: Answer, found: Answer, what: str = "") -> None:
+    """Compare two answers: integers and texts exactly, doubles to 1e-9 of their size."""
+    assert len(expected) == len(found), f"{what}: {len(expected)} rows expected, {len(found)} found"
+    for number, (left, right) in enumerate(zip(expected, found, strict=True)):
+        assert left.keys() == right.keys(), f"{what}: columns differ"
+        for column, value in left.items():
+            other = right[column]
+            if isinstance(value, float) and isinstance(other, float):
+                same = math.isclose(value, other, rel_tol=1e-9, abs_tol=1e-9)
+            else:
+                same = value == other
+            assert same, f"{what} row {number} column {column}: expected {value!r}, found {other!r}"

@@ -1,0 +1,397 @@
+"""The method once more, in plain loops: what every SQL engine must reproduce, integer for integer.
+
+Written from the equations of the paper and from the specification of the method ("section n" is
+the latter's), not from the package: it shares no code with it and imports nothing of it, so that
+a misreading would have to be made twice to go unseen. Clarity goes before speed.
+
+A row of the source is (asset, channel, time, value), time being an integer. Parameters and
+calibration are read by attribute only, hence ``Any``: whatever has the attributes will do.
+"""
+
+import math
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Row = tuple[str, str, int, float | None]
+Answer = list[dict[str, Any]]
+Integers = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Settings:
+    """The parameters of one channel after overrides, ``stride`` resolved (section 3)."""
+
+    m: int
+    tau: int
+    bins: int
+    window: int
+    stride: int
+    max_gap: int | None
+    target_floor: float
+
+
+@dataclass
+class Channel:
+    """One signal in order of time. A vector is the positions of its m samples, newest first."""
+
+    asset: str
+    name: str
+    settings: Settings
+    times: list[int]
+    values: list[float | None]
+    conflicts: int
+    healthy: list[bool]  # is this sample a calibration sample?
+    end: int | None  # of the calibration; None where the channel has none of its own
+    score_from: int | None
+    learnt: list[list[int]] = field(default_factory=list)
+    scored: list[list[int]] = field(default_factory=list)
+    missing_vectors: int = 0
+    codes: list[int] = field(default_factory=list)
+
+
+@dataclass
+class Pool:
+    """Channels sharing one support (one that stands alone is a pool of one), with that support.
+
+    ``grid`` has the bins of each calibration vector, one line per vector in pool order, and
+    ``blocks`` the number of the vector's block, counted over the whole pool.
+    """
+
+    members: list[Channel]
+    settings: Settings
+    lo: float | None = None
+    hi: float | None = None
+    keys: set[int] = field(default_factory=set)
+    grid: Integers = field(default_factory=lambda: np.zeros((0, 1), np.int64))
+    blocks: Integers = field(default_factory=lambda: np.zeros(0, np.int64))
+
+
+def glob(pattern: str, text: str) -> bool:
+    """Match with ``*`` and ``?`` as the only wildcards (fnmatch would also read ``[ ]``)."""
+    wild = {"*": ".*", "?": "."}
+    return re.fullmatch("".join(wild.get(c, re.escape(c)) for c in pattern), text, re.S) is not None
+
+
+def settings_of(parameters: Any, asset: str, name: str) -> Settings:
+    """Section 3: a channel's parameters; the first override that matches applies, alone."""
+    values = {key: getattr(parameters, key) for key in Settings.__dataclass_fields__}
+    for override in parameters.overrides:
+        if glob(override.asset, asset) and glob(override.channel, name):
+            values.update(override.changes())
+            break
+    if values["stride"] is None:
+        values["stride"] = math.gcd(values["window"], 100)
+    return Settings(**values)
+
+
+def collapse(found: Iterable[tuple[int, float | None]]) -> tuple[list[int], list[Any], int]:
+    """Section 2: one sample per instant, the smallest non-missing value; count the conflicts."""
+    instants: dict[int, list[float]] = {}
+    for time, value in found:
+        values = instants.setdefault(time, [])  # a missing value still makes the instant
+        if value is not None and -1e300 <= value <= 1e300:  # False for NaN as well
+            values.append(float(value))
+    times = sorted(instants)
+    smallest = [min(instants[t], default=None) for t in times]
+    return times, smallest, sum(len(set(values)) > 1 for values in instants.values())
+
+
+def calibrated(
+    calibration: Any, asset: str, times: list[int]
+) -> tuple[list[bool], int | None, int | None]:
+    """Section 4: which samples are calibration, when it ends, from when to score."""
+    matching = [c for pattern, c in calibration.overrides.items() if glob(pattern, asset)]
+    own = matching[0] if matching else calibration
+    if own is None:
+        return [False] * len(times), None, None
+    if own.fraction is not None:
+        first = math.floor(own.fraction * len(times))
+        declared = [(times[0], times[first - 1])] if first > 0 else []
+    elif own.duration is not None:
+        declared = [(times[0], times[0] + own.duration)]
+    else:
+        declared = list(own.intervals)
+    healthy = [
+        any(a <= t <= b for a, b in declared) and not any(a <= t <= b for a, b in own.exclude)
+        for t in times
+    ]
+    # The largest declared end, even where no sample lies there or an exclusion covers it.
+    return healthy, max((b for _, b in declared), default=None), own.score_from
+
+
+def embed(channel: Channel) -> None:
+    """Eq. 1 and section 4: find the delay vectors, and tell those to learn from those to score."""
+    s, times, segments = channel.settings, channel.times, [0]
+    for before, time in pairwise(times):
+        torn = s.max_gap is not None and time - before > s.max_gap
+        segments.append(segments[-1] + torn)
+    span = (s.m - 1) * s.tau
+    for newest in range(span, len(times)):
+        oldest = newest - span
+        vector = [newest - k * s.tau for k in range(s.m)]
+        due = channel.end is None or times[newest] > channel.end
+        if channel.score_from is not None:
+            due = times[newest] >= channel.score_from
+        if segments[oldest] != segments[newest]:
+            continue
+        if any(channel.values[i] is None for i in vector):
+            channel.missing_vectors += 1
+        # The samples between the delays count too: none may come from outside calibration.
+        elif all(channel.healthy[oldest : newest + 1]):
+            channel.learnt.append(vector)
+        elif due:
+            channel.scored.append(vector)
+
+
+def code(x: float | None, lo: float, hi: float, bins: int) -> int:
+    """Phi for one sample, section 3: 0 missing, 1 below, 2 + bin, bins + 2 above."""
+    if x is None:
+        return 0
+    if x < lo or x > hi:
+        return 1 if x < lo else bins + 2
+    return 2 + (min(math.floor((x - lo) / (hi - lo) * bins), bins - 1) if lo < hi else 0)
+
+
+def cell_key(channel: Channel, vector: list[int]) -> int:
+    """Phi for one vector, section 3: sum over k of code(x(t - k tau)) * (bins + 3)^k."""
+    radix = channel.settings.bins + 3
+    return sum(channel.codes[i] * radix**k for k, i in enumerate(vector))
+
+
+def block_numbers(n: int, window: int) -> list[int]:
+    """Section 5: blocks of ``window`` vectors, the rest to the last; 8 equal ones if fewer."""
+    if n // window >= 8:
+        return [min(i // window, n // window - 1) for i in range(n)]
+    eighths = [8 * i // n for i in range(n)]
+    order = sorted(set(eighths))  # with n < 8 some blocks would be empty: number the others anew
+    return [order.index(eighth) for eighth in eighths]
+
+
+def learn(pool: Pool) -> None:
+    """Eq. 3: bounds over all members, codes, and the set of cells that calibration visited."""
+    usable: list[float] = []
+    for c in pool.members:
+        pairs = zip(c.values, c.healthy, strict=True)
+        usable += [x for x, healthy in pairs if healthy and x is not None]
+    if not usable:
+        return
+    pool.lo, pool.hi = lo, hi = min(usable), max(usable)
+    grid: list[list[int]] = []
+    blocks: list[int] = []
+    for c in pool.members:
+        c.codes = [code(x, lo, hi, pool.settings.bins) for x in c.values]
+        pool.keys |= {cell_key(c, vector) for vector in c.learnt}
+        grid += [[c.codes[i] - 2 for i in vector] for vector in c.learnt]
+        start = blocks[-1] + 1 if blocks else 0
+        blocks += [start + b for b in block_numbers(len(c.learnt), pool.settings.window)]
+    if grid:
+        pool.grid, pool.blocks = np.array(grid, np.int64), np.array(blocks, np.int64)
+
+
+def channels(rows: Iterable[Row], parameters: Any, calibration: Any) -> list[tuple[Channel, Pool]]:
+    """Sections 2 to 4: every channel of the source with its pool, by asset and name."""
+    found: dict[tuple[str, str], list[tuple[int, float | None]]] = {}
+    for asset, name, time, value in rows:
+        found.setdefault((asset, name), []).append((time, value))
+    groups = calibration.pool or []
+    if groups == "channel":
+        groups = [["*"]]
+    pools: dict[tuple[object, ...], Pool] = {}
+    pairs = []
+    for asset, name in sorted(found):
+        settings = settings_of(parameters, asset, name)
+        times, values, conflicts = collapse(found[asset, name])
+        own = calibrated(calibration, asset, times)
+        channel = Channel(asset, name, settings, times, values, conflicts, *own)
+        embed(channel)
+        numbers = [g for g, group in enumerate(groups) if any(glob(p, asset) for p in group)]
+        key = (numbers[0], name, settings) if numbers else ("alone", asset, name)
+        pool = pools.setdefault(key, Pool([], settings))
+        pool.members.append(channel)
+        pairs.append((channel, pool))
+    for pool in pools.values():
+        learn(pool)
+    return pairs
+
+
+def health(channel: Channel, pool: Pool) -> Iterator[dict[str, Any]]:
+    """Eq. 4, a = 1 where the cell is not in the support, and Eq. 2, its mean over the window."""
+    bins, window, novel = pool.settings.bins, pool.settings.window, []
+    for vector in channel.scored if pool.lo is not None else []:
+        key = cell_key(channel, vector)
+        novel.append(int(key not in pool.keys))
+        recent = novel[-window:]
+        yield {
+            "asset": channel.asset,
+            "channel": channel.name,
+            "time": channel.times[vector[0]],
+            "cell_key": key,
+            "novel": novel[-1],
+            "out_of_range": int(any(channel.codes[i] in (1, bins + 2) for i in vector)),
+            "straddling": int(any(channel.healthy[i] for i in vector)),
+            "novel_in_window": sum(recent),
+            "vectors_in_window": len(recent),
+            "hi": sum(recent) / window if len(recent) == window else None,
+        }
+
+
+def health_indicator(rows: Iterable[Row], parameters: Any, calibration: Any) -> Answer:
+    """Eq. 2: the share of novel vectors among the last W scored ones, at every scored vector."""
+    return [row for pair in channels(rows, parameters, calibration) for row in health(*pair)]
+
+
+def buckets(rows: Iterable[Row], parameters: Any, calibration: Any) -> Answer:
+    """Section 4, stored form: Eq. 2 after every ``stride`` scored vectors; full buckets only."""
+    answer = []
+    for channel, pool in channels(rows, parameters, calibration):
+        stride, per_window = pool.settings.stride, pool.settings.window // pool.settings.stride
+        scored, novel = list(health(channel, pool)), []
+        for bucket in range(len(scored) // stride):
+            inside = scored[bucket * stride : (bucket + 1) * stride]
+            novel.append(sum(row["novel"] for row in inside))
+            recent = sum(novel[-per_window:]) if len(novel) >= per_window else None
+            row = {
+                "asset": channel.asset,
+                "channel": channel.name,
+                "bucket": bucket,
+                "first_time": inside[0]["time"],
+                "last_time": inside[-1]["time"],
+                "novel": novel[-1],
+                "out_of_range": sum(row["out_of_range"] for row in inside),
+                "novel_in_window": recent,
+                "hi": None if recent is None else recent / pool.settings.window,
+            }
+            answer.append(row)
+    return answer
+
+
+def numbered(grid: Integers) -> Integers:
+    """The cell of each calibration vector, as a number from 0: equal bins, equal number."""
+    return np.unique(grid, axis=0, return_inverse=True)[1].reshape(-1)
+
+
+def left_out(cells: Integers, blocks: Integers) -> tuple[Integers, Integers]:
+    """Section 5: per block its vectors, and those of them in cells that no other block visited."""
+    first, last = np.full(cells.max() + 1, len(cells)), np.full(cells.max() + 1, -1)
+    np.minimum.at(first, cells, blocks)
+    np.maximum.at(last, cells, blocks)
+    vectors = np.bincount(blocks)
+    return vectors, np.bincount(blocks[(first == last)[cells]], minlength=len(vectors))
+
+
+def floor_of(cells: Integers, blocks: Integers) -> float:
+    """Section 5: the mean, over the blocks, of the healthy HI each would have had if left out."""
+    vectors, novel = left_out(cells, blocks)
+    return math.fsum(novel / vectors) / len(vectors)
+
+
+def finest_bins(pool: Pool, floor: float) -> int | None:
+    """Section 5: the finest grid of the halving ladder whose floor is at most the target."""
+    target, divisor, bins = pool.settings.target_floor, 1, pool.settings.bins
+    while floor > target:
+        divisor *= 2
+        bins = math.ceil(pool.settings.bins / divisor)
+        if bins < 2:
+            return None
+        floor = floor_of(numbered(pool.grid // divisor), pool.blocks)
+    return bins
+
+
+def vectors_needed(pool: Pool, floor: float) -> int | None:
+    """Section 5: calibration still wanted, by a power law through half of the blocks and all."""
+    target, window = pool.settings.target_floor, pool.settings.window
+    n, count = len(pool.blocks), int(pool.blocks[-1]) + 1
+    if floor <= target:
+        return 0
+    if count < 4 or target <= 0:
+        return None
+    half = pool.blocks < count // 2
+    floor_half = floor_of(numbered(pool.grid)[half], pool.blocks[half])
+    b = math.log(floor_half / floor) / math.log(n / int(half.sum())) if floor_half > 0 else 0.0
+    if b <= 0:
+        return None  # more calibration has not helped so far
+    exponent = math.log(floor / target) / b
+    if exponent > 700 or n * math.exp(exponent) > 1000 * n:  # exp overflows beyond 709
+        return None
+    return window * math.ceil((n * math.exp(exponent) - n) / window)
+
+
+def judgement(pool: Pool) -> dict[str, Any]:
+    """Section 5: what the calibration of a pool says about itself, and the verdict."""
+    names = "floor floor_sd floor_max good_turing cells_per_vector finest_bins vectors_needed"
+    if len(pool.blocks) == 0:
+        return {"verdict": "no_data", "blocks": 0} | dict.fromkeys(names.split())
+    cells = numbered(pool.grid)
+    vectors, novel = left_out(cells, pool.blocks)
+    visits, floor = np.bincount(cells), floor_of(cells, pool.blocks)
+    finest = finest_bins(pool, floor)
+    verdict = "needs_data" if finest is None else "too_fine"
+    if floor <= pool.settings.target_floor:
+        verdict = "ready"
+    return {
+        "verdict": "constant" if pool.lo == pool.hi else verdict,
+        "blocks": len(vectors),
+        "floor": floor,
+        "floor_sd": float(np.std(novel / vectors, ddof=1)) if len(vectors) > 1 else None,
+        "floor_max": float(np.max(novel / vectors)),
+        "good_turing": int(np.sum(visits == 1)) / len(cells),
+        "cells_per_vector": len(visits) / len(cells),
+        "finest_bins": finest,
+        "vectors_needed": vectors_needed(pool, floor),
+    }
+
+
+def support(rows: Iterable[Row], parameters: Any, calibration: Any) -> Answer:
+    """Eq. 3 and section 5: per channel the bounds, the counts and the verdict of its pool."""
+    return [
+        {
+            "asset": channel.asset,
+            "channel": channel.name,
+            "lo": pool.lo,
+            "hi": pool.hi,
+            "samples": len(channel.times),
+            "calibration_samples": sum(channel.healthy),
+            "calibration_vectors": len(channel.learnt),
+            "cells": len(pool.keys),
+            "missing_vectors": channel.missing_vectors,
+            "conflicts": channel.conflicts,
+        }
+        | judgement(pool)
+        for channel, pool in channels(rows, parameters, calibration)
+    ]
+
+
+def certificate(rows: Iterable[Row], parameters: Any, calibration: Any) -> Answer:
+    """Section 5: per block its two integers, and the learning curve up to and with it."""
+    answer: Answer = []
+    for channel, pool in channels(rows, parameters, calibration):
+        if not channel.learnt:
+            continue
+        cells = numbered(pool.grid)
+        vectors, novel = left_out(cells, pool.blocks)
+        start = sum(len(c.learnt) for c in pool.members[: pool.members.index(channel)])
+        own = pool.blocks[start : start + len(channel.learnt)]
+        for block in np.unique(own):
+            inside = np.flatnonzero(own == block)
+            known = pool.blocks <= block
+            row = {
+                "asset": channel.asset,
+                "channel": channel.name,
+                "block": int(block - own[0]),
+                "vectors": int(vectors[block]),
+                "novel": int(novel[block]),
+                "first_time": channel.times[channel.learnt[inside[0]][0]],
+                "last_time": channel.times[channel.learnt[inside[-1]][0]],
+                "healthy_hi": int(novel[block]) / int(vectors[block]),
+                "learned_vectors": int(known.sum()),
+                "learned_cells": len(set(cells[known].tolist())),
+                "learned_floor": floor_of(cells[known], pool.blocks[known]),
+            }
+            answer.append(row)
+    return answer
