@@ -83,7 +83,9 @@ class Calibration:
                 f"pool is {self.pool!r}; it takes 'channel' or groups of asset patterns."
             )
         if self.pool is not None and not isinstance(self.pool, str):
-            groups = tuple((group,) if isinstance(group, str) else tuple(group) for group in self.pool)
+            groups = tuple(
+                (group,) if isinstance(group, str) else tuple(group) for group in self.pool
+            )
             object.__setattr__(self, "pool", groups)
 
     @property

@@ -87,7 +87,7 @@ def check_rows(names: pa.Table) -> None:
         raise SourceError(
             f"The source has rows that belong nowhere: {', '.join(found)} (NULL, or an infinite "
             "time). Leave them out by where=, for example "
-            f"where=\"{next(role for role, count in nameless.items() if count)} IS NOT NULL\" with "
+            f'where="{next(role for role, count in nameless.items() if count)} IS NOT NULL" with '
             "your column's name, or mend them."
         )
     if any(max(abs(row["earliest"]), abs(row["latest"])) >= FAR_AHEAD for row in rows):

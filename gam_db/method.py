@@ -21,11 +21,10 @@ from gam_db.source import TimeNode
 
 #: Steps that are small: a row per channel, interval or cell. They may be kept as tables on the way.
 SMALL = frozenset(
-    "names rules declared channels timeline recounted series limits calibration calibrated".split()
+    ["names", "rules", "declared", "channels", "timeline", "recounted", "series", "limits", "calibration", "calibrated"]
 )
 SMALL_OF_SET = frozenset(
-    "breaks bounds support visits block_sizes cells blocks learning levels ladder spread finest "
-    "outlook missing_vectors".split()
+    ["breaks", "bounds", "support", "visits", "block_sizes", "cells", "blocks", "learning", "levels", "ladder", "spread", "finest", "outlook", "missing_vectors"]
 )
 
 #: Steps whose sets are put under one another.
@@ -207,9 +206,7 @@ def add_breaks(steps: Pipeline, method: Method, number: int) -> None:
         )
 
 
-def add_vectors(
-    steps: Pipeline, method: Method, number: int, prefix: str, read: exp.Expr
-) -> None:
+def add_vectors(steps: Pipeline, method: Method, number: int, prefix: str, read: exp.Expr) -> None:
     """Add the complete form of codes and vectors of one set (Eq. 1) over the samples to be read.
 
     The vectors of calibration are called ``calibration_vectors``, the others ``marked_vectors``.
@@ -220,9 +217,7 @@ def add_vectors(
         steps, method, number, "support/marked_codes", {"code": _code(setting), "read": read}, codes
     )
     ks = range(1, setting.m)
-    delayed = [
-        _delayed(name, k, setting) for name in ("code", "calibrating") for k in ks
-    ]
+    delayed = [_delayed(name, k, setting) for name in ("code", "calibrating") for k in ks]
     touching = exp.or_(
         *(
             exp.EQ(this=exp.column(f"calibrating_{k}"), expression=exp.Literal.number(1))
@@ -323,15 +318,11 @@ def add_certificate(steps: Pipeline, method: Method, number: int) -> None:
     _add_stacked(steps, method.named("levels", number), "certificate/levels", levels)
     radix, top = setting.radix, setting.m - 1
     coarse = [
-        template.fill(
-            "certificate/coarse_term", {"weight": radix**k, "above": radix ** (k + 1)}
-        )
+        template.fill("certificate/coarse_term", {"weight": radix**k, "above": radix ** (k + 1)})
         for k in range(top)
     ]
     coarse.append(template.fill("certificate/top_term", {"weight": radix**top}))
-    _add_of_set(
-        steps, method, number, "certificate/ladder", {"coarse_key": template.added(coarse)}
-    )
+    _add_of_set(steps, method, number, "certificate/ladder", {"coarse_key": template.added(coarse)})
     _add_of_set(steps, method, number, "certificate/spread")
     for name in ("finest", "outlook"):
         _add_of_set(
@@ -456,9 +447,7 @@ def _chosen(cases: Sequence[tuple[exp.Expr | None, exp.Expr | None, int]]) -> ex
         if not conditions:
             chosen.set("default", exp.Literal.number(number))
             break
-        chosen.append(
-            "ifs", exp.If(this=exp.and_(*conditions), true=exp.Literal.number(number))
-        )
+        chosen.append("ifs", exp.If(this=exp.and_(*conditions), true=exp.Literal.number(number)))
     if not chosen.args["ifs"]:
         return chosen.args["default"].copy()  # type: ignore[no-any-return]
     return chosen

@@ -163,9 +163,7 @@ class Parameters:
 
 def pattern_matches(pattern: str, name: str) -> bool:
     """Tell whether a pattern (``*`` any text, ``?`` one character, else literal) names ``name``."""
-    parts = (
-        ".*" if sign == "*" else "." if sign == "?" else re.escape(sign) for sign in pattern
-    )
+    parts = (".*" if sign == "*" else "." if sign == "?" else re.escape(sign) for sign in pattern)
     return re.fullmatch("".join(parts), name, re.DOTALL) is not None
 
 

@@ -53,7 +53,12 @@ class Source:
     @property
     def columns(self) -> dict[str, str]:
         """The columns to be read, by what they say."""
-        said = {"asset": self.asset, "channel": self.channel, "time": self.time, "value": self.value}
+        said = {
+            "asset": self.asset,
+            "channel": self.channel,
+            "time": self.time,
+            "value": self.value,
+        }
         return {role: column for role, column in said.items() if column is not None}
 
     @property
@@ -161,7 +166,7 @@ def parsed_condition(where: str | exp.Expr | None) -> exp.Expr:
     except SqlglotError as error:
         raise SourceError(
             f"where is {where!r}, which is not a condition in SQL; write what would stand after "
-            "WHERE, such as \"speed > 0\"."
+            'WHERE, such as "speed > 0".'
         ) from error
     return exp.Paren(this=parsed)
 

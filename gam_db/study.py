@@ -55,7 +55,9 @@ class Study:
         rows = readings(self.source, relation, lambda node: session.engine.micros_of(kind, node))
         self.steps = pipeline(self.method, rows)
         self._small = self.method.small()
-        if is_file(source.relation) and not str(source.relation).lower().endswith((".parquet", ".pq")):
+        if is_file(source.relation) and not str(source.relation).lower().endswith(
+            (".parquet", ".pq")
+        ):
             # Text is parsed once, not once per step.
             self._small.add("readings")
         look.check_rows(self._looked())
@@ -94,7 +96,11 @@ class Study:
 
 
 def open_study(
-    session: Session, source: AnySource, parameters: Parameters, calibration: Calibration, **more: Any
+    session: Session,
+    source: AnySource,
+    parameters: Parameters,
+    calibration: Calibration,
+    **more: Any,
 ) -> Study:
     """Return a study; see :class:`Study`."""
     return Study(session, source, parameters, calibration, **more)

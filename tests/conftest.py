@@ -8,7 +8,11 @@ from hypothesis import HealthCheck, settings
 
 # The same cases in every run; more, and other ones, by HYPOTHESIS_PROFILE=many.
 settings.register_profile(
-    "few", max_examples=100, derandomize=True, deadline=None, database=None,
+    "few",
+    max_examples=100,
+    derandomize=True,
+    deadline=None,
+    database=None,
     suppress_health_check=[HealthCheck.too_slow],
 )
 settings.register_profile(

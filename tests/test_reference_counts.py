@@ -11,6 +11,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+
 from reference import Row, health_indicator, support
 
 FOLDER = os.environ.get("GAM_TEST_DATA", "")

@@ -135,7 +135,7 @@ class Session:
             with contextlib.suppress(duckdb.CatalogException, duckdb.BinderException):
                 self.describe(node)
                 return node
-        shown = relation if isinstance(relation, str) else ".".join(relation)
+        shown = relation if isinstance(relation, str) else ".".join(map(str, relation))  # type: ignore[arg-type]
         raise SourceError(
             f"There is no table or view {shown!r} in the database"
             + (" in memory" if self.owned and self._in_memory() else "")
