@@ -46,15 +46,13 @@ class Calibration:
 
     def __post_init__(self) -> None:
         given = [
-            name
-            for name in ("fraction", "duration", "intervals")
-            if getattr(self, name) is not None
+            name for name in ("fraction", "duration", "intervals") if getattr(self, name) is not None
         ]
         if not given:
             object.__setattr__(self, "fraction", 0.2)
         elif len(given) > 1:
             raise CalibrationError(
-                f"Calibration takes one of fraction, duration and intervals, not {' and '.join(given)}."
+                f"Calibration takes one of fraction, duration, intervals, not {' and '.join(given)}."
             )
         if self.fraction is not None and (
             isinstance(self.fraction, bool)
@@ -83,9 +81,7 @@ class Calibration:
                 f"pool is {self.pool!r}; it takes 'channel' or groups of asset patterns."
             )
         if self.pool is not None and not isinstance(self.pool, str):
-            groups = tuple(
-                (group,) if isinstance(group, str) else tuple(group) for group in self.pool
-            )
+            groups = tuple((group,) if isinstance(group, str) else tuple(group) for group in self.pool)
             object.__setattr__(self, "pool", groups)
 
     @property
@@ -136,9 +132,7 @@ def resolve(calibration: Calibration, kind: TimeKind) -> list[Rule]:
 
 def _resolve_one(calibration: Calibration, kind: TimeKind) -> Rule:
     score_from = (
-        None
-        if calibration.score_from is None
-        else instant(calibration.score_from, kind, "score_from")
+        None if calibration.score_from is None else instant(calibration.score_from, kind, "score_from")
     )
     excluded = _closed("exclude", calibration.exclude, kind)
     if calibration.intervals is None:
@@ -179,9 +173,7 @@ def subtract(intervals: Sequence[Interval], excluded: Sequence[Interval]) -> lis
     return left
 
 
-def _closed(
-    name: str, intervals: Sequence[tuple[Instant, Instant]], kind: TimeKind
-) -> list[Interval]:
+def _closed(name: str, intervals: Sequence[tuple[Instant, Instant]], kind: TimeKind) -> list[Interval]:
     closed = []
     for number, (start, end) in enumerate(intervals, start=1):
         pair = (

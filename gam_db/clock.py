@@ -135,10 +135,8 @@ def looks_like_calendar(value: object) -> bool:
     """Tell whether a value given for time can only mean a calendar, not a counter."""
     if isinstance(value, str):
         return not value.strip().lstrip("-").isdigit()
-    return (
-        isinstance(value, (dt.date, dt.timedelta))
-        or (type(value).__module__ == "numpy"
-        and (type(value).__name__ in ("datetime64", "timedelta64")))
+    return isinstance(value, (dt.date, dt.timedelta)) or (
+        type(value).__module__ == "numpy" and (type(value).__name__ in ("datetime64", "timedelta64"))
     )
 
 

@@ -38,9 +38,7 @@ def resolved(source: AnySource, columns: dict[str, str], session: Session) -> An
     for role, column in source.columns.items():
         if column not in columns:
             hint = (
-                f"; if there is only one {role}, say {role}=None"
-                if role in ("asset", "channel")
-                else ""
+                f"; if there is only one {role}, say {role}=None" if role in ("asset", "channel") else ""
             )
             raise SourceError(
                 f"The relation has no column {column!r} for {role}{nearest(column, columns)}{hint}."

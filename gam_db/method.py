@@ -21,10 +21,16 @@ from gam_db.source import TimeNode
 
 #: Steps that are small: a row per channel, interval or cell. They may be kept as tables on the way.
 SMALL = frozenset(
-    ["names", "rules", "declared", "channels", "timeline", "recounted", "series", "limits", "calibration", "calibrated"]
+    (
+        *("names", "rules", "declared", "channels", "timeline", "recounted", "series"),
+        *("limits", "calibration", "calibrated"),
+    )
 )
 SMALL_OF_SET = frozenset(
-    ["breaks", "bounds", "support", "visits", "block_sizes", "cells", "blocks", "learning", "levels", "ladder", "spread", "finest", "outlook", "missing_vectors"]
+    (
+        *("breaks", "bounds", "support", "visits", "block_sizes", "cells", "blocks", "learning"),
+        *("levels", "ladder", "spread", "finest", "outlook", "missing_vectors"),
+    )
 )
 
 #: Steps whose sets are put under one another.
@@ -148,10 +154,7 @@ def add_source(steps: Pipeline, method: Method) -> None:
                     (_pattern("asset", override.asset), _pattern("channel", override.channel), n)
                     for override, n in zip(
                         method.parameters.overrides,
-                        (
-                            method.settings.index(variant)
-                            for variant in method.parameters.variants()[1:]
-                        ),
+                        (method.settings.index(variant) for variant in method.parameters.variants()[1:]),
                         strict=True,
                     )
                 ]
@@ -403,9 +406,7 @@ def _cell_slots(setting: Parameters) -> dict[str, template.Slot]:
     coordinates = [exp.column(f"code_{k}") for k in range(setting.m)]
     return {
         "span": setting.span,
-        "known": exp.and_(
-            *(template.fill("embedding/known", {"code": code}) for code in coordinates)
-        ),
+        "known": exp.and_(*(template.fill("embedding/known", {"code": code}) for code in coordinates)),
         "cell_key": template.added(
             [
                 template.fill("embedding/cell_term", {"code": code, "weight": setting.radix**k})
@@ -422,9 +423,7 @@ def _cell_slots(setting: Parameters) -> dict[str, template.Slot]:
 
 
 def _delayed(name: str, k: int, setting: Parameters) -> exp.Expr:
-    delay = template.fill(
-        "embedding/delayed", {"column": exp.column(name), "delay": k * setting.tau}
-    )
+    delay = template.fill("embedding/delayed", {"column": exp.column(name), "delay": k * setting.tau})
     return exp.alias_(delay, f"{name}_{k}")
 
 

@@ -97,7 +97,7 @@ class Parameters:
         if (self.m - 1) * self.tau >= 2**31 or self.window >= 2**31:
             raise ParameterError("(m - 1) * tau and window must stay below 2^31 samples.")
         if self.m > 63 or self.radix**self.m > LARGEST_KEY:
-            fitting = int(math.floor(math.log(LARGEST_KEY) / math.log(self.radix)))
+            fitting = math.floor(math.log(LARGEST_KEY) / math.log(self.radix))
             raise ParameterError(
                 f"bins = {self.bins} with m = {self.m} needs (bins + 3)^m cell keys, more than 63 "
                 f"bits hold; take m <= {fitting}, or fewer bins."

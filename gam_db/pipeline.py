@@ -142,9 +142,7 @@ def filled(name: str, slots: Mapping[str, template.Slot] | None = None) -> exp.Q
 def _selected_from(union: exp.Query) -> exp.Query:
     """Wrap a union, since not every engine takes a WITH list before one."""
     columns = [exp.column(exp.to_identifier(name), table="rows_of") for name in union.named_selects]
-    return exp.select(*(column.as_(column.name) for column in columns)).from_(
-        union.subquery("rows_of")
-    )
+    return exp.select(*(column.as_(column.name) for column in columns)).from_(union.subquery("rows_of"))
 
 
 def _plain_tables(query: exp.Expr) -> list[exp.Table]:

@@ -55,9 +55,7 @@ class Study:
         rows = readings(self.source, relation, lambda node: session.engine.micros_of(kind, node))
         self.steps = pipeline(self.method, rows)
         self._small = self.method.small()
-        if is_file(source.relation) and not str(source.relation).lower().endswith(
-            (".parquet", ".pq")
-        ):
+        if is_file(source.relation) and not str(source.relation).lower().endswith((".parquet", ".pq")):
             # Text is parsed once, not once per step.
             self._small.add("readings")
         look.check_rows(self._looked())

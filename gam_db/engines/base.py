@@ -62,9 +62,7 @@ class Engine:
         for rewrite in self.rewrites:
             rewritten = rewrite(rewritten)
         try:
-            return rewritten.sql(
-                dialect=self.dialect, pretty=pretty, unsupported_level=ErrorLevel.RAISE
-            )
+            return rewritten.sql(dialect=self.dialect, pretty=pretty, unsupported_level=ErrorLevel.RAISE)
         except UnsupportedError as error:
             raise EngineError(f"{self.name} has no form for part of this query: {error}") from error
 

@@ -215,9 +215,7 @@ class Session:
 
     def _write_table(self, query: exp.Query, path: Path, table: str) -> None:
         name = f"{self._mark}_target"
-        attach = exp.Attach(
-            this=exp.alias_(template.text(str(path)), template.name(name), table=False)
-        )
+        attach = exp.Attach(this=exp.alias_(template.text(str(path)), template.name(name), table=False))
         try:
             self._run(attach)
         except (duckdb.IOException, duckdb.BinderException) as error:
