@@ -106,7 +106,7 @@ class Pipeline:
             place(body, placed)
             entry = exp.CTE(this=body, alias=exp.TableAlias(this=exp.to_identifier(step.name)))
             if commented and step.comment:
-                entry.comments = [_comment(step.comment)]
+                body.comments = [f" {step.comment} "]
             listed.append(entry)
         query.set("with_", exp.With(expressions=listed))
         return query
@@ -151,7 +151,3 @@ def _plain_tables(query: exp.Expr) -> list[exp.Table]:
         for table in query.find_all(exp.Table)
         if isinstance(table.this, exp.Identifier) and not table.this.quoted and not table.db
     ]
-
-
-def _comment(comment: str) -> str:
-    return " " + " ".join(comment.split()) + " "

@@ -16,6 +16,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
+from itertools import takewhile
 from pathlib import Path
 from typing import TypeAlias
 
@@ -32,7 +33,7 @@ LARGEST_INTEGER = 2**63 - 1
 
 @dataclass(frozen=True)
 class Template:
-    """A parsed file of ``sql/``: its name (``folder/file``), its opening comment, tree and slots."""
+    """A parsed file of ``sql/``: its name (``folder/file``), what it computes, its tree and slots."""
 
     name: str
     comment: str
@@ -71,11 +72,8 @@ def parse(name: str, source: str) -> Template:
     if len(statements) != 1 or statements[0] is None:
         raise TemplateError(f"sql/{name}.sql must hold exactly one statement.")
     tree = statements[0]
-    comment = "\n".join(
-        line.removeprefix("--").removeprefix(" ")
-        for line in source.splitlines()
-        if line.startswith("--")
-    )
+    said = [line.removeprefix("--").strip() for line in source.splitlines() if line.startswith("--")]
+    comment = "\n".join(takewhile(lambda line: not line.startswith(("Reads:", "Slots:")), said))
     for node in tree.walk():
         node.comments = None
         node._meta = None  # places in the text; copying them takes longer than all else
@@ -121,6 +119,8 @@ def fill_template(template: Template, slots: Mapping[str, Slot]) -> exp.Expr:
             _splice(placeholder, [node.copy() for node in value])
         else:
             filled = node_of(value, template.name)
+            if isinstance(filled, exp.Cast) and isinstance(placeholder.parent, exp.Cast):
+                filled = filled.this if filled.to == placeholder.parent.to else filled
             if placeholder is tree:
                 tree = filled
             else:
@@ -143,7 +143,9 @@ def node_of(value: int | float | None | exp.Expr, where: str = "a slot") -> exp.
     else:
         if not math.isfinite(value):
             raise TemplateError(f"{where}: {value} is not a finite number.")
-        literal = exp.cast(exp.Literal.number(repr(abs(value))), "DOUBLE")
+        digits = repr(abs(value))
+        # With an exponent, no engine reads a decimal first and rounds twice.
+        literal = exp.cast(exp.Literal.number(digits if "e" in digits else f"{digits}e0"), "DOUBLE")
     return exp.Neg(this=literal) if math.copysign(1, value) < 0 else literal
 
 

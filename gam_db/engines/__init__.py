@@ -1,1 +1,36 @@
-"""Engines: flat data and small rewrites, one file per engine."""
+"""Engines: flat data and small rewrites, one file per engine.
+
+Nothing outside this folder asks which engine it is. An engine is *executed* if the test suite runs
+its SQL, *rendered* if the SQL is only made and parsed.
+"""
+
+import importlib
+
+from gam_db.engines.base import Engine
+from gam_db.errors import EngineError, nearest
+
+NAMES = (
+    "duckdb",
+    "sqlite",
+    "postgres",
+    "clickhouse",
+    "spark",
+    "databricks",
+    "bigquery",
+    "snowflake",
+    "redshift",
+    "trino",
+)
+
+
+def engine_named(name: str) -> Engine:
+    """Return the engine of that name.
+
+    Raises:
+        EngineError: there is none; the message suggests the nearest.
+    """
+    if name not in NAMES:
+        raise EngineError(f"There is no engine {name!r}{nearest(name, NAMES)}.")
+    engine = importlib.import_module(f"gam_db.engines.{name}").ENGINE
+    assert isinstance(engine, Engine)
+    return engine

@@ -6,9 +6,7 @@ Making SQL needs no driver and no connection.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import cast
 
-import sqlglot
 from sqlglot import exp
 from sqlglot.dialects.dialect import Dialect
 from sqlglot.errors import ErrorLevel, UnsupportedError
@@ -18,7 +16,6 @@ from gam_db.errors import EngineError
 
 Rewrite = Callable[[exp.Expr], exp.Expr]
 TimeRewrite = Callable[[TimeKind, exp.Expr], exp.Expr]
-Query = exp.Query
 
 
 def table_as(table: exp.Table, query: exp.Query) -> exp.Create:
@@ -80,6 +77,22 @@ def strip_null_order(tree: exp.Expr, dialect: str) -> exp.Expr:
     return tree
 
 
+def escape_by_backslash(tree: exp.Expr) -> exp.Expr:
+    """Write LIKE patterns with a backslash before a sign that is meant as written.
+
+    Cause: these engines have no ESCAPE clause. Symptom: a syntax error at ESCAPE, for patterns of
+    assets or channels with a wildcard.
+    """
+    for escape in list(tree.find_all(exp.Escape)):
+        like = escape.this
+        pattern = like.expression.this.replace("\\", "\\\\")
+        for sign in "%_!":
+            pattern = pattern.replace(f"!{sign}", sign if sign == "!" else f"\\{sign}")
+        like.set("expression", exp.Literal.string(pattern))
+        escape.replace(like)
+    return tree
+
+
 def counter(column: exp.Expr) -> exp.Expr:
     """Return an integer counter as it is; the product is refused by engines if it is a timestamp."""
     return exp.cast(exp.Mul(this=column, expression=exp.Literal.number(1)), "BIGINT")
@@ -88,8 +101,3 @@ def counter(column: exp.Expr) -> exp.Expr:
 def called(function: str, *arguments: exp.Expr) -> exp.Expr:
     """Return a call of an engine's own function, left as it is."""
     return exp.Anonymous(this=function, expressions=list(arguments))
-
-
-def parse(query: str) -> exp.Query:
-    """Parse a query of our own in DuckDB's dialect; for tests and tools."""
-    return cast(exp.Query, sqlglot.parse_one(query, dialect="duckdb"))

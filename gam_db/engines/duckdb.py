@@ -59,6 +59,13 @@ ENGINE = Engine(
     macros=True,
 )
 
+
+def file_reader(path: str) -> exp.Expr:
+    """Return the node that reads a Parquet or CSV file by its path."""
+    text_file = any(ending in path.lower() for ending in (".csv", ".tsv"))
+    return exp.Table(this=called("READ_CSV" if text_file else "READ_PARQUET", template.text(path)))
+
+
 _KINDS = {
     "TIMESTAMP": TimeKind.TIMESTAMP,
     "TIMESTAMP_S": TimeKind.TIMESTAMP,
@@ -116,7 +123,7 @@ class Session:
             return
         with contextlib.suppress(duckdb.Error):
             for made in self._made:
-                self._run(exp.Drop(this=_temporary(made), kind="TABLE", exists=True))
+                self._run(exp.Drop(tables=[_temporary(made)], kind="TABLE", exists=True))
             for registered in self._registered:
                 self.connection.unregister(registered)
 
@@ -270,8 +277,7 @@ class Session:
         return exp.Table(this=template.name(name))
 
     def _file(self, path: str) -> exp.Expr:
-        reader = "READ_CSV" if ".csv" in path.lower() or ".tsv" in path.lower() else "READ_PARQUET"
-        node = exp.Table(this=called(reader, template.text(path)))
+        node = file_reader(path)
         try:
             self.describe(node)
         except duckdb.IOException as error:

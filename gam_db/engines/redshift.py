@@ -1,0 +1,25 @@
+"""Redshift: PostgreSQL's older relative, with DATEDIFF."""
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.clock import TimeKind
+from gam_db.engines.base import Engine, called, counter
+from gam_db.engines.postgres import instant_of
+
+
+def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
+    """Return epoch microseconds; EXTRACT(EPOCH) is whole seconds there."""
+    if kind.is_counter:
+        return counter(column)
+    epoch = exp.cast(template.text("1970-01-01 00:00:00"), "TIMESTAMP")
+    return called("DATEDIFF", exp.var("MICROSECOND"), epoch, column)
+
+
+ENGINE = Engine(
+    name="redshift",
+    dialect="redshift",
+    evidence="rendered",
+    micros_of=micros_of,
+    instant_of=instant_of,
+)

@@ -1,0 +1,31 @@
+"""Snowflake."""
+
+from sqlglot import exp
+
+from gam_db.clock import TimeKind
+from gam_db.engines.base import Engine, called, counter
+
+
+def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
+    """Return epoch microseconds."""
+    if kind.is_counter:
+        return counter(column)
+    return called("DATE_PART", exp.var("EPOCH_MICROSECOND"), column)
+
+
+def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
+    """Return the timestamp of epoch microseconds, without a zone unless the source has one."""
+    if kind.is_counter:
+        return micros
+    zoned = kind is TimeKind.TIMESTAMP_WITH_ZONE
+    name = "TO_TIMESTAMP_LTZ" if zoned else "TO_TIMESTAMP_NTZ"
+    return called(name, micros, exp.Literal.number(6))
+
+
+ENGINE = Engine(
+    name="snowflake",
+    dialect="snowflake",
+    evidence="rendered",
+    micros_of=micros_of,
+    instant_of=instant_of,
+)

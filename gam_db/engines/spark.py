@@ -1,0 +1,36 @@
+"""Spark 3.5 and later, in ANSI mode."""
+
+from sqlglot import exp
+
+from gam_db.clock import TimeKind
+from gam_db.engines.base import Engine, called, counter, table_as
+
+
+def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
+    """Return epoch microseconds; a timestamp without zone is read as UTC by a session in UTC."""
+    if kind.is_counter:
+        return counter(column)
+    return called("UNIX_MICROS", exp.cast(column, "TIMESTAMPTZ"))
+
+
+def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
+    """Return the timestamp of epoch microseconds."""
+    return micros if kind.is_counter else called("TIMESTAMP_MICROS", micros)
+
+
+def create_table(table: exp.Table, query: exp.Query) -> exp.Create:
+    """Return CREATE TABLE ... USING PARQUET AS; without a format Spark may ask for Hive."""
+    create = table_as(table, query)
+    parquet = exp.FileFormatProperty(this=exp.var("PARQUET"))
+    create.set("properties", exp.Properties(expressions=[parquet]))
+    return create
+
+
+ENGINE = Engine(
+    name="spark",
+    dialect="spark",
+    evidence="rendered",
+    micros_of=micros_of,
+    instant_of=instant_of,
+    create_table=create_table,
+)

@@ -1,0 +1,50 @@
+"""SQLite: the engine of the standard library; times are ISO 8601 texts in UTC or integers."""
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.clock import SECOND, TimeKind
+from gam_db.engines.base import Engine, called, counter
+
+
+def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
+    """Return epoch microseconds of a text YYYY-MM-DD HH:MM:SS.ffffff; fewer digits are filled up."""
+    if kind.is_counter:
+        return counter(column)
+    seconds = exp.cast(called("STRFTIME", template.text("%s"), column), "BIGINT")
+    digits = exp.DPipe(
+        this=called("SUBSTR", column.copy(), exp.Literal.number(21)),
+        expression=template.text("000000"),
+    )
+    fraction = called("SUBSTR", digits, exp.Literal.number(1), exp.Literal.number(6))
+    return exp.Add(
+        this=exp.Mul(this=seconds, expression=exp.Literal.number(SECOND)),
+        expression=exp.cast(fraction, "BIGINT"),
+    )
+
+
+def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
+    """Return the text of epoch microseconds."""
+    if kind.is_counter:
+        return micros
+    second = exp.Literal.number(SECOND)
+    signed = exp.Mod(this=micros.copy(), expression=second)
+    rest = exp.paren(exp.Mod(this=exp.paren(exp.Add(this=signed, expression=second)), expression=second))
+    whole = exp.Div(this=exp.paren(exp.Sub(this=micros, expression=rest)), expression=second.copy())
+    date = called(
+        "STRFTIME",
+        template.text("%Y-%m-%d %H:%M:%S"),
+        exp.cast(whole, "BIGINT"),
+        template.text("unixepoch"),
+    )
+    fraction = called("PRINTF", template.text(".%06d"), rest.copy())
+    return exp.DPipe(this=date, expression=fraction)
+
+
+ENGINE = Engine(
+    name="sqlite",
+    dialect="sqlite",
+    evidence="executed",
+    micros_of=micros_of,
+    instant_of=instant_of,
+)

@@ -1,0 +1,236 @@
+"""Scripts: a whole form as SQL that a warehouse team runs with no Python at all.
+
+Two forms (method, section 4): *exact*, one query from the source to the health indicator, and *view*,
+tables for what calibration found and a plain view over the live source. This module owns what such a
+script holds and in which order; it needs no connection and no driver.
+"""
+
+import dataclasses
+from collections.abc import Iterator
+
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db import look, template
+from gam_db.calibration import Calibration
+from gam_db.clock import TimeKind, looks_like_calendar
+from gam_db.engines import engine_named
+from gam_db.engines.base import Engine
+from gam_db.errors import EngineError, ParameterError, SourceError, nearest
+from gam_db.method import Method, pipeline
+from gam_db.parameters import Parameters
+from gam_db.pipeline import Pipeline
+from gam_db.source import (
+    AnySource,
+    Source,
+    WideSource,
+    declared_kind,
+    is_file,
+    readings,
+    table_names,
+)
+
+FORMS = ("exact", "view")
+HEALTH_OF = ("asset_name", "channel_name")
+
+#: Tables of the view form that only its own script needs.
+_PASSING = ("timeline", "series", "limits", "calibrated", "visits", "missing_vectors")
+_LASTING = ("channels", "calibration", "bounds", "support")
+_RESULTS = ("support_summary", "certificate")
+
+
+def render(
+    form: str,
+    engine: str,
+    source: AnySource,
+    parameters: Parameters | None = None,
+    calibration: Calibration | None = None,
+    prefix: str = "gam_",
+) -> str:
+    """Return the complete SQL script of a form for an engine.
+
+    Args:
+        form: "exact", one query, a row per scored vector; or "view", tables <prefix>channels,
+            <prefix>calibration, <prefix>bounds, <prefix>support, <prefix>support_summary and
+            <prefix>certificate and the view <prefix>health over the live source. DuckDB also gets the
+            table macro <prefix>health_of(asset, channel).
+        engine: its name, see ``gam_db.engines.NAMES``.
+        source: where the telemetry lies. Without ``time_kind`` the time column is taken for what a file
+            shows or the given instants mean, else for an integer counter, and the script says so.
+        parameters: of the method; default :class:`Parameters`.
+        calibration: the healthy part; default the first fifth of each channel.
+        prefix: of the names of the view form.
+
+    Raises:
+        UserError: the form or engine is unknown, or the source cannot be read there.
+    """
+    if form not in FORMS:
+        raise ParameterError(f"There is no form {form!r}{nearest(form, FORMS)}.")
+    parameters, calibration = parameters or Parameters(), calibration or Calibration()
+    chosen = engine_named(engine)
+    source, kind, found = _looked_at(source, parameters, calibration, chosen)
+    method = Method(parameters, calibration, kind, lambda node: chosen.instant_of(kind, node))
+    relation = _relation(source, chosen)
+    steps = pipeline(method, _readings(source, relation, kind, chosen))
+    head = [
+        f"gam-db, form {form}, for {chosen.name}. {_described(parameters)}",
+        f"Time: {kind.value}"
+        + ("" if found else ", assumed; say time_kind='timestamp' if it is not")
+        + ".",
+        "A cell is novel if healthy operation never visited it; the health indicator is the share of "
+        "novel vectors among the last W scored ones.",
+    ]
+    if form == "exact":
+        query = chosen.text(steps.query("health_indicator", commented=True), pretty=True)
+        return f"{_commented(head)}\n{query};\n"
+    only = None
+    if chosen.macros:
+        named = dataclasses.replace(source, where=_only_channel(source))
+        only = pipeline(method, _readings(named, relation, kind, chosen))
+    parts = _view_statements(steps, only, method, chosen, prefix)
+    body = "\n".join(
+        f"{_commented(comment.splitlines())}\n{chosen.text(statement, pretty=True)};\n"
+        for comment, statement in parts
+    )
+    return f"{_commented(head)}\n\n{body}"
+
+
+def _view_statements(
+    steps: Pipeline, only: Pipeline | None, method: Method, engine: Engine, prefix: str
+) -> Iterator[tuple[str, exp.Expr]]:
+    """Give the statements of the view form in order, each with its comment."""
+    names = [name for name in steps.steps if _table_of(name) in (*_PASSING, *_LASTING)]
+    placed: dict[str, exp.Table] = {}
+    yield "Begin anew: a view goes before the tables it reads.", _drop("VIEW", f"{prefix}health")
+    for name in (*names, *_RESULTS):
+        table = exp.to_table(f"{prefix}{name}")
+        query = steps.query(name, placed)
+        query.set("order", None)
+        yield f"{name}: {engine.name} keeps this step as a table.", _drop("TABLE", table.name)
+        yield steps.steps[name].comment, engine.create_table(table, query)
+        placed[name] = table
+    live = {name: table for name, table in placed.items() if _table_of(name) in _LASTING}
+    view = steps.query("health_indicator", live)
+    view.set("order", None)
+    yield (
+        "The health indicator over the live source, against what calibration found once.\n"
+        + steps.steps["health_indicator"].comment,
+        exp.Create(this=exp.to_table(f"{prefix}health"), kind="VIEW", expression=view),
+    )
+    if only is not None:
+        yield (
+            "One channel alone, which reads only its own rows of the source.",
+            _macro(f"{prefix}health_of", only.query("health_indicator", live)),
+        )
+    for name in names:
+        if _table_of(name) in _PASSING:
+            yield f"{name} is no longer needed.", _drop("TABLE", f"{prefix}{name}")
+
+
+def _table_of(step: str) -> str:
+    """Return a step's name without the number of its set."""
+    stem, _, number = step.rpartition("_")
+    return stem if number.isdigit() else step
+
+
+def _drop(kind: str, name: str) -> exp.Drop:
+    return exp.Drop(tables=[exp.to_table(name)], kind=kind, exists=True)
+
+
+def _macro(name: str, query: exp.Query) -> exp.Create:
+    returns = exp.ReturnsProperty(this=exp.Schema(this=exp.var("TABLE")), is_table=True)
+    return exp.Create(
+        this=exp.UserDefinedFunction(
+            this=exp.to_table(name),
+            expressions=[exp.to_identifier(argument) for argument in HEALTH_OF],
+            wrapped=True,
+        ),
+        kind="MACRO",
+        replace=True,
+        expression=query,
+        properties=exp.Properties(expressions=[returns]),
+    )
+
+
+def _only_channel(source: AnySource) -> exp.Expr:
+    """Return the condition of the table macro: the user's own, and the names it is called with."""
+    from gam_db.source import ONLY_ASSET, parsed_condition
+
+    conditions = [parsed_condition(source.where)]
+    asset = template.text(ONLY_ASSET) if source.asset is None else template.column(source.asset)
+    named = [(asset, HEALTH_OF[0])]
+    if isinstance(source, Source):
+        channel = (
+            template.text(source.value) if source.channel is None else template.column(source.channel)
+        )
+        named.append((channel, HEALTH_OF[1]))
+    for column, argument in named:
+        conditions.append(
+            exp.EQ(this=exp.cast(column, "VARCHAR"), expression=exp.column(exp.to_identifier(argument)))
+        )
+    return exp.paren(exp.and_(*conditions))
+
+
+def _readings(source: AnySource, relation: exp.Expr, kind: TimeKind, engine: Engine) -> exp.Query:
+    return readings(source, relation, lambda node: engine.micros_of(kind, node))
+
+
+def _relation(source: AnySource, engine: Engine) -> exp.Expr:
+    relation = source.relation
+    if not is_file(relation):
+        if not isinstance(relation, (str, tuple, list)):
+            raise SourceError(
+                "A script needs a name for its source; load the Arrow table into the engine and name "
+                "the table there."
+            )
+        return table_names(relation)[0]
+    if not engine.reads_files:
+        raise EngineError(
+            f"{engine.name} reads no files by path; load {relation} into a table and name that."
+        )
+    from gam_db.engines.duckdb import file_reader
+
+    return file_reader(str(relation))
+
+
+def _looked_at(
+    source: AnySource, parameters: Parameters, calibration: Calibration, engine: Engine
+) -> tuple[AnySource, TimeKind, bool]:
+    """Return the source with its channels named, its kind of time, and whether that is known."""
+    declared = declared_kind(source)
+    if is_file(source.relation) and engine.reads_files:
+        from gam_db.engines.duckdb import Session
+
+        with Session() as session:
+            columns = session.describe(session.relation(source.relation))
+            source = look.resolved(source, columns, session)
+            return source, look.kind_of(source, columns, session), True
+    if isinstance(source, WideSource) and source.channels is None:
+        raise SourceError("A script of a wide table needs its channels named: channels=[...].")
+    if isinstance(source.relation, pa.Table):
+        raise SourceError("A script needs a table that the engine holds, not an Arrow table.")
+    if declared is not None:
+        return source, declared, True
+    given = [
+        calibration.duration,
+        calibration.score_from,
+        *(end for pair in calibration.intervals or () for end in pair),
+        *(end for pair in calibration.exclude for end in pair),
+        *(variant.max_gap for variant in parameters.variants()),
+    ]
+    calendar = any(value is not None and looks_like_calendar(value) for value in given)
+    return source, TimeKind.TIMESTAMP if calendar else TimeKind.COUNTER, calendar
+
+
+def _described(parameters: Parameters) -> str:
+    shown = [
+        f"{name} = {value}"
+        for name in ("m", "tau", "bins", "window", "stride", "max_gap", "target_floor")
+        if (value := getattr(parameters, name)) is not None
+    ]
+    others = f"; {len(parameters.overrides)} overrides" if parameters.overrides else ""
+    return f"Parameters: {', '.join(shown)}{others}."
+
+
+def _commented(lines: list[str]) -> str:
+    return "\n".join(f"-- {line}".rstrip() for text in lines for line in text.splitlines() or [""])
