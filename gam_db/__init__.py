@@ -4,6 +4,7 @@ from gam_db.calibration import Calibration
 from gam_db.errors import GamError, UserError
 from gam_db.health import certificate, health_at_buckets, health_indicator, support
 from gam_db.parameters import Override, Parameters
+from gam_db.script import render
 from gam_db.source import Source, WideSource
 
 __version__ = "0.1.0"
@@ -19,5 +20,6 @@ __all__ = [
     "certificate",
     "health_at_buckets",
     "health_indicator",
+    "render",
     "support",
 ]

@@ -429,7 +429,7 @@ def _delayed(name: str, k: int, setting: Parameters) -> exp.Expr:
 
 def _until_calibration_end() -> exp.Expr:
     return exp.LTE(
-        this=exp.column("time", table="sample"),
+        this=exp.column("time", table="sampled"),
         expression=exp.column("calibration_end", table="scale"),
     )
 

@@ -104,13 +104,13 @@ def _view_statements(
     yield "Begin anew: a view goes before the tables it reads.", _drop("VIEW", f"{prefix}health")
     for name in (*names, *_RESULTS):
         table = exp.to_table(f"{prefix}{name}")
-        query = steps.query(name, placed)
+        query = steps.query(name, placed, commented=True)
         query.set("order", None)
         yield f"{name}: {engine.name} keeps this step as a table.", _drop("TABLE", table.name)
         yield steps.steps[name].comment, engine.create_table(table, query)
         placed[name] = table
     live = {name: table for name, table in placed.items() if _table_of(name) in _LASTING}
-    view = steps.query("health_indicator", live)
+    view = steps.query("health_indicator", live, commented=True)
     view.set("order", None)
     yield (
         "The health indicator over the live source, against what calibration found once.\n"
@@ -120,7 +120,7 @@ def _view_statements(
     if only is not None:
         yield (
             "One channel alone, which reads only its own rows of the source.",
-            _macro(f"{prefix}health_of", only.query("health_indicator", live)),
+            _macro(f"{prefix}health_of", only.query("health_indicator", live, commented=True)),
         )
     for name in names:
         if _table_of(name) in _PASSING:

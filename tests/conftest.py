@@ -4,7 +4,7 @@ import os
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, settings
+from hypothesis import HealthCheck, Phase, settings
 
 # The same cases in every run; more, and other ones, by HYPOTHESIS_PROFILE=many.
 settings.register_profile(
@@ -13,6 +13,8 @@ settings.register_profile(
     derandomize=True,
     deadline=None,
     database=None,
+    # Looking for a smaller case takes minutes where each one runs a hundred statements.
+    phases=(Phase.explicit, Phase.generate),
     suppress_health_check=[HealthCheck.too_slow],
 )
 settings.register_profile(

@@ -2,11 +2,11 @@
 -- Reads:  samples, calibration
 -- A row:  one channel that has at least one calibration sample.
 SELECT
-  sample.channel_id AS channel_id,
-  MIN(sample.value) AS lowest,
-  MAX(sample.value) AS highest,
+  sampled.channel_id AS channel_id,
+  MIN(sampled.value) AS lowest,
+  MAX(sampled.value) AS highest,
   COUNT(*) AS calibration_samples
-FROM samples AS sample
-JOIN calibration AS piece ON piece.channel_id = sample.channel_id
-WHERE sample.time BETWEEN piece.time_from AND piece.time_to
-GROUP BY sample.channel_id
+FROM samples AS sampled
+JOIN calibration AS piece ON piece.channel_id = sampled.channel_id
+WHERE sampled.time BETWEEN piece.time_from AND piece.time_to
+GROUP BY sampled.channel_id

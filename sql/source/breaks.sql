@@ -6,15 +6,15 @@
 SELECT ordered.channel_id AS channel_id, ordered.time AS time
 FROM (
   SELECT
-    sample.channel_id AS channel_id,
-    sample.time AS time,
+    sampled.channel_id AS channel_id,
+    sampled.time AS time,
     CAST(
-      ROW_NUMBER() OVER (PARTITION BY sample.channel_id ORDER BY sample.time) AS BIGINT
+      ROW_NUMBER() OVER (PARTITION BY sampled.channel_id ORDER BY sampled.time) AS BIGINT
     ) AS position,
-    LAG(sample.time, 1) OVER (PARTITION BY sample.channel_id ORDER BY sample.time)
+    LAG(sampled.time, 1) OVER (PARTITION BY sampled.channel_id ORDER BY sampled.time)
       AS previous_time
-  FROM samples AS sample
-  JOIN channels AS named ON named.channel_id = sample.channel_id
+  FROM samples AS sampled
+  JOIN channels AS named ON named.channel_id = sampled.channel_id
   WHERE named.settings_no = :settings_no
 ) AS ordered
 WHERE ordered.position > 1 AND ordered.time - ordered.previous_time > :max_gap

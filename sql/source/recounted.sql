@@ -14,15 +14,15 @@ SELECT
   ) AS quota_time
 FROM (
   SELECT
-    sample.channel_id AS channel_id,
-    sample.time AS time,
-    sample.conflict AS conflict,
+    sampled.channel_id AS channel_id,
+    sampled.time AS time,
+    sampled.conflict AS conflict,
     CAST(
-      ROW_NUMBER() OVER (PARTITION BY sample.channel_id ORDER BY sample.time) AS BIGINT
+      ROW_NUMBER() OVER (PARTITION BY sampled.channel_id ORDER BY sampled.time) AS BIGINT
     ) AS position,
-    CAST(COUNT(*) OVER (PARTITION BY sample.channel_id) AS BIGINT) AS series_length
-  FROM samples AS sample
-  JOIN timeline AS dirty ON dirty.channel_id = sample.channel_id
+    CAST(COUNT(*) OVER (PARTITION BY sampled.channel_id) AS BIGINT) AS series_length
+  FROM samples AS sampled
+  JOIN timeline AS dirty ON dirty.channel_id = sampled.channel_id
   WHERE dirty.repeats > 0
 ) AS ordered
 JOIN channels AS named ON named.channel_id = ordered.channel_id

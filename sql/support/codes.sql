@@ -6,11 +6,11 @@
 SELECT channel_id, time, :code AS code
 FROM (
   SELECT
-    sample.channel_id AS channel_id,
-    sample.time AS time,
-    sample.value AS value,
+    sampled.channel_id AS channel_id,
+    sampled.time AS time,
+    sampled.value AS value,
     scale.lo AS lo,
     scale.hi AS hi
-  FROM samples AS sample
-  JOIN bounds AS scale ON scale.channel_id = sample.channel_id
+  FROM samples AS sampled
+  JOIN bounds AS scale ON scale.channel_id = sampled.channel_id
 ) AS ranged

@@ -7,24 +7,24 @@
 SELECT channel_id, time, :code AS code, calibrating, breaking
 FROM (
   SELECT
-    sample.channel_id AS channel_id,
-    sample.time AS time,
-    sample.value AS value,
+    sampled.channel_id AS channel_id,
+    sampled.time AS time,
+    sampled.value AS value,
     scale.lo AS lo,
     scale.hi AS hi,
     CAST(CASE WHEN piece.hit = 1 THEN 1 ELSE 0 END AS SMALLINT) AS calibrating,
     CAST(CASE WHEN pause.hit = 1 THEN 1 ELSE 0 END AS SMALLINT) AS breaking
-  FROM samples AS sample
-  JOIN bounds AS scale ON scale.channel_id = sample.channel_id
+  FROM samples AS sampled
+  JOIN bounds AS scale ON scale.channel_id = sampled.channel_id
   LEFT JOIN (
     SELECT channel_id, time_from, time_to, 1 AS hit
     FROM calibration
   ) AS piece
-    ON piece.channel_id = sample.channel_id
-    AND sample.time BETWEEN piece.time_from AND piece.time_to
+    ON piece.channel_id = sampled.channel_id
+    AND sampled.time BETWEEN piece.time_from AND piece.time_to
   LEFT JOIN (
     SELECT channel_id, time, 1 AS hit
     FROM breaks
-  ) AS pause ON pause.channel_id = sample.channel_id AND pause.time = sample.time
+  ) AS pause ON pause.channel_id = sampled.channel_id AND pause.time = sampled.time
   WHERE :read
 ) AS ranged

@@ -1,0 +1,112 @@
+"""Real recordings: every figure of reference_counts.csv, to the integer.
+
+That file holds what a separate NumPy count gave for each series of five public recordings under four
+sets of parameters. Its counts of monitored vectors leave the straddling ones out.
+"""
+
+import csv
+from collections import Counter, defaultdict
+from pathlib import Path
+from typing import Any
+
+import duckdb
+import pytest
+
+import gam_db
+from gam_db.engines.duckdb import Session
+from gam_db.study import Study
+
+DATASETS = ("production_plant", "femto_bearings", "hydraulic_rig", "hydraulic_actuators", "ur3_cobot")
+SETTINGS = (("3", "1", "100"), ("3", "1", "20"), ("1", "1", "100"), ("3", "5", "10"))
+ROWS = 740
+
+
+def counts(recordings: Path) -> dict[tuple[str, ...], list[dict[str, str]]]:
+    """Return the rows of the reference by data set and parameters."""
+    found = defaultdict(list)
+    with (recordings / "reference_counts.csv").open() as lines:
+        for row in csv.DictReader(lines):
+            found[row["dataset"], row["m"], row["tau"], row["B"]].append(row)
+    return found
+
+
+def series(recordings: Path, dataset: str) -> gam_db.Source:
+    """Return the source of a recording."""
+    time = "ts" if dataset == "ur3_cobot" else "t"
+    return gam_db.Source(recordings / dataset / "series.parquet", time=time)
+
+
+def test_every_row_of_the_reference_is_asked_for(recordings: Path) -> None:
+    found = counts(recordings)
+    assert set(found) == {(dataset, *setting) for dataset in DATASETS for setting in SETTINGS}
+    assert sum(map(len, found.values())) == ROWS
+
+
+@pytest.mark.parametrize("setting", SETTINGS, ids="/".join)
+@pytest.mark.parametrize("dataset", DATASETS)
+def test_reference_counts(recordings: Path, dataset: str, setting: tuple[str, ...]) -> None:
+    expected = counts(recordings)[dataset, *setting]
+    m, tau, bins = map(int, setting)
+    gaps = {row["channel"]: int(row["gap"]) for row in expected}
+    usual = Counter(gaps.values()).most_common(1)[0][0]
+    parameters = gam_db.Parameters(
+        m=m,
+        tau=tau,
+        bins=bins,
+        max_gap=usual,
+        overrides=[
+            gam_db.Override(channel=channel, max_gap=gap)
+            for channel, gap in gaps.items()
+            if gap != usual
+        ],
+    )
+    calibration = gam_db.Calibration(fraction=float(expected[0]["cal"]))
+    with Session() as session:
+        study = Study(session, series(recordings, dataset), parameters, calibration)
+        learnt = {
+            (row["asset"], row["channel"]): row for row in study.table("support_summary").to_pylist()
+        }
+        vectors = study.table("health_indicator")
+    totals = vectors.group_by(["asset", "channel", "straddling"]).aggregate(
+        [("novel", "count"), ("novel", "sum"), ("out_of_range", "sum")]
+    )
+    scored: dict[tuple[Any, ...], dict[str, int]] = defaultdict(lambda: defaultdict(int))
+    for row in totals.to_pylist():
+        scored[row["asset"], row["channel"], row["straddling"]] = row
+    for row in expected:
+        channel = (row["asset"], row["channel"])
+        support, monitored, straddling = learnt[channel], scored[*channel, 0], scored[*channel, 1]
+        assert (support["lo"], support["hi"]) == (float(row["lo"]), float(row["hi"])), channel
+        found = {
+            "n": support["samples"],
+            "n_cal_samples": support["calibration_samples"],
+            "n_cal": support["calibration_vectors"],
+            "cells": support["cells"],
+            "null_vectors": support["missing_vectors"],
+            "n_mon": monitored["novel_count"],
+            "novel": monitored["novel_sum"],
+            "out_of_range": monitored["out_of_range_sum"],
+            "n_straddling": straddling["novel_count"],
+            "novel_straddling": straddling["novel_sum"],
+        }
+        assert found == {name: int(row[name]) for name in found}, channel
+
+
+def test_view_of_a_recording_equals_the_exact_form(recordings: Path) -> None:
+    source = series(recordings, "ur3_cobot")
+    parameters = gam_db.Parameters(window=500, bins=20, max_gap="5 s")
+    exact = gam_db.health_indicator(source, parameters)
+    with duckdb.connect() as connection:
+        connection.execute(gam_db.render("view", "duckdb", source, parameters))
+        view = connection.sql("SELECT * FROM gam_health ORDER BY asset, channel, time")
+        assert view.to_arrow_table().equals(exact)
+        one = connection.sql(
+            "SELECT time, hi FROM gam_health_of('ur3', 'Current_J3') ORDER BY time"
+        ).fetchall()
+    times = [str(name) for name in exact["channel"].to_pylist()]
+    expected = [
+        (row["time"], row["hi"])
+        for name, row in zip(times, exact.select(["time", "hi"]).to_pylist(), strict=True)
+        if name == "Current_J3"
+    ]
+    assert one == expected
