@@ -3,7 +3,7 @@
 This module owns the rules a user can give and their arithmetic on closed intervals. It knows no SQL.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from gam_db.clock import FAR_AHEAD, LONG_AGO, Instant, Length, TimeKind, instant, length
@@ -64,9 +64,21 @@ class Calibration:
             )
         for name in ("intervals", "exclude"):
             pairs = getattr(self, name)
-            if pairs is not None:
-                object.__setattr__(self, name, tuple(_pair(name, pair) for pair in pairs))
+            if pairs is None and name == "intervals":
+                continue
+            if not isinstance(pairs, Iterable):
+                raise CalibrationError(f"{name} is {pairs!r}; it takes a list of pairs (from, to).")
+            object.__setattr__(self, name, tuple(_pair(name, pair) for pair in pairs))
+        if not isinstance(self.overrides, Mapping):
+            raise CalibrationError(
+                f"overrides is a {type(self.overrides).__name__}; it takes a mapping from asset "
+                "patterns to gam_db.Calibration or None."
+            )
         for pattern, rule in self.overrides.items():
+            if not isinstance(pattern, str):
+                raise CalibrationError(
+                    f"overrides has the key {pattern!r}; it takes asset patterns, as text."
+                )
             if rule is not None and not isinstance(rule, Calibration):
                 raise CalibrationError(
                     f"The calibration of {pattern!r} must be a gam_db.Calibration or None."
@@ -76,13 +88,8 @@ class Calibration:
                     f"The calibration of {pattern!r} has overrides or a pool of its own; "
                     "only the general one may."
                 )
-        if isinstance(self.pool, str) and self.pool != "channel":
-            raise CalibrationError(
-                f"pool is {self.pool!r}; it takes 'channel' or groups of asset patterns."
-            )
-        if self.pool is not None and not isinstance(self.pool, str):
-            groups = tuple((group,) if isinstance(group, str) else tuple(group) for group in self.pool)
-            object.__setattr__(self, "pool", groups)
+        if self.pool is not None and self.pool != "channel":
+            object.__setattr__(self, "pool", _groups(self.pool))
 
     @property
     def pools(self) -> tuple[tuple[str, ...], ...]:
@@ -184,6 +191,21 @@ def _closed(name: str, intervals: Sequence[tuple[Instant, Instant]], kind: TimeK
             raise CalibrationError(f"{name} {number} ends ({end!r}) before it begins ({start!r}).")
         closed.append(pair)
     return closed
+
+
+def _groups(pool: object) -> tuple[tuple[str, ...], ...]:
+    refusal = CalibrationError(
+        f"pool is {pool!r}; it takes 'channel' or groups of asset patterns, such as [['a*', 'b*']]."
+    )
+    if isinstance(pool, str) or not isinstance(pool, Iterable):
+        raise refusal
+    groups = []
+    for group in pool:
+        patterns = [group] if isinstance(group, str) or not isinstance(group, Iterable) else list(group)
+        if not all(isinstance(pattern, str) for pattern in patterns):
+            raise refusal
+        groups.append(tuple(patterns))
+    return tuple(groups)
 
 
 def _pair(name: str, pair: Sequence[Instant]) -> tuple[Instant, Instant]:

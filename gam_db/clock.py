@@ -8,6 +8,7 @@ import math
 import operator
 import re
 from enum import Enum
+from fractions import Fraction
 from typing import SupportsIndex, TypeAlias, cast
 
 from gam_db.errors import ParameterError
@@ -30,7 +31,8 @@ _UNITS = {
     "d": 86_400 * SECOND,
     "w": 604_800 * SECOND,
 }
-_LENGTH = re.compile(r"([0-9]+(?:\.[0-9]*)?)\s*(us|ms|s|min|h|d|w)")
+_WHOLE = re.compile(r"-?[0-9]{1,30}")
+_LENGTH = re.compile(r"([0-9]{1,30}(?:\.[0-9]{0,30})?)\s*(us|ms|s|min|h|d|w)")
 
 
 class TimeKind(Enum):
@@ -40,6 +42,7 @@ class TimeKind(Enum):
     TIMESTAMP = "timestamp"
     TIMESTAMP_WITH_ZONE = "timestamp with time zone"
     NANOSECONDS = "timestamp in nanoseconds"
+    NANOSECONDS_WITH_ZONE = "timestamp in nanoseconds with time zone"
 
     @property
     def is_counter(self) -> bool:
@@ -116,11 +119,13 @@ def length(value: object, kind: TimeKind, what: str) -> int:
     elif isinstance(value, dt.timedelta):
         steps = value // _MICROSECOND
     elif isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value):
-        steps = math.floor(value * SECOND)
+        # A float counts as it is written: in doubles 2.094 s would be 2093999.9999999998 microseconds.
+        exact = Fraction(repr(value)) if isinstance(value, float) else value
+        steps = math.floor(exact * SECOND)
     elif isinstance(value, str):
         found = _LENGTH.fullmatch(value.strip())
         if found:
-            steps = math.floor(float(found[1]) * _UNITS[found[2]])
+            steps = math.floor(Fraction(found[1]) * _UNITS[found[2]])
     if steps is None:
         raise ParameterError(
             f"{what} is {value!r}, which is no length of time; give seconds, a timedelta, or a text "
@@ -134,7 +139,7 @@ def length(value: object, kind: TimeKind, what: str) -> int:
 def looks_like_calendar(value: object) -> bool:
     """Tell whether a value given for time can only mean a calendar, not a counter."""
     if isinstance(value, str):
-        return not value.strip().lstrip("-").isdigit()
+        return not _WHOLE.fullmatch(value.strip())
     return isinstance(value, (dt.date, dt.timedelta)) or (
         type(value).__module__ == "numpy" and (type(value).__name__ in ("datetime64", "timedelta64"))
     )
@@ -155,7 +160,7 @@ def _whole(value: object) -> int | None:
         return None
     if isinstance(value, str):
         digits = value.strip()
-        return int(digits) if digits.lstrip("-").isdigit() and digits.isascii() else None
+        return int(digits) if _WHOLE.fullmatch(digits) else None
     if isinstance(value, float):
         return int(value) if value.is_integer() else None
     try:

@@ -19,7 +19,7 @@ from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline, filled, union_of
 from gam_db.source import TimeNode
 
-#: Steps that are small: a row per channel, interval or cell. They may be kept as tables on the way.
+#: Steps that are small: a row per channel, interval, bucket or cell. They may be kept on the way.
 SMALL = frozenset(
     (
         *("names", "rules", "declared", "channels", "timeline", "recounted", "series"),
@@ -30,6 +30,7 @@ SMALL_OF_SET = frozenset(
     (
         *("breaks", "bounds", "support", "visits", "block_sizes", "cells", "blocks", "learning"),
         *("levels", "ladder", "spread", "finest", "outlook", "missing_vectors"),
+        *("run_up", "kept", "buckets"),
     )
 )
 
@@ -102,7 +103,7 @@ def pipeline(method: Method, readings: exp.Query) -> Pipeline:
     The last steps are *health_indicator* (a row per scored vector), *bucket_health* (a row per full
     bucket), *novel_cells*, *support_summary* (a row per channel) and *certificate* (a row per block).
     """
-    steps = Pipeline()
+    steps = Pipeline(small=frozenset(method.small()))
     steps.add("readings", readings, template.load("source/readings").comment)
     add_source(steps, method)
     numbers = range(len(method.settings))
@@ -246,23 +247,63 @@ def add_vectors(steps: Pipeline, method: Method, number: int, prefix: str, read:
 def add_scoring(steps: Pipeline, method: Method, number: int) -> None:
     """Add Eq. 4 and the running counts of Eq. 2 of one set, a row per scored vector."""
     add_vectors(steps, method, number, "", exp.true())
-    for name in ("score/monitored", "score/novelty", "health/numbered"):
-        _add_of_set(steps, method, number, name)
+    _add_of_set(steps, method, number, "score/monitored")
+    _add_of_set(steps, method, number, "score/novelty", {"carried": [_carried("straddling")]})
+    _add_of_set(steps, method, number, "health/numbered")
     _add_of_set(
         steps, method, number, "health/window_counts", {"window": method.settings[number].window}
     )
 
 
 def add_buckets(steps: Pipeline, method: Method, number: int) -> None:
-    """Add Eq. 4 and Eq. 2 at bucket ends of one set.
+    """Add Eq. 4 and Eq. 2 at bucket ends of one set, and the novel cells of each bucket.
 
     Where no segment ends and every channel is scored from the end of its calibration on, the short
     form of the vectors gives the same buckets from half the columns.
     """
     setting = method.settings[number]
-    numbered = "numbered"
     if method.gaps[number] is None and all(rule.score_from is None for rule in method.rules):
-        _add_of_set(steps, method, number, "support/codes", {"code": _code(setting)})
+        add_short_scoring(steps, method, number)
+        parts = ["complete_novelty", "incomplete_numbered"]
+    else:
+        parts = ["numbered"]
+    columns = ("channel_id", "time", "number", "cell_key", "novel", "out_of_range")
+    steps.add(
+        method.named("placed", number),
+        union_of(steps, [method.named(part, number) for part in parts], columns),
+        "Placed: every scored vector with its number.",
+    )
+    stride = setting.bucket_length
+    _add_of_set(steps, method, number, "health/kept", {"stride": stride})
+    _add_of_set(steps, method, number, "health/buckets")
+    _add_of_set(
+        steps,
+        method,
+        number,
+        "health/bucket_counts",
+        {"buckets": setting.window // stride, "window": setting.window},
+    )
+    _add_of_set(steps, method, number, "health/novel_cells")
+
+
+def add_short_scoring(steps: Pipeline, method: Method, number: int) -> None:
+    """Add the short form of Eq. 1 and Eq. 4, apart for channels with and without missing samples."""
+    setting = method.settings[number]
+    _add_of_set(steps, method, number, "score/run_up")
+    missing = exp.column("missing_samples", table="before")
+    none = exp.Literal.number(0)
+    for prefix, read in (
+        ("complete_", exp.EQ(this=missing, expression=none)),
+        ("incomplete_", exp.GT(this=missing, expression=none)),
+    ):
+        _add_of_set(
+            steps,
+            method,
+            number,
+            "support/codes",
+            {"code": _code(setting), "read": read},
+            f"{prefix}codes",
+        )
         _add_of_set(
             steps,
             method,
@@ -272,36 +313,47 @@ def add_buckets(steps: Pipeline, method: Method, number: int) -> None:
                 **_cell_slots(setting),
                 "delayed": [_delayed("code", k, setting) for k in range(1, setting.m)],
             },
+            f"{prefix}vectors",
+            {"codes": f"{prefix}codes"},
         )
-        _add_of_set(steps, method, number, "score/monitored_after")
+    _add_of_set(
+        steps,
+        method,
+        number,
+        "score/monitored_complete",
+        {"span": setting.span},
+        "complete_monitored",
+        {"vectors": "complete_vectors"},
+    )
+    _add_of_set(
+        steps,
+        method,
+        number,
+        "score/monitored_short",
+        name="incomplete_monitored",
+        tables={"vectors": "incomplete_vectors"},
+    )
+    for prefix, carried in (
+        ("complete_", _carried("number")),
+        ("incomplete_", exp.alias_(exp.cast(exp.null(), "INT"), "straddling")),
+    ):
         _add_of_set(
             steps,
             method,
             number,
             "score/novelty",
-            name="novelty_after",
-            tables={"monitored": "monitored_after"},
+            {"carried": [carried]},
+            f"{prefix}novelty",
+            {"monitored": f"{prefix}monitored"},
         )
-        numbered = "numbered_after"
-        _add_of_set(
-            steps,
-            method,
-            number,
-            "health/numbered",
-            name=numbered,
-            tables={"novelty": "novelty_after"},
-        )
-    stride = setting.bucket_length
-    tables = {"numbered": numbered}
-    _add_of_set(steps, method, number, "health/buckets", {"stride": stride}, tables=tables)
     _add_of_set(
         steps,
         method,
         number,
-        "health/bucket_counts",
-        {"buckets": setting.window // stride, "window": setting.window},
+        "health/numbered",
+        name="incomplete_numbered",
+        tables={"novelty": "incomplete_novelty"},
     )
-    _add_of_set(steps, method, number, "health/novel_cells", {"stride": stride}, tables=tables)
 
 
 def add_certificate(steps: Pipeline, method: Method, number: int) -> None:
@@ -425,6 +477,10 @@ def _cell_slots(setting: Parameters) -> dict[str, template.Slot]:
 def _delayed(name: str, k: int, setting: Parameters) -> exp.Expr:
     delay = template.fill("embedding/delayed", {"column": exp.column(name), "delay": k * setting.tau})
     return exp.alias_(delay, f"{name}_{k}")
+
+
+def _carried(name: str) -> exp.Expr:
+    return exp.alias_(exp.column(name, table="vector"), name)
 
 
 def _until_calibration_end() -> exp.Expr:

@@ -5,13 +5,14 @@ This module owns what a parameter may be. It knows no SQL and no source.
 
 import dataclasses
 import math
+import numbers
 import operator
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import SupportsIndex, cast
 
-from gam_db.clock import Length
+from gam_db.clock import Length, TimeKind, length, looks_like_calendar
 from gam_db.errors import ParameterError
 
 LARGEST_BINS = 2**31
@@ -97,7 +98,7 @@ class Parameters:
         if (self.m - 1) * self.tau >= 2**31 or self.window >= 2**31:
             raise ParameterError("(m - 1) * tau and window must stay below 2^31 samples.")
         if self.m > 63 or self.radix**self.m > LARGEST_KEY:
-            fitting = math.floor(math.log(LARGEST_KEY) / math.log(self.radix))
+            fitting = max(m for m in range(1, 64) if self.radix**m <= LARGEST_KEY)
             raise ParameterError(
                 f"bins = {self.bins} with m = {self.m} needs (bins + 3)^m cell keys, more than 63 "
                 f"bits hold; take m <= {fitting}, or fewer bins."
@@ -114,14 +115,24 @@ class Parameters:
             raise ParameterError(f"target_floor is {self.target_floor!r}; give a share, e.g. 0.05.")
         if not 0 <= self.target_floor <= 1:
             raise ParameterError(f"target_floor is {self.target_floor}; it is a share, 0 to 1.")
-        if isinstance(self.max_gap, (int, float)) and not self.max_gap > 0:
-            raise ParameterError(f"max_gap is {self.max_gap}; it must be positive, or None.")
+        if self.max_gap is not None:
+            _check_gap(self.max_gap)
+        if not isinstance(self.overrides, Iterable):
+            raise ParameterError(
+                f"overrides is a {type(self.overrides).__name__}; it takes a list of gam_db.Override."
+            )
         object.__setattr__(self, "overrides", tuple(self.overrides))
         for override in self.overrides:
             if not isinstance(override, Override):
                 raise ParameterError(
                     f"overrides holds a {type(override).__name__}; it takes gam_db.Override."
                 )
+            for role in ("asset", "channel"):
+                if not isinstance(getattr(override, role), str):
+                    raise ParameterError(
+                        f"The {role} of an override is {getattr(override, role)!r}; it takes a pattern, "
+                        "as text."
+                    )
             self.changed_by(override)
 
     @property
@@ -165,6 +176,18 @@ def pattern_matches(pattern: str, name: str) -> bool:
     """Tell whether a pattern (``*`` any text, ``?`` one character, else literal) names ``name``."""
     parts = (".*" if sign == "*" else "." if sign == "?" else re.escape(sign) for sign in pattern)
     return re.fullmatch("".join(parts), name, re.DOTALL) is not None
+
+
+def _check_gap(gap: object) -> None:
+    if isinstance(gap, numbers.Real) and not isinstance(gap, bool):
+        positive = float(gap) > 0
+    elif isinstance(gap, str) or looks_like_calendar(gap):
+        kind = TimeKind.TIMESTAMP if looks_like_calendar(gap) else TimeKind.COUNTER
+        positive = length(gap, kind, "max_gap") > 0
+    else:
+        raise ParameterError(f"max_gap is {gap!r}; give a number, a timedelta or a text such as '5 s'.")
+    if not positive:
+        raise ParameterError(f"max_gap is {gap!r}; it must be positive, or None.")
 
 
 def _at_least_one(name: str, value: object) -> int:

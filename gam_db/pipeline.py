@@ -3,7 +3,7 @@
 This module owns how steps refer to one another. It knows neither what they compute nor any engine.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import cast
 
@@ -32,9 +32,16 @@ class Step:
 
 @dataclass
 class Pipeline:
-    """Steps in the order in which they were added; a step reads only what was added before it."""
+    """Steps in the order in which they were added; a step reads only what was added before it.
+
+    Attributes:
+        steps: by name.
+        small: names of steps with few rows, which may be kept as tables on the way. All others are to
+            flow through: an engine that keeps one because two steps read it loses more than it gains.
+    """
 
     steps: dict[str, Step] = field(default_factory=dict)
+    small: frozenset[str] = frozenset()
 
     def add(
         self,
@@ -105,6 +112,8 @@ class Pipeline:
             body = step.query.copy()
             place(body, placed)
             entry = exp.CTE(this=body, alias=exp.TableAlias(this=exp.to_identifier(step.name)))
+            if step.name not in self.small:
+                entry.set("materialized", False)
             if commented and step.comment:
                 body.comments = [f" {step.comment} "]
             listed.append(entry)
@@ -121,11 +130,13 @@ def place(query: exp.Expr, placed: Mapping[str, exp.Table]) -> None:
             table.replace(target)
 
 
-def union_of(pipeline: Pipeline, parts: list[str]) -> exp.Query:
-    """Return the rows of several steps of the same columns, one under another."""
+def union_of(
+    pipeline: Pipeline, parts: Sequence[str], columns: Sequence[str] | None = None
+) -> exp.Query:
+    """Return the rows of several steps, one under another: the given columns, else all of the first."""
+    columns = columns or pipeline.steps[parts[0]].query.named_selects
     selects: list[exp.Query] = []
     for part in parts:
-        columns = pipeline.steps[part].query.named_selects
         selects.append(
             exp.select(*(exp.column(exp.to_identifier(name)) for name in columns)).from_(
                 exp.Table(this=exp.to_identifier(part))

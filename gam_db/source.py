@@ -3,7 +3,7 @@
 This module owns the two layouts and turns a source into the step *readings*. It runs nothing.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -86,9 +86,11 @@ class WideSource:
     def __post_init__(self) -> None:
         _check_names(self, ("asset",), ("time",))
         if self.channels is not None:
-            if isinstance(self.channels, str):
-                raise SourceError("channels takes a list of column names, not one text.")
+            if isinstance(self.channels, str) or not isinstance(self.channels, Iterable):
+                raise SourceError("channels takes a list of column names.")
             object.__setattr__(self, "channels", tuple(self.channels))
+            if not all(isinstance(channel, str) and channel for channel in self.channels):
+                raise SourceError(f"channels is {self.channels!r}; it takes the names of columns.")
             if not self.channels:
                 raise SourceError("channels is empty; name at least one column, or leave it out.")
 
@@ -161,13 +163,18 @@ def parsed_condition(where: str | exp.Expr | None) -> exp.Expr:
         return exp.EQ(this=exp.Literal.number(1), expression=exp.Literal.number(1))
     if isinstance(where, exp.Expr):
         return where
+    refusal = SourceError(
+        f"where is {where!r}, which is not a condition in SQL; write what would stand after WHERE, such "
+        'as "speed > 0", with values in the place of parameters.'
+    )
+    if not isinstance(where, str):
+        raise refusal
     try:
         parsed = sqlglot.parse_one(where, dialect="duckdb", into=exp.Condition)
     except SqlglotError as error:
-        raise SourceError(
-            f"where is {where!r}, which is not a condition in SQL; write what would stand after "
-            'WHERE, such as "speed > 0".'
-        ) from error
+        raise refusal from error
+    if isinstance(parsed, exp.Star) or parsed.find(exp.Placeholder, exp.Parameter):
+        raise refusal
     return exp.Paren(this=parsed)
 
 
@@ -199,7 +206,7 @@ def table_names(relation: str | Sequence[str]) -> list[exp.Expr]:
         parts = tuple(part.name for part in parsed.parts)
     except SqlglotError:
         return [whole]
-    return [_table(parts), whole]
+    return [_table(parts), whole] if len(parts) <= 3 and all(parts) else [whole]
 
 
 def _table(parts: tuple[str, ...]) -> exp.Expr:

@@ -54,10 +54,9 @@ class Study:
         )
         rows = readings(self.source, relation, lambda node: session.engine.micros_of(kind, node))
         self.steps = pipeline(self.method, rows)
-        self._small = self.method.small()
         if is_file(source.relation) and not str(source.relation).lower().endswith((".parquet", ".pq")):
             # Text is parsed once, not once per step.
-            self._small.add("readings")
+            self.steps.small |= {"readings"}
         look.check_rows(self._looked())
 
     def table(self, step: str) -> pa.Table:
@@ -74,7 +73,7 @@ class Study:
 
     def _ready(self, step: str) -> exp.Query:
         for needed in self.steps.needed([step], self._kept.keys()):
-            if needed.name in self._small and needed.name != step:
+            if needed.name in self.steps.small and needed.name != step:
                 self._on_step(needed.name)
                 query = self.steps.query(needed.name, self._kept)
                 self._kept[needed.name] = self.session.keep(needed.name, query)

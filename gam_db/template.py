@@ -83,6 +83,8 @@ def parse(name: str, source: str) -> Template:
             raise TemplateError(f"sql/{name}.sql selects *; name every column.")
         if isinstance(node, exp.Select) and node.args.get("windows"):
             raise TemplateError(f"sql/{name}.sql names a window; write OVER (...) in full.")
+        if isinstance(node, exp.Placeholder) and not node.this:
+            raise TemplateError(f"sql/{name}.sql has a parameter (?); slots have names (:name).")
         if isinstance(node, exp.Command):
             raise TemplateError(f"sql/{name}.sql holds a statement that is not a query.")
     slots = frozenset(node.name for node in tree.find_all(exp.Placeholder))
@@ -115,7 +117,7 @@ def fill_template(template: Template, slots: Mapping[str, Slot]) -> exp.Expr:
     tree = template.tree.copy()
     for placeholder in list(tree.find_all(exp.Placeholder)):
         value = slots[placeholder.name]
-        if isinstance(value, Sequence):
+        if isinstance(value, Sequence) and not isinstance(value, (str, bytes)):
             _splice(placeholder, [node.copy() for node in value])
         else:
             filled = node_of(value, template.name)
@@ -125,6 +127,9 @@ def fill_template(template: Template, slots: Mapping[str, Slot]) -> exp.Expr:
                 tree = filled
             else:
                 placeholder.replace(_fenced(filled, placeholder))
+    left = sorted({placeholder.name for placeholder in tree.find_all(exp.Placeholder)})
+    if left:
+        raise TemplateError(f"sql/{template.name}.sql: left over after filling: {', '.join(left)}.")
     return tree
 
 
@@ -184,8 +189,8 @@ def _splice(placeholder: exp.Placeholder, nodes: Sequence[exp.Expr]) -> None:
 
 def _fenced(node: exp.Expr, placeholder: exp.Expr) -> exp.Expr:
     """Put compound expressions in brackets, so that the neighbours of a slot cannot split them."""
-    compound = isinstance(node, (exp.Connector, exp.Binary, exp.Unary)) and not isinstance(
-        node, exp.Paren
-    )
-    inside_operator = isinstance(placeholder.parent, (exp.Binary, exp.Unary, exp.Between))
+    compound = isinstance(
+        node, (exp.Connector, exp.Binary, exp.Unary, exp.Between, exp.In)
+    ) and not isinstance(node, exp.Paren)
+    inside_operator = isinstance(placeholder.parent, (exp.Binary, exp.Unary, exp.Between, exp.In))
     return exp.Paren(this=node) if compound and inside_operator else node

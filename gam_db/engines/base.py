@@ -35,6 +35,7 @@ class Engine:
         instant_of: the way back, for the last step of a query.
         rewrites: from tree to tree, each with its reason in its docstring.
         create_table: CREATE TABLE ... AS with what the engine wants to know of storage.
+        flow_hint: whether a WITH entry can be marked NOT MATERIALIZED.
         reads_files: whether a Parquet or CSV path can stand in FROM.
         macros: whether a script may define table macros.
     """
@@ -46,6 +47,7 @@ class Engine:
     instant_of: TimeRewrite
     rewrites: Sequence[Rewrite] = ()
     create_table: Callable[[exp.Table, exp.Query], exp.Create] = table_as
+    flow_hint: bool = False
     reads_files: bool = False
     macros: bool = False
 
@@ -56,6 +58,8 @@ class Engine:
             EngineError: the engine has no form for part of it.
         """
         rewritten = strip_null_order(tree.copy(), self.dialect)
+        if not self.flow_hint:
+            rewritten = drop_flow_hint(rewritten)
         for rewrite in self.rewrites:
             rewritten = rewrite(rewritten)
         try:
@@ -74,6 +78,13 @@ def strip_null_order(tree: exp.Expr, dialect: str) -> exp.Expr:
     ordering = Dialect.get_or_raise(dialect).NULL_ORDERING
     for ordered in tree.find_all(exp.Ordered):
         ordered.set("nulls_first", ordering == "nulls_are_small")
+    return tree
+
+
+def drop_flow_hint(tree: exp.Expr) -> exp.Expr:
+    """Drop NOT MATERIALIZED, for engines that have no such words and let WITH entries flow anyway."""
+    for entry in tree.find_all(exp.CTE):
+        entry.set("materialized", None)
     return tree
 
 

@@ -13,38 +13,44 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter
-from gam_db.errors import EngineError, SourceError, StatementError
+from gam_db.errors import EngineError, SourceError, StatementError, nearest
 from gam_db.source import is_file, table_names
 
 OLDEST = (1, 4)
+_NANOSECONDS = (TimeKind.NANOSECONDS, TimeKind.NANOSECONDS_WITH_ZONE)
+_WITH_ZONE = (TimeKind.TIMESTAMP_WITH_ZONE, TimeKind.NANOSECONDS_WITH_ZONE)
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
     """Return epoch microseconds, NULL for infinite times.
 
-    DuckDB rounds nanoseconds to microseconds; the method floors them.
+    DuckDB rounds nanoseconds to microseconds; the method floors them. Its integer division rounds
+    towards zero, so a rest below zero takes one more.
     """
     if kind.is_counter:
         return counter(column)
-    if kind is TimeKind.NANOSECONDS:
+    if kind in _NANOSECONDS:
         nanos = called("EPOCH_NS", column)
-        thousand = exp.Literal.number(1000)
-        rest = exp.paren(exp.Mod(this=nanos, expression=thousand))
-        positive = exp.paren(
-            exp.Mod(this=exp.paren(exp.Add(this=rest, expression=thousand)), expression=thousand)
+        thousand, zero = exp.Literal.number(1000), exp.Literal.number(0)
+        rest = exp.Mod(this=nanos.copy(), expression=thousand.copy())
+        micros: exp.Expr = exp.Sub(
+            this=exp.IntDiv(this=nanos, expression=thousand),
+            expression=exp.Case(
+                ifs=[exp.If(this=exp.LT(this=rest, expression=zero), true=exp.Literal.number(1))],
+                default=zero.copy(),
+            ),
         )
-        whole = exp.paren(exp.Sub(this=nanos.copy(), expression=positive))
-        micros: exp.Expr = exp.IntDiv(this=whole, expression=thousand.copy())
     else:
         micros = called("EPOCH_US", column)
-    return exp.Case(ifs=[exp.If(this=called("ISFINITE", column.copy()), true=micros)])
+    dated = exp.cast(column.copy(), "TIMESTAMPTZ") if kind is TimeKind.NANOSECONDS_WITH_ZONE else column
+    return exp.Case(ifs=[exp.If(this=called("ISFINITE", dated.copy()), true=micros)])
 
 
 def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
     """Return the timestamp of epoch microseconds, with a zone where the source has one."""
     if kind.is_counter:
         return micros
-    if kind is TimeKind.TIMESTAMP_WITH_ZONE:
+    if kind in _WITH_ZONE:
         return called("MAKE_TIMESTAMPTZ", micros)
     return called("MAKE_TIMESTAMP", micros)
 
@@ -55,6 +61,7 @@ ENGINE = Engine(
     evidence="executed",
     micros_of=micros_of,
     instant_of=instant_of,
+    flow_hint=True,
     reads_files=True,
     macros=True,
 )
@@ -62,7 +69,7 @@ ENGINE = Engine(
 
 def file_reader(path: str) -> exp.Expr:
     """Return the node that reads a Parquet or CSV file by its path."""
-    text_file = any(ending in path.lower() for ending in (".csv", ".tsv"))
+    text_file = path.lower().endswith((".csv", ".tsv", ".csv.gz", ".tsv.gz", ".csv.zst"))
     return exp.Table(this=called("READ_CSV" if text_file else "READ_PARQUET", template.text(path)))
 
 
@@ -73,6 +80,7 @@ _KINDS = {
     "DATE": TimeKind.TIMESTAMP,
     "TIMESTAMP_NS": TimeKind.NANOSECONDS,
     "TIMESTAMP WITH TIME ZONE": TimeKind.TIMESTAMP_WITH_ZONE,
+    "TIMESTAMPTZ_NS": TimeKind.NANOSECONDS_WITH_ZONE,
 }
 _INTEGERS = {f"{sign}{size}INT" for sign in ("", "U") for size in ("TINY", "SMALL", "BIG", "HUGE")}
 _INTEGERS |= {"INTEGER", "UINTEGER"}
@@ -87,7 +95,8 @@ class Session:
         threads: processor threads; None leaves DuckDB's own choice.
 
     Raises:
-        EngineError: the file cannot be opened, or this DuckDB is too old.
+        EngineError: the file cannot be opened, this DuckDB is too old, or the connection is closed or
+            set to compare or order in a way that would change results.
     """
 
     engine = ENGINE
@@ -104,6 +113,7 @@ class Session:
             self.connection.execute("SET TimeZone = 'UTC'")
         else:
             self.connection = target
+            _check_settings(target)
         if threads is not None:
             self.connection.execute("SET threads = ?", [threads])
         self._mark = f"gam_{secrets.token_hex(4)}"
@@ -137,16 +147,23 @@ class Session:
             return self._register(relation)
         if is_file(relation):
             return self._file(str(relation))
-        names = table_names(relation)  # type: ignore[arg-type]
-        for node in names:
-            with contextlib.suppress(duckdb.CatalogException, duckdb.BinderException):
-                self.describe(node)
-                return node
         shown = relation if isinstance(relation, str) else ".".join(map(str, relation))  # type: ignore[arg-type]
+        known = self._known_tables()
+        for node in table_names(relation):  # type: ignore[arg-type]
+            if not _is_among(node, known):
+                continue
+            try:
+                self.describe(node)
+            except duckdb.Error as error:
+                raise SourceError(
+                    f"The table or view {shown!r} is there, but DuckDB cannot read it: "
+                    f"{str(error).partition(chr(10))[0]}"
+                ) from error
+            return node
         raise SourceError(
             f"There is no table or view {shown!r} in the database"
             + (" in memory" if self.owned and self._in_memory() else "")
-            + self._nearest_table(shown)
+            + nearest(shown, sorted({name for _, _, name in known}))
             + ". A file must end in .parquet, .csv or .tsv."
         )
 
@@ -164,13 +181,13 @@ class Session:
     @staticmethod
     def is_numeric(type_name: str) -> bool:
         """Tell whether a column of this type holds numbers (BOOLEAN does not)."""
-        plain = type_name.partition("(")[0]
+        plain = _without_size(type_name)
         return plain in _INTEGERS or plain in ("DOUBLE", "FLOAT", "DECIMAL")
 
     @staticmethod
     def is_name(type_name: str) -> bool:
         """Tell whether a column of this type can name an asset or a channel."""
-        plain = type_name.partition("(")[0]
+        plain = _without_size(type_name)
         return plain in _INTEGERS or plain in ("VARCHAR", "ENUM", "UUID")
 
     def fetch(self, query: exp.Expr) -> pa.Table:
@@ -255,11 +272,16 @@ class Session:
             ) from error
         except duckdb.ConversionException as error:
             raise SourceError(
-                "A value of the source cannot be read as its column's type; look at the file, or "
-                "cast the column in a view."
+                "A value of the source cannot be read as what its column must be (a counter needs 64 "
+                "bits; where= may ask for it, too); look at the file, or cast the column in a view."
             ) from error
         except duckdb.Error as error:
             first = str(error).partition("\n")[0]
+            if "CSV Error" in first:
+                raise SourceError(
+                    f"Line {first.rpartition(' ')[2]} of the CSV file does not fit its columns; mend "
+                    "it, or read the file into a table with options of your own."
+                ) from error
             raise StatementError(f"DuckDB refused a statement: {first}", statement) from error
 
     def _register(self, relation: Any) -> exp.Expr:
@@ -271,8 +293,16 @@ class Session:
                 "a Parquet or CSV file, or an Arrow table."
             )
         table = relation if isinstance(relation, pa.Table) else pa.table(relation)
+        _check_columns(table)
         name = f"{self._mark}_arrow{len(self._registered)}"
-        self.connection.register(name, table)
+        try:
+            self.connection.register(name, table)
+        except duckdb.Error as error:
+            types = ", ".join(sorted({str(field.type) for field in table.schema}))
+            raise SourceError(
+                f"DuckDB cannot read the Arrow table; it holds columns of the types {types}. Cast the "
+                "odd one, or leave it out."
+            ) from error
         self._registered.append(name)
         return exp.Table(this=template.name(name))
 
@@ -284,21 +314,76 @@ class Session:
             raise SourceError(
                 f"{path} cannot be read; is it there, and is it a file of that kind?"
             ) from error
-        except duckdb.Error as error:
-            raise SourceError(f"{path} is no table that DuckDB can make out.") from error
+        except (duckdb.Error, StatementError) as error:
+            raise SourceError(
+                f"{path} is no table that DuckDB can make out; is it whole, and of the kind that its "
+                "name says?"
+            ) from error
         return node
 
     def _in_memory(self) -> bool:
         row = self.connection.execute("SELECT path FROM duckdb_databases() WHERE NOT internal")
         return all(path is None for (path,) in row.fetchall())
 
-    def _nearest_table(self, shown: str) -> str:
-        from gam_db.errors import nearest
-
-        tables = self.connection.execute(
-            "SELECT table_name FROM information_schema.tables ORDER BY table_name"
+    def _known_tables(self) -> list[tuple[str, str, str]]:
+        # Looked up, not tried: a statement that fails would undo the user's open transaction, and
+        # DuckDB would take the name for one of our Python variables.
+        return self.connection.execute(
+            "SELECT table_catalog, table_schema, table_name FROM information_schema.tables"
         ).fetchall()
-        return nearest(shown, [name for (name,) in tables])
+
+
+def _is_among(table: exp.Expr, known: list[tuple[str, str, str]]) -> bool:
+    """Tell whether the last parts of some known name are those of the table, case aside."""
+    parts = tuple(part.name.casefold() for part in table.parts)  # type: ignore[attr-defined]
+    return any(
+        parts == tuple(part.casefold() for part in name[-len(parts) :])
+        or parts == (name[0].casefold(), name[2].casefold())
+        for name in known
+    )
+
+
+def _without_size(type_name: str) -> str:
+    """Return DECIMAL for DECIMAL(10,2), but DECIMAL(10,2)[] as it is."""
+    return type_name.partition("(")[0] if type_name.endswith(")") else type_name
+
+
+def _check_columns(table: pa.Table) -> None:
+    if not table.column_names:
+        raise SourceError("The Arrow table has no columns.")
+    seen: dict[str, str] = {}
+    for name in table.column_names:
+        twin = seen.get(name.casefold())
+        if twin is not None:
+            raise SourceError(
+                f"The Arrow table has the columns {twin!r} and {name!r}, which DuckDB cannot tell "
+                "apart; rename one of them."
+            )
+        seen[name.casefold()] = name
+
+
+def _check_settings(connection: duckdb.DuckDBPyConnection) -> None:
+    """Refuse a connection that is closed, or that compares or orders otherwise than the method."""
+    try:
+        found = connection.execute(
+            "SELECT current_setting('default_order'), current_setting('default_collation')"
+        ).fetchall()
+    except duckdb.Error as error:
+        raise EngineError(
+            "The DuckDB connection cannot be used; is it closed, in a transaction that has failed, or "
+            "still giving out the rows of a query?"
+        ) from error
+    order, collation = found[0]
+    if str(order).upper().startswith("DESC"):
+        raise EngineError(
+            "The DuckDB connection has default_order = DESC, which would turn time around; RESET "
+            "default_order, or give another connection."
+        )
+    if str(collation):
+        raise EngineError(
+            f"The DuckDB connection has default_collation = {collation}, under which different names "
+            "can be equal; RESET default_collation, or give another connection."
+        )
 
 
 def _temporary(name: str) -> exp.Table:

@@ -35,4 +35,5 @@ ENGINE = Engine(
     evidence="rendered",
     micros_of=micros_of,
     instant_of=instant_of,
+    flow_hint=True,
 )

@@ -68,5 +68,6 @@ ENGINE = Engine(
     evidence="executed",
     micros_of=micros_of,
     instant_of=instant_of,
+    flow_hint=True,
     rewrites=(glob_for_like,),
 )

@@ -5,7 +5,7 @@ SELECT
   sampled.channel_id AS channel_id,
   MIN(sampled.value) AS lowest,
   MAX(sampled.value) AS highest,
-  COUNT(*) AS calibration_samples
+  CAST(COUNT(*) AS BIGINT) AS calibration_samples
 FROM samples AS sampled
 JOIN calibration AS piece ON piece.channel_id = sampled.channel_id
 WHERE sampled.time BETWEEN piece.time_from AND piece.time_to

@@ -18,7 +18,7 @@ FROM (
     channel_id,
     support_id,
     block_no,
-    SUM(visits) AS vectors,
+    CAST(SUM(visits) AS BIGINT) AS vectors,
     MIN(first_time) AS first_time,
     MAX(last_time) AS last_time
   FROM visits

@@ -33,7 +33,7 @@ FROM (
     FLOOR(CAST(4611686018427387904 AS DOUBLE) / CAST(size.pool_blocks AS DOUBLE)) AS units
   FROM block_sizes AS size
   LEFT JOIN (
-    SELECT support_id, first_block, SUM(visits) AS visits, 1 AS hit
+    SELECT support_id, first_block, CAST(SUM(visits) AS BIGINT) AS visits, 1 AS hit
     FROM cells
     WHERE first_block = last_block
     GROUP BY support_id, first_block

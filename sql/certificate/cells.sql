@@ -5,11 +5,11 @@
 SELECT
   support_id,
   cell_key,
-  SUM(visits) AS visits,
+  CAST(SUM(visits) AS BIGINT) AS visits,
   MIN(pool_block) AS first_block,
   MIN(CASE WHEN occurrence = 2 THEN pool_block END) AS second_block,
   MAX(pool_block) AS last_block,
-  SUM(CASE WHEN occurrence = 1 THEN visits ELSE 0 END) AS first_visits,
+  CAST(SUM(CASE WHEN occurrence = 1 THEN visits ELSE 0 END) AS BIGINT) AS first_visits,
   MIN(first_time) AS first_time,
   MAX(last_time) AS last_time
 FROM (

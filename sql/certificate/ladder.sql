@@ -7,7 +7,7 @@ SELECT
   support_id,
   level,
   level_bins,
-  COUNT(*) AS blocks,
+  CAST(COUNT(*) AS BIGINT) AS blocks,
   CAST(CAST(SUM(share_units) AS BIGINT) AS DOUBLE) / (MIN(units) * CAST(COUNT(*) AS DOUBLE))
     AS floor
 FROM (
@@ -29,13 +29,13 @@ FROM (
   FROM blocks AS block
   CROSS JOIN levels AS step
   LEFT JOIN (
-    SELECT support_id, level, first_block, SUM(visits) AS visits, 1 AS hit
+    SELECT support_id, level, first_block, CAST(SUM(visits) AS BIGINT) AS visits, 1 AS hit
     FROM (
       SELECT
         support_id,
         level,
         coarse_key,
-        SUM(visits) AS visits,
+        CAST(SUM(visits) AS BIGINT) AS visits,
         MIN(first_block) AS first_block,
         MAX(last_block) AS last_block
       FROM (

@@ -43,7 +43,7 @@ FROM (
     SELECT
       cell.support_id AS support_id,
       cell.first_block AS pool_block,
-      COUNT(*) AS new_cells,
+      CAST(COUNT(*) AS BIGINT) AS new_cells,
       CAST(
         SUM(
           CAST(

@@ -2,7 +2,7 @@
 -- learnt nor scored (method, section 2).
 -- Reads:  marked_vectors
 -- A row:  one channel that has such a vector.
-SELECT channel_id, COUNT(*) AS missing_vectors
+SELECT channel_id, CAST(COUNT(*) AS BIGINT) AS missing_vectors
 FROM marked_vectors
 WHERE cell_key IS NULL
 GROUP BY channel_id

@@ -5,8 +5,8 @@ SELECT
   support_id,
   MIN(floor) AS floor,
   MAX(healthy_hi) AS floor_max,
-  SUM(vectors) AS vectors,
-  COUNT(*) AS blocks,
+  CAST(SUM(vectors) AS BIGINT) AS vectors,
+  CAST(COUNT(*) AS BIGINT) AS blocks,
   SQRT(
     CAST(CAST(SUM(square_units) AS BIGINT) AS DOUBLE) / MIN(units)
     / NULLIF(CAST(COUNT(*) AS DOUBLE) - CAST(1 AS DOUBLE), CAST(0 AS DOUBLE))

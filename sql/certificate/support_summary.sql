@@ -47,15 +47,15 @@ FROM channels AS named
 JOIN series AS extent ON extent.channel_id = named.channel_id
 JOIN bounds AS scale ON scale.channel_id = named.channel_id
 LEFT JOIN (
-  SELECT channel_id, SUM(vectors) AS vectors, 1 AS hit
+  SELECT channel_id, CAST(SUM(vectors) AS BIGINT) AS vectors, 1 AS hit
   FROM blocks
   GROUP BY channel_id
 ) AS own ON own.channel_id = named.channel_id
 LEFT JOIN (
   SELECT
     support_id,
-    COUNT(*) AS cells,
-    SUM(CASE WHEN visits = 1 THEN 1 ELSE 0 END) AS seen_once,
+    CAST(COUNT(*) AS BIGINT) AS cells,
+    CAST(SUM(CASE WHEN visits = 1 THEN 1 ELSE 0 END) AS BIGINT) AS seen_once,
     1 AS hit
   FROM cells
   GROUP BY support_id

@@ -6,7 +6,7 @@ SELECT
   support_id,
   block_no,
   cell_key,
-  COUNT(*) AS visits,
+  CAST(COUNT(*) AS BIGINT) AS visits,
   MIN(time) AS first_time,
   MAX(time) AS last_time
 FROM learnt

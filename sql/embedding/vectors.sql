@@ -2,7 +2,8 @@
 -- cell; delays and position in one window pass. For series without breaks; the complete form is
 -- marked_vectors.
 -- Reads:  codes
--- A row:  one vector, at the time of its newest sample; cell_key is NULL where a sample is missing.
+-- A row:  one vector, at the time of its newest sample; cell_key is NULL where a sample is missing;
+--         position counts the samples of the channel up to it.
 -- Slots:  :delayed   code_1 ... code_(m-1), the delayed codes
 --         :span      (m-1) * tau, the samples between oldest and newest
 --         :known     all coordinates are there
@@ -12,7 +13,8 @@ SELECT
   channel_id,
   time,
   CASE WHEN :known THEN :cell_key END AS cell_key,
-  CASE WHEN :outside THEN 1 ELSE 0 END AS out_of_range
+  CASE WHEN :outside THEN 1 ELSE 0 END AS out_of_range,
+  position
 FROM (
   SELECT
     channel_id,

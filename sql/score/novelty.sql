@@ -1,12 +1,13 @@
 -- Novelty: a(t) = 1 if the cell of v(t) is not in the support, else 0 (Eq. 4).
 -- Reads:  monitored, support
 -- A row:  one scored vector.
+-- Slots:  :carried  columns that travel with the vector
 SELECT
   vector.channel_id AS channel_id,
   vector.time AS time,
   vector.cell_key AS cell_key,
   vector.out_of_range AS out_of_range,
-  vector.straddling AS straddling,
+  :carried,
   CASE WHEN healthy.hit = 1 THEN 0 ELSE 1 END AS novel
 FROM monitored AS vector
 LEFT JOIN (

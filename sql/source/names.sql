@@ -4,8 +4,8 @@
 SELECT
   asset,
   channel,
-  SUM(CASE WHEN time IS NULL THEN 0 ELSE 1 END) AS readings,
-  SUM(CASE WHEN time IS NULL THEN 1 ELSE 0 END) AS without_time,
+  CAST(SUM(CASE WHEN time IS NULL THEN 0 ELSE 1 END) AS BIGINT) AS readings,
+  CAST(SUM(CASE WHEN time IS NULL THEN 1 ELSE 0 END) AS BIGINT) AS without_time,
   MIN(time) AS earliest,
   MAX(time) AS latest
 FROM readings

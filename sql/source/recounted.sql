@@ -3,8 +3,8 @@
 -- A row:  one such channel.
 SELECT
   ordered.channel_id AS channel_id,
-  COUNT(*) AS samples,
-  SUM(ordered.conflict) AS conflicts,
+  CAST(COUNT(*) AS BIGINT) AS samples,
+  CAST(SUM(ordered.conflict) AS BIGINT) AS conflicts,
   MAX(
     CASE
       WHEN ordered.position

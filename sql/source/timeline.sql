@@ -4,8 +4,10 @@
 -- A row:  one channel; quota_time is right only where repeats = 0 (else see recounted).
 SELECT
   ordered.channel_id AS channel_id,
-  SUM(CASE WHEN ordered.position > 1 AND ordered.time = ordered.previous_time THEN 1 ELSE 0 END)
-    AS repeats,
+  CAST(
+    SUM(CASE WHEN ordered.position > 1 AND ordered.time = ordered.previous_time THEN 1 ELSE 0 END)
+    AS BIGINT
+  ) AS repeats,
   MIN(ordered.time) AS first_time,
   MAX(
     CASE

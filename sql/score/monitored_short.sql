@@ -1,5 +1,5 @@
--- Monitored after calibration: as monitored, for series without breaks that are scored from the end
--- of calibration on. No such vector is one of calibration; which of them straddle is not asked.
+-- Monitored, short form: for series without breaks that are scored from the end of calibration on. No
+-- such vector is one of calibration; which of them straddle is not asked.
 -- Reads:  vectors, bounds
 -- A row:  one vector.
 SELECT
@@ -7,8 +7,7 @@ SELECT
   scale.support_id AS support_id,
   vector.time AS time,
   vector.cell_key AS cell_key,
-  vector.out_of_range AS out_of_range,
-  CAST(NULL AS INTEGER) AS straddling
+  vector.out_of_range AS out_of_range
 FROM vectors AS vector
 JOIN bounds AS scale ON scale.channel_id = vector.channel_id
 WHERE vector.time >= scale.first_scored
