@@ -90,7 +90,8 @@ def check_rows(names: pa.Table) -> None:
         )
     if any(max(abs(row["earliest"]), abs(row["latest"])) >= FAR_AHEAD for row in rows):
         raise SourceError(
-            "The time column holds values beyond 2^62; subtract an offset from the counter in a view."
+            "The time column holds values beyond 2^62: subtract an offset from a counter in a view, or "
+            "leave damaged timestamps out by where=."
         )
 
 

@@ -21,7 +21,7 @@ def test_exact_form_equals_the_reference(case: Case) -> None:
 
 
 @pytest.mark.parametrize("run", [scripts.on_duckdb, scripts.on_sqlite])
-@settings(max_examples=settings.default.max_examples // 4)
+@settings(max_examples=settings().max_examples // 4)
 @given(case=cases())
 def test_scripts_equal_the_reference(run: Callable[..., dict[str, harness.Answer]], case: Case) -> None:
     rows, parameters, calibration = case

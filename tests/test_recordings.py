@@ -21,9 +21,12 @@ SETTINGS = (("3", "1", "100"), ("3", "1", "20"), ("1", "1", "100"), ("3", "5", "
 ROWS = 740
 
 
-def counts(recordings: Path) -> dict[tuple[str, ...], list[dict[str, str]]]:
+Counts = dict[tuple[str, ...], list[dict[str, str]]]
+
+
+def counts(recordings: Path) -> Counts:
     """Return the rows of the reference by data set and parameters."""
-    found = defaultdict(list)
+    found: Counts = defaultdict(list)
     with (recordings / "reference_counts.csv").open() as lines:
         for row in csv.DictReader(lines):
             found[row["dataset"], row["m"], row["tau"], row["B"]].append(row)

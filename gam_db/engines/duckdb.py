@@ -111,6 +111,9 @@ class Session:
         if self.owned:
             self.connection = _opened(target)
             self.connection.execute("SET TimeZone = 'UTC'")
+            # Progress is counted, for whoever asks, but not painted: standard output is the caller's.
+            self.connection.execute("SET enable_progress_bar = true")
+            self.connection.execute("SET enable_progress_bar_print = false")
         else:
             self.connection = target
             _check_settings(target)

@@ -1,0 +1,80 @@
+"""``gam benchmark``: what the SQL costs on this machine, beside its floor and the extract script."""
+
+import json
+from collections.abc import Sequence
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+from gam_db.benchmark import report
+from gam_db.benchmark.measure import Plan, measure
+from gam_db.benchmark.one_run import PROGRAMS
+from gam_db.benchmark.workload import ORDERS
+from gam_db.errors import ConfigurationError, nearest
+
+
+def benchmark(
+    channels: Annotated[int, typer.Option(min=1, help="Channels of the workload.")] = 12,
+    samples: Annotated[int, typer.Option(min=100, help="Samples per channel.")] = 1_000_000,
+    repeat: Annotated[int, typer.Option(min=1, help="Runs of each program in each case.")] = 3,
+    threads: Annotated[str, typer.Option(help="Numbers of threads, with commas.")] = "1,2",
+    order: Annotated[str, typer.Option(help=f"How rows lie: {', '.join(ORDERS)}.")] = "channel,time",
+    only: Annotated[
+        str | None, typer.Option(help=f"Run only some programs: {', '.join(PROGRAMS)}.")
+    ] = None,
+    explain: Annotated[
+        bool, typer.Option("--explain", help="Show where gam-db's time goes, by step and operator.")
+    ] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+) -> None:
+    """Measure gam-db from raw table to health indicator against the engine's floor and a script.
+
+    Everything is simulated and stays in a temporary folder (about 1 GB at the default size).
+    """
+    plan = Plan(
+        channels=channels,
+        samples=samples,
+        repeat=repeat,
+        threads=tuple(_count(part) for part in _parts("threads", threads)),
+        orders=tuple(_chosen("order", order, list(ORDERS))),
+        programs=PROGRAMS if only is None else tuple(_chosen("only", only, PROGRAMS)),
+        explain=explain,
+    )
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        task = progress.add_task("", total=plan.runs)
+
+        def show(run: str) -> None:
+            # Called before a run: what is complete are the runs before it.
+            progress.update(task, description=run, completed=next(begun))
+
+        begun = iter(range(plan.runs))
+        figures = measure(plan, show)
+    if as_json:
+        typer.echo(json.dumps(figures, indent=2))
+    else:
+        for line in report.lines(figures):
+            typer.echo(line)
+
+
+def _parts(option: str, text: str) -> list[str]:
+    parts = [part.strip() for part in text.split(",") if part.strip()]
+    if not parts:
+        raise ConfigurationError(f"--{option} is empty; give at least one value.")
+    return list(dict.fromkeys(parts))
+
+
+def _chosen(option: str, text: str, known: Sequence[str]) -> list[str]:
+    parts = _parts(option, text)
+    for part in parts:
+        if part not in known:
+            raise ConfigurationError(f"--{option} does not know {part!r}{nearest(part, known)}")
+    return parts
+
+
+def _count(text: str) -> int:
+    if not (text.isascii() and text.isdigit() and int(text) > 0):
+        raise ConfigurationError(f"--threads is {text!r}; it takes positive integers, such as 1,2.")
+    return int(text)

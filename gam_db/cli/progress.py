@@ -1,0 +1,88 @@
+"""Progress: a status line on stderr while a study works, and a clean end when it is interrupted.
+
+This module owns what is shown meanwhile; it computes nothing.
+"""
+
+import contextlib
+import signal
+import threading
+import time
+from collections.abc import Iterator
+from types import FrameType
+
+from rich.console import Console, RenderableType
+from rich.status import Status
+
+from gam_db.engines.duckdb import Session
+
+
+class Progress:
+    """A status line: the step at work, for how long, and how far DuckDB says it is.
+
+    Nothing is shown unless stderr is a terminal.
+
+    Args:
+        session: asked how far its statement is, from the thread that draws the line.
+        quiet: show nothing even so.
+    """
+
+    def __init__(self, session: Session, quiet: bool = False) -> None:
+        console = Console(stderr=True)
+        self._session = session
+        self._step = "looking at the source"
+        self._since = self._begin = time.monotonic()
+        shown = console.is_terminal and not quiet
+        self._status = Status(self, console=console, refresh_per_second=5) if shown else None
+
+    def __enter__(self) -> "Progress":
+        if self._status:
+            self._status.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._status:
+            self._status.stop()
+
+    def on_step(self, step: str) -> None:
+        """Take note of the step that begins."""
+        self._step = step
+        self._since = time.monotonic()
+
+    def __rich__(self) -> RenderableType:
+        now = time.monotonic()
+        line = f"{self._step}  {now - self._since:.0f} s"
+        with contextlib.suppress(Exception):  # a line of comfort must not end the work
+            percent = self._session.progress()
+            if 0 < percent < 100:
+                line += f", {percent:.0f} %"
+        return f"{line}  (in all {now - self._begin:.0f} s)"
+
+
+@contextlib.contextmanager
+def interruptible() -> Iterator[None]:
+    """Let Ctrl-C end the work as KeyboardInterrupt.
+
+    Cause: DuckDB notices the signal inside a statement, stops it, and raises an error of its own in
+    the place of KeyboardInterrupt. Symptom: Ctrl-C looks like a fault.
+
+    Raises:
+        KeyboardInterrupt: Ctrl-C was pressed, whatever error came of it.
+    """
+    pressed: list[int] = []
+
+    def note(number: int, _: FrameType | None) -> None:
+        pressed.append(number)
+        raise KeyboardInterrupt
+
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGINT, note)
+    try:
+        yield
+    except Exception as error:
+        if pressed:
+            raise KeyboardInterrupt from error
+        raise
+    finally:
+        signal.signal(signal.SIGINT, before)

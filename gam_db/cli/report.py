@@ -1,0 +1,322 @@
+"""The report: findings as lines for a terminal or a pipe.
+
+This module owns how things look. What they mean is said by :mod:`gam_db.findings`.
+"""
+
+import datetime as dt
+import math
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from rich.cells import cell_len
+from rich.console import Console
+from rich.text import Text
+
+from gam_db.calibration import Calibration
+from gam_db.findings import STATUSES, Finding, need_attention, share
+from gam_db.guess import Guess
+from gam_db.parameters import Parameters
+from gam_db.source import Source
+
+SHOWN = 40
+"""Channels shown unless all are asked for."""
+
+BLOCKS = "▁▂▃▄▅▆▇█"
+PLAIN_BLOCKS = "_.,-=+*#"
+"""The same scale, for a terminal that has no block characters."""
+
+_READABLE = 120
+"""Columns beyond which a line of prose is hard to read."""
+_LEAST_COURSE, _MOST_COURSE = 12, 48
+_MARKS = {"high": ("!", "bold red"), "setup": ("?", "yellow"), "waiting": ("~", "cyan")}
+_MEANINGS = {
+    "high": "above the limit",
+    "setup": "without a good enough calibration",
+    "waiting": "less than a window scored yet",
+    "ok": "ok",
+    "not assessed": "not assessable",
+}
+
+
+@dataclass(frozen=True)
+class Job:
+    """What was asked, for the heading of a report.
+
+    Attributes:
+        name: the source in the user's words.
+        guess: its columns.
+        parameters, calibration: the method.
+        settings: the settings file that was read, if any.
+    """
+
+    name: str
+    guess: Guess
+    parameters: Parameters
+    calibration: Calibration
+    settings: str | None = None
+
+
+def console(width: int | None = None) -> Console:
+    """Return the console of reports: no markup, so that names mean nothing but themselves."""
+    return Console(width=width, markup=False, highlight=False, emoji=False)
+
+
+def show(out: Console, job: Job, found: Sequence[Finding], everything: bool = False) -> None:
+    """Print the report.
+
+    Args:
+        out: where to.
+        job: for the heading.
+        found: the findings, in order.
+        everything: show every channel, however many there are.
+    """
+    for line in _heading(job, found):
+        say(out, line)
+    out.print()
+    shown = found if everything else found[:SHOWN]
+    for text in _table(out, shown):
+        out.print(text, no_wrap=True, overflow="crop", crop=True)
+    if len(found) > len(shown):
+        say(out, f"and {len(found) - len(shown)} more ({_statuses(found[len(shown) :])}); --all")
+    out.print()
+    for line in _summary(found):
+        say(out, line)
+
+
+def sparkline(course: NDArray[np.float64], width: int, blocks: str = BLOCKS) -> str:
+    """Return a course as one character per stretch of it, on the fixed scale 0 to 1.
+
+    Args:
+        course: shares; NaN where there is none yet, shown as a gap.
+        width: characters to use, each the highest of its stretch; a shorter course takes one each.
+        blocks: the characters, lowest first.
+    """
+    return "".join(
+        " " if math.isnan(point) else blocks[min(int(point * len(blocks)), len(blocks) - 1)]
+        for point in thinned(course, width)
+    )
+
+
+def thinned(course: NDArray[np.float64], points: int) -> list[float]:
+    """Return a course in at most so many points: the highest of each stretch, so that no peak is lost.
+
+    NaN where there is no indicator yet.
+    """
+    if not len(course):
+        return []
+    stretches = np.array_split(course, min(points, len(course)))
+    return [float(np.fmax.reduce(stretch)) for stretch in stretches]
+
+
+def _heading(job: Job, found: Sequence[Finding]) -> list[str]:
+    assets = len({one.asset for one in found})
+    samples = sum(one.support["samples"] for one in found)
+    machines = f"{assets:,} asset{'s' * (assets != 1)}"
+    channels = f"{len(found):,} channel{'s' * (len(found) != 1)}"
+    settings = f"; settings from {job.settings}" if job.settings else ""
+    return [
+        f"{printable(job.name)}: {channels} of {machines}, {samples:,} samples{settings}",
+        _columns(job.guess),
+        _method(job.parameters, job.calibration),
+    ]
+
+
+def _columns(guess: Guess) -> str:
+    source = guess.source
+    named = {"asset": source.asset, "time": source.time}
+    if isinstance(source, Source):
+        named = {
+            "asset": source.asset,
+            "channel": source.channel,
+            "time": source.time,
+            "value": source.value,
+        }
+    shown = {role: column for role, column in named.items() if column is not None}
+    line = "columns: " + " ".join(f"{role}={printable(column)}" for role, column in shown.items())
+    if not isinstance(source, Source):
+        names = [printable(name) for name in source.value_columns]
+        line += f"; wide table, signals: {_some(names)}"
+    if guess.guessed:
+        guessed = [role for role in guess.guessed if role != "layout"]
+        line += f"; guessed: {'all' if len(guessed) == len(shown) else ', '.join(guessed)}"
+    if "layout" in guess.guessed:
+        line += f"; taken as {guess.guessed['layout']}"
+    if guess.unused:
+        line += f"; not used: {_some([printable(name) for name in guess.unused])}"
+    return line
+
+
+def _method(parameters: Parameters, calibration: Calibration) -> str:
+    said = [
+        f"{name}={getattr(parameters, name)}"
+        for name in ("m", "tau", "bins", "window", "stride", "max_gap", "target_floor")
+        if getattr(parameters, name) is not None
+    ]
+    if parameters.overrides:
+        said.append(f"{len(parameters.overrides)} overrides")
+    if calibration.fraction is not None:
+        healthy = f"the first {100 * calibration.fraction:.4g} % of each channel"
+    elif calibration.duration is not None:
+        healthy = f"the first {calibration.duration} of each channel"
+    else:
+        pieces = len(calibration.intervals or ())
+        healthy = f"{pieces} interval{'s' * (pieces != 1)}"
+    if calibration.pool is not None:
+        healthy += ", pooled"
+    return f"method: {' '.join(said)}; calibration: {healthy}"
+
+
+def _table(out: Console, found: Sequence[Finding]) -> list[Text]:
+    """Return a line per channel, and under it what is to be said of it."""
+    blocks = BLOCKS if _can_show(out, BLOCKS) else PLAIN_BLOCKS
+    one_asset = len({one.asset for one in found}) == 1
+    names = [_name(one, one_asset) for one in found]
+    times = [_time(one.time) for one in found]
+    verdict = max([7, *(len(one.verdict) for one in found)])
+    time_width = max([4, *map(len, times)])
+    free = out.width - (2 + 2 + verdict + 2 + 5 + 2 + 5 + 2 + 2 + time_width)
+    name_width = min(max([7, *map(cell_len, names)]), max(12, free - _LEAST_COURSE))
+    course = min(_MOST_COURSE, max(_LEAST_COURSE, free - name_width))
+    lines = [
+        Text(
+            f"  {_fit('channel', name_width)}  {'verdict':{verdict}}  floor     HI  "
+            f"{_fit('HI, 0 to 1', course)}  last",
+            style="bold",
+        )
+    ]
+    for one, name, time in zip(found, names, times, strict=True):
+        mark, style = _MARKS.get(one.status, (" ", ""))
+        is_shown = one.status != "not assessed"
+        line = Text(f"{mark} {_fit(name, name_width)}  {one.verdict:{verdict}}  ", style)
+        line.append(f"{share(one.support['floor'] if is_shown else None):>5}  ")
+        line.append(f"{share(one.hi if is_shown else None):>5}  ")
+        line.append(_fit(sparkline(one.course, course, blocks) if is_shown else "", course))
+        line.append(f"  {time}")
+        line.rstrip()
+        lines.append(line)
+        for remark in _folded("; ".join(one.remarks), out.width - 4):
+            lines.append(
+                Text(f"    {remark}", style="dim" if one.status in ("ok", "not assessed") else "")
+            )
+    return lines
+
+
+def _summary(found: Sequence[Finding]) -> list[str]:
+    verdicts = Counter(one.verdict for one in found)
+    order = ("ready", "too_fine", "needs_data", "constant", "no_data")
+    lines = [
+        "verdicts: " + ", ".join(f"{verdicts[name]} {name}" for name in order if verdicts[name]),
+        "channels: " + _statuses(found),
+    ]
+    if verdicts["no_data"]:
+        lines.append(
+            "no_data: say which part is healthy by --calibrate FROM/TO, --calibration-duration or "
+            "--calibration-fraction, where it holds data"
+        )
+    grids = sorted(
+        (one.support["finest_bins"] for one in found if one.verdict == "too_fine"), reverse=True
+    )
+    if grids:
+        lines.append(
+            f"grid too fine: {_ladder(grids)} (--bins, or [[override]] in gam.toml); the coarser the "
+            "grid, the less it sees, so a longer calibration is better where it can be had"
+        )
+    short = [
+        one
+        for one in found
+        if one.status in ("high", "ok", "waiting")
+        and one.support["calibration_vectors"] < 8 * one.window
+    ]
+    if short:
+        lines.append(
+            f"{len(short)} ready, but on a calibration shorter than 8 windows: their floors come from "
+            "blocks shorter than a window"
+        )
+    if not need_attention(found):
+        lines.append("nothing needs attention")
+    return [*lines, " ".join(_legend(found))]
+
+
+def _legend(found: Sequence[Finding]) -> list[str]:
+    """Return what the words of this report mean, and no others."""
+    words = [
+        "HI: share of the last window's vectors in states that calibration never visited.",
+        "Floor: what a healthy machine would show, from calibration itself.",
+    ]
+    remarks = " ".join(remark for one in found for remark in one.remarks)
+    if "limit" in remarks:
+        words.append(
+            "Limit: twice the floor, the highest block of calibration or target_floor, whichever is "
+            "largest."
+        )
+    if "out of range" in remarks:
+        words.append("Out of range: holding a value beyond all those of calibration.")
+    if "incomplete" in remarks:
+        words.append("Incomplete: holding a missing sample, and left out.")
+    return words
+
+
+def _ladder(grids: Sequence[int]) -> str:
+    """Return how many channels each grid would do for, the finest grid first."""
+    steps = sorted(set(grids), reverse=True)
+    counted = [(bins, sum(other >= bins for other in grids)) for bins in steps]
+    return ", ".join(
+        f"{bins} bins would do for " + ("all of them" if count == len(grids) else f"{count}")
+        for bins, count in counted
+    )
+
+
+def _statuses(found: Sequence[Finding]) -> str:
+    count = Counter(one.status for one in found)
+    return ", ".join(f"{count[status]} {_MEANINGS[status]}" for status in STATUSES if count[status])
+
+
+def printable(name: str) -> str:
+    """Return a name of the source with nothing in it that a terminal would obey."""
+    return "".join(sign if sign.isprintable() else "\N{REPLACEMENT CHARACTER}" for sign in name)
+
+
+def _name(one: Finding, one_asset: bool) -> str:
+    return printable(one.channel if one_asset else f"{one.asset} {one.channel}")
+
+
+def _time(time: Any) -> str:
+    if time is None:
+        return "-"
+    return f"{time:%Y-%m-%d %H:%M}" if isinstance(time, dt.datetime) else f"{time:,}"
+
+
+def _fit(text: str, width: int) -> str:
+    """Return a text of exactly so many cells; what is too long loses its middle."""
+    if cell_len(text) > width:
+        head, tail = text[: width - width // 2 - 1], text[-(width // 2) :]
+        while cell_len(head) + 1 + cell_len(tail) > width:
+            head, tail = (head[:-1], tail) if cell_len(head) > cell_len(tail) else (head, tail[1:])
+        text = f"{head}…{tail}"
+    return text + " " * (width - cell_len(text))
+
+
+def _some(names: Sequence[str], most: int = 8) -> str:
+    return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
+
+
+def _folded(text: str, width: int) -> list[str]:
+    return [str(line).rstrip() for line in Text(text).wrap(Console(), width)] if text else []
+
+
+def say(out: Console, line: str) -> None:
+    """Print a line of prose, folded."""
+    for part in _folded(line, min(out.width, _READABLE)):
+        out.print(Text(part))
+
+
+def _can_show(out: Console, text: str) -> bool:
+    try:
+        text.encode(out.encoding)
+    except (UnicodeEncodeError, LookupError):
+        return False
+    return True

@@ -1,0 +1,217 @@
+"""Guessing: which column is the machine, the signal, the time and the reading, where nobody said.
+
+This module owns well-known column names and the rules of guessing. What it cannot tell it asks for:
+a wrong guess would merge machines or signals without a word. It reads no rows.
+"""
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from gam_db.config import SourceSettings
+from gam_db.engines.duckdb import Session
+from gam_db.errors import SourceError, nearest
+from gam_db.source import AnySource, Source, WideSource
+
+#: role -> names that say it, in two strengths; a weak name counts only where no strong one is there.
+#: Case, spaces, underscores and a trailing id, name, no or nr do not matter.
+KNOWN: Mapping[str, tuple[frozenset[str], frozenset[str]]] = {
+    "asset": (
+        frozenset(("asset", "machine", "robot", "device", "equipment", "maschine", "anlage", "bearing")),
+        frozenset(("unit", "line", "cell", "station", "plant", "object", "run", "serial", "engine")),
+    ),
+    "channel": (
+        frozenset(("channel", "signal", "sensor", "tag", "joint", "variable", "kanal", "metric")),
+        frozenset(("parameter", "measure", "quantity", "series", "axis", "point", "item", "attribute")),
+    ),
+    "time": (
+        frozenset(("time", "ts", "timestamp", "datetime", "zeit", "zeitstempel", "timeutc", "utc")),
+        frozenset(
+            ("t", "date", "instant", "tick", "ticks", "step", "sample", "seq", "sequence", "index")
+        ),
+    ),
+    "value": (
+        frozenset(("value", "reading", "measurement", "wert", "messwert")),
+        frozenset(("val", "x", "y", "v", "data", "amplitude", "level")),
+    ),
+}
+_TAIL = re.compile(r"(?<=..)(id|name|number|no|nr)$")
+
+_WHAT = {
+    "asset": "the machine",
+    "channel": "the signal",
+    "time": "the time",
+    "value": "the reading",
+}
+_NONE = {"asset": "--no-asset if it is one machine", "channel": "--no-channel if it is one signal"}
+
+
+@dataclass(frozen=True)
+class Guess:
+    """A source with its columns, and what of it was guessed.
+
+    Attributes:
+        source: all columns named.
+        guessed: role -> column, or a short phrase, for what nobody had said.
+        unused: columns that are not read.
+    """
+
+    source: AnySource
+    guessed: Mapping[str, str]
+    unused: tuple[str, ...]
+
+
+def guess(relation: Any, columns: Mapping[str, str], said: SourceSettings, session: Session) -> Guess:
+    """Return the source that the settings mean, the columns that were not named being guessed.
+
+    Args:
+        relation: what the source reads: a table name, a file, an Arrow table.
+        columns: name -> type of its columns, in order.
+        said: the settings; only their columns, layout and condition are looked at.
+        session: knows what the types mean.
+
+    Raises:
+        SourceError: a column that was named is not there, or one that was not named cannot be guessed;
+            the message lists the columns and the options to use.
+    """
+    return _Guesser(columns, said, session).guess(relation)
+
+
+class _Guesser:
+    """One guess under way: the columns that are still free, and what was found."""
+
+    def __init__(self, columns: Mapping[str, str], said: SourceSettings, session: Session) -> None:
+        self.columns = columns
+        self.said = said
+        self.session = session
+        self.guessed: dict[str, str] = {}
+        self.wide = said.layout == "wide" or said.channels is not None
+        named = {
+            role: column
+            for role in ("asset", "channel", "time", "value")
+            if isinstance(column := getattr(said, role), str)
+        }
+        for role, column in [*named.items(), *(("channel", name) for name in said.channels or ())]:
+            if column not in columns:
+                raise SourceError(
+                    f"There is no column {column!r} for {_WHAT[role]}{nearest(column, columns)}"
+                )
+        taken = {*named.values(), *(said.channels or ())}
+        self.free = [name for name in columns if name not in taken]
+
+    def guess(self, relation: Any) -> Guess:
+        time = self.said.time or self._time()
+        asset = self._name("asset")
+        channel = None if self.wide else self._name("channel")
+        value = None if self.wide else self.said.value or self._value(channel)
+        self._ask_about_texts(asset, channel)
+        where, kind = self.said.where, self.said.time_kind
+        source: AnySource
+        if value is None:
+            signals = self.said.channels or tuple(self._numeric())
+            if not signals:
+                raise self._unclear("No numeric column is left that could hold readings", ("value",))
+            source = WideSource(relation, signals, asset, time, where, kind)
+        else:
+            source = Source(relation, asset, channel, time, value, where, kind)
+        used = set(source.columns.values())
+        return Guess(source, self.guessed, tuple(name for name in self.columns if name not in used))
+
+    def _time(self) -> str:
+        """A strong name, then the only calendar column, then weak names; weak ones must fit by type."""
+        found = self._by_name("time", self.free, weak=False)
+        if found is None:
+            kinds = {name: self.session.time_kind(self.columns[name]) for name in self.free}
+            calendars = [name for name, kind in kinds.items() if kind and not kind.is_counter]
+            if len(calendars) == 1:
+                return self._take("time", calendars[0])
+            found = self._by_name("time", calendars or [name for name, kind in kinds.items() if kind])
+            if found is None:
+                many = f"{_listed(calendars)} could each be" if calendars else "No column looks like"
+                raise self._unclear(f"{many} the time", ("time",))
+        return self._take("time", found)
+
+    def _name(self, role: str) -> str | None:
+        said = getattr(self.said, role)
+        if said is not None:
+            return said or None
+        found = self._by_name(role, [name for name in self.free if self._can_name(name)])
+        if found is None:
+            return None
+        return self._take(role, found)
+
+    def _value(self, channel: str | None) -> str | None:
+        """Return the column of the readings; None where the table turns out to be wide."""
+        strong = self._by_name("value", self.free, weak=False)
+        if strong is not None:
+            return self._take("value", strong)
+        numeric = self._numeric()
+        if len(numeric) == 1:
+            return self._take("value", numeric[0])
+        if not numeric:
+            raise self._unclear("No numeric column is left that could hold readings", ("value",))
+        if channel is None and self.said.channel is None and self.said.layout is None:
+            self.guessed["layout"] = "wide: no column names the signal, so each numeric column is one"
+            return None
+        weak = self._by_name("value", numeric)
+        if weak is None:
+            raise self._unclear("Several columns could be the reading", ("value",))
+        return self._take("value", weak)
+
+    def _ask_about_texts(self, asset: str | None, channel: str | None) -> None:
+        """Text that nobody explained may name machines or signals; leaving it out would mix them."""
+        is_wide = self.wide or "layout" in self.guessed
+        open_roles = [
+            role
+            for role, found in (("asset", asset), ("channel", channel))
+            if found is None and getattr(self.said, role) is None and not (role == "channel" and is_wide)
+        ]
+        texts = [name for name in self.free if self._can_name(name) and not self._is_number(name)]
+        if open_roles and texts:
+            what = " or ".join(_WHAT[role] for role in open_roles)
+            raise self._unclear(f"{_listed(texts)} may name {what}", open_roles)
+
+    def _by_name(self, role: str, among: Iterable[str], weak: bool = True) -> str | None:
+        for names in KNOWN[role] if weak else KNOWN[role][:1]:
+            found = [name for name in among if _plain(name) in names or _bare(name) in names]
+            if len(found) > 1:
+                raise self._unclear(f"{_listed(found)} could each be {_WHAT[role]}", (role,))
+            if found:
+                return found[0]
+        return None
+
+    def _take(self, role: str, column: str) -> str:
+        self.guessed[role] = column
+        self.free.remove(column)
+        return column
+
+    def _numeric(self) -> list[str]:
+        return [name for name in self.free if self._is_number(name)]
+
+    def _is_number(self, name: str) -> bool:
+        return self.session.is_numeric(self.columns[name])
+
+    def _can_name(self, name: str) -> bool:
+        return self.session.is_name(self.columns[name])
+
+    def _unclear(self, what: str, roles: Sequence[str]) -> SourceError:
+        options = "; ".join(
+            f"say --{role} COLUMN" + (f", or {_NONE[role]}" if role in _NONE else "") for role in roles
+        )
+        shown = [f"{name} ({type_name})" for name, type_name in self.columns.items()]
+        if len(shown) > 30:
+            shown[30:] = ["..."]
+        return SourceError(f"{what}; {options}. The columns are: {', '.join(shown)}.")
+
+
+def _plain(name: str) -> str:
+    return "".join(sign for sign in name.casefold() if sign.isalnum())
+
+
+def _bare(name: str) -> str:
+    return _TAIL.sub("", _plain(name))
+
+
+def _listed(names: Sequence[str]) -> str:
+    return " and ".join(repr(name) for name in names)

@@ -1,0 +1,58 @@
+"""``gam compile``: the script of the library, from the command line."""
+
+from pathlib import Path
+
+import duckdb
+import pytest
+from typer.testing import CliRunner, Result
+
+import gam_db
+from gam_db.cli import app
+
+
+def invoke(*words: str) -> Result:
+    return CliRunner().invoke(app, ["compile", *words])
+
+
+def test_it_prints_what_the_library_renders() -> None:
+    found = invoke("telemetry", "--engine", "postgres", "--form", "exact", "--bins", "20", "--time", "t")
+    expected = gam_db.render(
+        "exact", "postgres", gam_db.Source("telemetry", time="t"), gam_db.Parameters(bins=20)
+    )
+    assert found.exit_code == 0
+    assert found.stdout == expected
+
+
+def test_columns_of_a_database_table_are_looked_at(tmp_path: Path) -> None:
+    path, script = tmp_path / "plant.duckdb", tmp_path / "gam.sql"
+    with duckdb.connect(str(path)) as connection:
+        connection.execute(
+            "CREATE TABLE readings AS SELECT 'r1' AS robot, 'j1' AS joint, "
+            "TIMESTAMP '2026-01-01' + INTERVAL (i) SECOND AS ts, sin(i) AS torque FROM range(400) t(i)"
+        )
+    made = invoke("readings", "--database", str(path), "--window", "50", "--out", str(script))
+    assert (made.exit_code, made.stdout) == (0, "")
+    with duckdb.connect(str(path)) as connection:
+        connection.execute(script.read_text())
+        rows = connection.sql("SELECT min(asset), min(channel), count(*) FROM gam_health").fetchall()
+    assert rows == [("r1", "j1", 320)]
+
+
+@pytest.mark.parametrize(
+    ("part", "words"),
+    [
+        ("Name a SOURCE", []),
+        ("'postgres'", ["t", "--engine", "postgre"]),
+        ("--channel", ["t", "--wide"]),
+        ("cannot be written", ["t", "--out", "/nowhere/at/all.sql"]),
+        ("m <= ", ["t", "--m", "12"]),
+    ],
+)
+def test_errors_are_one_paragraph(
+    part: str, words: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    found = invoke(*words)
+    assert found.exit_code == 1
+    assert part in " ".join(found.stderr.split())
+    assert "Traceback" not in found.stderr
