@@ -192,7 +192,22 @@ def add_calibration(steps: Pipeline, method: Method, number: int) -> None:
         name=method.named("bounds", number),
     )
     add_breaks(steps, method, number)
-    add_vectors(steps, method, number, "calibration_", _until_calibration_end())
+    if method.gaps[number] is None and all(len(rule.allowed) <= 1 for rule in method.rules):
+        codes = {"code": _code(setting)}
+        _add_of_set(steps, method, number, "calibration/calibration_codes", codes)
+        add_short_vectors(steps, method, number, "calibration_")
+        vectors, learnable = "vectors", "calibration/learnable_short"
+    else:
+        add_vectors(steps, method, number, "calibration_", _until_calibration_end())
+        vectors, learnable = "marked_vectors", "calibration/learnable"
+    _add_of_set(
+        steps,
+        method,
+        number,
+        learnable,
+        name="learnable",
+        tables={vectors: "calibration_vectors"},
+    )
     _add_of_set(steps, method, number, "support/support")
 
 
@@ -241,6 +256,23 @@ def add_vectors(steps: Pipeline, method: Method, number: int, prefix: str, read:
         },
         f"{prefix or 'marked_'}vectors",
         {"marked_codes": codes},
+    )
+
+
+def add_short_vectors(steps: Pipeline, method: Method, number: int, prefix: str) -> None:
+    """Add the vectors of one set (Eq. 1) over the codes of the same prefix, where no segment ends."""
+    setting = method.settings[number]
+    _add_of_set(
+        steps,
+        method,
+        number,
+        "embedding/vectors",
+        {
+            **_cell_slots(setting),
+            "delayed": [_delayed("code", k, setting) for k in range(1, setting.m)],
+        },
+        f"{prefix}vectors",
+        {"codes": f"{prefix}codes"},
     )
 
 
@@ -304,18 +336,7 @@ def add_short_scoring(steps: Pipeline, method: Method, number: int) -> None:
             {"code": _code(setting), "read": read},
             f"{prefix}codes",
         )
-        _add_of_set(
-            steps,
-            method,
-            number,
-            "embedding/vectors",
-            {
-                **_cell_slots(setting),
-                "delayed": [_delayed("code", k, setting) for k in range(1, setting.m)],
-            },
-            f"{prefix}vectors",
-            {"codes": f"{prefix}codes"},
-        )
+        add_short_vectors(steps, method, number, prefix)
     _add_of_set(
         steps,
         method,

@@ -1,7 +1,7 @@
 -- Learnt: the calibration vectors of a channel in order, cut into blocks of W; the short rest joins
 -- the last block. Where that gives fewer than 8 blocks, block = floor(8 i / n) (method, section 5).
--- Reads:  calibration_vectors, bounds
--- A row:  one calibration vector without a missing sample.
+-- Reads:  learnable, bounds
+-- A row:  one calibration vector.
 -- Slots:  :window  W, in vectors
 SELECT
   channel_id,
@@ -37,8 +37,7 @@ FROM (
         ROW_NUMBER() OVER (PARTITION BY vector.channel_id ORDER BY vector.time) AS BIGINT
       ) - 1 AS place,
       CAST(COUNT(*) OVER (PARTITION BY vector.channel_id) AS BIGINT) AS vectors
-    FROM calibration_vectors AS vector
+    FROM learnable AS vector
     JOIN bounds AS scale ON scale.channel_id = vector.channel_id
-    WHERE vector.calibration_vector = 1 AND vector.cell_key IS NOT NULL
   ) AS ordered
 ) AS cut
