@@ -321,8 +321,8 @@ def add_buckets(steps: Pipeline, method: Method, number: int) -> None:
 def add_short_scoring(steps: Pipeline, method: Method, number: int) -> None:
     """Add the short form of Eq. 1 and Eq. 4, apart for channels with and without missing samples."""
     setting = method.settings[number]
-    _add_of_set(steps, method, number, "score/run_up")
-    missing = exp.column("missing_samples", table="before")
+    _add_of_set(steps, method, number, "score/run_up", {"span": setting.span})
+    missing = exp.column("missing_readings", table="scale")
     none = exp.Literal.number(0)
     for prefix, read in (
         ("complete_", exp.EQ(this=missing, expression=none)),

@@ -64,6 +64,8 @@ class Pipeline:
             step = (tables or {}).get(table.name, table.name)
             if step in self.steps:
                 reads.add(step)
+                if step != table.name and not table.args.get("alias"):
+                    table.set("alias", exp.TableAlias(this=table.this.copy()))
                 table.set("this", exp.to_identifier(step))
         if name in self.steps:
             raise InternalError(f"The step {name} is there twice.")

@@ -18,17 +18,17 @@ FROM (
   SELECT
     named.channel_id AS channel_id,
     named.calibration_no AS calibration_no,
-    rule.score_from AS score_from,
+    given.score_from AS score_from,
     CASE
-      WHEN rule.declared_end IS NULL THEN extent.first_time
+      WHEN given.declared_end IS NULL THEN extent.first_time
       ELSE CAST(:long_ago AS BIGINT)
     END AS calibration_from,
     CASE
-      WHEN rule.fraction IS NOT NULL THEN extent.quota_time
-      WHEN rule.duration IS NOT NULL THEN extent.first_time + rule.duration
-      ELSE rule.declared_end
+      WHEN given.fraction IS NOT NULL THEN extent.quota_time
+      WHEN given.duration IS NOT NULL THEN extent.first_time + given.duration
+      ELSE given.declared_end
     END AS calibration_end
   FROM channels AS named
   JOIN series AS extent ON extent.channel_id = named.channel_id
-  JOIN rules AS rule ON rule.calibration_no = named.calibration_no
+  JOIN rules AS given ON given.calibration_no = named.calibration_no
 ) AS resolved

@@ -19,8 +19,8 @@ FROM (
     support_id,
     block_no,
     CAST(SUM(visits) AS BIGINT) AS vectors,
-    MIN(first_time) AS first_time,
-    MAX(last_time) AS last_time
-  FROM visits
+    MIN(visit.first_time) AS first_time,
+    MAX(visit.last_time) AS last_time
+  FROM visits AS visit
   GROUP BY channel_id, support_id, block_no
 ) AS summed

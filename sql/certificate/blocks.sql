@@ -33,8 +33,8 @@ FROM (
     FLOOR(CAST(4611686018427387904 AS DOUBLE) / CAST(size.pool_blocks AS DOUBLE)) AS units
   FROM block_sizes AS size
   LEFT JOIN (
-    SELECT support_id, first_block, CAST(SUM(visits) AS BIGINT) AS visits, 1 AS hit
-    FROM cells
+    SELECT support_id, first_block, CAST(SUM(cell.visits) AS BIGINT) AS visits, 1 AS hit
+    FROM cells AS cell
     WHERE first_block = last_block
     GROUP BY support_id, first_block
   ) AS lonely ON lonely.support_id = size.support_id AND lonely.first_block = size.pool_block

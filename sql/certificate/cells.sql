@@ -5,13 +5,13 @@
 SELECT
   support_id,
   cell_key,
-  CAST(SUM(visits) AS BIGINT) AS visits,
+  CAST(SUM(seen.visits) AS BIGINT) AS visits,
   MIN(pool_block) AS first_block,
   MIN(CASE WHEN occurrence = 2 THEN pool_block END) AS second_block,
   MAX(pool_block) AS last_block,
-  CAST(SUM(CASE WHEN occurrence = 1 THEN visits ELSE 0 END) AS BIGINT) AS first_visits,
-  MIN(first_time) AS first_time,
-  MAX(last_time) AS last_time
+  CAST(SUM(CASE WHEN occurrence = 1 THEN seen.visits ELSE 0 END) AS BIGINT) AS first_visits,
+  MIN(seen.first_time) AS first_time,
+  MAX(seen.last_time) AS last_time
 FROM (
   SELECT
     visit.support_id AS support_id,

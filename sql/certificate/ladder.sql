@@ -29,15 +29,15 @@ FROM (
   FROM blocks AS block
   CROSS JOIN levels AS step
   LEFT JOIN (
-    SELECT support_id, level, first_block, CAST(SUM(visits) AS BIGINT) AS visits, 1 AS hit
+    SELECT support_id, level, first_block, CAST(SUM(merged.visits) AS BIGINT) AS visits, 1 AS hit
     FROM (
       SELECT
         support_id,
         level,
         coarse_key,
-        CAST(SUM(visits) AS BIGINT) AS visits,
-        MIN(first_block) AS first_block,
-        MAX(last_block) AS last_block
+        CAST(SUM(coarse.visits) AS BIGINT) AS visits,
+        MIN(coarse.first_block) AS first_block,
+        MAX(coarse.last_block) AS last_block
       FROM (
         SELECT
           support_id,

@@ -1,7 +1,7 @@
 -- Learning curve: had calibration ended with this block, how many vectors and cells would it hold and
 -- what would its floor be? A cell adds its first block's visits to the novel ones from that block on,
 -- until a second block sees it.
--- Reads:  block_sizes, cells, blocks
+-- Reads:  cells, blocks
 -- A row:  one block, in the order of the pool.
 SELECT
   support_id,

@@ -9,16 +9,14 @@ SELECT
   support_id,
   vectors,
   CASE
-    WHEN exponent > CAST(0 AS DOUBLE)
-      AND LN(floor / NULLIF(CAST(:target_floor AS DOUBLE), CAST(0 AS DOUBLE))) <= exponent * LN(CAST(1000 AS DOUBLE))
-      THEN CAST(vectors AS DOUBLE)
-        * EXP(LN(floor / NULLIF(CAST(:target_floor AS DOUBLE), CAST(0 AS DOUBLE))) / NULLIF(exponent, CAST(0 AS DOUBLE)))
+    WHEN descent <= exponent * LN(CAST(1000 AS DOUBLE))
+      THEN CAST(vectors AS DOUBLE) * EXP(descent / NULLIF(exponent, CAST(0 AS DOUBLE)))
   END AS needed_total
 FROM (
   SELECT
     whole.support_id AS support_id,
     whole.vectors AS vectors,
-    whole.floor AS floor,
+    LN(whole.floor) - LN(NULLIF(CAST(:target_floor AS DOUBLE), CAST(0 AS DOUBLE))) AS descent,
     LN(half.learned_floor / whole.floor)
     / LN(CAST(whole.vectors AS DOUBLE) / CAST(half.learned_vectors AS DOUBLE)) AS exponent
   FROM spread AS whole
@@ -26,7 +24,7 @@ FROM (
     ON half.support_id = whole.support_id
   WHERE whole.blocks >= 4
     AND whole.floor > CAST(0 AS DOUBLE)
-    AND half.learned_floor > CAST(0 AS DOUBLE)
+    AND half.learned_floor > whole.floor
     AND half.pool_block
       = CAST(FLOOR(CAST(whole.blocks AS DOUBLE) / CAST(2 AS DOUBLE)) AS BIGINT) - 1
 ) AS halves

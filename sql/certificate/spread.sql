@@ -3,9 +3,9 @@
 -- A row:  one support; floor_sd is NULL below two blocks.
 SELECT
   support_id,
-  MIN(floor) AS floor,
+  MIN(deviations.floor) AS floor,
   MAX(healthy_hi) AS floor_max,
-  CAST(SUM(vectors) AS BIGINT) AS vectors,
+  CAST(SUM(deviations.vectors) AS BIGINT) AS vectors,
   CAST(COUNT(*) AS BIGINT) AS blocks,
   SQRT(
     CAST(CAST(SUM(square_units) AS BIGINT) AS DOUBLE) / MIN(units)

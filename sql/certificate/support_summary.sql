@@ -28,10 +28,14 @@ SELECT
   CASE WHEN whole.hit = 1 THEN whole.floor END AS floor,
   CASE WHEN whole.hit = 1 THEN whole.floor_sd END AS floor_sd,
   CASE WHEN whole.hit = 1 THEN whole.floor_max END AS floor_max,
-  CASE WHEN whole.hit = 1 THEN CAST(held.seen_once AS DOUBLE) / CAST(whole.vectors AS DOUBLE) END
-    AS good_turing,
-  CASE WHEN whole.hit = 1 THEN CAST(held.cells AS DOUBLE) / CAST(whole.vectors AS DOUBLE) END
-    AS cells_per_vector,
+  CASE
+    WHEN whole.hit = 1 AND held.hit = 1
+      THEN CAST(held.seen_once AS DOUBLE) / CAST(whole.vectors AS DOUBLE)
+  END AS good_turing,
+  CASE
+    WHEN whole.hit = 1 AND held.hit = 1
+      THEN CAST(held.cells AS DOUBLE) / CAST(whole.vectors AS DOUBLE)
+  END AS cells_per_vector,
   CAST(CASE WHEN whole.hit = 1 THEN whole.blocks ELSE 0 END AS BIGINT) AS blocks,
   CAST(CASE WHEN grid.hit = 1 THEN grid.finest_bins END AS BIGINT) AS finest_bins,
   CAST(
@@ -47,8 +51,8 @@ FROM channels AS named
 JOIN series AS extent ON extent.channel_id = named.channel_id
 JOIN bounds AS scale ON scale.channel_id = named.channel_id
 LEFT JOIN (
-  SELECT channel_id, CAST(SUM(vectors) AS BIGINT) AS vectors, 1 AS hit
-  FROM blocks
+  SELECT channel_id, CAST(SUM(part.vectors) AS BIGINT) AS vectors, 1 AS hit
+  FROM blocks AS part
   GROUP BY channel_id
 ) AS own ON own.channel_id = named.channel_id
 LEFT JOIN (

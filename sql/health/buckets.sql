@@ -7,8 +7,8 @@ SELECT
   bucket_no,
   MIN(time) AS first_time,
   MAX(time) AS last_time,
-  CAST(SUM(novel) AS BIGINT) AS novel,
-  CAST(SUM(out_of_range) AS BIGINT) AS out_of_range
-FROM kept
+  CAST(SUM(vector.novel) AS BIGINT) AS novel,
+  CAST(SUM(vector.out_of_range) AS BIGINT) AS out_of_range
+FROM kept AS vector
 GROUP BY channel_id, bucket_no
 HAVING MAX(closing) = 1

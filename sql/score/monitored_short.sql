@@ -1,5 +1,5 @@
--- Monitored, short form: for series without breaks that are scored from the end of calibration on. No
--- such vector is one of calibration; which of them straddle is not asked.
+-- Monitored, short form: for series without breaks that are read from their run-up on and scored from
+-- the end of calibration on. No such vector is one of calibration; which straddle is not asked.
 -- Reads:  vectors, bounds
 -- A row:  one vector.
 SELECT
@@ -10,6 +10,4 @@ SELECT
   vector.out_of_range AS out_of_range
 FROM vectors AS vector
 JOIN bounds AS scale ON scale.channel_id = vector.channel_id
-WHERE vector.time >= scale.first_scored
-  AND vector.cell_key IS NOT NULL
-  AND scale.lo IS NOT NULL
+WHERE vector.cell_key IS NOT NULL

@@ -1,11 +1,30 @@
--- Run-up: what lies before the first scored vector. Where a channel has no missing sample, the number
--- of a vector follows from its position, and the vectors need not be put in order a second time.
--- Reads:  samples, bounds
--- A row:  one channel.
+-- Run-up: from where on a channel is read so that the first scored vector finds its oldest sample,
+-- (m-1) tau samples before. What lies further back cannot matter to any scored vector.
+-- Reads:  channels, bounds, samples
+-- A row:  one channel with a range, all that coding must know of it.
+-- Slots:  :span  (m-1) * tau, the samples between oldest and newest
 SELECT
   scale.channel_id AS channel_id,
-  CAST(SUM(CASE WHEN sampled.time < scale.first_scored THEN 1 ELSE 0 END) AS BIGINT) AS samples_before,
-  CAST(SUM(CASE WHEN sampled.value IS NULL THEN 1 ELSE 0 END) AS BIGINT) AS missing_samples
-FROM samples AS sampled
-JOIN bounds AS scale ON scale.channel_id = sampled.channel_id
-GROUP BY scale.channel_id
+  scale.lo AS lo,
+  scale.hi AS hi,
+  CASE WHEN earlier.hit = 1 THEN earlier.run_from ELSE scale.first_scored END AS read_from,
+  named.missing_readings AS missing_readings
+FROM bounds AS scale
+JOIN channels AS named ON named.channel_id = scale.channel_id
+LEFT JOIN (
+  SELECT channel_id, MIN(time) AS run_from, 1 AS hit
+  FROM (
+    SELECT
+      sampled.channel_id AS channel_id,
+      sampled.time AS time,
+      CAST(
+        ROW_NUMBER() OVER (PARTITION BY sampled.channel_id ORDER BY sampled.time DESC) AS BIGINT
+      ) AS steps_back
+    FROM samples AS sampled
+    JOIN bounds AS edge ON edge.channel_id = sampled.channel_id
+    WHERE sampled.time < edge.first_scored
+  ) AS backward
+  WHERE steps_back <= :span
+  GROUP BY channel_id
+) AS earlier ON earlier.channel_id = scale.channel_id
+WHERE scale.lo IS NOT NULL

@@ -14,6 +14,7 @@ SELECT
   named.asset AS asset,
   named.channel AS channel,
   named.readings AS readings,
+  named.missing_readings AS missing_readings,
   named.settings_no AS settings_no,
   named.calibration_no AS calibration_no
 FROM (
@@ -22,6 +23,7 @@ FROM (
     asset,
     channel,
     readings,
+    missing_readings,
     :settings_no AS settings_no,
     :calibration_no AS calibration_no,
     :pool_no AS pool_no

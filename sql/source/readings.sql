@@ -6,14 +6,14 @@
 --         :reading          the numeric column
 --         :condition        the user's condition, TRUE where there is none
 SELECT
-  source_rows.asset AS asset,
-  source_rows.channel AS channel,
+  source_rows.asset_name AS asset,
+  source_rows.channel_name AS channel,
   source_rows.instant AS time,
   source_rows.reading AS reading
 FROM (
   SELECT
-    CAST(:asset AS VARCHAR) AS asset,
-    CAST(:channel AS VARCHAR) AS channel,
+    CAST(:asset AS VARCHAR) AS asset_name,
+    CAST(:channel AS VARCHAR) AS channel_name,
     :time AS instant,
     CAST(:reading AS DOUBLE) AS reading
   FROM source

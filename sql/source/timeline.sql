@@ -12,7 +12,7 @@ SELECT
   MAX(
     CASE
       WHEN ordered.position
-        = CAST(FLOOR(rule.fraction * CAST(named.readings AS DOUBLE)) AS BIGINT) THEN ordered.time
+        = CAST(FLOOR(given.fraction * CAST(named.readings AS DOUBLE)) AS BIGINT) THEN ordered.time
     END
   ) AS quota_time
 FROM (
@@ -29,5 +29,5 @@ FROM (
   WHERE reading.time IS NOT NULL
 ) AS ordered
 JOIN channels AS named ON named.channel_id = ordered.channel_id
-JOIN rules AS rule ON rule.calibration_no = named.calibration_no
+JOIN rules AS given ON given.calibration_no = named.calibration_no
 GROUP BY ordered.channel_id
