@@ -104,6 +104,7 @@ class Pipeline:
         steps = self.needed([target], placed.keys())
         query = self.steps[target].query.copy()
         inputs = [step for step in steps if step.name != target]
+        placed = {**placed, **{step.name: _entry(step.name) for step in inputs}}
         place(query, placed)
         if not inputs:
             return query
@@ -113,7 +114,7 @@ class Pipeline:
         for step in inputs:
             body = step.query.copy()
             place(body, placed)
-            entry = exp.CTE(this=body, alias=exp.TableAlias(this=exp.to_identifier(step.name)))
+            entry = exp.CTE(this=body, alias=exp.TableAlias(this=_entry(step.name).this))
             if step.name not in self.small:
                 entry.set("materialized", False)
             if commented and step.comment:
@@ -150,6 +151,15 @@ def union_of(
 def filled(name: str, slots: Mapping[str, template.Slot] | None = None) -> exp.Query:
     """Return a filled template that is a query."""
     return cast(exp.Query, template.fill(name, slots))
+
+
+def _entry(step: str) -> exp.Table:
+    """Return how a query names a step in its WITH list.
+
+    The name is ours alone: some engines take the user's relation for a step of the same name, even for
+    one that stands further down the list.
+    """
+    return exp.Table(this=exp.to_identifier(f"gam_{step}"))
 
 
 def _selected_from(union: exp.Query) -> exp.Query:

@@ -1,5 +1,6 @@
 """Scripts: complete, commented, for every engine; what cannot be rendered says so."""
 
+import sqlite3
 from pathlib import Path
 
 import duckdb
@@ -103,6 +104,21 @@ def test_the_view_sees_rows_that_came_later_and_keeps_its_calibration() -> None:
         assert connection.sql("SELECT max(hi), count(*) FROM gam_health").fetchall() == [(1.0, 6)]
         connection.execute("INSERT INTO telemetry VALUES ('a', 'c', 9, 1.5)")
         assert connection.sql("SELECT max(hi), count(*) FROM gam_health").fetchall() == [(0.5, 6)]
+
+
+def test_a_table_may_be_called_as_a_step_of_ours() -> None:
+    rows = [("a", "c", time, float(time % 3)) for time in range(12)]
+    expected = None
+    for name in ("telemetry", "readings", "samples", "channels", "support"):
+        script = gam_db.render("exact", "sqlite", gam_db.Source(name), gam_db.Parameters(m=1, window=2))
+        connection = sqlite3.connect(":memory:")
+        connection.execute(f"CREATE TABLE {name} (asset TEXT, channel TEXT, time INTEGER, value REAL)")
+        connection.executemany(f"INSERT INTO {name} VALUES (?, ?, ?, ?)", rows)
+        found = connection.execute(script).fetchall()
+        connection.close()
+        assert len(found) == 10
+        assert found == (expected or found)
+        expected = found
 
 
 def test_hostile_names_are_quoted() -> None:

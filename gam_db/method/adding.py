@@ -1,0 +1,59 @@
+"""Adding steps to a pipeline: by file, for one set of parameters, or as literal rows."""
+
+from collections.abc import Mapping, Sequence
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.method.resolved import Method
+from gam_db.pipeline import Pipeline, filled, union_of
+
+
+def add(
+    steps: Pipeline,
+    path: str,
+    slots: Mapping[str, template.Slot] | None = None,
+    name: str | None = None,
+    tables: Mapping[str, str] | None = None,
+) -> None:
+    """Add the step of one file, called as the file unless named otherwise."""
+    steps.add(
+        name or path.rpartition("/")[2],
+        filled(path, slots),
+        template.load(path).comment,
+        tables,
+    )
+
+
+def add_of_set(
+    steps: Pipeline,
+    method: Method,
+    number: int,
+    path: str,
+    slots: Mapping[str, template.Slot] | None = None,
+    name: str | None = None,
+    tables: Mapping[str, str] | None = None,
+) -> None:
+    """Add a step of one set, reading the steps of the same set where there are such."""
+    query = filled(path, slots)
+    inputs = {}
+    for table in query.find_all(exp.Table):
+        step = (tables or {}).get(table.name, table.name)
+        own = method.named(step, number)
+        inputs[table.name] = own if own in steps.steps else step
+    own_name = method.named(name or path.rpartition("/")[2], number)
+    steps.add(own_name, query, template.load(path).comment, inputs)
+
+
+def add_stacked(steps: Pipeline, name: str, path: str, rows: Sequence[exp.Query]) -> None:
+    """Add a step of literal rows: one file, filled once per row, one under another."""
+    query = rows[0] if len(rows) == 1 else exp.union(*rows, distinct=False)
+    steps.add(name, query, template.load(path).comment)
+
+
+def join_sets(steps: Pipeline, method: Method, names: Sequence[str]) -> None:
+    """Put the rows of all sets under one another; with one set there is nothing to do."""
+    if len(method.settings) > 1:
+        for name in names:
+            parts = [method.named(name, number) for number in range(len(method.settings))]
+            steps.add(name, union_of(steps, parts), f"{name}: the rows of all sets of parameters.")

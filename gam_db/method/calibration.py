@@ -1,0 +1,58 @@
+"""Bounds, segments, calibration vectors and support of one set (Eq. 1 and Eq. 3; section 3 and 4)."""
+
+from sqlglot import exp
+
+from gam_db.method.adding import add, add_of_set
+from gam_db.method.resolved import Method
+from gam_db.method.vectors import add_short_vectors, add_vectors, code_of
+from gam_db.pipeline import Pipeline
+
+
+def add_calibration(steps: Pipeline, method: Method, number: int) -> None:
+    """Add bounds, calibration vectors and support of one set (section 3, Eq. 1 and Eq. 3)."""
+    setting = method.settings[number]
+    add(
+        steps,
+        "support/bounds",
+        {"settings_no": number, "bins": setting.bins, "window": setting.window},
+        name=method.named("bounds", number),
+    )
+    add_breaks(steps, method, number)
+    if method.gaps[number] is None and all(len(rule.allowed) <= 1 for rule in method.rules):
+        codes = {"code": code_of(setting)}
+        add_of_set(steps, method, number, "calibration/calibration_codes", codes)
+        add_short_vectors(steps, method, number, "calibration_")
+        vectors, learnable = "vectors", "calibration/learnable_short"
+    else:
+        add_vectors(steps, method, number, "calibration_", _until_calibration_end())
+        vectors, learnable = "marked_vectors", "calibration/learnable"
+    add_of_set(
+        steps,
+        method,
+        number,
+        learnable,
+        name="learnable",
+        tables={vectors: "calibration_vectors"},
+    )
+    add_of_set(steps, method, number, "support/support")
+
+
+def add_breaks(steps: Pipeline, method: Method, number: int) -> None:
+    """Add where segments begin, for one set."""
+    gap = method.gaps[number]
+    if gap is None:
+        add(steps, "source/unbroken", name=method.named("breaks", number))
+    else:
+        add(
+            steps,
+            "source/breaks",
+            {"settings_no": number, "max_gap": gap},
+            name=method.named("breaks", number),
+        )
+
+
+def _until_calibration_end() -> exp.Expr:
+    return exp.LTE(
+        this=exp.column("time", table="sampled"),
+        expression=exp.column("calibration_end", table="scale"),
+    )

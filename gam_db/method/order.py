@@ -1,0 +1,59 @@
+"""The order of the steps, from readings to results."""
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.method.adding import add, join_sets
+from gam_db.method.calibration import add_calibration
+from gam_db.method.certificate import add_certificate
+from gam_db.method.resolved import Method
+from gam_db.method.scoring import add_buckets, add_scoring
+from gam_db.method.source import add_source
+from gam_db.pipeline import Pipeline
+
+#: Steps whose sets are put under one another.
+_JOINED_HEALTH = ("window_counts",)
+_JOINED_BUCKETS = ("bucket_counts", "novel_cells")
+_JOINED_CERTIFICATE = (
+    "bounds",
+    "cells",
+    "blocks",
+    "learning",
+    "spread",
+    "finest",
+    "outlook",
+    "missing_vectors",
+)
+
+
+def pipeline(method: Method, readings: exp.Query) -> Pipeline:
+    """Return all steps of the method over the given readings.
+
+    The last steps are *health_indicator* (a row per scored vector), *bucket_health* (a row per full
+    bucket), *novel_cells*, *support_summary* (a row per channel) and *certificate* (a row per block).
+    """
+    steps = Pipeline(small=frozenset(method.small()))
+    steps.add("readings", readings, template.load("source/readings").comment)
+    add_source(steps, method)
+    numbers = range(len(method.settings))
+    for number in numbers:
+        add_calibration(steps, method, number)
+        add_scoring(steps, method, number)
+        add_buckets(steps, method, number)
+        add_certificate(steps, method, number)
+    join_sets(steps, method, (*_JOINED_HEALTH, *_JOINED_BUCKETS, *_JOINED_CERTIFICATE))
+    add_results(steps, method)
+    return steps
+
+
+def add_results(steps: Pipeline, method: Method) -> None:
+    """Add the last steps: names and instants instead of integers, and the only divisions."""
+    add(steps, "health/health_indicator", {"time": method.instant_of(_counted("time"))})
+    edges = {name: method.instant_of(_counted(name)) for name in ("first_time", "last_time")}
+    add(steps, "health/bucket_health", edges)
+    add(steps, "certificate/support_summary")
+    add(steps, "certificate/certificate", edges)
+
+
+def _counted(name: str) -> exp.Expr:
+    return exp.column(name, table="counted")

@@ -1,0 +1,71 @@
+"""What the user asked for, resolved to integers and sets; and which steps are small."""
+
+from dataclasses import dataclass, field
+
+from gam_db.calibration import Calibration, Rule, resolve
+from gam_db.clock import TimeKind, length
+from gam_db.parameters import Parameters
+from gam_db.source import TimeNode
+
+#: Steps that are small: a row per channel, interval, bucket or cell. They may be kept on the way.
+SMALL = frozenset(
+    (
+        *("names", "rules", "declared", "channels", "timeline", "recounted", "series"),
+        *("limits", "calibration", "calibrated"),
+    )
+)
+SMALL_OF_SET = frozenset(
+    (
+        *("breaks", "bounds", "support", "visits", "block_sizes", "cells", "blocks", "learning"),
+        *("levels", "ladder", "spread", "finest", "outlook", "missing_vectors"),
+        *("run_up", "kept", "buckets"),
+    )
+)
+
+
+@dataclass(frozen=True)
+class Method:
+    """What the user asked for, resolved: the input of every pipeline.
+
+    Attributes:
+        parameters: with their overrides.
+        calibration: with its overrides and pools.
+        kind: how the source tells time.
+        instant_of: turns integer time into what the source has, for the last steps.
+        settings: the distinct sets of parameters; number 0 is the general one.
+        rules: calibration in integers; number 0 is the general one.
+        gaps: max_gap of each set, in steps of the clock.
+
+    Raises:
+        CalibrationError, ParameterError: calibration or max_gap does not fit the kind of time.
+    """
+
+    parameters: Parameters
+    calibration: Calibration
+    kind: TimeKind
+    instant_of: TimeNode
+    settings: tuple[Parameters, ...] = field(init=False)
+    rules: tuple[Rule, ...] = field(init=False)
+    gaps: tuple[int | None, ...] = field(init=False)
+
+    def __post_init__(self) -> None:
+        distinct = tuple(dict.fromkeys(self.parameters.variants()))
+        object.__setattr__(self, "settings", distinct)
+        object.__setattr__(self, "rules", tuple(resolve(self.calibration, self.kind)))
+        object.__setattr__(
+            self,
+            "gaps",
+            tuple(
+                None if setting.max_gap is None else length(setting.max_gap, self.kind, "max_gap")
+                for setting in distinct
+            ),
+        )
+
+    def named(self, step: str, number: int) -> str:
+        """Return what a step of one set is called."""
+        return step if len(self.settings) == 1 else f"{step}_{number}"
+
+    def small(self) -> set[str]:
+        """Return the names of the steps that may be kept as tables."""
+        numbers = range(len(self.settings))
+        return set(SMALL) | {self.named(step, n) for step in SMALL_OF_SET for n in numbers}

@@ -1,0 +1,111 @@
+"""Novelty (Eq. 4) and its running counts (Eq. 2) of one set: per vector, and in buckets."""
+
+from sqlglot import exp
+
+from gam_db.method.adding import add_of_set
+from gam_db.method.resolved import Method
+from gam_db.method.vectors import add_short_vectors, add_vectors, code_of
+from gam_db.pipeline import Pipeline, union_of
+
+
+def add_scoring(steps: Pipeline, method: Method, number: int) -> None:
+    """Add Eq. 4 and the running counts of Eq. 2 of one set, a row per scored vector."""
+    add_vectors(steps, method, number, "", exp.true())
+    add_of_set(steps, method, number, "score/monitored")
+    add_of_set(steps, method, number, "score/novelty", {"carried": [_carried("straddling")]})
+    add_of_set(steps, method, number, "health/numbered")
+    add_of_set(steps, method, number, "health/window_counts", {"window": method.settings[number].window})
+
+
+def add_buckets(steps: Pipeline, method: Method, number: int) -> None:
+    """Add Eq. 4 and Eq. 2 at bucket ends of one set, and the novel cells of each bucket.
+
+    Where no segment ends and every channel is scored from the end of its calibration on, the short
+    form of the vectors gives the same buckets from half the columns.
+    """
+    setting = method.settings[number]
+    if method.gaps[number] is None and all(rule.score_from is None for rule in method.rules):
+        add_short_scoring(steps, method, number)
+        parts = ["complete_novelty", "incomplete_numbered"]
+    else:
+        parts = ["numbered"]
+    columns = ("channel_id", "time", "number", "cell_key", "novel", "out_of_range")
+    steps.add(
+        method.named("placed", number),
+        union_of(steps, [method.named(part, number) for part in parts], columns),
+        "Placed: every scored vector with its number.",
+    )
+    stride = setting.bucket_length
+    add_of_set(steps, method, number, "health/kept", {"stride": stride})
+    add_of_set(steps, method, number, "health/buckets")
+    add_of_set(
+        steps,
+        method,
+        number,
+        "health/bucket_counts",
+        {"buckets": setting.window // stride, "window": setting.window},
+    )
+    add_of_set(steps, method, number, "health/novel_cells")
+
+
+def add_short_scoring(steps: Pipeline, method: Method, number: int) -> None:
+    """Add the short form of Eq. 1 and Eq. 4, apart for channels with and without missing samples."""
+    setting = method.settings[number]
+    add_of_set(steps, method, number, "score/run_up", {"span": setting.span})
+    missing = exp.column("missing_readings", table="scale")
+    none = exp.Literal.number(0)
+    for prefix, read in (
+        ("complete_", exp.EQ(this=missing, expression=none)),
+        ("incomplete_", exp.GT(this=missing, expression=none)),
+    ):
+        add_of_set(
+            steps,
+            method,
+            number,
+            "support/codes",
+            {"code": code_of(setting), "read": read},
+            f"{prefix}codes",
+        )
+        add_short_vectors(steps, method, number, prefix)
+    add_of_set(
+        steps,
+        method,
+        number,
+        "score/monitored_complete",
+        {"span": setting.span},
+        "complete_monitored",
+        {"vectors": "complete_vectors"},
+    )
+    add_of_set(
+        steps,
+        method,
+        number,
+        "score/monitored_short",
+        name="incomplete_monitored",
+        tables={"vectors": "incomplete_vectors"},
+    )
+    for prefix, carried in (
+        ("complete_", _carried("number")),
+        ("incomplete_", exp.alias_(exp.cast(exp.null(), "INT"), "straddling")),
+    ):
+        add_of_set(
+            steps,
+            method,
+            number,
+            "score/novelty",
+            {"carried": [carried]},
+            f"{prefix}novelty",
+            {"monitored": f"{prefix}monitored"},
+        )
+    add_of_set(
+        steps,
+        method,
+        number,
+        "health/numbered",
+        name="incomplete_numbered",
+        tables={"novelty": "incomplete_novelty"},
+    )
+
+
+def _carried(name: str) -> exp.Expr:
+    return exp.alias_(exp.column(name, table="vector"), name)

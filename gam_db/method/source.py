@@ -1,0 +1,103 @@
+"""Steps of whole channels: names, samples, calibration intervals (method, sections 2 and 4)."""
+
+from collections.abc import Sequence
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.clock import LONG_AGO
+from gam_db.method.adding import add, add_stacked
+from gam_db.method.resolved import Method
+from gam_db.pipeline import Pipeline, filled
+
+
+def add_source(steps: Pipeline, method: Method) -> None:
+    """Add what speaks of whole channels: names, samples, calibration intervals (sections 2 and 4)."""
+    add(steps, "source/names")
+    rules = [
+        filled(
+            "calibration/rules",
+            {
+                "calibration_no": number,
+                "fraction": rule.fraction,
+                "duration": rule.duration,
+                "declared_end": rule.declared_end,
+                "score_from": rule.score_from,
+            },
+        )
+        for number, rule in enumerate(method.rules)
+    ]
+    add_stacked(steps, "rules", "calibration/rules", rules)
+    pieces = [
+        filled(
+            "calibration/declared",
+            {"calibration_no": number, "time_from": start, "time_to": end},
+        )
+        for number, rule in enumerate(method.rules)
+        for start, end in rule.allowed
+    ]
+    if pieces:
+        add_stacked(steps, "declared", "calibration/declared", pieces)
+    else:
+        add(steps, "calibration/undeclared", name="declared")
+    add(
+        steps,
+        "source/channels",
+        {
+            "settings_no": _chosen(
+                [
+                    (_pattern("asset", override.asset), _pattern("channel", override.channel), n)
+                    for override, n in zip(
+                        method.parameters.overrides,
+                        (method.settings.index(variant) for variant in method.parameters.variants()[1:]),
+                        strict=True,
+                    )
+                ]
+            ),
+            "calibration_no": _chosen(
+                [
+                    (_pattern("asset", asset), None, number)
+                    for number, asset in enumerate(method.calibration.overrides, start=1)
+                ]
+            ),
+            "pool_no": _chosen(
+                [
+                    (_pattern("asset", asset), None, number)
+                    for number, group in enumerate(method.calibration.pools, start=1)
+                    for asset in group
+                ]
+            ),
+        },
+    )
+    for name in ("timeline", "samples", "recounted", "series"):
+        add(steps, f"source/{name}")
+    add(steps, "calibration/limits", {"long_ago": LONG_AGO})
+    add(steps, "calibration/calibration")
+    add(steps, "calibration/calibrated")
+
+
+def _chosen(cases: Sequence[tuple[exp.Expr | None, exp.Expr | None, int]]) -> exp.Expr:
+    """Return the number of the first case whose conditions hold, else 0; None always holds."""
+    chosen = exp.Case(ifs=[], default=exp.Literal.number(0))
+    for first, second, number in cases:
+        conditions = [condition for condition in (first, second) if condition is not None]
+        if not conditions:
+            chosen.set("default", exp.Literal.number(number))
+            break
+        chosen.append("ifs", exp.If(this=exp.and_(*conditions), true=exp.Literal.number(number)))
+    if not chosen.args["ifs"]:
+        return chosen.args["default"].copy()  # type: ignore[no-any-return]
+    return chosen
+
+
+def _pattern(column: str, pattern: str) -> exp.Expr | None:
+    """Return the condition that a name matches a pattern; None for one that matches all."""
+    if not pattern.strip("*"):
+        return None if pattern else exp.EQ(this=exp.column(column), expression=template.text(""))
+    if "*" not in pattern and "?" not in pattern:
+        return exp.EQ(this=exp.column(column), expression=template.text(pattern))
+    escaped = "".join(
+        {"*": "%", "?": "_"}.get(sign, f"!{sign}" if sign in "%_!" else sign) for sign in pattern
+    )
+    like = exp.Like(this=exp.column(column), expression=template.text(escaped))
+    return exp.Escape(this=like, expression=template.text("!"))

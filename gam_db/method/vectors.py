@@ -1,0 +1,93 @@
+"""Codes and delay vectors (Eq. 1; Phi, method section 3): the complete form and the short one."""
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.clock import LONG_AGO
+from gam_db.method.adding import add_of_set
+from gam_db.method.resolved import Method
+from gam_db.parameters import Parameters
+from gam_db.pipeline import Pipeline
+
+
+def add_vectors(steps: Pipeline, method: Method, number: int, prefix: str, read: exp.Expr) -> None:
+    """Add the complete form of codes and vectors of one set (Eq. 1) over the samples to be read.
+
+    The vectors of calibration are called ``calibration_vectors``, the others ``marked_vectors``.
+    """
+    setting = method.settings[number]
+    codes = f"{prefix or 'marked_'}codes"
+    add_of_set(
+        steps, method, number, "support/marked_codes", {"code": code_of(setting), "read": read}, codes
+    )
+    ks = range(1, setting.m)
+    delayed = [_delayed(name, k, setting) for name in ("code", "calibrating") for k in ks]
+    touching = exp.or_(
+        *(
+            exp.EQ(this=exp.column(f"calibrating_{k}"), expression=exp.Literal.number(1))
+            for k in range(setting.m)
+        )
+    )
+    add_of_set(
+        steps,
+        method,
+        number,
+        "embedding/marked_vectors",
+        {
+            **_cell_slots(setting),
+            "delayed": delayed,
+            "touching": touching,
+            "long_ago": LONG_AGO,
+        },
+        f"{prefix or 'marked_'}vectors",
+        {"marked_codes": codes},
+    )
+
+
+def add_short_vectors(steps: Pipeline, method: Method, number: int, prefix: str) -> None:
+    """Add the vectors of one set (Eq. 1) over the codes of the same prefix, where no segment ends."""
+    setting = method.settings[number]
+    add_of_set(
+        steps,
+        method,
+        number,
+        "embedding/vectors",
+        {
+            **_cell_slots(setting),
+            "delayed": [_delayed("code", k, setting) for k in range(1, setting.m)],
+        },
+        f"{prefix}vectors",
+        {"codes": f"{prefix}codes"},
+    )
+
+
+def code_of(setting: Parameters) -> exp.Expr:
+    """Return support/code.sql cast to the narrowest integer: it is what a window has to sort."""
+    largest = setting.bins + 2
+    narrow = "SMALLINT" if largest < 2**15 else "INT" if largest < 2**31 else "BIGINT"
+    return exp.cast(template.fill("support/code", {"bins": setting.bins}), narrow)
+
+
+def _cell_slots(setting: Parameters) -> dict[str, template.Slot]:
+    coordinates = [exp.column(f"code_{k}") for k in range(setting.m)]
+    return {
+        "span": setting.span,
+        "known": exp.and_(*(template.fill("embedding/known", {"code": code}) for code in coordinates)),
+        "cell_key": template.added(
+            [
+                template.fill("embedding/cell_term", {"code": code, "weight": setting.radix**k})
+                for k, code in enumerate(coordinates)
+            ]
+        ),
+        "outside": exp.or_(
+            *(
+                template.fill("embedding/outside", {"code": code, "above": setting.bins + 2})
+                for code in coordinates
+            )
+        ),
+    }
+
+
+def _delayed(name: str, k: int, setting: Parameters) -> exp.Expr:
+    delay = template.fill("embedding/delayed", {"column": exp.column(name), "delay": k * setting.tau})
+    return exp.alias_(delay, f"{name}_{k}")
