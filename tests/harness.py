@@ -94,3 +94,7 @@ def assert_same(expected: Answer, found: Answer, what: str = "") -> None:
             else:
                 same = value == other
             assert same, f"{what} row {number} column {column}: expected {value!r}, found {other!r}"
+
+
+#: Forms that answer one question at a time: what the specification tests run over.
+FORMS: dict[str, Form] = {"reference": by_reference, "duckdb": by_duckdb}

@@ -319,7 +319,8 @@ def vectors_needed(pool: Pool, floor: float) -> int | None:
     exponent = math.log(floor / target) / b
     if exponent > 700 or n * math.exp(exponent) > 1000 * n:  # exp overflows beyond 709
         return None
-    return window * math.ceil((n * math.exp(exponent) - n) / window)
+    # In whole windows; the last bit of exp must not add one where the figure is whole already.
+    return window * math.ceil((n * math.exp(exponent) - n) / window - 2**-20)
 
 
 def judgement(pool: Pool) -> dict[str, Any]:

@@ -16,7 +16,7 @@ from gam_db.engines.base import Engine, called, counter
 from gam_db.errors import EngineError, SourceError, StatementError, nearest
 from gam_db.source import is_file, table_names
 
-OLDEST = (1, 4)
+OLDEST = (2, 0)
 _NANOSECONDS = (TimeKind.NANOSECONDS, TimeKind.NANOSECONDS_WITH_ZONE)
 _WITH_ZONE = (TimeKind.TIMESTAMP_WITH_ZONE, TimeKind.NANOSECONDS_WITH_ZONE)
 

@@ -1,7 +1,8 @@
 -- Support summary: what was learnt of each channel, and whether it is good enough to be watched
 -- (method, section 5). Verdicts, in this order: no_data, constant, ready, too_fine, needs_data.
 -- Reads:  channels, series, bounds, blocks, cells, spread, finest, outlook, missing_vectors
--- A row:  one channel, in order. What speaks of the support is the pool's.
+-- A row:  one channel, in order. What speaks of the support is the pool's. vectors_needed is in whole
+--         windows; 2^-20 of one allows for the last bits of logarithms, which differ between engines.
 SELECT
   named.asset AS asset,
   named.channel AS channel,
@@ -44,6 +45,7 @@ SELECT
       WHEN ahead.hit = 1
         THEN 0 - scale.window_length * FLOOR(
           (CAST(ahead.vectors AS DOUBLE) - ahead.needed_total) / CAST(scale.window_length AS DOUBLE)
+          + CAST(1 AS DOUBLE) / CAST(1048576 AS DOUBLE)
         )
     END AS BIGINT
   ) AS vectors_needed

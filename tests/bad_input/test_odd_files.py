@@ -1,0 +1,87 @@
+"""Files: a right answer or a remedy."""
+
+import datetime as dt
+from pathlib import Path
+
+import pyarrow.csv
+import pyarrow.parquet
+import pytest
+
+from gam_db import Source
+from odd import ROWS, VALUES, expected, health, refused, support, table
+
+
+@pytest.fixture
+def files(tmp_path: Path) -> Path:
+    pyarrow.parquet.write_table(table(), tmp_path / "good.parquet")
+    pyarrow.csv.write_csv(table(), tmp_path / "good.csv")
+    return tmp_path
+
+
+def test_files_of_any_name(files: Path) -> None:
+    odd = files / 'it\'s "odd"; -- .parquet'
+    (files / "good.parquet").rename(odd)
+    tabs = files / "good.tsv"
+    tabs.write_text((files / "good.csv").read_text().replace(",", "\t"))
+    folder = files / "old.csv"
+    folder.mkdir()
+    inside = folder / "X.PARQUET"
+    inside.write_bytes(odd.read_bytes())
+    upper = files / "UPPER.CSV"
+    upper.write_text((files / "good.csv").read_text())
+    for path in (odd, str(odd), str(files / "good.csv"), tabs, inside, upper, str(folder / "*.PARQUET")):
+        assert health(Source(path)) == expected(ROWS), path
+
+
+def test_times_in_a_csv(files: Path) -> None:
+    lines = [f"a,x,2026-03-01T06:00:0{i}Z,{v}\n" for i, v in enumerate(VALUES)]
+    path = files / "times.csv"
+    path.write_text("asset,channel,time,value\n" + "".join(lines))
+    start = int(dt.datetime(2026, 3, 1, 6, tzinfo=dt.UTC).timestamp()) * 10**6
+    rows = [("a", "x", start + i * 10**6, v) for i, v in enumerate(VALUES)]
+    assert health(Source(path)) == expected(rows)
+
+
+def test_a_missing_file_is_named() -> None:
+    for name in ("none.parquet", "none.csv", "no/such/folder/none.parquet", "none*.parquet"):
+        refused("none.* cannot be read; is it there", lambda name=name: support(Source(name)))  # type: ignore[misc]
+    refused("none.txt cannot be read", lambda: support(Source(Path("none.txt"))))
+    refused("must end in .parquet, .csv or .tsv", lambda: support(Source("none.xlsx")))
+
+
+@pytest.mark.parametrize("content", [b"", b"asset,channel,time,value\n" * 9, bytes(range(256)) * 9])
+def test_a_file_that_is_no_parquet(files: Path, content: bytes) -> None:
+    (files / "bad.parquet").write_bytes(content)
+    refused(
+        r"bad\.parquet is no table that DuckDB can make out; is it whole",
+        lambda: support(Source(files / "bad.parquet")),
+    )
+
+
+def test_a_parquet_file_that_is_cut_off(files: Path) -> None:
+    whole = (files / "good.parquet").read_bytes()
+    (files / "cut.parquet").write_bytes(whole[: len(whole) // 2])
+    refused("cut.parquet is no table", lambda: support(Source(files / "cut.parquet")))
+
+
+MANY = "asset,channel,time,value\n" + "".join(f"a,x,{i},{i % 7}.5\n" for i in range(25_000))
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("a,x,25000,8675309.25 broken\n", "cannot be read as what its column must be"),
+        ("a,x,25000,1,8675309.25,3\n", "Line 25002 of the CSV file does not fit its columns"),
+        ("\udcff\udcfe,x,25000,8675309.25\n", "Line 25002 of the CSV file does not fit its columns"),
+    ],
+)
+def test_a_csv_file_that_breaks_late(files: Path, line: str, message: str) -> None:
+    """Far behind what is read to find out the columns; the line's content is not shown."""
+    (files / "late.csv").write_text(MANY + line, errors="surrogateescape")
+    refused(message, lambda: support(Source(files / "late.csv")))
+
+
+def test_text_in_a_csv(files: Path) -> None:
+    lines = "".join(f"a,x,{i},n/a 8675309.25\n" for i in range(9))
+    (files / "text.csv").write_text("asset,channel,time,value\n" + lines)
+    refused("value column 'value' is of type VARCHAR", lambda: support(Source(files / "text.csv")))
