@@ -8,7 +8,7 @@ from typing import Any
 import pyarrow as pa
 
 from gam_db.calibration import Calibration
-from gam_db.engines.duckdb import Session
+from gam_db.engines.duckdb_session import Session
 from gam_db.parameters import Parameters
 from gam_db.source import AnySource
 from gam_db.study import Study

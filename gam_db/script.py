@@ -199,7 +199,7 @@ def _looked_at(
     """Return the source with its channels named, its kind of time, and whether that is known."""
     declared = declared_kind(source)
     if is_file(source.relation) and engine.reads_files:
-        from gam_db.engines.duckdb import Session
+        from gam_db.engines.duckdb_session import Session
 
         with Session() as session:
             columns = session.describe(session.relation(source.relation))

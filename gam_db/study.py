@@ -5,14 +5,13 @@ This module owns the order of work: look, resolve, keep the small steps as tempo
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pyarrow as pa
 from sqlglot import exp
 
 from gam_db import look
 from gam_db.calibration import Calibration
-from gam_db.engines.duckdb import Session
+from gam_db.engines.duckdb_session import Session
 from gam_db.errors import SourceError
 from gam_db.method import Method, pipeline
 from gam_db.parameters import Parameters
@@ -90,14 +89,3 @@ class Study:
                     f"{str(error).partition(chr(10))[0]}"
                 ) from error
             raise
-
-
-def open_study(
-    session: Session,
-    source: AnySource,
-    parameters: Parameters,
-    calibration: Calibration,
-    **more: Any,
-) -> Study:
-    """Return a study; see :class:`Study`."""
-    return Study(session, source, parameters, calibration, **more)

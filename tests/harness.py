@@ -11,7 +11,7 @@ import pyarrow as pa
 
 import gam_db
 import reference
-from gam_db.engines.duckdb import Session
+from gam_db.engines.duckdb_session import Session
 from gam_db.study import Study
 
 Row = tuple[str, str, int, float | None]

@@ -20,7 +20,7 @@ from typer.testing import CliRunner, Result
 import gam_db
 from gam_db.cli import app, report
 from gam_db.cli.progress import Progress, interruptible
-from gam_db.engines.duckdb import Session
+from gam_db.engines.duckdb_session import Session
 from gam_db.errors import StatementError
 from gam_db.study import Study
 
@@ -574,3 +574,20 @@ def test_progress_shows_the_step_only_at_a_terminal(
         with Progress(session, quiet=True) as progress:
             progress.on_step("bounds")
         assert capsys.readouterr().err == ""
+
+
+def test_results_of_a_table_go_into_another_database(tmp_path: Path) -> None:
+    """The database that is read is opened for reading only; the other one must not be."""
+    source, target = tmp_path / "plant.duckdb", tmp_path / "health.duckdb"
+    with duckdb.connect(str(source)) as connection:
+        connection.execute(
+            "CREATE TABLE t AS SELECT 'a' AS asset, 'c' AS channel, i AS time, i % 3 + 0.5 AS value "
+            "FROM range(200) AS r(i)"
+        )
+    found = CliRunner().invoke(
+        app, ["run", "t", "--database", str(source), "--window", "20", "--out", str(target), "--quiet"]
+    )
+    assert found.exit_code == 0
+    with duckdb.connect(str(target)) as connection:
+        (rows,) = connection.sql("SELECT count(*) FROM gam_health_indicator").fetchall()
+    assert rows == (160,)

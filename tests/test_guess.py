@@ -5,7 +5,7 @@ import pytest
 
 from gam_db import Source, WideSource
 from gam_db.config import SourceSettings
-from gam_db.engines.duckdb import Session
+from gam_db.engines.duckdb_session import Session
 from gam_db.errors import SourceError
 from gam_db.guess import Guess, guess
 

@@ -13,7 +13,7 @@ import duckdb
 import pytest
 
 import gam_db
-from gam_db.engines.duckdb import Session
+from gam_db.engines.duckdb_session import Session
 from gam_db.study import Study
 
 DATASETS = ("production_plant", "femto_bearings", "hydraulic_rig", "hydraulic_actuators", "ur3_cobot")

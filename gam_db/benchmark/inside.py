@@ -11,7 +11,7 @@ from sqlglot import exp
 
 import gam_db
 from gam_db.benchmark.database import opened
-from gam_db.engines.duckdb import Session
+from gam_db.engines.duckdb_session import Session
 from gam_db.study import Study
 
 PARAMETERS = gam_db.Parameters(m=3, tau=1, bins=100, window=5000, stride=100)

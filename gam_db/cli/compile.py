@@ -13,7 +13,7 @@ from gam_db import look
 from gam_db.cli import options
 from gam_db.config import Settings, SourceSettings
 from gam_db.engines import NAMES
-from gam_db.engines.duckdb import Session
+from gam_db.engines.duckdb_session import Session
 from gam_db.errors import ConfigurationError, SourceError
 from gam_db.guess import guess
 from gam_db.script import render

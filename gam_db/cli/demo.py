@@ -17,7 +17,7 @@ from gam_db.cli import report
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.cli.run import open_job
 from gam_db.config import Settings, SourceSettings
-from gam_db.engines.duckdb import Session
+from gam_db.engines.duckdb_session import Session
 from gam_db.errors import ConfigurationError
 from gam_db.findings import findings
 

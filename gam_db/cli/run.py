@@ -16,7 +16,7 @@ from gam_db.cli import options, report
 from gam_db.cli.figures import figures
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.config import Settings
-from gam_db.engines.duckdb import Session
+from gam_db.engines.duckdb_session import Session
 from gam_db.errors import ConfigurationError
 from gam_db.findings import findings, need_attention
 from gam_db.guess import guess

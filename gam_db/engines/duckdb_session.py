@@ -1,0 +1,311 @@
+"""DuckDB at work: a session on a connection."""
+
+import contextlib
+import secrets
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import duckdb
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.engines.duckdb import ENGINE, file_reader
+from gam_db.engines.duckdb_types import check_columns, is_name, is_numeric, time_kind
+from gam_db.errors import EngineError, SourceError, StatementError, nearest
+from gam_db.source import is_file, table_names
+
+OLDEST = (2, 0)
+
+
+class Session:
+    """DuckDB at work: describes relations, keeps temporary tables, runs trees.
+
+    Args:
+        target: None for a database in memory, the path of a database file, or an open connection,
+            which stays open and keeps nothing of ours.
+        threads: processor threads; None leaves DuckDB's own choice.
+
+    Raises:
+        EngineError: the file cannot be opened, this DuckDB is too old, or the connection is closed or
+            set to compare or order in a way that would change results.
+    """
+
+    engine = ENGINE
+    time_kind = staticmethod(time_kind)
+    is_numeric = staticmethod(is_numeric)
+    is_name = staticmethod(is_name)
+
+    def __init__(self, target: Any = None, threads: int | None = None) -> None:
+        if tuple(int(part) for part in duckdb.__version__.split(".")[:2]) < OLDEST:
+            raise EngineError(
+                f"DuckDB {duckdb.__version__} is too old; gam-db needs "
+                f"{'.'.join(map(str, OLDEST))} or later."
+            )
+        self.owned = not isinstance(target, duckdb.DuckDBPyConnection)
+        if self.owned:
+            self.connection = _opened(target)
+            self.connection.execute("SET TimeZone = 'UTC'")
+            # Progress is counted, for whoever asks, but not painted: standard output is the caller's.
+            self.connection.execute("SET enable_progress_bar = true")
+            self.connection.execute("SET enable_progress_bar_print = false")
+        else:
+            self.connection = target
+            _check_settings(target)
+        if threads is not None:
+            self.connection.execute("SET threads = ?", [threads])
+        self._mark = f"gam_{secrets.token_hex(4)}"
+        self._made: list[str] = []
+        self._registered: list[str] = []
+
+    def __enter__(self) -> "Session":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Drop what was made on the way; close the connection if it is ours."""
+        if self.owned:
+            self.connection.close()
+            return
+        with contextlib.suppress(duckdb.Error):
+            for made in self._made:
+                self._run(exp.Drop(tables=[_temporary(made)], kind="TABLE", exists=True))
+            for registered in self._registered:
+                self.connection.unregister(registered)
+
+    def relation(self, relation: Any) -> exp.Expr:
+        """Return the node that reads a relation: a table, a file, or a registered Arrow table.
+
+        Raises:
+            SourceError: there is no such table or file, or the object cannot be read as a table.
+        """
+        if not isinstance(relation, (str, Path, tuple, list)):
+            return self._register(relation)
+        if is_file(relation):
+            return self._file(str(relation))
+        shown = relation if isinstance(relation, str) else ".".join(map(str, relation))  # type: ignore[arg-type]
+        known = self._known_tables()
+        for node in table_names(relation):  # type: ignore[arg-type]
+            if not _is_among(node, known):
+                continue
+            try:
+                self.describe(node)
+            except duckdb.Error as error:
+                raise SourceError(
+                    f"The table or view {shown!r} is there, but DuckDB cannot read it: "
+                    f"{str(error).partition(chr(10))[0]}"
+                ) from error
+            return node
+        raise SourceError(
+            f"There is no table or view {shown!r} in the database"
+            + (" in memory" if self.owned and self._in_memory() else "")
+            + nearest(shown, sorted({name for _, _, name in known}))
+            + ". A file must end in .parquet, .csv or .tsv."
+        )
+
+    def describe(self, relation: exp.Expr) -> dict[str, str]:
+        """Return the columns of a relation and their types, in order."""
+        everything = exp.select("*").from_(relation)
+        rows = self._run(exp.Describe(this=everything)).fetchall()
+        return {str(row[0]): str(row[1]) for row in rows}
+
+    def fetch(self, query: exp.Expr) -> pa.Table:
+        """Run a query and return its rows as an Arrow table."""
+        return self._run(query, lambda text: self.connection.sql(text).to_arrow_table())
+
+    def keep(self, step: str, query: exp.Query) -> exp.Table:
+        """Run a query into a temporary table and return the node that reads it."""
+        made = f"{self._mark}_{step}"
+        create = exp.Create(
+            this=_temporary(made),
+            kind="TABLE",
+            expression=query,
+            properties=exp.Properties(expressions=[exp.TemporaryProperty()]),
+        )
+        self._run(create)
+        self._made.append(made)
+        return _temporary(made)
+
+    def write(self, query: exp.Query, path: Path, table: str) -> None:
+        """Write the rows of a query as Parquet, or as a table of a DuckDB file.
+
+        The rows go to a file beside the target first, or are written in one transaction: what was
+        there before stays as it was until everything is written.
+
+        Raises:
+            SourceError: the target cannot be written.
+        """
+        if path.suffix in (".duckdb", ".db"):
+            self._write_table(query, path, table)
+            return
+        unfinished = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
+        copy = exp.Copy(
+            this=exp.Subquery(this=query),
+            kind=False,
+            files=[template.text(str(unfinished))],
+            params=[
+                exp.CopyParameter(this=exp.var("FORMAT"), expression=exp.var("PARQUET")),
+                exp.CopyParameter(this=exp.var("COMPRESSION"), expression=exp.var("ZSTD")),
+            ],
+        )
+        try:
+            self._run(copy)
+            unfinished.replace(path)
+        except (duckdb.IOException, OSError) as error:
+            raise SourceError(f"{path} cannot be written; is its folder there?") from error
+        finally:
+            unfinished.unlink(missing_ok=True)
+
+    def _write_table(self, query: exp.Query, path: Path, table: str) -> None:
+        name = f"{self._mark}_target"
+        attach = exp.Attach(
+            this=exp.alias_(template.text(str(path)), template.name(name), table=False),
+            # Said in full: a session that only reads would attach other files for reading, too.
+            expressions=[exp.AttachOption(this=exp.var("READ_WRITE"))],
+        )
+        try:
+            self._run(attach)
+        except (duckdb.IOException, duckdb.BinderException) as error:
+            raise SourceError(f"{path} cannot be opened as a DuckDB file for writing.") from error
+        try:
+            target = exp.Table(this=template.name(table), db=template.name("main"))
+            target.set("catalog", template.name(name))
+            self._run(exp.Create(this=target, kind="TABLE", replace=True, expression=query))
+        finally:
+            self._run(exp.Detach(this=template.name(name)))
+
+    def progress(self) -> float:
+        """Return how far the running statement is, in percent; negative if it is not known."""
+        return float(self.connection.query_progress())
+
+    def interrupt(self) -> None:
+        """Ask the running statement to stop."""
+        self.connection.interrupt()
+
+    def _run(self, tree: exp.Expr, how: Callable[[str], Any] | None = None) -> Any:
+        statement = self.engine.text(tree)
+        try:
+            return (how or self.connection.execute)(statement)
+        except (duckdb.IOException, duckdb.CatalogException, duckdb.BinderException):
+            raise
+        except duckdb.OutOfMemoryException as error:
+            raise EngineError(
+                "DuckDB ran out of memory; give it more (SET memory_limit), a folder to spill to "
+                "(SET temp_directory), or score fewer channels at a time."
+            ) from error
+        except duckdb.ConversionException as error:
+            raise SourceError(
+                "A value of the source cannot be read as what its column must be (a counter needs 64 "
+                "bits; where= may ask for it, too); look at the file, or cast the column in a view."
+            ) from error
+        except duckdb.Error as error:
+            first = str(error).partition("\n")[0]
+            if "CSV Error" in first:
+                raise SourceError(
+                    f"Line {first.rpartition(' ')[2]} of the CSV file does not fit its columns; mend "
+                    "it, or read the file into a table with options of your own."
+                ) from error
+            raise StatementError(f"DuckDB refused a statement: {first}", statement) from error
+
+    def _register(self, relation: Any) -> exp.Expr:
+        if not isinstance(relation, (pa.Table, pa.RecordBatch)) and not hasattr(
+            relation, "__arrow_c_stream__"
+        ):
+            raise SourceError(
+                f"relation is a {type(relation).__name__}; it takes the name of a table, the path of "
+                "a Parquet or CSV file, or an Arrow table."
+            )
+        table = relation if isinstance(relation, pa.Table) else pa.table(relation)
+        check_columns(table)
+        name = f"{self._mark}_arrow{len(self._registered)}"
+        try:
+            self.connection.register(name, table)
+        except duckdb.Error as error:
+            types = ", ".join(sorted({str(field.type) for field in table.schema}))
+            raise SourceError(
+                f"DuckDB cannot read the Arrow table; it holds columns of the types {types}. Cast the "
+                "odd one, or leave it out."
+            ) from error
+        self._registered.append(name)
+        return exp.Table(this=template.name(name))
+
+    def _file(self, path: str) -> exp.Expr:
+        node = file_reader(path)
+        try:
+            self.describe(node)
+        except duckdb.IOException as error:
+            raise SourceError(
+                f"{path} cannot be read; is it there, and is it a file of that kind?"
+            ) from error
+        except (duckdb.Error, StatementError) as error:
+            raise SourceError(
+                f"{path} is no table that DuckDB can make out; is it whole, and of the kind that its "
+                "name says?"
+            ) from error
+        return node
+
+    def _in_memory(self) -> bool:
+        row = self.connection.execute("SELECT path FROM duckdb_databases() WHERE NOT internal")
+        return all(path is None for (path,) in row.fetchall())
+
+    def _known_tables(self) -> list[tuple[str, str, str]]:
+        # Looked up, not tried: a statement that fails would undo the user's open transaction, and
+        # DuckDB would take the name for one of our Python variables.
+        return self.connection.execute(
+            "SELECT table_catalog, table_schema, table_name FROM information_schema.tables"
+        ).fetchall()
+
+
+def _is_among(table: exp.Expr, known: list[tuple[str, str, str]]) -> bool:
+    """Tell whether the last parts of some known name are those of the table, case aside."""
+    parts = tuple(part.name.casefold() for part in table.parts)  # type: ignore[attr-defined]
+    return any(
+        parts == tuple(part.casefold() for part in name[-len(parts) :])
+        or parts == (name[0].casefold(), name[2].casefold())
+        for name in known
+    )
+
+
+def _check_settings(connection: duckdb.DuckDBPyConnection) -> None:
+    """Refuse a connection that is closed, or that compares or orders otherwise than the method."""
+    try:
+        found = connection.execute(
+            "SELECT current_setting('default_order'), current_setting('default_collation')"
+        ).fetchall()
+    except duckdb.Error as error:
+        raise EngineError(
+            "The DuckDB connection cannot be used; is it closed, in a transaction that has failed, or "
+            "still giving out the rows of a query?"
+        ) from error
+    order, collation = found[0]
+    if str(order).upper().startswith("DESC"):
+        raise EngineError(
+            "The DuckDB connection has default_order = DESC, which would turn time around; RESET "
+            "default_order, or give another connection."
+        )
+    if str(collation):
+        raise EngineError(
+            f"The DuckDB connection has default_collation = {collation}, under which different names "
+            "can be equal; RESET default_collation, or give another connection."
+        )
+
+
+def _temporary(name: str) -> exp.Table:
+    return exp.Table(this=template.name(name))
+
+
+def _opened(target: Any) -> duckdb.DuckDBPyConnection:
+    if target is None:
+        return duckdb.connect()
+    path = Path(str(target).removeprefix("duckdb:///"))
+    if not path.exists():
+        raise EngineError(f"There is no database file {path}.")
+    try:
+        return duckdb.connect(str(path), read_only=True)
+    except duckdb.Error as error:
+        raise EngineError(
+            f"{path} cannot be opened as a DuckDB file; is it one, and does another process hold it?"
+        ) from error
