@@ -12,10 +12,9 @@ from sqlglot import exp
 from gam_db import look
 from gam_db.calibration import Calibration
 from gam_db.engines.duckdb_session import Session
-from gam_db.errors import SourceError
 from gam_db.method import Method, pipeline
 from gam_db.parameters import Parameters
-from gam_db.source import AnySource, is_file, readings
+from gam_db.source import AnySource, is_file, parsed_condition, readings
 
 Listener = Callable[[str], None]
 
@@ -46,6 +45,8 @@ class Study:
         self._kept: dict[str, exp.Table] = {}
         relation = session.relation(source.relation)
         columns = session.describe(relation)
+        if source.where is not None:
+            session.check_condition(relation, parsed_condition(source.where), str(source.where))
         self.source = look.resolved(source, columns, session)
         kind = look.kind_of(self.source, columns, session)
         self.method = Method(
@@ -79,13 +80,5 @@ class Study:
         return self.steps.query(step, self._kept)
 
     def _looked(self) -> pa.Table:
-        try:
-            self._ready("channels")
-            return self.session.fetch(self.steps.query("names", self._kept))
-        except Exception as error:
-            if self.source.where is not None and type(error).__module__.startswith("_duckdb"):
-                raise SourceError(
-                    f"where is {str(self.source.where)!r}, which DuckDB refuses: "
-                    f"{str(error).partition(chr(10))[0]}"
-                ) from error
-            raise
+        self._ready("channels")
+        return self.session.fetch(self.steps.query("names", self._kept))

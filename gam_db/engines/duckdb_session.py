@@ -112,6 +112,21 @@ class Session:
         rows = self._run(exp.Describe(this=everything)).fetchall()
         return {str(row[0]): str(row[1]) for row in rows}
 
+    def check_condition(self, relation: exp.Expr, condition: exp.Expr, shown: str) -> None:
+        """Try a user's condition on no row.
+
+        Raises:
+            SourceError: DuckDB refuses it; the message shows it as the user wrote it.
+        """
+        probe = exp.select(exp.Literal.number(1)).from_(relation.copy()).where(condition).limit(0)
+        try:
+            self._run(probe)
+        except (duckdb.Error, StatementError) as error:
+            cause = error.__cause__ if isinstance(error, StatementError) else error
+            raise SourceError(
+                f"where is {shown!r}, which DuckDB refuses: {str(cause).partition(chr(10))[0]}"
+            ) from error
+
     def fetch(self, query: exp.Expr) -> pa.Table:
         """Run a query and return its rows as an Arrow table."""
         return self._run(query, lambda text: self.connection.sql(text).to_arrow_table())
