@@ -7,6 +7,7 @@ from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter, escape_by_backslash, table_as
 
 _UTC = "UTC"
+_PLAN_STEPS = 1_000_000
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
@@ -33,12 +34,26 @@ def create_table(table: exp.Table, query: exp.Query) -> exp.Create:
     return create
 
 
+def allow_long_plans(tree: exp.Expr) -> exp.Expr:
+    """Lift the limit on the length of a plan.
+
+    Cause: a WITH entry is planned anew wherever it is read, so the plan of a whole form is long.
+    Symptom: error 572, too many optimizations applied to query plan, in the exact form as soon as
+    there are two sets of parameters.
+    """
+    query = tree.expression if isinstance(tree, exp.Create) else tree
+    if isinstance(query, exp.Select):
+        limit = exp.var("query_plan_max_optimizations_to_apply")
+        query.set("settings", [exp.EQ(this=limit, expression=exp.Literal.number(_PLAN_STEPS))])
+    return tree
+
+
 ENGINE = Engine(
     name="clickhouse",
     dialect="clickhouse",
     evidence="rendered",
     micros_of=micros_of,
     instant_of=instant_of,
-    rewrites=(escape_by_backslash,),
+    rewrites=(escape_by_backslash, allow_long_plans),
     create_table=create_table,
 )

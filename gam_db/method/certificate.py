@@ -10,7 +10,7 @@ def add_certificate(steps: Pipeline, method: Method, number: int) -> None:
     """Add what calibration says about itself, for one set (section 5)."""
     setting = method.settings[number]
     add_of_set(steps, method, number, "certificate/learnt", {"window": setting.window})
-    for name in ("visits", "block_sizes", "cells", "blocks", "learning"):
+    for name in ("visits", "block_sizes", "cells", "blocks", "cell_shares", "learning"):
         add_of_set(steps, method, number, f"certificate/{name}")
     levels = [
         filled(

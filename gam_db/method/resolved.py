@@ -16,9 +16,9 @@ SMALL = frozenset(
 )
 SMALL_OF_SET = frozenset(
     (
-        *("breaks", "bounds", "support", "visits", "block_sizes", "cells", "blocks", "learning"),
-        *("levels", "ladder", "spread", "finest", "outlook", "missing_vectors"),
-        *("run_up", "kept", "buckets"),
+        *("breaks", "bounds", "support", "visits", "block_sizes", "cells", "blocks"),
+        *("cell_shares", "learning", "levels", "ladder", "spread", "finest", "outlook"),
+        *("missing_vectors", "run_up", "kept", "buckets"),
     )
 )
 

@@ -1,7 +1,7 @@
 -- Learning curve: had calibration ended with this block, how many vectors and cells would it hold and
 -- what would its floor be? A cell adds its first block's visits to the novel ones from that block on,
 -- until a second block sees it.
--- Reads:  cells, blocks
+-- Reads:  blocks, cell_shares
 -- A row:  one block, in the order of the pool.
 SELECT
   support_id,
@@ -44,20 +44,9 @@ FROM (
       cell.support_id AS support_id,
       cell.first_block AS pool_block,
       CAST(COUNT(*) AS BIGINT) AS new_cells,
-      CAST(
-        SUM(
-          CAST(
-            FLOOR(
-              CAST(cell.first_visits AS DOUBLE) / CAST(first_seen.vectors AS DOUBLE)
-              * first_seen.units + CAST(5e-1 AS DOUBLE)
-            ) AS BIGINT
-          )
-        ) AS BIGINT
-      ) AS share_units,
+      CAST(SUM(cell.share_units) AS BIGINT) AS share_units,
       1 AS hit
-    FROM cells AS cell
-    JOIN blocks AS first_seen
-      ON first_seen.support_id = cell.support_id AND first_seen.pool_block = cell.first_block
+    FROM cell_shares AS cell
     GROUP BY cell.support_id, cell.first_block
   ) AS entered
     ON entered.support_id = block.support_id AND entered.pool_block = block.pool_block
@@ -65,20 +54,9 @@ FROM (
     SELECT
       cell.support_id AS support_id,
       cell.second_block AS pool_block,
-      CAST(
-        SUM(
-          CAST(
-            FLOOR(
-              CAST(cell.first_visits AS DOUBLE) / CAST(first_seen.vectors AS DOUBLE)
-              * first_seen.units + CAST(5e-1 AS DOUBLE)
-            ) AS BIGINT
-          )
-        ) AS BIGINT
-      ) AS share_units,
+      CAST(SUM(cell.share_units) AS BIGINT) AS share_units,
       1 AS hit
-    FROM cells AS cell
-    JOIN blocks AS first_seen
-      ON first_seen.support_id = cell.support_id AND first_seen.pool_block = cell.first_block
+    FROM cell_shares AS cell
     WHERE cell.second_block IS NOT NULL
     GROUP BY cell.support_id, cell.second_block
   ) AS shared
