@@ -8,10 +8,11 @@ from gam_db.parameters import Parameters
 from gam_db.source import TimeNode
 
 #: Steps that are small: a row per channel, interval, bucket or cell. They may be kept on the way.
+#: So may ``collapsed``, which has a row per sample of channels with repeated instants only.
 SMALL = frozenset(
     (
         *("names", "rules", "declared", "channels", "timeline", "recounted", "series"),
-        *("limits", "calibration", "calibrated"),
+        *("limits", "calibration", "calibrated", "collapsed"),
     )
 )
 SMALL_OF_SET = frozenset(

@@ -69,7 +69,7 @@ def add_source(steps: Pipeline, method: Method) -> None:
             ),
         },
     )
-    for name in ("timeline", "samples", "recounted", "series"):
+    for name in ("timeline", "collapsed", "samples", "recounted", "series"):
         add(steps, f"source/{name}")
     add(steps, "calibration/limits", {"long_ago": LONG_AGO})
     add(steps, "calibration/calibration")

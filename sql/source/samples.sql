@@ -1,7 +1,7 @@
 -- Samples: one value per instant (method, section 2). What is not a number between -1e300 and 1e300
 -- is missing: NULL here, a tick of the clock all the same. Readings of one instant collapse to the
 -- smallest that is not missing; only channels that need it pay for the grouping.
--- Reads:  readings, channels, timeline
+-- Reads:  readings, channels, timeline, collapsed
 -- A row:  one sample; conflict = 1 where an instant had two different values.
 SELECT
   named.channel_id AS channel_id,
@@ -16,22 +16,5 @@ JOIN channels AS named ON named.asset = reading.asset AND named.channel = readin
 JOIN timeline AS clean ON clean.channel_id = named.channel_id
 WHERE reading.time IS NOT NULL AND clean.repeats = 0
 UNION ALL
-SELECT
-  repeated.channel_id AS channel_id,
-  repeated.time AS time,
-  MIN(repeated.value) AS value,
-  CASE WHEN MIN(repeated.value) < MAX(repeated.value) THEN 1 ELSE 0 END AS conflict
-FROM (
-  SELECT
-    named.channel_id AS channel_id,
-    reading.time AS time,
-    CASE
-      WHEN reading.reading BETWEEN CAST(-1e300 AS DOUBLE) AND CAST(1e300 AS DOUBLE)
-        THEN reading.reading
-    END AS value
-  FROM readings AS reading
-  JOIN channels AS named ON named.asset = reading.asset AND named.channel = reading.channel
-  JOIN timeline AS dirty ON dirty.channel_id = named.channel_id
-  WHERE reading.time IS NOT NULL AND dirty.repeats > 0
-) AS repeated
-GROUP BY repeated.channel_id, repeated.time
+SELECT channel_id, time, value, conflict
+FROM collapsed
