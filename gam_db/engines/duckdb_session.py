@@ -1,8 +1,9 @@
 """DuckDB at work: a session on a connection."""
 
 import contextlib
+import os
 import secrets
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +27,7 @@ class Session:
         target: None for a database in memory, the path of a database file, or an open connection,
             which stays open and keeps nothing of ours.
         threads: processor threads; None leaves DuckDB's own choice.
+        writable: open a database file for writing, and make it if it is not there; else it is only read.
 
     Raises:
         EngineError: the file cannot be opened, this DuckDB is too old, or the connection is closed or
@@ -37,7 +39,7 @@ class Session:
     is_numeric = staticmethod(is_numeric)
     is_name = staticmethod(is_name)
 
-    def __init__(self, target: Any = None, threads: int | None = None) -> None:
+    def __init__(self, target: Any = None, threads: int | None = None, writable: bool = False) -> None:
         if tuple(int(part) for part in duckdb.__version__.split(".")[:2]) < OLDEST:
             raise EngineError(
                 f"DuckDB {duckdb.__version__} is too old; gam-db needs "
@@ -45,7 +47,7 @@ class Session:
             )
         self.owned = not isinstance(target, duckdb.DuckDBPyConnection)
         if self.owned:
-            self.connection = _opened(target)
+            self.connection = _opened(target, writable)
             self.connection.execute("SET TimeZone = 'UTC'")
             # Progress is counted, for whoever asks, but not painted: standard output is the caller's.
             self.connection.execute("SET enable_progress_bar = true")
@@ -126,6 +128,55 @@ class Session:
             raise SourceError(
                 f"where is {shown!r}, which DuckDB refuses: {str(cause).partition(chr(10))[0]}"
             ) from error
+
+    def execute(self, statement: exp.Expr) -> None:
+        """Run a statement that changes the database.
+
+        Raises:
+            EngineError: the database cannot be written: it is only read, its disk is full, or another
+                connection changed the same rows.
+        """
+        try:
+            self._run(statement)
+        except duckdb.IOException as error:
+            raise EngineError(
+                "The database cannot be written; is its disk full? What was there before is as it was."
+            ) from error
+        except StatementError as error:
+            if isinstance(error.__cause__, duckdb.TransactionException):
+                raise EngineError(_conflict(str(error.__cause__))) from error
+            if "read-only" in str(error.__cause__):
+                raise EngineError(_READ_ONLY) from error
+            raise
+
+    @contextlib.contextmanager
+    def transaction(self) -> Iterator[None]:
+        """Do all that is executed inside as one: either everything is there afterwards, or nothing.
+
+        Raises:
+            EngineError: a transaction is open already, or the end of this one was refused.
+        """
+        self.execute(exp.Transaction())
+        try:
+            yield
+            self.execute(exp.Commit())
+        except BaseException:
+            with contextlib.suppress(duckdb.Error, StatementError):
+                self._run(exp.Rollback())  # after some errors DuckDB has rolled back already
+            raise
+
+    def load(self, rows: pa.Table) -> exp.Table:
+        """Return the node that reads an Arrow table of ours, until the session is closed."""
+        return self._register(rows)
+
+    def forget(self, kept: exp.Table) -> None:
+        """Drop a table made by :meth:`keep`, or let go of one given to :meth:`load`."""
+        if kept.name in self._registered:
+            self._registered.remove(kept.name)
+            self.connection.unregister(kept.name)
+        else:
+            self._made.remove(kept.name)
+            self._run(exp.Drop(tables=[kept.copy()], kind="TABLE"))
 
     def fetch(self, query: exp.Expr) -> pa.Table:
         """Run a query and return its rows as an Arrow table."""
@@ -225,7 +276,7 @@ class Session:
                 ) from error
             raise StatementError(f"DuckDB refused a statement: {first}", statement) from error
 
-    def _register(self, relation: Any) -> exp.Expr:
+    def _register(self, relation: Any) -> exp.Table:
         if not isinstance(relation, (pa.Table, pa.RecordBatch)) and not hasattr(
             relation, "__arrow_c_stream__"
         ):
@@ -312,15 +363,35 @@ def _temporary(name: str) -> exp.Table:
     return exp.Table(this=template.name(name))
 
 
-def _opened(target: Any) -> duckdb.DuckDBPyConnection:
+def _opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:
     if target is None:
         return duckdb.connect()
     path = Path(str(target).removeprefix("duckdb:///"))
-    if not path.exists():
+    if not path.exists() and not (writable and path.parent.is_dir()):
         raise EngineError(f"There is no database file {path}.")
     try:
-        return duckdb.connect(str(path), read_only=True)
+        return duckdb.connect(str(path), read_only=not writable)
     except duckdb.Error as error:
+        reason = str(error)
+        if "lock" in reason:
+            raise EngineError(
+                f"{path} is open in another process; while one writes a DuckDB file, no other can open "
+                "it. Wait for it to end, or read a copy."
+            ) from error
+        if writable and not os.access(path if path.exists() else path.parent, os.W_OK):
+            raise EngineError(f"{path} cannot be written: you may only read it.") from error
         raise EngineError(
-            f"{path} cannot be opened as a DuckDB file; is it one, and does another process hold it?"
+            f"{path} cannot be opened as a DuckDB file; is it one, and is its disk full?"
         ) from error
+
+
+_READ_ONLY = "The database is open for reading only; it cannot be changed."
+
+
+def _conflict(reason: str) -> str:
+    if "within a transaction" in reason:
+        return "The connection has a transaction open; commit it or roll it back first."
+    return (
+        "Another connection changed the same rows at the same time; nothing of this run was written. "
+        "Run it again."
+    )
