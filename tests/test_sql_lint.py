@@ -12,8 +12,11 @@ import gam_db
 import sql_lint
 from gam_db import template
 from gam_db.clock import TimeKind
+from gam_db.engines.duckdb import ENGINE
 from gam_db.method import Method, pipeline
 from gam_db.source import Source, WideSource, readings
+from gam_db.stored.migrations import rendered
+from gam_db.stored.tables import StateTables
 from sql_lint import Kind
 
 #: Columns that the examples below speak of.
@@ -536,6 +539,7 @@ def test_every_file_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
     source = Source("telemetry", time_kind="counter")
     for form, engine in (("exact", "sqlite"), ("view", "duckdb")):
         gam_db.render(form, engine, source, gam_db.Parameters(), CALIBRATIONS[1])
+    rendered(ENGINE, StateTables())
     assert set(NAMES) - loaded == set()
     assert {name for name in loaded if name not in NAMES} == set()
 

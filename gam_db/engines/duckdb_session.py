@@ -1,7 +1,6 @@
 """DuckDB at work: a session on a connection."""
 
 import contextlib
-import os
 import secrets
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -13,6 +12,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.duckdb import ENGINE, file_reader
+from gam_db.engines.duckdb_opening import check_settings, opened
 from gam_db.engines.duckdb_types import check_columns, is_name, is_numeric, time_kind
 from gam_db.errors import EngineError, SourceError, StatementError, nearest
 from gam_db.source import is_file, table_names
@@ -47,14 +47,14 @@ class Session:
             )
         self.owned = not isinstance(target, duckdb.DuckDBPyConnection)
         if self.owned:
-            self.connection = _opened(target, writable)
+            self.connection = opened(target, writable)
             self.connection.execute("SET TimeZone = 'UTC'")
             # Progress is counted, for whoever asks, but not painted: standard output is the caller's.
             self.connection.execute("SET enable_progress_bar = true")
             self.connection.execute("SET enable_progress_bar_print = false")
         else:
             self.connection = target
-            _check_settings(target)
+            check_settings(target)
         if threads is not None:
             self.connection.execute("SET threads = ?", [threads])
         self._mark = f"gam_{secrets.token_hex(4)}"
@@ -113,6 +113,19 @@ class Session:
         everything = exp.select("*").from_(relation)
         rows = self._run(exp.Describe(this=everything)).fetchall()
         return {str(row[0]): str(row[1]) for row in rows}
+
+    def relations(self, schema: str | None = None) -> dict[str, tuple[str, ...]]:
+        """Return the tables and views of a schema (None: the current one) with their columns, in order.
+
+        Names are folded to lower case: DuckDB does not tell them apart by it.
+        """
+        rows = self.connection.execute(
+            "SELECT table_name, list(column_name ORDER BY ordinal_position) "
+            "FROM information_schema.columns WHERE table_catalog = current_database() "
+            "AND lower(table_schema) = lower(coalesce(?, current_schema())) GROUP BY table_name",
+            [schema],
+        )
+        return {name.casefold(): tuple(columns) for name, columns in rows.fetchall()}
 
     def check_condition(self, relation: exp.Expr, condition: exp.Expr, shown: str) -> None:
         """Try a user's condition on no row.
@@ -335,54 +348,8 @@ def _is_among(table: exp.Expr, known: list[tuple[str, str, str]]) -> bool:
     )
 
 
-def _check_settings(connection: duckdb.DuckDBPyConnection) -> None:
-    """Refuse a connection that is closed, or that compares or orders otherwise than the method."""
-    try:
-        found = connection.execute(
-            "SELECT current_setting('default_order'), current_setting('default_collation')"
-        ).fetchall()
-    except duckdb.Error as error:
-        raise EngineError(
-            "The DuckDB connection cannot be used; is it closed, in a transaction that has failed, or "
-            "still giving out the rows of a query?"
-        ) from error
-    order, collation = found[0]
-    if str(order).upper().startswith("DESC"):
-        raise EngineError(
-            "The DuckDB connection has default_order = DESC, which would turn time around; RESET "
-            "default_order, or give another connection."
-        )
-    if str(collation):
-        raise EngineError(
-            f"The DuckDB connection has default_collation = {collation}, under which different names "
-            "can be equal; RESET default_collation, or give another connection."
-        )
-
-
 def _temporary(name: str) -> exp.Table:
     return exp.Table(this=template.name(name))
-
-
-def _opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:
-    if target is None:
-        return duckdb.connect()
-    path = Path(str(target).removeprefix("duckdb:///"))
-    if not path.exists() and not (writable and path.parent.is_dir()):
-        raise EngineError(f"There is no database file {path}.")
-    try:
-        return duckdb.connect(str(path), read_only=not writable)
-    except duckdb.Error as error:
-        reason = str(error)
-        if "lock" in reason:
-            raise EngineError(
-                f"{path} is open in another process; while one writes a DuckDB file, no other can open "
-                "it. Wait for it to end, or read a copy."
-            ) from error
-        if writable and not os.access(path if path.exists() else path.parent, os.W_OK):
-            raise EngineError(f"{path} cannot be written: you may only read it.") from error
-        raise EngineError(
-            f"{path} cannot be opened as a DuckDB file; is it one, and is its disk full?"
-        ) from error
 
 
 _READ_ONLY = "The database is open for reading only; it cannot be changed."
