@@ -1,6 +1,7 @@
 """DuckDB at work: a session on a connection."""
 
 import contextlib
+import itertools
 import secrets
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -12,7 +13,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.duckdb import ENGINE, file_reader
-from gam_db.engines.duckdb_opening import check_settings, opened
+from gam_db.engines.duckdb_opening import check_settings, opened, rows_at_once
 from gam_db.engines.duckdb_types import check_columns, is_name, is_numeric, time_kind
 from gam_db.errors import EngineError, SourceError, StatementError, nearest
 from gam_db.source import is_file, table_names
@@ -58,6 +59,7 @@ class Session:
         if threads is not None:
             self.connection.execute("SET threads = ?", [threads])
         self._mark = f"gam_{secrets.token_hex(4)}"
+        self._numbers = itertools.count()
         self._made: list[str] = []
         self._registered: list[str] = []
 
@@ -197,7 +199,7 @@ class Session:
 
     def keep(self, step: str, query: exp.Query) -> exp.Table:
         """Run a query into a temporary table and return the node that reads it."""
-        made = f"{self._mark}_{step}"
+        made = f"{self._mark}_{next(self._numbers)}_{step}"
         create = exp.Create(
             this=_temporary(made),
             kind="TABLE",
@@ -256,6 +258,10 @@ class Session:
         finally:
             self._run(exp.Detach(this=template.name(name)))
 
+    def rows_at_once(self) -> int:
+        """Return how many readings can be worked on at once within the memory limit."""
+        return rows_at_once(self.connection)
+
     def progress(self) -> float:
         """Return how far the running statement is, in percent; negative if it is not known."""
         return float(self.connection.query_progress())
@@ -299,7 +305,7 @@ class Session:
             )
         table = relation if isinstance(relation, pa.Table) else pa.table(relation)
         check_columns(table)
-        name = f"{self._mark}_arrow{len(self._registered)}"
+        name = f"{self._mark}_{next(self._numbers)}_arrow"
         try:
             self.connection.register(name, table)
         except duckdb.Error as error:
