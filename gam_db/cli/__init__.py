@@ -21,6 +21,8 @@ import gam_db
 from gam_db.cli.benchmark import benchmark
 from gam_db.cli.compile import compile_script
 from gam_db.cli.demo import demo
+from gam_db.cli.drop import drop
+from gam_db.cli.migrate import migrate
 from gam_db.cli.run import run
 from gam_db.errors import StatementError, UserError
 
@@ -87,6 +89,8 @@ app.command()(run)
 app.command()(demo)
 app.command("compile")(compile_script)
 app.command()(benchmark)
+app.command()(migrate)
+app.command()(drop)
 
 
 def main() -> None:

@@ -120,7 +120,16 @@ class Session:
         """Return the tables and views of a schema (None: the current one) with their columns, in order.
 
         Names are folded to lower case: DuckDB does not tell them apart by it.
+
+        Raises:
+            EngineError: the schema is called like a database, and DuckDB cannot tell which is meant.
         """
+        databases = self.connection.execute("SELECT database_name FROM duckdb_databases()").fetchall()
+        if schema is not None and schema.casefold() in {name.casefold() for (name,) in databases}:
+            raise EngineError(
+                f"The schema {schema!r} is called like a database, and DuckDB cannot tell them apart; "
+                "give another name."
+            )
         rows = self.connection.execute(
             "SELECT table_name, list(column_name ORDER BY ordinal_position) "
             "FROM information_schema.columns WHERE table_catalog = current_database() "
@@ -159,7 +168,7 @@ class Session:
             ) from error
         except StatementError as error:
             if isinstance(error.__cause__, duckdb.TransactionException):
-                raise EngineError(_conflict(str(error.__cause__))) from error
+                raise EngineError(_CONFLICT) from error
             if "read-only" in str(error.__cause__):
                 raise EngineError(_READ_ONLY) from error
             raise
@@ -171,6 +180,8 @@ class Session:
         Raises:
             EngineError: a transaction is open already, or the end of this one was refused.
         """
+        if self._in_transaction():
+            raise EngineError(_OPEN)
         self.execute(exp.Transaction())
         try:
             yield
@@ -179,6 +190,19 @@ class Session:
             with contextlib.suppress(duckdb.Error, StatementError):
                 self._run(exp.Rollback())  # after some errors DuckDB has rolled back already
             raise
+
+    def _in_transaction(self) -> bool:
+        """Tell whether a transaction is open: only then two statements have the same number.
+
+        It is not tried by beginning one: that fails, and takes the user's transaction with it.
+        """
+        try:
+            first, second = (
+                self.connection.execute("SELECT txid_current()").fetchall() for _ in range(2)
+            )
+        except duckdb.TransactionException:  # one that has failed already
+            return True
+        return first == second
 
     def load(self, rows: pa.Table) -> exp.Table:
         """Return the node that reads an Arrow table of ours, until the session is closed."""
@@ -359,12 +383,8 @@ def _temporary(name: str) -> exp.Table:
 
 
 _READ_ONLY = "The database is open for reading only; it cannot be changed."
-
-
-def _conflict(reason: str) -> str:
-    if "within a transaction" in reason:
-        return "The connection has a transaction open; commit it or roll it back first."
-    return (
-        "Another connection changed the same rows at the same time; nothing of this run was written. "
-        "Run it again."
-    )
+_OPEN = "The connection has a transaction open; commit it or roll it back first."
+_CONFLICT = (
+    "Another connection changed the same rows at the same time; nothing of this run was written. "
+    "Run it again."
+)
