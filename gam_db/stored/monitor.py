@@ -18,6 +18,7 @@ from gam_db.running import Listener, unheard
 from gam_db.source import AnySource
 from gam_db.stored import migrations
 from gam_db.stored.calibrating import calibrate
+from gam_db.stored.checking import check_state
 from gam_db.stored.scoring import Report, Wanted, score
 from gam_db.stored.state import State, kind_of
 from gam_db.stored.tables import StateTables
@@ -148,6 +149,25 @@ class Monitor:
             limit=limit,
         )
         return score(self.state, self.source, self.name, wanted, dry_run, on_step)
+
+    def check_state(self, limit: int | None = None, on_step: Listener = unheard) -> pa.Table:
+        """Compare what is stored with the source; see :func:`gam_db.stored.checking.check_state`.
+
+        Args:
+            limit: most readings to work on at once; None for what memory allows.
+            on_step: called with what is done next.
+
+        Returns:
+            One row per difference: what came too late, was corrected, or went; none if all is as one
+            run over the whole source would have it.
+
+        Raises:
+            UserError: there is no such monitor, or the source cannot be used.
+        """
+        migrations.require(self.session, self.state.tables)
+        kind = kind_of(self.state.monitor(self.name))
+        lookback = self._lookback(kind)
+        return check_state(self.state, self.source, self.name, lookback, limit, on_step)
 
     def _lookback(self, kind: TimeKind) -> int:
         if self.lookback is None:

@@ -5,22 +5,21 @@ in ``gam_run`` last: that is the commit. Where an engine has transactions, all o
 that are now hidden go in the same.
 """
 
-import dataclasses
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import pyarrow as pa
-from sqlglot import exp
 
-from gam_db import look, template
-from gam_db.clock import FAR_AHEAD, LONG_AGO
+from gam_db import template
+from gam_db.clock import FAR_AHEAD
 from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline
 from gam_db.running import Listener, Running, unheard
-from gam_db.source import AnySource, parsed_condition, readings
-from gam_db.stored.planning import DAY, Cohort, Row, planned, portions, resumed
+from gam_db.source import AnySource
+from gam_db.stored.planning import Cohort, Row, planned, portions, resumed
+from gam_db.stored.reading import Reader, cohort_of, plan_rows
 from gam_db.stored.state import State, kind_of, now
-from gam_db.stored.steps import PUBLISHED, plan_steps, reading_steps, scoring_steps, setting_of
+from gam_db.stored.steps import DAY, PUBLISHED, reading_steps, scoring_steps, setting_of
 
 
 @dataclass(frozen=True)
@@ -102,15 +101,7 @@ class _Run:
     ) -> None:
         self.state, self.session, self.wanted, self.on_step = state, state.session, wanted, on_step
         self.monitor = state.monitor(name)
-        self.relation = self.session.relation(source.relation)
-        columns = self.session.describe(self.relation)
-        if source.where is not None:
-            self.session.check_condition(
-                self.relation, parsed_condition(source.where), str(source.where)
-            )
-        self.source = look.resolved(source, columns, self.session)
-        self.kind = look.kind_of(self.source, columns, self.session)
-        look.check_kind(self.kind, kind_of(self.monitor), name)
+        self.reader = Reader(state.session, source, kind_of(self.monitor), name)
         self.started = now()
         self.report = Report()
 
@@ -152,46 +143,22 @@ class _Run:
 
     def _plan(self) -> list[Row]:
         lookback = None if self.wanted.full else self.wanted.lookback
-        steps = plan_steps(self.monitor["monitor_id"], lookback, self.wanted.repair_from)
-        query = steps.query("plan", self.state.tables.placed())
-        rows: list[Row] = self.session.fetch(query).to_pylist()
-        return rows
+        return plan_rows(self.state, self.monitor["monitor_id"], lookback, self.wanted.repair_from)
 
     def _known(self) -> list[Row]:
         slots: dict[str, template.Slot] = {"monitor_id": self.monitor["monitor_id"]}
         rows: list[Row] = self.state.fetch("stored/known_channels", slots).to_pylist()
         return rows
 
-    def _readings(self, conditions: Sequence[exp.Expr]) -> exp.Query:
-        condition = exp.and_(parsed_condition(self.source.where), *conditions)
-        source = dataclasses.replace(self.source, where=condition)
-        engine = self.session.engine
-        return readings(source, self.relation, lambda node: engine.micros_of(self.kind, node))
-
-    def _bounds(self, cohort: Cohort, earliest: int) -> list[exp.Expr]:
-        """Return the conditions of a cohort on the source's own columns, with literal bounds."""
-        conditions: list[exp.Expr] = []
-        if earliest > LONG_AGO:
-            instant = self.session.engine.instant_of(self.kind, template.node_of(earliest))
-            conditions.append(exp.GTE(this=template.column(self.source.time), expression=instant))
-        if cohort.assets is not None and self.source.asset is not None:
-            named = exp.cast(template.column(self.source.asset), "VARCHAR")
-            texts = [template.text(asset) for asset in cohort.assets]
-            conditions.append(exp.In(this=named, expressions=texts))
-        return conditions
-
     def _look(self, cohort: Cohort) -> list[Row]:
         self.on_step("looking at the source")
-        steps = Pipeline()
-        steps.add("readings", self._readings(self._bounds(cohort, cohort.earliest)))
-        add(steps, "source/names")
+        steps = reading_steps(self.reader.readings(cohort, cohort.earliest))
         rows: list[Row] = self.session.fetch(steps.query("names")).to_pylist()
         return rows
 
     def _undated(self) -> int:
         steps = Pipeline()
-        absent = exp.Is(this=template.column(self.source.time), expression=exp.null())
-        steps.add("readings", self._readings([absent]))
+        steps.add("readings", self.reader.undated())
         add(steps, "stored/undated")
         return int(self.session.fetch(steps.query("undated"))["undated"][0].as_py())
 
@@ -205,18 +172,21 @@ class _Run:
     def _score(self, group: Sequence[Row], cohort: Cohort) -> None:
         """Score a group of channels of one setting, and publish it."""
         due = [self.wanted.everything or self.started - row["counted_at"] >= DAY for row in group]
-        steps = scoring_steps(setting_of(group[0]), self.kind)
+        steps = scoring_steps(setting_of(group[0]), self.reader.kind)
         running = Running(self.session, steps, self.state.tables.placed(), self.on_step)
         earliest = min(row["read_from"] for row in group)
         try:
-            running.load("cohort", _control(group, due, self.wanted.until))
-            rows = self._readings(self._bounds(cohort, earliest))
-            running.put("identified", reading_steps(rows).query("identified", running.placed))
+            latest = FAR_AHEAD if self.wanted.until is None else self.wanted.until
+            running.load(
+                "cohort", cohort_of(group, read_until=latest, recounted=[int(one) for one in due])
+            )
             if any(due):
-                everything = reading_steps(self._readings([]), is_ranged=False)
+                everything = reading_steps(self.reader.readings(), is_ranged=False)
                 running.put("recount", everything.query("recount", running.placed))
             else:
                 running.load("recount", _NO_RECOUNT)
+            rows = reading_steps(self.reader.readings(cohort, earliest))
+            running.put("identified", rows.query("identified", running.placed))
             for part in PUBLISHED:
                 running.prepare(part)
             made = {row["channel_id"]: row for row in running.table("new_counts").to_pylist()}
@@ -250,29 +220,6 @@ class _Run:
             )
 
 
-_CONTROL = pa.schema(
-    [
-        *(
-            (name, pa.int64())
-            for name in (
-                *("channel_id", "version_id", "support_id", "first_bucket", "first_scored"),
-                *("read_from", "read_until", "context_expected", "recounted"),
-            )
-        ),
-        *((name, pa.string()) for name in ("asset", "channel")),
-        *((name, pa.float64()) for name in ("lo", "hi")),
-    ]
-)
-
 _NO_RECOUNT = pa.table(
     {name: pa.array([], pa.int64()) for name in ("channel_id", "calibration_readings")}
 )
-
-
-def _control(group: Sequence[Row], recounted: Sequence[bool], until: int | None) -> pa.Table:
-    latest = FAR_AHEAD if until is None else until
-    rows = [
-        {**row, "recounted": int(due), "read_until": latest}
-        for row, due in zip(group, recounted, strict=True)
-    ]
-    return pa.Table.from_pylist(rows, schema=_CONTROL)

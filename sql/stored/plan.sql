@@ -19,6 +19,8 @@ SELECT
   frozen.stride AS stride,
   frozen.max_gap AS max_gap,
   frozen.score_from AS score_from,
+  frozen.calibration_end AS calibration_end,
+  frozen.calibration_readings AS calibration_readings,
   CASE WHEN staying.hit = 1 THEN staying.bucket_no + 1 ELSE 0 END AS first_bucket,
   CASE WHEN staying.hit = 1 THEN staying.last_time + 1 ELSE frozen.first_scored END AS first_scored,
   CASE WHEN staying.hit = 1 THEN staying.context_time ELSE frozen.run_up_from END AS read_from,
