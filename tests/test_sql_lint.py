@@ -13,11 +13,16 @@ import sql_lint
 from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.engines.duckdb import ENGINE
+from gam_db.engines.duckdb_session import Session
 from gam_db.method import Method, pipeline
 from gam_db.source import Source, WideSource, readings
 from gam_db.stored.migrations import rendered
+from gam_db.stored.monitor import Monitor
+from gam_db.stored.steps import comparing_steps, relearning_steps, scoring_steps
 from gam_db.stored.tables import StateTables
+from harness import arrow
 from sql_lint import Kind
+from strategies import Row
 
 #: Columns that the examples below speak of.
 KNOWN = {
@@ -433,7 +438,7 @@ NAMES = [str(path.relative_to(FOLDER).with_suffix("").as_posix()) for path in FI
 #: rounded with room for the last bits, and nothing but this figure follows from it.
 EXEMPT = {
     ("outlook", "rough_decisions"),
-    ("support_summary", "rough_decisions"),
+    ("verdicts", "rough_decisions"),
 }
 
 PARAMETERS = [
@@ -524,6 +529,20 @@ def test_filled_queries_break_no_rule(number: int) -> None:
     assert {place[:2] for place in found} == EXEMPT, "an exemption that nothing needs any more goes"
 
 
+def watch_once() -> None:
+    """Take every path of the stored form once, over a few rows."""
+    rows: list[Row] = [("a", "x", time, float(time % 3)) for time in range(40)]
+    with Session() as session:
+        for gap in (None, 5):
+            parameters = gam_db.Parameters(m=2, window=4, max_gap=gap)
+            source = gam_db.Source(arrow(rows))
+            monitor = Monitor(session, source, parameters, name=f"gap {gap}")
+            monitor.migrate()
+            monitor.calibrate()
+            monitor.score()
+            assert monitor.check_state().num_rows == 0
+
+
 def test_every_file_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
     """A file that no form loads would be checked, shipped and read for nothing."""
     loaded = set()
@@ -540,6 +559,9 @@ def test_every_file_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
     for form, engine in (("exact", "sqlite"), ("view", "duckdb")):
         gam_db.render(form, engine, source, gam_db.Parameters(), CALIBRATIONS[1])
     rendered(ENGINE, StateTables())
+    for made in (scoring_steps, comparing_steps, relearning_steps):
+        made.cache_clear()
+    watch_once()
     assert set(NAMES) - loaded == set()
     assert {name for name in loaded if name not in NAMES} == set()
 

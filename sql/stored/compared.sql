@@ -23,7 +23,9 @@ FROM (
   FROM (
     SELECT
       channel_id,
-      CAST(FLOOR(CAST(last_time AS DOUBLE) / CAST(:day AS DOUBLE)) AS BIGINT) AS day_no,
+      CAST(
+        FLOOR((CAST(last_time AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(:day AS DOUBLE)) AS BIGINT
+      ) AS day_no,
       bucket_no,
       first_time,
       last_time,

@@ -41,7 +41,7 @@ LEFT JOIN (
     1 AS hit
   FROM stored_visible_bucket AS bucket
   JOIN restart AS again
-    ON again.version_id = bucket.version_id AND again.from_bucket - 1 = bucket.bucket_no
+    ON again.version_id = bucket.version_id AND again.last_staying = bucket.bucket_no
 ) AS staying ON staying.version_id = frozen.version_id
 LEFT JOIN (
   SELECT version_id, read_until, looked_at, counted_at, 1 AS hit
