@@ -2,7 +2,7 @@
 
 import contextlib
 import secrets
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -105,6 +105,17 @@ class Session:
             + nearest(shown, sorted({name for _, _, name in known}))
             + ". A file must end in .parquet, .csv or .tsv."
         )
+
+    @contextlib.contextmanager
+    def lent(self, table: pa.Table) -> Iterator[exp.Table]:
+        """Register an Arrow table for a while; its memory is free again afterwards."""
+        node = self._register(table)
+        name = self._registered[-1]
+        try:
+            yield node
+        finally:
+            self.connection.unregister(name)
+            self._registered.remove(name)
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
         """Return the columns of a relation and their types, in order."""
@@ -225,7 +236,7 @@ class Session:
                 ) from error
             raise StatementError(f"DuckDB refused a statement: {first}", statement) from error
 
-    def _register(self, relation: Any) -> exp.Expr:
+    def _register(self, relation: Any) -> exp.Table:
         if not isinstance(relation, (pa.Table, pa.RecordBatch)) and not hasattr(
             relation, "__arrow_c_stream__"
         ):
