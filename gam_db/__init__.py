@@ -3,6 +3,7 @@
 from gam_db.calibration import Calibration
 from gam_db.connect import connect
 from gam_db.errors import GamError, UserError
+from gam_db.evaluation import Conventions, Evaluation, evaluate
 from gam_db.health import certificate, health_at_buckets, health_indicator, support
 from gam_db.parameters import Override, Parameters
 from gam_db.script import render
@@ -11,6 +12,8 @@ from gam_db.version import __version__
 
 __all__ = [
     "Calibration",
+    "Conventions",
+    "Evaluation",
     "GamError",
     "Override",
     "Parameters",
@@ -20,6 +23,7 @@ __all__ = [
     "__version__",
     "certificate",
     "connect",
+    "evaluate",
     "health_at_buckets",
     "health_indicator",
     "render",

@@ -324,7 +324,7 @@ LAYERS = [
     ["engines"],
     ["look", "running", "connect"],
     ["script", "study"],
-    ["health"],
+    ["health", "evaluation"],
     ["stored"],
     ["gam_db"],
     ["config", "findings"],

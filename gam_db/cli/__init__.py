@@ -22,6 +22,7 @@ from gam_db.cli.benchmark import benchmark
 from gam_db.cli.compile import compile_script
 from gam_db.cli.demo import demo
 from gam_db.cli.drop import drop
+from gam_db.cli.evaluate import evaluate
 from gam_db.cli.migrate import migrate
 from gam_db.cli.run import run
 from gam_db.errors import StatementError, UserError
@@ -88,6 +89,7 @@ def options(
 app.command()(run)
 app.command()(demo)
 app.command("compile")(compile_script)
+app.command()(evaluate)
 app.command()(benchmark)
 app.command()(migrate)
 app.command()(drop)

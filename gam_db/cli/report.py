@@ -183,18 +183,18 @@ def _table(out: Console, found: Sequence[Finding]) -> list[Text]:
     course = min(_MOST_COURSE, max(_LEAST_COURSE, free - name_width))
     lines = [
         Text(
-            f"  {_fit('channel', name_width)}  {'verdict':{verdict}}  floor     HI  "
-            f"{_fit('HI, 0 to 1', course)}  last",
+            f"  {fit('channel', name_width)}  {'verdict':{verdict}}  floor     HI  "
+            f"{fit('HI, 0 to 1', course)}  last",
             style="bold",
         )
     ]
     for one, name, time in zip(found, names, times, strict=True):
         mark, style = _MARKS.get(one.status, (" ", ""))
         is_shown = one.status != "not assessed"
-        line = Text(f"{mark} {_fit(name, name_width)}  {one.verdict:{verdict}}  ", style)
+        line = Text(f"{mark} {fit(name, name_width)}  {one.verdict:{verdict}}  ", style)
         line.append(f"{share(one.support['floor'] if is_shown else None):>5}  ")
         line.append(f"{share(one.hi if is_shown else None):>5}  ")
-        line.append(_fit(sparkline(one.course, course, blocks) if is_shown else "", course))
+        line.append(fit(sparkline(one.course, course, blocks) if is_shown else "", course))
         line.append(f"  {time}")
         line.rstrip()
         lines.append(line)
@@ -290,7 +290,7 @@ def _time(time: Any) -> str:
     return f"{time:%Y-%m-%d %H:%M}" if isinstance(time, dt.datetime) else f"{time:,}"
 
 
-def _fit(text: str, width: int) -> str:
+def fit(text: str, width: int) -> str:
     """Return a text of exactly so many cells; what is too long loses its middle."""
     if cell_len(text) > width:
         head, tail = text[: width - width // 2 - 1], text[-(width // 2) :]

@@ -110,6 +110,17 @@ class Session:
             + ". A file must end in .parquet, .csv or .tsv."
         )
 
+    @contextlib.contextmanager
+    def lent(self, table: pa.Table) -> Iterator[exp.Table]:
+        """Register an Arrow table for a while; its memory is free again afterwards."""
+        node = self._register(table)
+        name = self._registered[-1]
+        try:
+            yield node
+        finally:
+            self.connection.unregister(name)
+            self._registered.remove(name)
+
     def describe(self, relation: exp.Expr) -> dict[str, str]:
         """Return the columns of a relation and their types, in order."""
         everything = exp.select("*").from_(relation)
