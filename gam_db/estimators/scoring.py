@@ -16,6 +16,7 @@ from gam_db.errors import ParameterError, nearest
 from gam_db.estimators import centroid, dse, forest, gmm, ocsvm
 from gam_db.estimators.base import Estimator, Points
 from gam_db.estimators.points import add_moving_average, add_points, names_of, point_of
+from gam_db.extras import needed
 from gam_db.method.adding import add_of_set
 from gam_db.parameters import Parameters
 from gam_db.source import AnySource
@@ -130,7 +131,10 @@ def add_estimator(study: Study, name: str, seed: int = 0, sample: int = SAMPLE) 
             add_of_set(steps, method, number, "estimators/no_scores", name="scores")
             continue
         if estimator.fit is not None:
-            for table, rows in estimator.fit(points, seed).items():
+            # One thread: what is fitted is small, and its sums then come in one order.
+            with needed("threadpoolctl", "benchmark").threadpool_limits(limits=1):
+                tables = estimator.fit(points, seed)
+            for table, rows in tables.items():
                 study.put(method.named(table, number), rows)
         estimator.add_scores(steps, method, number)
     add_moving_average(steps, method)
