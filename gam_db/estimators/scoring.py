@@ -25,6 +25,7 @@ from gam_db.study import Study
 ESTIMATORS: Mapping[str, Estimator] = {
     module.ESTIMATOR.name: module.ESTIMATOR for module in (dse, centroid, gmm, forest, ocsvm)
 }
+DSE = dse.ESTIMATOR.name
 SAMPLE = 10_000
 """Calibration vectors of a support that scikit-learn is given at most."""
 
@@ -37,7 +38,7 @@ def scores(
     calibration: Calibration | None = None,
     engine: Any = None,
     *,
-    estimator: str = "dse",
+    estimator: str = DSE,
     seed: int = 0,
     sample: int = SAMPLE,
 ) -> pa.Table:
@@ -81,7 +82,7 @@ def scores_at_buckets(
     calibration: Calibration | None = None,
     engine: Any = None,
     *,
-    estimator: str = "dse",
+    estimator: str = DSE,
     seed: int = 0,
     sample: int = SAMPLE,
 ) -> pa.Table:
@@ -110,7 +111,10 @@ def estimator_named(name: str) -> Estimator:
 
 
 def add_estimator(study: Study, name: str, seed: int = 0, sample: int = SAMPLE) -> None:
-    """Fit an estimator and add its steps to a study: ``score_health`` and ``score_bucket_health``.
+    """Fit an estimator and add its steps to a study: ``score_health`` and the like.
+
+    The steps to be asked for are ``score_health``, ``score_bucket_health`` and ``last_scores`` (where
+    each channel stands).
 
     Args:
         study: of a source; it takes one estimator only.
