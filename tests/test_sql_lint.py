@@ -12,10 +12,13 @@ import gam_db
 import sql_lint
 from gam_db import template
 from gam_db.clock import TimeKind
+from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_session import Session
 from gam_db.estimators import ESTIMATORS, add_estimator
 from gam_db.method import Method, pipeline
 from gam_db.source import Source, WideSource, readings
+from gam_db.stored.migrations import rendered
+from gam_db.stored.tables import StateTables
 from gam_db.study import Study
 from harness import arrow
 from sql_lint import Kind
@@ -579,6 +582,7 @@ def test_every_file_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
     for name in ESTIMATORS:
         estimated(name, rows=30)
     estimated("gmm", rows=3)
+    rendered(ENGINE, StateTables())
     assert set(NAMES) - loaded == set()
     assert {name for name in loaded if name not in NAMES} == set()
 
