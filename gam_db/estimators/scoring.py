@@ -127,6 +127,8 @@ def add_estimator(study: Study, name: str, seed: int = 0, sample: int = SAMPLE) 
     """
     estimator = estimator_named(name)
     seed, sample = _whole("seed", seed, 0), _whole("sample", sample, _FEWEST)
+    if estimator.fit is not None:
+        needed("sklearn", "benchmark")  # said before anything is read
     steps, method = study.steps, study.method
     for number in range(len(method.settings)):
         add_points(steps, method, number)
