@@ -120,12 +120,13 @@ def _heading(job: Job, found: Sequence[Finding]) -> list[str]:
     settings = f"; settings from {job.settings}" if job.settings else ""
     return [
         f"{printable(job.name)}: {channels} of {machines}, {samples:,} samples{settings}",
-        _columns(job.guess),
-        _method(job.parameters, job.calibration),
+        columns_line(job.guess),
+        method_line(job.parameters, job.calibration),
     ]
 
 
-def _columns(guess: Guess) -> str:
+def columns_line(guess: Guess) -> str:
+    """Return which columns were taken for what."""
     source = guess.source
     named = {"asset": source.asset, "time": source.time}
     if isinstance(source, Source):
@@ -150,7 +151,8 @@ def _columns(guess: Guess) -> str:
     return line
 
 
-def _method(parameters: Parameters, calibration: Calibration) -> str:
+def method_line(parameters: Parameters, calibration: Calibration) -> str:
+    """Return the parameters and the calibration in one line."""
     said = [
         f"{name}={getattr(parameters, name)}"
         for name in ("m", "tau", "bins", "window", "stride", "max_gap", "target_floor")
@@ -175,7 +177,7 @@ def _table(out: Console, found: Sequence[Finding]) -> list[Text]:
     blocks = BLOCKS if _can_show(out, BLOCKS) else PLAIN_BLOCKS
     one_asset = len({one.asset for one in found}) == 1
     names = [_name(one, one_asset) for one in found]
-    times = [_time(one.time) for one in found]
+    times = [time_text(one.time) for one in found]
     verdict = max([7, *(len(one.verdict) for one in found)])
     time_width = max([4, *map(len, times)])
     free = out.width - (2 + 2 + verdict + 2 + 5 + 2 + 5 + 2 + 2 + time_width)
@@ -284,7 +286,8 @@ def _name(one: Finding, one_asset: bool) -> str:
     return printable(one.channel if one_asset else f"{one.asset} {one.channel}")
 
 
-def _time(time: Any) -> str:
+def time_text(time: Any) -> str:
+    """Return an instant of the source, to the minute."""
     if time is None:
         return "-"
     return f"{time:%Y-%m-%d %H:%M}" if isinstance(time, dt.datetime) else f"{time:,}"
