@@ -12,12 +12,18 @@ from gam_db.method import Method
 from gam_db.method.adding import add, add_of_set
 from gam_db.method.certificate import add_certificate
 from gam_db.parameters import LARGEST_KEY, Override, Parameters
-from gam_db.pipeline import Pipeline, union_of
+from gam_db.pipeline import Pipeline, filled
 from gam_db.selection.search import Search
+
+_OWN = 1
+"""The set whose certificate is this one; number 0 is that of the study."""
 
 
 def add_budget(steps: Pipeline, method: Method, search: Search) -> None:
     """Add the certificate of every dimension, and the dimension and grid that go together.
+
+    The cell of a vector of m coordinates has zeros for the others, so that one certificate, made for
+    the largest m, serves all of them.
 
     Args:
         steps: with the embedding and the choice of m.
@@ -25,35 +31,29 @@ def add_budget(steps: Pipeline, method: Method, search: Search) -> None:
         search: the options.
     """
     general = method.settings[0]
-    many = _of_every_dimension(general, search.m_max)
-    sets = dataclasses.replace(method, parameters=many)
-    steps.small |= sets.small()
-    numbers = {setting.m: number for number, setting in enumerate(sets.settings)}
-    parts = []
-    for m in sorted(m for m in numbers if m <= search.m_max):
-        number, setting = numbers[m], sets.settings[numbers[m]]
-        key = template.added(
-            [
-                template.fill(
-                    "selection/bin_term",
-                    {
-                        "coordinate": exp.column(f"u_{k}"),
-                        "bins": setting.bins,
-                        "weight": setting.radix**k,
-                    },
-                )
-                for k in range(m)
-            ]
-        )
-        slots: dict[str, template.Slot] = {"m": m, "cell_key": key}
-        add_of_set(steps, sets, number, "selection/teachable", slots, "learnable")
-        add_certificate(steps, sets, number)
-        slots = {"m": m, "bins": setting.bins, "window": setting.window}
-        add_of_set(steps, sets, number, "selection/budget", slots)
-        parts.append(sets.named("budget", number))
-    steps.add("budget", union_of(steps, parts), template.load("selection/budget").comment)
-    add(steps, "selection/joint", {"m": min(general.m, max(numbers))})
-    steps.small |= {*parts, "budget", "joint"}
+    fitting = [m for m in range(1, search.m_max + 1) if general.radix**m <= LARGEST_KEY]
+    sets = dataclasses.replace(method, parameters=_beside(general, fitting[-1]))
+    steps.small |= sets.small() | {"learners", "budget", "joint"}
+    learners = [filled("selection/learners", {"m": m}) for m in fitting]
+    taught = [
+        filled("selection/teachable", {"m": m, "cell_key": _cell_key(general, m)}) for m in fitting
+    ]
+    for name, path, rows in (
+        ("learners", "selection/learners", learners),
+        (sets.named("learnable", _OWN), "selection/teachable", taught),
+    ):
+        query = rows[0] if len(rows) == 1 else exp.union(*rows, distinct=False)
+        steps.add(name, query, template.load(path).comment)
+    steps.add(
+        sets.named("bounds", _OWN),
+        exp.select("channel_id", "support_id").from_(exp.to_table("learners")),
+        "Bounds, as far as the certificate needs them: which support a learner fills.",
+    )
+    add_certificate(steps, sets, _OWN)
+    slots: dict[str, template.Slot] = {"bins": general.bins, "window": general.window}
+    own = ("spread", "cells", "finest", "ladder", "outlook")
+    add(steps, "selection/budget", slots, tables={name: sets.named(name, _OWN) for name in own})
+    add(steps, "selection/joint", {"m": min(general.m, fitting[-1])})
 
 
 def add_results(steps: Pipeline, method: Method) -> None:
@@ -64,14 +64,22 @@ def add_results(steps: Pipeline, method: Method) -> None:
         add(steps, f"selection/{name}")
 
 
-def _of_every_dimension(general: Parameters, m_max: int) -> Parameters:
-    """Return parameters with a set for each m whose cells have keys of 64 bits.
+def _beside(general: Parameters, m: int) -> Parameters:
+    """Return parameters of two sets, the general one and one of dimension m with a name of its own."""
+    return dataclasses.replace(general, overrides=[Override(m=m, tau=general.tau + 1)])
 
-    The certificate's steps are made by set; its channels are not those of the overrides here, which
-    name no channel: each set holds all of them.
-    """
-    fitting = [m for m in range(1, m_max + 1) if general.radix**m <= LARGEST_KEY]
-    # One set more than is looked at: with a single one its steps would be called like the study's.
-    beyond = dataclasses.replace(general, m=fitting[0], tau=general.tau + 1)
-    overrides = [Override(asset="", m=m, tau=general.tau) for m in fitting]
-    return dataclasses.replace(beyond, overrides=overrides)
+
+def _cell_key(setting: Parameters, m: int) -> exp.Expr:
+    return template.added(
+        [
+            template.fill(
+                "selection/bin_term",
+                {
+                    "coordinate": exp.column(f"u_{k}"),
+                    "bins": setting.bins,
+                    "weight": setting.radix**k,
+                },
+            )
+            for k in range(m)
+        ]
+    )

@@ -20,8 +20,10 @@ from gam_db.selection.search import Search
 
 _BOXED = 3
 """Coordinates with boxes at most: each triples the boxes beside one."""
-_CROWD = 50
-"""Vectors that the boxes of the first round are to hold together, were they spread evenly."""
+_CROWD = 1
+"""Vectors that the boxes of the first round would hold together, were they spread evenly. They crowd."""
+ONE_BOX = 500
+"""With so few samples at most, one round over all of them is cheaper than several."""
 _FINEST = 20
 """Halvings of the range at most, so that the number of a box fits in 64 bits."""
 _EVERYWHERE = 1e9
@@ -172,7 +174,9 @@ def _add_shifts(steps: Pipeline, name: str, weights: list[int]) -> None:
 
 def _sizes(usable: int, coordinates: int) -> list[int]:
     """Return how often the range is halved into boxes, round by round, ending with no halving."""
-    along = 3 * (max(usable, 1) / _CROWD) ** (1 / coordinates)
+    if usable <= ONE_BOX:
+        return [0]
+    along = 3 * (usable / _CROWD) ** (1 / coordinates)
     first = min(_FINEST, max(0, math.floor(math.log2(along))))
     # With fewer coordinates a step of one halving makes the boxes grow more slowly.
     return sorted({*range(first, 0, -(_BOXED + 1 - coordinates)), 0}, reverse=True)

@@ -98,7 +98,6 @@ def selected(study: Study, search: Search) -> Selection:
     add_delays(
         steps,
         search,
-        longest_lag=max((one["longest_lag"] for one in extents), default=0),
         samples=max((one["samples"] for one in extents), default=0),
     )
     add_embedding(steps, search)

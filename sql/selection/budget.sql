@@ -1,14 +1,13 @@
--- Budget: what the certificate says of one m: the floor on the grid asked for, and the finest grid that
--- the calibration there is can fill (method, section 5). Repeated by Python, once per m.
--- Reads:  spread, cells, finest, ladder, outlook
--- A row:  one channel that has vectors of that length. vectors_needed is in whole windows, as in
---         support_summary.
--- Slots:  :m       embedding dimension
---         :bins    B, the finest grid looked at
+-- Budget: what the certificate says of each m: the floor on the grid asked for, and the finest grid that
+-- the calibration there is can fill (method, section 5).
+-- Reads:  learners, spread, cells, finest, ladder, outlook
+-- A row:  one dimension of one channel that has vectors of that length. vectors_needed is in whole
+--         windows, as in support_summary.
+-- Slots:  :bins    B, the finest grid looked at
 --         :window  W
 SELECT
-  whole.support_id AS channel_id,
-  CAST(:m AS INTEGER) AS m,
+  learner.taught_id AS channel_id,
+  learner.m AS m,
   whole.vectors AS vectors,
   held.cells AS cells,
   whole.floor AS floor,
@@ -30,7 +29,8 @@ SELECT
         )
     END AS BIGINT
   ) AS vectors_needed
-FROM spread AS whole
+FROM learners AS learner
+JOIN spread AS whole ON whole.support_id = learner.support_id
 JOIN (
   SELECT support_id, CAST(COUNT(*) AS BIGINT) AS cells
   FROM cells

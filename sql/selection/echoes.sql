@@ -1,13 +1,11 @@
--- Echoes: what the autocorrelation at one lag is made of, in exact integers: levels about the middle of
--- their range, multiplied and summed. Repeated by Python, once per lag, and stacked.
--- Reads:  lagged
--- A row:  one channel that has a pair at that lag.
--- Slots:  :scale  samples that one row of lagged stands for
---         :lag    in rows of lagged
---         :level  the column with the level that lag ago
+-- Echoes: what the autocorrelation at each lag is made of, in exact integers: levels about the middle of
+-- their range, multiplied and summed. Repeated by Python, once per scale.
+-- Reads:  selected, lags
+-- A row:  one lag of one channel that has a pair.
+-- Slots:  :scale  samples that one row stands for
 SELECT
   channel_id,
-  scale,
+  CAST(:scale AS BIGINT) AS scale,
   lag,
   CAST(COUNT(*) AS BIGINT) AS n_pairs,
   CAST(SUM(now_level) AS BIGINT) AS now_sum,
@@ -17,12 +15,28 @@ SELECT
   CAST(SUM(now_level * then_level) AS BIGINT) AS products
 FROM (
   SELECT
-    channel_id,
-    CAST(:scale AS BIGINT) AS scale,
-    CAST(:lag AS INTEGER) AS lag,
-    CAST(level_0 AS BIGINT) - 8192 AS now_level,
-    CAST(:level AS BIGINT) - 8192 AS then_level
-  FROM lagged
-  WHERE level_0 > 0 AND :level > 0
-) AS centred
-GROUP BY channel_id, scale, lag
+    earlier.channel_id AS channel_id,
+    earlier.lag AS lag,
+    earlier.centred_level AS then_level,
+    later.centred_level AS now_level
+  FROM (
+    SELECT
+      taken.channel_id AS channel_id,
+      taken.run_no AS run_no,
+      CAST(taken.level AS BIGINT) - 8192 AS centred_level,
+      back.lag AS lag,
+      taken.place + back.lag AS place_later
+    FROM selected AS taken
+    JOIN lags AS back ON back.channel_id = taken.channel_id
+    WHERE taken.level > 0
+  ) AS earlier
+  JOIN (
+    SELECT channel_id, run_no, place, CAST(level AS BIGINT) - 8192 AS centred_level
+    FROM selected
+    WHERE level > 0
+  ) AS later
+    ON later.channel_id = earlier.channel_id
+    AND later.run_no = earlier.run_no
+    AND later.place = earlier.place_later
+) AS paired
+GROUP BY channel_id, lag
