@@ -5,6 +5,7 @@ from gam_db.errors import GamError, UserError
 from gam_db.health import certificate, health_at_buckets, health_indicator, support
 from gam_db.parameters import Override, Parameters
 from gam_db.script import render
+from gam_db.selection import Selection, select
 from gam_db.source import Source, WideSource
 
 __version__ = "0.1.0"
@@ -14,6 +15,7 @@ __all__ = [
     "GamError",
     "Override",
     "Parameters",
+    "Selection",
     "Source",
     "UserError",
     "WideSource",
@@ -21,5 +23,6 @@ __all__ = [
     "health_at_buckets",
     "health_indicator",
     "render",
+    "select",
     "support",
 ]

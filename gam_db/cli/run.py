@@ -131,7 +131,7 @@ def run(
         score_from=score_from,
         pool=pool,
     )
-    relation = _relation(settings)
+    relation = relation_of(settings)
     results = [] if no_out else _results(relation, settings.source.database, out, every)
     with interruptible(), Session(settings.source.database, threads) as session:
         with Progress(session, quiet) as progress:
@@ -194,7 +194,12 @@ class _Result:
         return f"{self.path} (table {self.table})" if _is_database(self.path) else str(self.path)
 
 
-def _relation(settings: Settings) -> str:
+def relation_of(settings: Settings) -> str:
+    """Return what to read.
+
+    Raises:
+        ConfigurationError: nothing is named, or a table without its database.
+    """
     relation, database = settings.source.relation, settings.source.database
     if relation is None:
         raise ConfigurationError(

@@ -5,6 +5,6 @@ mathematics is in ``sql/selection``; here its steps are put in order and run.
 """
 
 from gam_db.selection.search import TAU_RULES, Search
-from gam_db.selection.select import Selection, select, selected
+from gam_db.selection.select import Selection, alone, select, selected
 
-__all__ = ["TAU_RULES", "Search", "Selection", "select", "selected"]
+__all__ = ["TAU_RULES", "Search", "Selection", "alone", "select", "selected"]

@@ -9,7 +9,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.method import Method
-from gam_db.method.adding import add, add_of_set
+from gam_db.method.adding import add
 from gam_db.method.certificate import add_certificate
 from gam_db.parameters import LARGEST_KEY, Override, Parameters
 from gam_db.pipeline import Pipeline, filled

@@ -2,14 +2,15 @@
 
 Exact neighbours are found box-assisted: the range is cut into boxes along at most three coordinates; a
 neighbour nearer than the side of a box must lie in the box of its vector or beside it. Vectors without
-one go on to larger boxes, and in the last round a box holds everything. The rounds are steps; those in
-which nobody seeks any more cost next to nothing.
+one go on to larger boxes, and in the last round a box holds everything. Each round is a step, added
+only as long as somebody says that vectors wait for it.
 
 This module makes trees; it runs nothing.
 """
 
 import itertools
 import math
+from collections.abc import Callable
 
 from sqlglot import exp
 
@@ -40,19 +41,28 @@ def add_embedding(steps: Pipeline, search: Search) -> None:
         carried = [exp.column(f"u_{j}") for j in range(k)]
         held = [exp.alias_(exp.column(f"u_{j}", table="held"), f"u_{j}") for j in range(k)]
         new = exp.alias_(template.fill("selection/ahead"), f"u_{k}")
-        slots = {"coordinates": carried, "carried": held, "ahead": [new], "k": k}
+        slots: dict[str, template.Slot] = {
+            "coordinates": carried,
+            "carried": held,
+            "ahead": [new],
+            "k": k,
+        }
         add(steps, "selection/unfolded", slots, name, {"origins": previous, "points": "origins"})
         previous = name
     steps.small |= {"embedded"}
 
 
-def add_dimensions(steps: Pipeline, search: Search, usable: int) -> None:
+def add_dimensions(
+    steps: Pipeline, search: Search, usable: int, is_waited_for: Callable[[str], bool]
+) -> None:
     """Add false nearest neighbours and Cao's quantities for every dimension, and the choice of m.
 
     Args:
         steps: with the embedding.
         search: the options.
         usable: samples of the longest channel; the first boxes are made for as many.
+        is_waited_for: asked after each round with the name of a step that counts who waits for the
+            next; it may run the step, or say yes for all rounds there can be.
     """
     fates, growths = [], []
     for d in range(1, search.m_max + 2):
@@ -60,7 +70,7 @@ def add_dimensions(steps: Pipeline, search: Search, usable: int) -> None:
         for metric in ("square", "largest"):
             if metric == "square" and d > search.m_max:
                 continue  # E1 of the last dimension needs E of the next, and no more
-            found = _add_search(steps, d, metric, usable)
+            found = _add_search(steps, d, metric, usable, is_waited_for)
             followed = f"followed_{metric}_{d}"
             nexts = {
                 "next_coordinate": exp.column(f"u_{d}", table="probe"),
@@ -99,7 +109,9 @@ def _add_probes(steps: Pipeline, search: Search, d: int) -> None:
     steps.small |= {f"patterns_{d}", f"probes_{d}"}
 
 
-def _add_search(steps: Pipeline, d: int, metric: str, usable: int) -> str:
+def _add_search(
+    steps: Pipeline, d: int, metric: str, usable: int, is_waited_for: Callable[[str], bool]
+) -> str:
     """Add the rounds of one search and return the step with all neighbours found."""
     mark = f"{metric}_{d}"
     boxed = sorted({0, (d - 1) // 2, d - 1})
@@ -155,6 +167,10 @@ def _add_search(steps: Pipeline, d: int, metric: str, usable: int) -> str:
         )
         nearest.append(f"nearest_{size}")
         steps.small |= {waiting, f"nearest_{size}"}
+        if halvings:
+            add(steps, "selection/waiting", name=f"waiting_{size}", tables={"rounds": waiting})
+            if not is_waited_for(f"waiting_{size}"):
+                break
     steps.add(f"found_{mark}", union_of(steps, nearest), template.load("selection/nearest").comment)
     return f"found_{mark}"
 
@@ -183,7 +199,10 @@ def _sizes(usable: int, coordinates: int) -> list[int]:
 
 
 def _away(j: int) -> exp.Expr:
-    sides = {"here": exp.column(f"u_{j}", table="seeking"), "there": exp.column(f"u_{j}", table="pattern")}
+    sides = {
+        "here": exp.column(f"u_{j}", table="seeking"),
+        "there": exp.column(f"u_{j}", table="pattern"),
+    }
     return exp.alias_(template.fill("selection/away", sides), f"away_{j}")
 
 

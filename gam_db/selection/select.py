@@ -22,13 +22,14 @@ class Selection:
     """What was found for each channel (method, section 8). Tables are Arrow, ordered by channel.
 
     Attributes:
-        choices: one row per channel: asset, channel, samples and usable (of calibration); tau, in samples, with
-            tau_rule (given, first_minimum, acf_1e, acf_zero, none) and the lags ami_minimum, acf_1e,
-            acf_zero of each rule; m_fnn with fnn_status (fnn, noise_floor, none), m_cao with
-            cao_status (saturated, no_saturation, stochastic, none); cycle_length in samples with
-            window_status (enough, short, no_cycle) and recommended_window in vectors; together for
-            this calibration recommended_m and recommended_bins with the certificate's verdict at the
-            bins asked for, its floor, recommended_floor at the recommended bins, vectors_needed.
+        choices: one row per channel: asset, channel, samples and usable (of calibration); tau, in
+            samples, with tau_rule (given, first_minimum, acf_1e, acf_zero, none) and the lags
+            ami_minimum, acf_1e, acf_zero of each rule; m_fnn with fnn_status (fnn, noise_floor,
+            none), m_cao with cao_status (saturated, no_saturation, stochastic, none); cycle_length
+            in samples with window_status (enough, short, no_cycle) and recommended_window in
+            vectors; together for this calibration recommended_m and recommended_bins, with the
+            certificate's verdict and floor at the bins asked for, recommended_floor at the
+            recommended ones, and vectors_needed for those asked for.
         lags: one row per lag from 0: n_pairs, occupied (pairs of bins), ami and ami_corrected in
             nats, acf, informative (1 if the information is more than chance).
         dimensions: one row per embedding dimension m: reference_vectors, neighbours, skipped (found
@@ -101,7 +102,7 @@ def selected(study: Study, search: Search) -> Selection:
         samples=max((one["samples"] for one in extents), default=0),
     )
     add_embedding(steps, search)
-    add_dimensions(steps, search, usable)
+    add_dimensions(steps, search, usable, lambda step: bool(study.table(step)["vectors"][0].as_py()))
     add_budget(steps, study.method, search)
     add_results(steps, study.method)
     return Selection(
