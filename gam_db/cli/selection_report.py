@@ -123,7 +123,7 @@ def _lines(
     if len(lags) > 1:
         curve = sparkline(_scaled([row["ami"] for row in lags[1:]]), _CURVE, blocks)
         highest = max(row["ami"] for row in lags[1:])
-        lines.append(f"       AMI  {curve} lags 1 to {lags[-1]['lag']}, up to {highest:.2f} nats")
+        lines.append(f"       AMI  {curve} lags 1 to {lags[-1]['delay']}, up to {highest:.2f} nats")
         curve = sparkline(_scaled([row["acf"] for row in lags[1:]]), _CURVE, blocks)
         lines.append(f"       acf  {curve}")
     lines.append(f"m      {_dimension(one)}")

@@ -34,7 +34,7 @@ def add_budget(steps: Pipeline, method: Method, search: Search) -> None:
     fitting = [m for m in range(1, search.m_max + 1) if general.radix**m <= LARGEST_KEY]
     sets = dataclasses.replace(method, parameters=_beside(general, fitting[-1]))
     steps.small |= sets.small() | {"learners", "budget", "joint"}
-    learners = [filled("selection/learners", {"m": m}) for m in fitting]
+    learners = [filled("selection/learners", {"m": m, "window": general.window}) for m in fitting]
     taught = [
         filled("selection/teachable", {"m": m, "cell_key": _cell_key(general, m)}) for m in fitting
     ]
@@ -50,9 +50,13 @@ def add_budget(steps: Pipeline, method: Method, search: Search) -> None:
         "Bounds, as far as the certificate needs them: which support a learner fills.",
     )
     add_certificate(steps, sets, _OWN)
-    slots: dict[str, template.Slot] = {"bins": general.bins, "window": general.window}
     own = ("spread", "cells", "finest", "ladder", "outlook")
-    add(steps, "selection/budget", slots, tables={name: sets.named(name, _OWN) for name in own})
+    add(
+        steps,
+        "selection/budget",
+        {"bins": general.bins},
+        tables={name: sets.named(name, _OWN) for name in own},
+    )
     add(steps, "selection/joint", {"m": min(general.m, fitting[-1])})
 
 

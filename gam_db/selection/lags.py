@@ -39,7 +39,9 @@ def add_delays(steps: Pipeline, search: Search, samples: int) -> None:
             add(steps, "selection/coarser", name=coarser, tables={"selected": finer})
             finer = coarser
         name = f"echoes_{scale}"
-        add(steps, "selection/echoes", {"scale": scale}, name, {"selected": finer})
+        least = scale * _LEAST_ROWS if scale > 1 else 1
+        slots: dict[str, template.Slot] = {"scale": scale, "least": least}
+        add(steps, "selection/echoes", slots, name, {"selected": finer})
         steps.small |= {finer, name}
         echoes.append(name)
         scale *= 2

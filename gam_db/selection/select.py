@@ -30,11 +30,12 @@ class Selection:
             vectors; together for this calibration recommended_m and recommended_bins, with the
             certificate's verdict and floor at the bins asked for, recommended_floor at the
             recommended ones, and vectors_needed for those asked for.
-        lags: one row per lag from 0: n_pairs, occupied (pairs of bins), ami and ami_corrected in
+        lags: one row per delay from 0: n_pairs, occupied (pairs of bins), ami and ami_corrected in
             nats, acf, informative (1 if the information is more than chance).
         dimensions: one row per embedding dimension m: reference_vectors, neighbours, skipped (found
             beyond others at distance zero), false_neighbours, false_share, Cao's e1 and e2.
-        cycles: one row per lag of each scale of the autocorrelation: scale and lag in samples.
+        cycles: one row per delay of each scale of the autocorrelation: scale and delay in
+            samples, n_pairs, acf.
         budget: one row per embedding dimension m: vectors, cells, floor, verdict, finest_bins (the
             finest grid that passes) with finest_floor, vectors_needed.
     """

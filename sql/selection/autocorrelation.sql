@@ -4,7 +4,7 @@
 SELECT
   channel_id,
   scale,
-  lag,
+  delay,
   n_pairs,
   (CAST(n_pairs AS DOUBLE) * CAST(products AS DOUBLE)
     - CAST(now_sum AS DOUBLE) * CAST(then_sum AS DOUBLE))

@@ -3,12 +3,8 @@
 -- Slots:  :coordinate
 --         :bins
 --         :weight  R^k, with R = bins + 3
-(
-  2 + CAST(
-    CASE
-      WHEN FLOOR(:coordinate * CAST(:bins AS DOUBLE)) >= CAST(:bins AS DOUBLE)
-        THEN CAST(:bins AS DOUBLE) - CAST(1 AS DOUBLE)
-      ELSE FLOOR(:coordinate * CAST(:bins AS DOUBLE))
-    END AS BIGINT
-  )
-) * CAST(:weight AS BIGINT)
+CASE
+  WHEN FLOOR(:coordinate * CAST(:bins AS DOUBLE)) >= CAST(:bins AS DOUBLE)
+    THEN CAST(:bins + 1 AS BIGINT)
+  ELSE 2 + CAST(FLOOR(:coordinate * CAST(:bins AS DOUBLE)) AS BIGINT)
+END * CAST(:weight AS BIGINT)

@@ -3,8 +3,7 @@
 -- Reads:  learners, spread, cells, finest, ladder, outlook
 -- A row:  one dimension of one channel that has vectors of that length. vectors_needed is in whole
 --         windows, as in support_summary.
--- Slots:  :bins    B, the finest grid looked at
---         :window  W
+-- Slots:  :bins  B, the finest grid looked at
 SELECT
   learner.taught_id AS channel_id,
   learner.m AS m,
@@ -22,9 +21,9 @@ SELECT
     CASE
       WHEN grid.hit = 1 AND grid.finest_bins = :bins THEN 0
       WHEN further.hit = 1
-        THEN 0 - CAST(:window AS BIGINT) * FLOOR(
+        THEN 0 - learner.window_length * FLOOR(
           (CAST(whole.vectors AS DOUBLE) - further.needed_total)
-          / CAST(:window AS DOUBLE)
+          / CAST(learner.window_length AS DOUBLE)
           + CAST(1 AS DOUBLE) / CAST(1048576 AS DOUBLE)
         )
     END AS BIGINT

@@ -6,13 +6,13 @@
 SELECT
   named.asset AS asset,
   named.channel AS channel,
-  CAST(CASE WHEN delay.hit = 1 THEN delay.samples ELSE 0 END AS BIGINT) AS samples,
-  CAST(CASE WHEN delay.hit = 1 THEN delay.usable ELSE 0 END AS BIGINT) AS usable,
-  CASE WHEN delay.hit = 1 THEN delay.tau END AS tau,
-  CASE WHEN delay.hit = 1 THEN delay.tau_rule ELSE 'none' END AS tau_rule,
-  CASE WHEN delay.hit = 1 THEN delay.ami_minimum END AS ami_minimum,
-  CASE WHEN delay.hit = 1 THEN delay.acf_1e END AS acf_1e,
-  CASE WHEN delay.hit = 1 THEN delay.acf_zero END AS acf_zero,
+  CAST(CASE WHEN given.hit = 1 THEN given.samples ELSE 0 END AS BIGINT) AS samples,
+  CAST(CASE WHEN given.hit = 1 THEN given.usable ELSE 0 END AS BIGINT) AS usable,
+  CASE WHEN given.hit = 1 THEN given.tau END AS tau,
+  CASE WHEN given.hit = 1 THEN given.tau_rule ELSE 'none' END AS tau_rule,
+  CASE WHEN given.hit = 1 THEN given.ami_minimum END AS ami_minimum,
+  CASE WHEN given.hit = 1 THEN given.acf_1e END AS acf_1e,
+  CASE WHEN given.hit = 1 THEN given.acf_zero END AS acf_zero,
   CASE WHEN unfolds.hit = 1 THEN unfolds.m_fnn END AS m_fnn,
   CASE WHEN unfolds.hit = 1 THEN unfolds.fnn_status ELSE 'none' END AS fnn_status,
   CASE WHEN unfolds.hit = 1 THEN unfolds.m_cao END AS m_cao,
@@ -29,11 +29,13 @@ SELECT
   CAST(
     CASE
       WHEN turning.hit = 1 AND 5 * turning.cycle_length > CAST(:window AS BIGINT)
-        THEN 100 * FLOOR(
-          (CAST(5 * turning.cycle_length + 99 AS DOUBLE) + CAST(5e-1 AS DOUBLE))
-          / CAST(100 AS DOUBLE)
+        THEN 100 * CAST(
+          FLOOR(
+            (CAST(5 * turning.cycle_length + 99 AS DOUBLE) + CAST(5e-1 AS DOUBLE))
+            / CAST(100 AS DOUBLE)
+          ) AS BIGINT
         )
-      ELSE CAST(:window AS DOUBLE)
+      ELSE CAST(:window AS BIGINT)
     END AS BIGINT
   ) AS recommended_window,
   CASE WHEN chosen.hit = 1 THEN chosen.m END AS recommended_m,
@@ -66,7 +68,7 @@ LEFT JOIN (
     acf_zero,
     1 AS hit
   FROM delays
-) AS delay ON delay.channel_id = named.channel_id
+) AS given ON given.channel_id = named.channel_id
 LEFT JOIN (
   SELECT channel_id, cycle_length, 1 AS hit
   FROM cycles

@@ -6,7 +6,7 @@
 --         I - (K_xy - K_x - K_y + 1) / (2 n_pairs).
 SELECT
   channel_id,
-  lag,
+  delay,
   n_pairs,
   occupied,
   ami,
@@ -22,7 +22,7 @@ SELECT
 FROM (
   SELECT
     shared.channel_id AS channel_id,
-    shared.lag AS lag,
+    shared.delay AS delay,
     shared.n_pairs AS n_pairs,
     shared.occupied AS occupied,
     shared.now_bins AS now_bins,
@@ -33,6 +33,6 @@ FROM (
   FROM information AS shared
   JOIN extents AS extent ON extent.channel_id = shared.channel_id
   JOIN autocorrelation AS echo
-    ON echo.channel_id = shared.channel_id AND echo.lag = shared.lag
-  WHERE echo.scale = 1 AND shared.lag <= extent.longest_lag
+    ON echo.channel_id = shared.channel_id AND echo.delay = shared.delay
+  WHERE echo.scale = 1 AND shared.delay <= extent.longest_lag
 ) AS joined

@@ -6,9 +6,9 @@ SELECT
   named.asset AS asset,
   named.channel AS channel,
   CAST(point.scale AS BIGINT) AS scale,
-  CAST(point.lag AS BIGINT) * point.scale AS lag,
+  CAST(point.delay AS BIGINT) * point.scale AS delay,
   CAST(point.n_pairs AS BIGINT) AS n_pairs,
   point.acf AS acf
 FROM autocorrelation AS point
 JOIN channels AS named ON named.channel_id = point.channel_id
-ORDER BY named.asset, named.channel, point.scale, point.lag
+ORDER BY named.asset, named.channel, point.scale, point.delay

@@ -2,12 +2,12 @@
 -- of nine tenths of that height. Coarser scales are smoother, and would prefer multiples.
 -- Reads:  peaks
 -- A row:  one channel that has such a peak; cycle_length in samples, to within half of a scale.
-SELECT channel_id, MIN(lag) * MIN(scale) AS cycle_length, MAX(highest) AS likeness
+SELECT channel_id, MIN(delay * scale) AS cycle_length, MAX(highest) AS likeness
 FROM (
   SELECT
     channel_id,
     scale,
-    CAST(lag AS BIGINT) AS lag,
+    delay,
     acf,
     highest,
     CAST(
@@ -17,7 +17,7 @@ FROM (
     SELECT
       channel_id,
       scale,
-      lag,
+      delay,
       acf,
       MAX(acf) OVER (PARTITION BY channel_id, scale) AS highest
     FROM peaks

@@ -71,11 +71,11 @@ FROM (
           channel_id,
           MIN(
             CASE
-              WHEN lag > 0 AND acf < CAST(3.678794411714423e-1 AS DOUBLE) THEN lag
+              WHEN delay > 0 AND acf < CAST(3.678794411714423e-1 AS DOUBLE) THEN delay
             END
           ) AS acf_1e,
-          MIN(CASE WHEN lag > 0 AND acf <= CAST(0 AS DOUBLE) THEN lag END) AS acf_zero,
-          MAX(CASE WHEN lag = 1 THEN falling.informative ELSE 0 END) AS informative,
+          MIN(CASE WHEN delay > 0 AND acf <= CAST(0 AS DOUBLE) THEN delay END) AS acf_zero,
+          MAX(CASE WHEN delay = 1 THEN falling.informative ELSE 0 END) AS informative,
           1 AS hit
         FROM curve AS falling
         GROUP BY channel_id

@@ -7,8 +7,8 @@
 --         those of each side.
 SELECT
   channel_id,
-  lag,
-  MIN(marginal.n_pairs) AS n_pairs,
+  delay,
+  MIN(all_pairs) AS n_pairs,
   CAST(COUNT(*) AS BIGINT) AS occupied,
   CAST(SUM(CASE WHEN opens_now = 1 THEN 1 ELSE 0 END) AS BIGINT) AS now_bins,
   CAST(SUM(CASE WHEN opens_then = 1 THEN 1 ELSE 0 END) AS BIGINT) AS then_bins,
@@ -17,7 +17,7 @@ SELECT
       CAST(
         FLOOR(
           CAST(pairs AS DOUBLE) * LN(
-            CAST(pairs AS DOUBLE) * CAST(n_pairs AS DOUBLE)
+            CAST(pairs AS DOUBLE) * CAST(all_pairs AS DOUBLE)
             / (CAST(pairs_now AS DOUBLE) * CAST(pairs_then AS DOUBLE))
           ) * CAST(16777216 AS DOUBLE) + CAST(5e-1 AS DOUBLE)
         ) AS BIGINT
@@ -27,17 +27,17 @@ SELECT
 FROM (
   SELECT
     channel_id,
-    lag,
+    delay,
     pairs,
-    CAST(SUM(pairs) OVER (PARTITION BY channel_id, lag) AS BIGINT) AS n_pairs,
-    CAST(SUM(pairs) OVER (PARTITION BY channel_id, lag, bin_now) AS BIGINT) AS pairs_now,
-    CAST(SUM(pairs) OVER (PARTITION BY channel_id, lag, bin_then) AS BIGINT) AS pairs_then,
+    CAST(SUM(pairs) OVER (PARTITION BY channel_id, delay) AS BIGINT) AS all_pairs,
+    CAST(SUM(pairs) OVER (PARTITION BY channel_id, delay, bin_now) AS BIGINT) AS pairs_now,
+    CAST(SUM(pairs) OVER (PARTITION BY channel_id, delay, bin_then) AS BIGINT) AS pairs_then,
     CAST(
-      ROW_NUMBER() OVER (PARTITION BY channel_id, lag, bin_now ORDER BY bin_then) AS BIGINT
+      ROW_NUMBER() OVER (PARTITION BY channel_id, delay, bin_now ORDER BY bin_then) AS BIGINT
     ) AS opens_now,
     CAST(
-      ROW_NUMBER() OVER (PARTITION BY channel_id, lag, bin_then ORDER BY bin_now) AS BIGINT
+      ROW_NUMBER() OVER (PARTITION BY channel_id, delay, bin_then ORDER BY bin_now) AS BIGINT
     ) AS opens_then
   FROM pairs
 ) AS marginal
-GROUP BY channel_id, lag
+GROUP BY channel_id, delay

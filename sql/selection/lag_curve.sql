@@ -4,7 +4,7 @@
 SELECT
   named.asset AS asset,
   named.channel AS channel,
-  CAST(point.lag AS BIGINT) AS lag,
+  CAST(point.delay AS BIGINT) AS delay,
   CAST(point.n_pairs AS BIGINT) AS n_pairs,
   CAST(point.occupied AS BIGINT) AS occupied,
   point.ami AS ami,
@@ -13,4 +13,4 @@ SELECT
   point.informative AS informative
 FROM curve AS point
 JOIN channels AS named ON named.channel_id = point.channel_id
-ORDER BY named.asset, named.channel, point.lag
+ORDER BY named.asset, named.channel, point.delay

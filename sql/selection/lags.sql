@@ -3,7 +3,7 @@
 -- Reads:  selected, extents
 -- A row:  one lag of one channel, from 0; every lag is the place of some sample, less one.
 -- Slots:  :least  lags of a scale
-SELECT taken.channel_id AS channel_id, taken.place - 1 AS lag
+SELECT taken.channel_id AS channel_id, taken.place - 1 AS delay
 FROM selected AS taken
 JOIN extents AS extent ON extent.channel_id = taken.channel_id
 WHERE taken.place - 1 <= extent.longest_lag OR taken.place - 1 <= :least

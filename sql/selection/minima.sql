@@ -3,20 +3,20 @@
 -- ripples of noise.
 -- Reads:  curve
 -- A row:  one minimum of one channel.
-SELECT channel_id, lag - 1 AS tau
+SELECT channel_id, delay - 1 AS tau
 FROM (
   SELECT
     channel_id,
-    lag,
+    delay,
     ami,
-    CAST(ROW_NUMBER() OVER (PARTITION BY channel_id ORDER BY lag) AS BIGINT) AS place,
-    LAG(ami, 1) OVER (PARTITION BY channel_id ORDER BY lag) AS ami_at,
-    LAG(ami, 2) OVER (PARTITION BY channel_id ORDER BY lag) AS ami_before,
-    LAG(informative, 1) OVER (PARTITION BY channel_id ORDER BY lag) AS informative_at,
-    LAG(informative, 2) OVER (PARTITION BY channel_id ORDER BY lag) AS informative_before
+    CAST(ROW_NUMBER() OVER (PARTITION BY channel_id ORDER BY delay) AS BIGINT) AS place,
+    LAG(ami, 1) OVER (PARTITION BY channel_id ORDER BY delay) AS ami_at,
+    LAG(ami, 2) OVER (PARTITION BY channel_id ORDER BY delay) AS ami_before,
+    LAG(informative, 1) OVER (PARTITION BY channel_id ORDER BY delay) AS informative_at,
+    LAG(informative, 2) OVER (PARTITION BY channel_id ORDER BY delay) AS informative_before
   FROM curve
 ) AS lagging
 WHERE place > 2
   AND ami_before > ami_at
   AND ami_at <= ami
-  AND CASE WHEN lag = 2 THEN informative_at ELSE informative_before END = 1
+  AND CASE WHEN delay = 2 THEN informative_at ELSE informative_before END = 1

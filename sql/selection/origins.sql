@@ -5,10 +5,10 @@ SELECT
   taken.channel_id AS channel_id,
   taken.run_no AS run_no,
   taken.place AS place,
-  delay.embedded_tau AS tau,
-  delay.memory AS memory,
+  given.embedded_tau AS tau,
+  given.memory AS memory,
   1 AS depth,
   taken.scaled AS u_0
 FROM selected AS taken
-JOIN delays AS delay ON delay.channel_id = taken.channel_id
+JOIN delays AS given ON given.channel_id = taken.channel_id
 WHERE taken.scaled >= CAST(0 AS DOUBLE)

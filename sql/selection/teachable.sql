@@ -6,8 +6,8 @@
 -- Slots:  :m         coordinates
 --         :cell_key  the mixed-radix integer of their bins
 SELECT
-  CAST(channel_id AS BIGINT) * 64 + :m AS channel_id,
-  place AS time,
+  CAST(vector.channel_id AS BIGINT) * 64 + :m AS channel_id,
+  vector.place AS time,
   :cell_key AS cell_key
-FROM embedded
+FROM embedded AS vector
 WHERE depth >= :m

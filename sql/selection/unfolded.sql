@@ -1,7 +1,7 @@
 -- Unfolded: the vectors with one coordinate more, k * tau samples ahead in the same run; tau differs by
 -- channel, so the coordinate is joined by its place. Neighbours are followed into the future, as Kennel
 -- does; read from its last sample the same vector is that of Eq. 1. Chained by Python.
--- Reads:  origins
+-- Reads:  origins, points
 -- A row:  one usable sample, with its coordinates as far as depth says.
 -- Slots:  :coordinates  the ones there are
 --         :carried      the same, outside

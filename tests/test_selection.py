@@ -1,0 +1,159 @@
+"""Choosing tau, m, B and W: against a plain NumPy version, and against known values."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import pytest
+from numpy.typing import NDArray
+
+import gam_db
+import reference
+from gam_db import langevin
+from gam_db.errors import ParameterError
+from gam_db.selection import Search, neighbours
+from selection_reference import Asked, Channel, runs_of
+
+Floats = NDArray[np.float64]
+WHOLE = gam_db.Calibration(fraction=1.0)
+
+
+def table(channels: dict[str, Any], times: dict[str, Any] | None = None) -> gam_db.Source:
+    """A source with a row per sample, from channel -> values."""
+    parts = [
+        pa.table(
+            {
+                "channel": pa.array([name] * len(values), pa.string()),
+                "time": np.asarray((times or {}).get(name, np.arange(len(values))), np.int64),
+                "value": pa.array(values, pa.float64()),
+            }
+        )
+        for name, values in channels.items()
+    ]
+    return gam_db.Source(pa.concat_tables(parts), asset=None)
+
+
+def of(answer: pa.Table, channel: str) -> list[dict[str, Any]]:
+    """The rows of one channel, without its names."""
+    rows = [row for row in answer.to_pylist() if row["channel"] == channel]
+    return [{k: v for k, v in row.items() if k not in ("asset", "channel")} for row in rows]
+
+
+def choice(selection: gam_db.Selection, channel: str = "value") -> dict[str, Any]:
+    """What was chosen for one channel."""
+    (row,) = of(selection.choices, channel)
+    return row
+
+
+def lorenz(samples: int, step: float = 0.02) -> Floats:
+    """The first coordinate of Lorenz's system, by Runge and Kutta, a thousand steps left out before."""
+
+    def slope(state: Floats) -> Floats:
+        x, y, z = state
+        return np.array([10 * (y - x), x * (28 - z) - y, x * y - 8 / 3 * z])
+
+    state, found = np.ones(3), []
+    for i in range(samples + 1000):
+        first = slope(state)
+        second = slope(state + step / 2 * first)
+        third = slope(state + step / 2 * second)
+        fourth = slope(state + step * third)
+        state = state + step / 6 * (first + 2 * second + 2 * third + fourth)
+        if i >= 1000:
+            found.append(state[0])
+    return np.array(found)
+
+
+def damaged(random: np.random.Generator, samples: int) -> dict[str, list[float | None]]:
+    """Random and degenerate channels, with missing values here and there."""
+    clock = np.arange(samples)
+    smooth = np.cumsum(random.standard_normal(samples))
+    logistic = np.empty(samples)
+    logistic[0] = 0.3
+    for i in range(1, samples):
+        logistic[i] = 3.9 * logistic[i - 1] * (1 - logistic[i - 1])
+    holes = np.sin(clock / 5) + 0.1 * random.standard_normal(samples)
+    holes[random.integers(0, samples, 6)] = np.nan
+    channels: dict[str, Any] = {
+        "walk": smooth,
+        "noise": random.standard_normal(samples),
+        "logistic": logistic,
+        "holes": holes,
+        "cycle": np.round(2 * np.sin(clock * 2 * math.pi / 17)),
+        "quantised": np.round(3 * np.sin(clock / 6) + 0.6 * random.standard_normal(samples)),
+        "spike": np.where(clock == samples // 2, 1e6, random.standard_normal(samples)),
+        "flip": clock % 2,
+        "huge": np.where(clock % 9 == 4, 1e300, -1e300) * random.random(samples),
+        "constant": np.full(samples, 2.5),
+        "missing": np.full(samples, np.nan),
+        "two": [1.0, 2.0],
+        "one": [1.0],
+        "few": random.standard_normal(25),
+    }
+    return {
+        name: [None if math.isnan(x) else float(x) for x in values] for name, values in channels.items()
+    }
+
+
+@pytest.mark.parametrize(
+    ("seed", "search", "max_gap", "calibration"),
+    [
+        (1, {"m_max": 4}, None, WHOLE),
+        (2, {"m_max": 2, "tau": 2, "theiler": 0, "references": 40, "seed": 7}, 3, WHOLE),
+        (
+            3,
+            {"m_max": 3, "tau_max": 9},
+            2,
+            gam_db.Calibration(intervals=[(5, 60), (64, 150)], exclude=[(30, 31), (100, 100)]),
+        ),
+    ],
+)
+def test_curves_and_choices_are_those_of_the_reference(
+    seed: int,
+    search: dict[str, Any],
+    max_gap: int | None,
+    calibration: gam_db.Calibration,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Neighbours through every round of the box search, against comparing all with all."""
+    monkeypatch.setattr(neighbours, "ONE_BOX", 0)
+    random = np.random.default_rng(seed)
+    channels = damaged(random, 170)
+    channels["long"] = list(np.sin(np.arange(700) / 40) + 0.2 * random.standard_normal(700))
+    steps = {
+        name: random.choice([1, 1, 1, 1, 1, 1, 1, 1, 1, 4], len(values))
+        for name, values in channels.items()
+    }
+    times = {name: [int(time) for time in np.cumsum(step)] for name, step in steps.items()}
+    parameters = gam_db.Parameters(max_gap=max_gap, bins=12, window=10)
+    found = gam_db.select(table(channels, times), parameters, calibration, **search)
+    for name, values in channels.items():
+        inside = [_is_inside(time, calibration) for time in times[name]]
+        kept = [math.nan if x is None else x for x, take in zip(values, inside, strict=True) if take]
+        expected = Channel(np.array(kept), runs_of(times[name], inside, max_gap), Asked(**search))
+        _assert_close(expected.lags, of(found.lags, name), f"{name} lags")
+        _assert_close(expected.cycles, of(found.cycles, name), f"{name} cycles")
+        _assert_close(expected.dimensions(), of(found.dimensions, name), f"{name} dimensions")
+        chosen = choice(found, name)
+        for column, value in (expected.delays() | {"cycle_length": expected.cycle()}).items():
+            assert chosen[column] == value, f"{name} {column}"
+
+
+def _is_inside(time: int, calibration: gam_db.Calibration) -> bool:
+    if calibration.intervals is None:
+        return True
+    allowed = any(start <= time <= end for start, end in calibration.intervals)  # type: ignore[operator]
+    return allowed and not any(start <= time <= end for start, end in calibration.exclude)  # type: ignore[operator]
+
+
+def _assert_close(expected: list[dict[str, Any]], found: list[dict[str, Any]], what: str) -> None:
+    assert len(expected) == len(found), what
+    for left, right in zip(expected, found, strict=True):
+        for column, value in left.items():
+            other = right[column]
+            if isinstance(value, float) and isinstance(other, float):
+                # Ratios of Cao's means are of terms in units of 2^-24.
+                assert math.isclose(value, other, rel_tol=1e-6, abs_tol=1e-9), (what, column, left, right)
+            else:
+                assert value == other, (what, column, left, right)
