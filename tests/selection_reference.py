@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 Row = dict[str, Any]
 Floats = NDArray[np.float64]
+Places = list[tuple[int, int]]
 
 
 @dataclass(frozen=True)
@@ -96,7 +97,7 @@ class Channel:
             "informative": int(2 * n * information > freedom + 2 * math.sqrt(10 * freedom) + 20),
         }
 
-    def _scales(self) -> list[tuple[int, list[int], list[int]]]:
+    def _scales(self) -> list[tuple[int, list[int], Places]]:
         scales = [(1, self.levels, self.runs.tolist(), list(range(1, self.samples + 1)))]
         while self.samples // (2 * scales[-1][0]) >= 300:
             scale, levels, runs, places = scales[-1]
@@ -108,9 +109,12 @@ class Channel:
                 for two in halves.values()
             ]
             scales.append((2 * scale, coarse, [r for r, _ in halves], [p for _, p in halves]))
-        return [(scale, levels, list(zip(runs, places))) for scale, levels, runs, places in scales]  # type: ignore[misc]
+        return [
+            (scale, levels, list(zip(runs, places, strict=True)))
+            for scale, levels, runs, places in scales
+        ]
 
-    def _echoes(self, of_scale: tuple[int, list[int], Any]) -> list[Row]:
+    def _echoes(self, of_scale: tuple[int, list[int], Places]) -> list[Row]:
         scale, levels, places = of_scale
         found = {place: level for level, place in zip(levels, places, strict=True) if level > 0}
         rows = []
@@ -136,7 +140,9 @@ class Channel:
             reached = informative[1] if at["delay"] == 1 else before["informative"]
             if before["ami"] > at["ami"] <= after["ami"] and reached and minimum is None:
                 minimum = at["delay"]
-        acf = [(row["delay"], row["acf"]) for row in curve if row["delay"] > 0 and row["acf"] is not None]
+        acf = [
+            (row["delay"], row["acf"]) for row in curve if row["delay"] > 0 and row["acf"] is not None
+        ]
         below = next((lag for lag, r in acf if r < 1 / math.e), None)
         zero = next((lag for lag, r in acf if r <= 0), None)
         rules = {"first_minimum": minimum, "acf_1e": below, "acf_zero": zero}
@@ -179,7 +185,8 @@ class Channel:
         tau = delays["tau"] or 1
         memory = delays["acf_1e"] or self.longest
         deviation = float(np.nanstd(self.scaled)) if self.usable else 0.0
-        rows, grown = [], {}
+        rows: list[Row] = []
+        grown: dict[int, tuple[float, float]] = {}
         for d in range(1, self.asked.m_max + 2):
             where = [i for i in range(self.samples - d * tau) if self._known(i, d, tau)]
             if not where:
@@ -188,7 +195,9 @@ class Channel:
             places = np.array(where) + 1
             nearby = max((d - 1) * tau, memory) if self.asked.theiler is None else self.asked.theiler
             false, skipped, ratios, partings, followed = 0, 0, [], [], 0
-            chosen = sorted(range(len(where)), key=lambda j: (self._scattered(int(places[j])), places[j]))
+            chosen = sorted(
+                range(len(where)), key=lambda j: (self._scattered(int(places[j])), places[j])
+            )
             chosen = chosen[: self.asked.references]
             for j in chosen:
                 away = np.abs(vectors[:, :d] - vectors[j, :d])
@@ -242,7 +251,7 @@ class Channel:
 def _nearest(
     distances: Floats, places: NDArray[np.int64], place: int, nearby: int
 ) -> tuple[int | None, int]:
-    """The nearest vector outside the window at a distance above zero, and whether one at zero was skipped.
+    """The nearest vector outside the window that is not at zero distance, and whether one was.
 
     Of several it is the earliest of those before the window, else the latest after it.
     """
