@@ -201,7 +201,12 @@ def test_the_budget_is_the_certificate_of_each_dimension() -> None:
 def test_false_neighbours_of_lorenz() -> None:
     """The method's figures at tau 8, of 3,000 points: 97.8, 4.1 and 0.0 %, so m = 3.
 
-    By hand the same series was followed by NeuroKit2; see the note at the end of this file.
+    Compared by hand with NeuroKit2 0.2.13 on this series, with its Theiler window of 10 samples and all
+    points as references, m = 1 to 6: false neighbours 98.229, 3.988, 0, 0, 0.135, 0.271 % there and
+    here; Cao's E1 and E2 equal in all nine digits that our units leave. (Its test of the attractor's
+    size takes the maximum norm, ours the Euclidean one; here they decide alike.) Mutual information
+    equals scikit-learn's mutual_info_score of the same bins to four digits at lags 1 to 11. NeuroKit2's
+    own choice of a delay bins otherwise, and is no oracle.
     """
     source = table({"value": list(lorenz(3000))})
     found = gam_db.select(source, calibration=WHOLE, tau=8, m_max=4, references=3000)

@@ -1,6 +1,6 @@
 """Steps that look for neighbours: the embedding, false nearest neighbours, Cao's quantities.
 
-Exact neighbours are found box-assisted: the range is cut into boxes along at most three coordinates; a
+Exact neighbours are found box-assisted: the range is cut into boxes along at most five coordinates; a
 neighbour nearer than the side of a box must lie in the box of its vector or beside it. Vectors without
 one go on to larger boxes, and in the last round a box holds everything. Each round is a step, added
 only as long as somebody says that vectors wait for it.
@@ -19,14 +19,16 @@ from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline, filled, union_of
 from gam_db.selection.search import Search
 
-_BOXED = 3
-"""Coordinates with boxes at most: each triples the boxes beside one."""
+_BOXED = 5
+"""Coordinates with boxes at most: each triples the boxes beside one, and holds fewer vectors in them."""
+_FILLED = 3
+"""Coordinates that a series is taken to fill, when the first boxes are made."""
 _CROWD = 1
 """Vectors that the boxes of the first round would hold together, were they spread evenly. They crowd."""
 ONE_BOX = 500
 """With so few samples at most, one round over all of them is cheaper than several."""
-_FINEST = 20
-"""Halvings of the range at most, so that the number of a box fits in 64 bits."""
+_LARGEST_NUMBER = 60
+"""Bits for the number of a box: one word, with room for the boxes beside the range."""
 _EVERYWHERE = 1e9
 """A distance beyond all between scaled vectors."""
 
@@ -114,7 +116,7 @@ def _add_search(
 ) -> str:
     """Add the rounds of one search and return the step with all neighbours found."""
     mark = f"{metric}_{d}"
-    boxed = sorted({0, (d - 1) // 2, d - 1})
+    boxed = sorted({j * (d - 1) // max(min(d, _BOXED) - 1, 1) for j in range(min(d, _BOXED))})
     waiting = f"unsettled_{mark}"
     add(steps, "selection/unsettled", name=waiting, tables={"probes": f"probes_{d}"})
     nearest = []
@@ -192,10 +194,11 @@ def _sizes(usable: int, coordinates: int) -> list[int]:
     """Return how often the range is halved into boxes, round by round, ending with no halving."""
     if usable <= ONE_BOX:
         return [0]
-    along = 3 * (usable / _CROWD) ** (1 / coordinates)
-    first = min(_FINEST, max(0, math.floor(math.log2(along))))
+    filled = min(coordinates, _FILLED)
+    along = 3 * (usable / _CROWD) ** (1 / filled)
+    first = min(_LARGEST_NUMBER // coordinates, max(0, math.floor(math.log2(along))))
     # With fewer coordinates a step of one halving makes the boxes grow more slowly.
-    return sorted({*range(first, 0, -(_BOXED + 1 - coordinates)), 0}, reverse=True)
+    return sorted({*range(first, 0, filled - _FILLED - 1), 0}, reverse=True)
 
 
 def _away(j: int) -> exp.Expr:
