@@ -8,6 +8,7 @@ from gam_db.evaluation import Conventions, Evaluation, evaluate
 from gam_db.health import certificate, health_at_buckets, health_indicator, support
 from gam_db.parameters import Override, Parameters
 from gam_db.script import render
+from gam_db.selection import Selection, select
 from gam_db.source import Source, WideSource
 from gam_db.version import __version__
 
@@ -18,6 +19,7 @@ __all__ = [
     "GamError",
     "Override",
     "Parameters",
+    "Selection",
     "Source",
     "UserError",
     "WideSource",
@@ -30,5 +32,6 @@ __all__ = [
     "render",
     "scores",
     "scores_at_buckets",
+    "select",
     "support",
 ]

@@ -6,6 +6,7 @@ This module owns the order of work: look at the source, resolve what was asked, 
 from pathlib import Path
 
 import pyarrow as pa
+from sqlglot import exp
 
 from gam_db import look, template
 from gam_db.calibration import Calibration

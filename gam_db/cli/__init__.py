@@ -25,6 +25,7 @@ from gam_db.cli.drop import drop
 from gam_db.cli.evaluate import evaluate
 from gam_db.cli.migrate import migrate
 from gam_db.cli.run import run
+from gam_db.cli.select import select
 from gam_db.errors import StatementError, UserError
 
 FINE, USER_ERROR, OUR_FAULT, INTERRUPTED = 0, 1, 3, 130
@@ -87,6 +88,7 @@ def options(
 
 
 app.command()(run)
+app.command()(select)
 app.command()(demo)
 app.command("compile")(compile_script)
 app.command()(evaluate)
