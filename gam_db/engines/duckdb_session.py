@@ -287,6 +287,11 @@ class Session:
         except (duckdb.IOException, duckdb.BinderException) as error:
             raise SourceError(f"{path} cannot be opened as a DuckDB file for writing.") from error
         try:
+            if (name, "main", "gam_migration") in self._known_tables():
+                raise SourceError(
+                    f"{path} holds the state of a monitor, whose tables would be replaced; write the "
+                    "results to a file of their own."
+                )
             target = exp.Table(this=template.name(table), db=template.name("main"))
             target.set("catalog", template.name(name))
             self._run(exp.Create(this=target, kind="TABLE", replace=True, expression=query))
