@@ -120,12 +120,13 @@ def _heading(job: Job, found: Sequence[Finding]) -> list[str]:
     settings = f"; settings from {job.settings}" if job.settings else ""
     return [
         f"{printable(job.name)}: {channels} of {machines}, {samples:,} samples{settings}",
-        _columns(job.guess),
-        _method(job.parameters, job.calibration),
+        columns(job.guess),
+        method(job.parameters, job.calibration),
     ]
 
 
-def _columns(guess: Guess) -> str:
+def columns(guess: Guess) -> str:
+    """Return which columns are read, and which of them were guessed."""
     source = guess.source
     named = {"asset": source.asset, "time": source.time}
     if isinstance(source, Source):
@@ -139,18 +140,19 @@ def _columns(guess: Guess) -> str:
     line = "columns: " + " ".join(f"{role}={printable(column)}" for role, column in shown.items())
     if not isinstance(source, Source):
         names = [printable(name) for name in source.value_columns]
-        line += f"; wide table, signals: {_some(names)}"
+        line += f"; wide table, signals: {some(names)}"
     if guess.guessed:
         guessed = [role for role in guess.guessed if role != "layout"]
         line += f"; guessed: {'all' if len(guessed) == len(shown) else ', '.join(guessed)}"
     if "layout" in guess.guessed:
         line += f"; taken as {guess.guessed['layout']}"
     if guess.unused:
-        line += f"; not used: {_some([printable(name) for name in guess.unused])}"
+        line += f"; not used: {some([printable(name) for name in guess.unused])}"
     return line
 
 
-def _method(parameters: Parameters, calibration: Calibration) -> str:
+def method(parameters: Parameters, calibration: Calibration) -> str:
+    """Return the parameters and the calibration in a line."""
     said = [
         f"{name}={getattr(parameters, name)}"
         for name in ("m", "tau", "bins", "window", "stride", "max_gap", "target_floor")
@@ -183,22 +185,22 @@ def _table(out: Console, found: Sequence[Finding]) -> list[Text]:
     course = min(_MOST_COURSE, max(_LEAST_COURSE, free - name_width))
     lines = [
         Text(
-            f"  {_fit('channel', name_width)}  {'verdict':{verdict}}  floor     HI  "
-            f"{_fit('HI, 0 to 1', course)}  last",
+            f"  {fit('channel', name_width)}  {'verdict':{verdict}}  floor     HI  "
+            f"{fit('HI, 0 to 1', course)}  last",
             style="bold",
         )
     ]
     for one, name, time in zip(found, names, times, strict=True):
         mark, style = _MARKS.get(one.status, (" ", ""))
         is_shown = one.status != "not assessed"
-        line = Text(f"{mark} {_fit(name, name_width)}  {one.verdict:{verdict}}  ", style)
+        line = Text(f"{mark} {fit(name, name_width)}  {one.verdict:{verdict}}  ", style)
         line.append(f"{share(one.support['floor'] if is_shown else None):>5}  ")
         line.append(f"{share(one.hi if is_shown else None):>5}  ")
-        line.append(_fit(sparkline(one.course, course, blocks) if is_shown else "", course))
+        line.append(fit(sparkline(one.course, course, blocks) if is_shown else "", course))
         line.append(f"  {time}")
         line.rstrip()
         lines.append(line)
-        for remark in _folded("; ".join(one.remarks), out.width - 4):
+        for remark in folded("; ".join(one.remarks), out.width - 4):
             lines.append(
                 Text(f"    {remark}", style="dim" if one.status in ("ok", "not assessed") else "")
             )
@@ -290,7 +292,7 @@ def _time(time: Any) -> str:
     return f"{time:%Y-%m-%d %H:%M}" if isinstance(time, dt.datetime) else f"{time:,}"
 
 
-def _fit(text: str, width: int) -> str:
+def fit(text: str, width: int) -> str:
     """Return a text of exactly so many cells; what is too long loses its middle."""
     if cell_len(text) > width:
         head, tail = text[: width - width // 2 - 1], text[-(width // 2) :]
@@ -300,17 +302,19 @@ def _fit(text: str, width: int) -> str:
     return text + " " * (width - cell_len(text))
 
 
-def _some(names: Sequence[str], most: int = 8) -> str:
+def some(names: Sequence[str], most: int = 8) -> str:
+    """Return the first names of a list, and how many more there are."""
     return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
 
 
-def _folded(text: str, width: int) -> list[str]:
+def folded(text: str, width: int) -> list[str]:
+    """Return a text as lines of at most so many cells."""
     return [str(line).rstrip() for line in Text(text).wrap(Console(), width)] if text else []
 
 
 def say(out: Console, line: str) -> None:
     """Print a line of prose, folded."""
-    for part in _folded(line, min(out.width, _READABLE)):
+    for part in folded(line, min(out.width, _READABLE)):
         out.print(Text(part))
 
 

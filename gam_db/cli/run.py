@@ -26,7 +26,6 @@ from gam_db.study import Study
 NEEDS_ATTENTION = 2
 
 _OUTPUT = "Output"
-_DATABASE_ENDINGS = (".duckdb", ".db")
 _PARQUET_ENDINGS = (".parquet", ".pq")
 
 Every = Literal["vector", "stride"]
@@ -131,7 +130,7 @@ def run(
         score_from=score_from,
         pool=pool,
     )
-    relation = _relation(settings)
+    relation = options.named_relation(settings)
     results = [] if no_out else _results(relation, settings.source.database, out, every)
     with interruptible(), Session(settings.source.database, threads) as session:
         with Progress(session, quiet) as progress:
@@ -194,25 +193,6 @@ class _Result:
         return f"{self.path} (table {self.table})" if _is_database(self.path) else str(self.path)
 
 
-def _relation(settings: Settings) -> str:
-    relation, database = settings.source.relation, settings.source.database
-    if relation is None:
-        raise ConfigurationError(
-            "Name a SOURCE: a Parquet or CSV file, or a table with --database FILE.duckdb; or put "
-            "relation under [source] into gam.toml. `gam demo` needs none."
-        )
-    if database is None and not is_file(relation):
-        if _is_database(Path(relation)):
-            raise ConfigurationError(
-                f"{relation} is a database; name the table: gam run TABLE --database {relation}."
-            )
-        raise ConfigurationError(
-            f"{relation!r} is no Parquet or CSV file ({', '.join(FILE_ENDINGS)}); if it is a table, say "
-            "which database holds it: --database FILE.duckdb."
-        )
-    return relation
-
-
 def _results(relation: str, database: str | None, out: Path | None, every: Every) -> list[_Result]:
     """Return what is written where; refuse, before any work, what cannot be written."""
     health = ("bucket_health", "health_at_buckets") if every == "stride" else ("health_indicator",) * 2
@@ -251,4 +231,4 @@ def _stem(relation: str) -> str:
 
 
 def _is_database(path: Path) -> bool:
-    return path.suffix in _DATABASE_ENDINGS
+    return path.suffix in options.DATABASE_ENDINGS

@@ -14,6 +14,8 @@ SELECT
   CASE WHEN known.hit = 1 THEN named.readings - known.samples END AS repeated,
   CASE WHEN known.hit = 1 THEN known.conflicts END AS conflicts,
   CASE WHEN known.hit = 1 THEN known.missing END AS missing,
+  CASE WHEN known.hit = 1 THEN known.first_time END AS first_tick,
+  CASE WHEN known.hit = 1 THEN known.last_time END AS last_tick,
   CASE WHEN known.hit = 1 THEN :first_time END AS first_time,
   CASE WHEN known.hit = 1 THEN :last_time END AS last_time,
   CASE WHEN spaced.hit = 1 THEN spaced.typical_step END AS typical_step,
