@@ -1,6 +1,7 @@
 """gam-db: a health indicator for every machine channel, by plain SQL where the telemetry lies."""
 
 from gam_db.calibration import Calibration
+from gam_db.checking import check
 from gam_db.errors import GamError, UserError
 from gam_db.health import certificate, health_at_buckets, health_indicator, support
 from gam_db.parameters import Override, Parameters
@@ -18,6 +19,7 @@ __all__ = [
     "UserError",
     "WideSource",
     "certificate",
+    "check",
     "health_at_buckets",
     "health_indicator",
     "render",

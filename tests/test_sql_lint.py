@@ -4,6 +4,7 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+import pyarrow as pa
 import pytest
 import sqlglot
 from sqlglot import exp
@@ -11,6 +12,7 @@ from sqlglot import exp
 import gam_db
 import sql_lint
 from gam_db import template
+from gam_db.checking.steps import add_look
 from gam_db.clock import TimeKind
 from gam_db.method import Method, pipeline
 from gam_db.source import Source, WideSource, readings
@@ -474,7 +476,9 @@ def steps(
     """The filled steps of the method, in order, over a source that counts time."""
     method = Method(parameters, calibration, TimeKind.COUNTER, lambda node: node)
     rows = readings(source, exp.to_table("telemetry"), lambda node: node)
-    return [(step.name, step.query) for step in pipeline(method, rows).steps.values()]
+    made = pipeline(method, rows)
+    add_look(made, method)
+    return [(step.name, step.query) for step in made.steps.values()]
 
 
 SOURCES: list[Source | WideSource] = [
@@ -536,6 +540,7 @@ def test_every_file_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
     source = Source("telemetry", time_kind="counter")
     for form, engine in (("exact", "sqlite"), ("view", "duckdb")):
         gam_db.render(form, engine, source, gam_db.Parameters(), CALIBRATIONS[1])
+    gam_db.check(gam_db.Source(pa.table({"time": [1], "value": [2.5], "more": ["3"]}), None, None))
     assert set(NAMES) - loaded == set()
     assert {name for name in loaded if name not in NAMES} == set()
 

@@ -324,7 +324,7 @@ LAYERS = [
     ["engines"],
     ["look"],
     ["script", "study"],
-    ["health"],
+    ["health", "checking"],
     ["gam_db"],
     ["config", "findings"],
     ["guess"],

@@ -91,7 +91,8 @@ def _window(look: Look) -> tuple[int, str]:
     if not moving:
         return said, as_said
     healthy = int(statistics.median_low(row["calibration_samples"] for row in moving))
-    cycle = max((row["cycle_length"] or 0 for row in moving), default=0)
+    cycles = [row["cycle_length"] for row in moving if row["cycle_length"] is not None]
+    cycle = statistics.median_high(cycles) if cycles else 0
     room = healthy // BLOCKS
     window, reason = said, as_said
     if _SHORTEST_WINDOW <= room < said:

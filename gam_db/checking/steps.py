@@ -18,7 +18,7 @@ SCALES = (1, 4, 16, 64, 256)
 """Samples of a block, on each scale on which a cycle is looked for."""
 LONGEST_LAG = 80
 """Blocks; a cycle of up to ``LONGEST_LAG * SCALES[-1]`` samples is seen."""
-_SHORTEST_LAG = 2
+_SHORTEST_LAG = 4
 _SHORTEST_LAG_OF_BLOCKS = 20
 """Below it the scale before is finer."""
 _BLOCKS = 2 * LONGEST_LAG
@@ -29,7 +29,7 @@ VALUES_LOOKED_AT = LONGEST_SAMPLE // 8
 
 _SMALL = frozenset(
     (
-        *("step_counts", "typical_steps", "pauses", "movements", "longest_stills"),
+        *("step_counts", "pauses", "movements", "longest_stills"),
         *("quanta", "block_sums", "correlations", "cycles"),
     )
 )

@@ -194,7 +194,9 @@ def _still(share: float) -> str:
 
 
 def _value(value: float | None) -> str:
-    return "-" if value is None else f"{value:.4g}"
+    if value is None:
+        return "-"
+    return f"{value:,.0f}" if 1e4 <= abs(value) < 1e9 else f"{value:.4g}"
 
 
 def _say_note(out: Console, note: Note, one_asset: bool, channels: int) -> None:

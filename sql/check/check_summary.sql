@@ -1,6 +1,5 @@
 -- Check summary: what a channel looks like before anything is learnt of it.
--- Reads:  names, channels, series, movements, longest_stills, typical_steps, pauses, quanta, cycles,
---         calibrated
+-- Reads:  names, channels, series, movements, longest_stills, pauses, quanta, cycles, calibrated
 -- A row:  one (asset, channel) pair, in order; where a name is missing, or no row has a time, only the
 --         rows are counted.
 -- Slots:  :first_time, :last_time  the instants of the first and last sample as the source tells time
@@ -67,18 +66,17 @@ LEFT JOIN (
 ) AS known ON known.asset = named.asset AND known.channel = named.channel
 LEFT JOIN (
   SELECT
-    usual.channel_id AS channel_id,
-    usual.typical_step AS typical_step,
-    usual.short_step AS short_step,
-    usual.long_step AS long_step,
-    apart.typical_steps AS typical_steps,
-    apart.pauses AS pauses,
-    apart.longest_step AS longest_step,
-    apart.shortest_pause AS shortest_pause,
-    apart.longest_pause AS longest_pause,
+    channel_id,
+    typical_step,
+    short_step,
+    long_step,
+    typical_steps,
+    pauses,
+    longest_step,
+    shortest_pause,
+    longest_pause,
     1 AS hit
-  FROM typical_steps AS usual
-  JOIN pauses AS apart ON apart.channel_id = usual.channel_id
+  FROM pauses
 ) AS spaced ON spaced.channel_id = known.channel_id
 LEFT JOIN (
   SELECT channel_id, longest_still, 1 AS hit FROM longest_stills

@@ -5,6 +5,9 @@
 -- Slots:  :pause  how many typical steps are no pause yet
 SELECT
   judged.channel_id AS channel_id,
+  MAX(judged.typical_step) AS typical_step,
+  MAX(judged.short_step) AS short_step,
+  MAX(judged.long_step) AS long_step,
   CAST(SUM(judged.is_pause * judged.occurrences) AS BIGINT) AS pauses,
   CAST(SUM(CASE WHEN judged.step = judged.typical_step THEN judged.occurrences ELSE 0 END) AS BIGINT)
     AS typical_steps,
@@ -17,6 +20,8 @@ FROM (
     spaced.step AS step,
     spaced.occurrences AS occurrences,
     usual.typical_step AS typical_step,
+    usual.short_step AS short_step,
+    usual.long_step AS long_step,
     CAST(
       CASE
         WHEN CAST(spaced.step AS DOUBLE)
