@@ -5,7 +5,10 @@ from collections.abc import Sequence
 from gam_db.checking.look import Look, Row
 from gam_db.checking.note import Note, noted
 from gam_db.checking.proposal import BLOCKS, CYCLES, Proposal
-from gam_db.checking.words import extent
+from gam_db.checking.words import extent, instant
+
+PART = 0.1
+"""Share of a machine's recording that a channel may lack at either end before it is said."""
 
 
 def amounts(look: Look, proposal: Proposal) -> list[Note]:
@@ -13,6 +16,7 @@ def amounts(look: Look, proposal: Proposal) -> list[Note]:
     return [
         *_nameless(look),
         *_none(look),
+        *_partial(look),
         *_calibration(look),
         *_window(look),
         *_cycles(look, proposal),
@@ -40,6 +44,45 @@ def _none(look: Look) -> list[Note]:
         return []
     why = "; is the condition right?" if look.source.where is not None else ""
     return [Note("nothing", True, f"no row has a name, a time and a place in a channel{why}")]
+
+
+def _partial(look: Look) -> list[Note]:
+    """Channels that say nothing for a good part of the time in which others of their asset do."""
+    first: dict[str, int] = {}
+    last: dict[str, int] = {}
+    for row in look.channels:
+        asset = row["asset"]
+        first[asset] = min(first.get(asset, row["first_tick"]), row["first_tick"])
+        last[asset] = max(last.get(asset, row["last_tick"]), row["last_tick"])
+    late, early = [], []
+    for row in look.channels:
+        begin, end = first[row["asset"]], last[row["asset"]]
+        if row["first_tick"] - begin > PART * (end - begin):
+            late.append(row)
+        if end - row["last_tick"] > PART * (end - begin):
+            early.append(row)
+
+    def since(found: Sequence[Row], edge: str) -> str:
+        return instant(min(row[edge] for row in found), look.kind)
+
+    return [
+        *noted(
+            "begins_late",
+            late,
+            lambda found: (
+                f"begins long after the other channels of its machine ({since(found, 'first_tick')} at "
+                "the earliest): a calibration from the first sample on lies elsewhere for it"
+            ),
+        ),
+        *noted(
+            "ends_early",
+            early,
+            lambda found: (
+                f"ends long before the other channels of its machine ({since(found, 'last_tick')} at "
+                "the earliest): a dead sensor, or one that was taken out?"
+            ),
+        ),
+    ]
 
 
 def _calibration(look: Look) -> list[Note]:

@@ -51,6 +51,12 @@ def is_on_change(row: Row) -> bool:
     return is_irregular(row) and compared > 0 and row["stills"] <= _STILL_ON_CHANGE * compared
 
 
+def is_heeded(look: Look, row: Row) -> bool:
+    """Tell whether max_gap tells the pauses of a channel from its steps."""
+    gap = look.gap(row)
+    return gap is not None and row["longest_step"] <= gap < row["shortest_pause"]
+
+
 def _one_instant(rows: Sequence[Row]) -> list[Note]:
     return noted(
         "one_instant",
@@ -176,18 +182,13 @@ def _pauses(look: Look, rows: Sequence[Row], proposal: Proposal) -> list[Note]:
         count = extent([row["pauses"] for row in pausing])
         said = f"{count} pause{'s' * (count != '1')} {_each(pausing)}{lengths}"
         said += f" (usual step {_lengths(pausing, 'typical_step', kind)}): no vector should span one"
-        if all(_is_heeded(look, row) for row in pausing):
+        if all(is_heeded(look, row) for row in pausing):
             return f"{said}, and max_gap sees to it"
         if proposal.max_gap is not None:
             return f"{said}; take --max-gap {_quoted(proposal.max_gap.value)}"
         return f"{said}; no one max_gap suits all, gam init writes one for each channel"
 
     return noted("pauses", found, text)
-
-
-def _is_heeded(look: Look, row: Row) -> bool:
-    gap = look.gap(row)
-    return gap is not None and row["longest_step"] <= gap < row["shortest_pause"]
 
 
 def _irregular(rows: Sequence[Row], kind: TimeKind) -> list[Note]:

@@ -12,7 +12,7 @@ from rich.console import Console
 from rich.text import Text
 
 from gam_db.checking import Look, Note, Proposal
-from gam_db.checking.times import is_irregular
+from gam_db.checking.times import is_heeded, is_irregular
 from gam_db.checking.words import instant, number_of, percent, spoken
 from gam_db.cli import report
 from gam_db.cli.figures import asked, plain
@@ -173,12 +173,9 @@ def _table(
 
 def _cells(row: Any, look: Look) -> tuple[str, ...]:
     """Return what the table says of a channel, in the order of its headings."""
-    step = "-"
-    if row["typical_step"] is not None:
-        step = ("~" if is_irregular(row) else "") + spoken(row["typical_step"], look.kind)
     return (
         f"{row['samples']:,}",
-        step,
+        _step(row, look),
         f"{row['pauses']:,}" if row["pauses"] else "-",
         percent(row["missing"] / row["samples"]) if row["missing"] else "-",
         _value(row["lowest"]),
@@ -187,6 +184,18 @@ def _cells(row: Any, look: Look) -> tuple[str, ...]:
         _still(row["longest_still"] / row["samples"]) if row["longest_still"] > 1 else "-",
         "-" if row["cycle_length"] is None else f"{row['cycle_length']:,}",
     )
+
+
+def _step(row: Any, look: Look) -> str:
+    """Return the usual step in time, and how far nine tenths of the steps are from it at most."""
+    if row["typical_step"] is None:
+        return "-"
+    step = spoken(row["typical_step"], look.kind)
+    if is_irregular(row):
+        return f"~{step}"
+    within = min(row["long_step"], row["longest_step"])
+    jitter = max(within - row["typical_step"], row["typical_step"] - row["short_step"])
+    return f"{step} ±{percent(jitter / row['typical_step'])}" if jitter else step
 
 
 def _still(share: float) -> str:
@@ -220,7 +229,8 @@ def _ending(found: Sequence[Note], proposal: Proposal, look: Look) -> list[str]:
     if must:
         lines.append(f"{number_of(must, 'point')} marked ! must be fixed before anything is learnt")
     if look.channels:
-        to_set = _max_gap(proposal)
+        open_ended = [row for row in look.channels if row["pauses"] and not is_heeded(look, row)]
+        to_set = _max_gap(proposal) if open_ended else []
         if proposal.window != look.method.parameters.window:
             to_set.append(f"window = {proposal.window} ({proposal.window_reason})")
         if not must:
@@ -228,8 +238,8 @@ def _ending(found: Sequence[Note], proposal: Proposal, look: Look) -> list[str]:
         if to_set:
             lines.append(f"to be set: {'; '.join(to_set)} (gam init writes it down)")
     lines.append(
-        "step: usual step in time (~ irregular). pauses: steps beyond five usual ones. values: distinct "
-        "ones among at most 20,480 samples. still: longest stretch of one value. cycle: in samples, "
-        "where the signal repeats itself."
+        "step: usual step in time and its jitter (~ irregular). pauses: steps beyond five usual ones. "
+        "values: distinct ones among at most 20,480 samples. still: longest stretch of one value. "
+        "cycle: in samples, where the signal repeats itself."
     )
     return lines

@@ -38,7 +38,7 @@ def value(of: Any) -> str:
 def comment(text: str) -> list[str]:
     """Return a text as comment lines; what is not printable becomes a mark."""
     shown = "".join(sign if sign.isprintable() else "\N{REPLACEMENT CHARACTER}" for sign in text)
-    return [f"# {line}" for line in textwrap.wrap(shown, _WIDTH, break_on_hyphens=False)]
+    return [f"# {line}" for line in textwrap.wrap(shown, _WIDTH - 2, break_on_hyphens=False)]
 
 
 def entries(said: Mapping[str, tuple[Any, str]]) -> list[str]:
