@@ -12,7 +12,7 @@ import gam_db
 from gam_db import Calibration, Parameters, Source
 from gam_db.checking import look_at, must_be_fixed, propose
 from gam_db.engines.duckdb_session import Session
-from looks import SECOND, SHORT, figures, said, table, wave
+from looks import HALF, SECOND, SHORT, figures, said, table, wave
 
 
 def test_a_clean_source_has_no_notes() -> None:
@@ -125,6 +125,8 @@ def test_data_written_on_change() -> None:
     assert "on_change" in found
     assert "resample" in found["on_change"].text
     assert "pauses" not in found
+    with Session() as session:
+        assert propose(look_at(session, Source(table(values, times=times)), SHORT, HALF)).max_gap is None
     held = said(table(np.repeat(values[:1000], 2), times=times))
     assert "irregular" in held
     assert "on_change" not in held

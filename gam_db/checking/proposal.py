@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from gam_db.checking.look import Look, Row
+from gam_db.checking.sampling import is_irregular
 from gam_db.checking.steps import PAUSE
 from gam_db.checking.words import roundest, setting, spoken
 from gam_db.clock import TimeKind
@@ -69,11 +70,17 @@ def propose(look: Look) -> Proposal:
 
 
 def _gap(rows: Sequence[Row], kind: TimeKind) -> Gap | None:
-    """Return a length that tells the pauses of these channels from their steps, if there is one."""
-    pauses = [row["shortest_pause"] for row in rows if row["pauses"]]
+    """Return a length that tells the pauses of these channels from their steps, if there is one.
+
+    Irregular sampling has no pauses: a length that breaks none of its steps will do.
+    """
+    pauses = [row["shortest_pause"] for row in rows if row["pauses"] and not is_irregular(row)]
     if not pauses:
         return None
-    least, below = max(row["longest_step"] for row in rows), min(pauses)
+    below = min(pauses)
+    least = max(
+        (row["longest_pause"] if is_irregular(row) else None) or row["longest_step"] for row in rows
+    )
     if least >= below:
         return None
     wanted = PAUSE * max(row["typical_step"] for row in rows)

@@ -5,16 +5,12 @@ from collections.abc import Sequence
 from gam_db.checking.look import Look, Row
 from gam_db.checking.note import Note, noted
 from gam_db.checking.proposal import Proposal
+from gam_db.checking.sampling import REGULAR_WITHIN, is_irregular, is_on_change
 from gam_db.checking.words import extent, instant, number_of, percent, spoken
 from gam_db.clock import SECOND, TimeKind
 
 MANY_CONFLICTS = 0.1
 """Share of the instants above which different values are no accident."""
-IRREGULAR = 3
-"""The step that 95 % are no longer than, in steps that 5 % are no longer than, above which sampling is
-irregular."""
-_REGULAR_WITHIN = 1.5
-_STILL_ON_CHANGE = 0.01
 _HOUR = 3_600 * SECOND
 _UNITS = (("seconds", 1), ("milliseconds", 10**3), ("microseconds", 10**6), ("nanoseconds", 10**9))
 _MAKERS = ("make_timestamp({} * 1000000)", "make_timestamp({} * 1000)", "make_timestamp({})")
@@ -35,20 +31,6 @@ def times(look: Look, proposal: Proposal) -> list[Note]:
         *_irregular(spaced, look.kind),
         *_rates(spaced, look.kind),
     ]
-
-
-def is_irregular(row: Row) -> bool:
-    """Tell whether a channel is not sampled regularly, bursts with pauses between them left aside."""
-    if row["typical_step"] is None or row["long_step"] <= IRREGULAR * row["short_step"]:
-        return False
-    in_bursts = row["long_step"] > row["longest_step"]
-    return not (in_bursts and row["longest_step"] <= _REGULAR_WITHIN * row["short_step"])
-
-
-def is_on_change(row: Row) -> bool:
-    """Tell whether a channel seems to be written only when its value changes (a deadband)."""
-    compared = row["rises"] + row["falls"] + row["stills"]
-    return is_irregular(row) and compared > 0 and row["stills"] <= _STILL_ON_CHANGE * compared
 
 
 def is_heeded(look: Look, row: Row) -> bool:
@@ -224,7 +206,7 @@ def _rates(rows: Sequence[Row], kind: TimeKind) -> list[Note]:
     steps = sorted(row["typical_step"] for row in rows)
     starts: list[int] = []
     for step in steps:
-        if not starts or step > _REGULAR_WITHIN * starts[-1]:
+        if not starts or step > REGULAR_WITHIN * starts[-1]:
             starts.append(step)
     if len(starts) < 2:
         return []
@@ -242,7 +224,7 @@ def _rates(rows: Sequence[Row], kind: TimeKind) -> list[Note]:
 
 
 def _between(steps: Sequence[int], start: int) -> int:
-    return sum(start <= step <= _REGULAR_WITHIN * start for step in steps)
+    return sum(start <= step <= REGULAR_WITHIN * start for step in steps)
 
 
 def _each(rows: Sequence[Row]) -> str:

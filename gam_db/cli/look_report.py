@@ -12,7 +12,8 @@ from rich.console import Console
 from rich.text import Text
 
 from gam_db.checking import Look, Note, Proposal
-from gam_db.checking.times import is_heeded, is_irregular
+from gam_db.checking.sampling import is_irregular
+from gam_db.checking.times import is_heeded
 from gam_db.checking.words import instant, number_of, percent, spoken
 from gam_db.cli import report
 from gam_db.cli.figures import asked, plain
@@ -229,7 +230,11 @@ def _ending(found: Sequence[Note], proposal: Proposal, look: Look) -> list[str]:
     if must:
         lines.append(f"{number_of(must, 'point')} marked ! must be fixed before anything is learnt")
     if look.channels:
-        open_ended = [row for row in look.channels if row["pauses"] and not is_heeded(look, row)]
+        open_ended = [
+            row
+            for row in look.channels
+            if row["pauses"] and not (is_heeded(look, row) or is_irregular(row))
+        ]
         to_set = _max_gap(proposal) if open_ended else []
         if proposal.window != look.method.parameters.window:
             to_set.append(f"window = {proposal.window} ({proposal.window_reason})")
