@@ -145,6 +145,23 @@ def test_names_of_a_source_do_nothing_to_the_terminal() -> None:
     assert "[bold]" in result.stdout
 
 
+def test_a_narrow_terminal_loses_what_says_least(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "60")
+    lines = gam("check", saved(), "--window", "100").stdout.splitlines()
+    assert max(map(len, lines)) <= 60
+    heading = next(line for line in lines if line.startswith("  channel"))
+    assert heading.split() == [
+        "channel",
+        "samples",
+        "step",
+        "pauses",
+        "missing",
+        "least",
+        "most",
+        "cycle",
+    ]
+
+
 def test_many_channels_are_cut_unless_all_are_asked_for() -> None:
     names = np.array([f"c{i:02}" for i in range(50)]).repeat(80)
     saved(channel=names)

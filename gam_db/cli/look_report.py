@@ -20,6 +20,8 @@ from gam_db.cli.figures import asked, plain
 from gam_db.cli.report import Job
 
 _HEADINGS = ("samples", "step", "pauses", "missing", "least", "most", "values", "still", "cycle")
+_LEAST_SAYING = ("values", "still", "most", "least")
+"""The first to go where the terminal is narrow."""
 _LEAST_NAME = 12
 _NAMED = 5
 """Channels that a note names."""
@@ -142,6 +144,7 @@ def _key(row: Any) -> tuple[str, str]:
 def _table(
     out: Console, rows: Sequence[Any], marks: dict[tuple[str, str], str], look: Look
 ) -> list[Text]:
+    """Return a line per channel; where there is no room, columns that say least are left out."""
     if not rows:
         return []
     one_asset = len({row["asset"] for row in rows}) == 1
@@ -149,27 +152,32 @@ def _table(
         report.printable(row["channel"] if one_asset else f"{row['asset']} {row['channel']}")
         for row in rows
     ]
-    cells = [_cells(row, look) for row in rows]
-    widths = [
-        max(len(heading), *(cell_len(line[number]) for line in cells))
-        for number, heading in enumerate(_HEADINGS)
-    ]
-    free = out.width - 2 - sum(width + 2 for width in widths)
-    name_width = min(max(7, *map(cell_len, names)), max(_LEAST_NAME, free))
-    lines = [
-        Text(
-            f"  {report.fit('channel', name_width)}"
-            + "".join(f"  {heading:>{width}}" for heading, width in zip(_HEADINGS, widths, strict=True)),
-            style="bold",
+    columns = {
+        heading: [heading, *cells]
+        for heading, cells in zip(
+            _HEADINGS, zip(*(_cells(row, look) for row in rows), strict=True), strict=True
         )
-    ]
-    for row, name, line in zip(rows, names, cells, strict=True):
-        mark = marks.get(_key(row), " ")
-        text = Text(f"{mark} {report.fit(name, name_width)}", "bold red" if mark == "!" else "")
-        for cell, width in zip(line, widths, strict=True):
-            text.append(f"  {cell:>{width}}")
-        lines.append(text)
+    }
+    name_width = max(7, *map(cell_len, names))
+    free = out.width - 2
+    empty = [heading for heading, cells in columns.items() if set(cells[1:]) == {"-"}]
+    for heading in (*empty, *_LEAST_SAYING):
+        if min(name_width, _LEAST_NAME) + _width(columns) > free:
+            columns.pop(heading, None)
+    name_width = min(name_width, max(_LEAST_NAME, free - _width(columns)))
+    lines = []
+    for number, name in enumerate(["channel", *names]):
+        mark = marks.get(_key(rows[number - 1]), " ") if number else " "
+        style = "bold" if not number else "bold red" if mark == "!" else ""
+        line = Text(f"{mark} {report.fit(name, name_width)}", style)
+        for cells in columns.values():
+            line.append(f"  {cells[number]:>{max(map(cell_len, cells))}}")
+        lines.append(line)
     return lines
+
+
+def _width(columns: dict[str, list[str]]) -> int:
+    return sum(2 + max(map(cell_len, cells)) for cells in columns.values())
 
 
 def _cells(row: Any, look: Look) -> tuple[str, ...]:
