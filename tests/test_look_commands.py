@@ -150,16 +150,7 @@ def test_a_narrow_terminal_loses_what_says_least(monkeypatch: pytest.MonkeyPatch
     lines = gam("check", saved(), "--window", "100").stdout.splitlines()
     assert max(map(len, lines)) <= 60
     heading = next(line for line in lines if line.startswith("  channel"))
-    assert heading.split() == [
-        "channel",
-        "samples",
-        "step",
-        "pauses",
-        "missing",
-        "least",
-        "most",
-        "cycle",
-    ]
+    assert " ".join(heading.split()) == "channel samples step pauses missing least cycle"
 
 
 def test_many_channels_are_cut_unless_all_are_asked_for() -> None:

@@ -40,14 +40,15 @@ def is_heeded(look: Look, row: Row) -> bool:
 
 
 def _one_instant(rows: Sequence[Row]) -> list[Note]:
+    alike = [row for row in rows if row["samples"] == 1 and row["repeated"]]
     return noted(
         "one_instant",
-        [row for row in rows if row["samples"] == 1 and row["repeated"]],
+        alike,
         lambda found: (
             "all rows have the same time; name the column that tells when each reading was taken "
             "(--time COLUMN)"
         ),
-        must=True,
+        must=len(alike) == len(rows),
     )
 
 
