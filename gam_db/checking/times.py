@@ -88,8 +88,8 @@ def _clock(look: Look) -> list[Note]:
 
 def _conflicts(look: Look) -> list[Note]:
     rows = [row for row in look.channels if row["conflicts"]]
-    many = [row for row in rows if row["conflicts"] >= MANY_CONFLICTS * row["samples"]]
-    few = [row for row in rows if row["conflicts"] < MANY_CONFLICTS * row["samples"]]
+    many = [row for row in rows if _has_many_conflicts(row)]
+    few = [row for row in rows if not _has_many_conflicts(row)]
     return [
         *noted(
             "conflicts",
@@ -112,10 +112,19 @@ def _conflicts(look: Look) -> list[Note]:
     ]
 
 
+def _has_many_conflicts(row: Row) -> bool:
+    return bool(row["conflicts"] >= MANY_CONFLICTS * row["samples"])
+
+
 def _repeated(look: Look) -> list[Note]:
+    repeating = [
+        row
+        for row in look.channels
+        if row["repeated"] > row["conflicts"] and row["samples"] > 1 and not _has_many_conflicts(row)
+    ]
     return noted(
         "repeated",
-        [row for row in look.channels if row["repeated"] > row["conflicts"] and row["samples"] > 1],
+        repeating,
         lambda found: (
             f"{_counts(found, 'repeated')} rows repeat an instant that is there already; they count once"
             + _autumn(look, found)
