@@ -49,6 +49,11 @@ class TimeKind(Enum):
         """True for an integer counter, false for anything a calendar can place."""
         return self is TimeKind.COUNTER
 
+    @property
+    def has_zone(self) -> bool:
+        """True if its timestamps say that they are UTC."""
+        return self in (TimeKind.TIMESTAMP_WITH_ZONE, TimeKind.NANOSECONDS_WITH_ZONE)
+
 
 def instant(value: object, kind: TimeKind, what: str) -> int:
     """Return an instant as an integer: a counter value, or microseconds since 1970 (UTC).

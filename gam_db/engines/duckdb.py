@@ -7,7 +7,6 @@ from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter
 
 _NANOSECONDS = (TimeKind.NANOSECONDS, TimeKind.NANOSECONDS_WITH_ZONE)
-_WITH_ZONE = (TimeKind.TIMESTAMP_WITH_ZONE, TimeKind.NANOSECONDS_WITH_ZONE)
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
@@ -39,7 +38,7 @@ def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
     """Return the timestamp of epoch microseconds, with a zone where the source has one."""
     if kind.is_counter:
         return micros
-    if kind in _WITH_ZONE:
+    if kind.has_zone:
         return called("MAKE_TIMESTAMPTZ", micros)
     return called("MAKE_TIMESTAMP", micros)
 
