@@ -23,8 +23,11 @@ from gam_db.selection.lags import add_delays, add_samples
 from gam_db.selection.neighbours import add_dimensions, add_embedding
 from gam_db.selection.search import Search
 from gam_db.source import Source, WideSource, readings
+from gam_db.stored.migration_files import files
 from gam_db.stored.migrations import rendered
 from gam_db.stored.monitor import Monitor
+from gam_db.stored.pruning import prune
+from gam_db.stored.status import status
 from gam_db.stored.steps import comparing_steps, relearning_steps, scoring_steps
 from gam_db.stored.tables import StateTables
 from gam_db.study import Study
@@ -577,6 +580,8 @@ def watch_once() -> None:
             monitor.calibrate()
             monitor.score()
             assert monitor.check_state().num_rows == 0
+            status(session, StateTables(), monitor.name)
+            prune(session, StateTables(), monitor.name)
 
 
 def estimated(name: str, rows: int) -> tuple[list[tuple[str, exp.Query]], dict[str, sql_lint.Columns]]:
@@ -616,6 +621,42 @@ def test_filled_queries_of_a_selection_break_no_rule() -> None:
     exempt = EXEMPT | EXEMPT_IN_SELECTION
     assert {place for place in found if place[:2] not in exempt} == set()
     assert {place[:2] for place in found} == exempt, "an exemption that nothing needs any more goes"
+
+
+#: What reads the state only; each may read those before it.
+OF_STATE = (
+    *("time_kinds", "status_rows", "course", "pruned_versions", "aged_buckets", "horizons"),
+    *("doomed_buckets", "doomed_novel", "doomed_runs", "doomed_versions", "doomed_supports"),
+    "state_sizes",
+)
+
+
+def test_views_and_queries_of_the_state_break_no_rule() -> None:
+    """With the kinds that the migrations give to the columns; an instant counts as the integer it is."""
+    known: dict[str, sql_lint.Columns] = {}
+    queries: list[tuple[str, exp.Expr]] = []
+    for migration in files():
+        made = migration.definition.create
+        if made.kind == "VIEW":
+            queries.append((f"stored_{migration.name}", made.expression.copy()))
+        else:
+            known[f"stored_{migration.name}"] = {
+                column.name: sql_lint.CASTS[column.kind.this] for column in made.this.expressions
+            }
+    for name in OF_STATE:
+        path = f"stored/{name}"
+        slots: dict[str, template.Slot] = dict.fromkeys(template.load(path).slots, 5)
+        if "monitor" in slots:
+            slots["monitor"] = template.text("default")
+        queries.append((name, template.fill(path, slots)))
+    found = []
+    for name, query in queries:
+        for instant in list(query.find_all(exp.UnixToTime)):
+            instant.replace(instant.this)
+        checked = sql_lint.kinds(query, known)
+        known[name] = checked.columns
+        found += [f"{name}: {finding}" for finding in sql_lint.findings(checked, filled=True)]
+    assert found == []
 
 
 def test_every_file_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
