@@ -106,7 +106,7 @@ class Session:
             return node
         raise SourceError(
             f"There is no table or view {shown!r} in the database"
-            + (" in memory" if self.owned and self._in_memory() else "")
+            + (" in memory" if self.owned and not self.files() else "")
             + nearest(shown, sorted({name for _, _, name in known}))
             + ". A file must end in .parquet, .csv or .tsv."
         )
@@ -149,6 +149,11 @@ class Session:
             [schema],
         )
         return {name.casefold(): tuple(columns) for name, columns in rows.fetchall()}
+
+    def files(self) -> frozenset[Path]:
+        """Return the database files that are open here, by their full paths."""
+        rows = self.connection.execute("SELECT path FROM duckdb_databases() WHERE NOT internal")
+        return frozenset(Path(path).resolve() for (path,) in rows.fetchall() if path is not None)
 
     def check_condition(self, relation: exp.Expr, condition: exp.Expr, shown: str) -> None:
         """Try a user's condition on no row.
@@ -276,10 +281,16 @@ class Session:
         finally:
             unfinished.unlink(missing_ok=True)
 
-    def _write_table(self, query: exp.Query, path: Path, table: str) -> None:
-        name = f"{self._mark}_target"
+    @contextlib.contextmanager
+    def attached(self, path: Path) -> Iterator[exp.Identifier]:
+        """Open another DuckDB file for writing beside this one, and give its catalogue.
+
+        Raises:
+            SourceError: it cannot be opened.
+        """
+        catalog = template.name(f"{self._mark}_target")
         attach = exp.Attach(
-            this=exp.alias_(template.text(str(path)), template.name(name), table=False),
+            this=exp.alias_(template.text(str(path)), catalog, table=False),
             # Said in full: a session that only reads would attach other files for reading, too.
             expressions=[exp.AttachOption(this=exp.var("READ_WRITE"))],
         )
@@ -288,16 +299,19 @@ class Session:
         except (duckdb.IOException, duckdb.BinderException) as error:
             raise SourceError(f"{path} cannot be opened as a DuckDB file for writing.") from error
         try:
-            if (name, "main", "gam_migration") in self._known_tables():
+            yield catalog
+        finally:
+            self._run(exp.Detach(this=catalog.copy()))
+
+    def _write_table(self, query: exp.Query, path: Path, table: str) -> None:
+        with self.attached(path) as catalog:
+            if (catalog.name, "main", "gam_migration") in self._known_tables():
                 raise SourceError(
                     f"{path} holds the state of a monitor, whose tables would be replaced; write the "
                     "results to a file of their own."
                 )
-            target = exp.Table(this=template.name(table), db=template.name("main"))
-            target.set("catalog", template.name(name))
+            target = exp.Table(this=template.name(table), db=template.name("main"), catalog=catalog)
             self._run(exp.Create(this=target, kind="TABLE", replace=True, expression=query))
-        finally:
-            self._run(exp.Detach(this=template.name(name)))
 
     def rows_at_once(self) -> int:
         """Return how many readings can be worked on at once within the memory limit."""
@@ -372,10 +386,6 @@ class Session:
                 "name says?"
             ) from error
         return node
-
-    def _in_memory(self) -> bool:
-        row = self.connection.execute("SELECT path FROM duckdb_databases() WHERE NOT internal")
-        return all(path is None for (path,) in row.fetchall())
 
     def _known_tables(self) -> list[tuple[str, str, str]]:
         # Looked up, not tried: a statement that fails would undo the user's open transaction, and
