@@ -26,8 +26,10 @@ from gam_db.cli.drop import drop
 from gam_db.cli.evaluate import evaluate
 from gam_db.cli.init import init
 from gam_db.cli.migrate import migrate
+from gam_db.cli.prune import prune
 from gam_db.cli.run import run
 from gam_db.cli.select import select
+from gam_db.cli.status import status
 from gam_db.errors import StatementError, UserError
 
 FINE, USER_ERROR, OUR_FAULT, INTERRUPTED = 0, 1, 3, 130
@@ -99,6 +101,8 @@ app.command()(evaluate)
 app.command()(benchmark)
 app.command()(migrate)
 app.command()(drop)
+app.command()(status)
+app.command()(prune)
 
 
 def main() -> None:

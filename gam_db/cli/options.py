@@ -231,12 +231,12 @@ def settings(
         "bins": bins,
         "window": window,
         "stride": stride,
-        "max_gap": False if max_gap == "none" else _length(max_gap),
+        "max_gap": False if max_gap == "none" else length(max_gap),
         "target_floor": target_floor,
     }
     calibration = {
         "fraction": calibration_fraction,
-        "duration": _length(calibration_duration),
+        "duration": length(calibration_duration),
         "intervals": _intervals("--calibrate", calibrate),
         "exclude": _intervals("--exclude", exclude),
         "score_from": score_from,
@@ -270,7 +270,7 @@ def named_relation(settings: Settings) -> str:
     return relation
 
 
-def _length(text: str | None) -> int | float | str | None:
+def length(text: str | None) -> int | float | str | None:
     """A plain number has no unit; anything else is left to the clock, which knows the units."""
     if text is None:
         return None

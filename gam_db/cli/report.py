@@ -6,7 +6,7 @@ This module owns how things look. What they mean is said by :mod:`gam_db.finding
 import datetime as dt
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -32,7 +32,7 @@ PLAIN_BLOCKS = "_.,-=+*#"
 _READABLE = 120
 """Columns beyond which a line of prose is hard to read."""
 _LEAST_COURSE, _MOST_COURSE = 12, 48
-_MARKS = {"high": ("!", "bold red"), "setup": ("?", "yellow"), "waiting": ("~", "cyan")}
+MARKS = {"high": ("!", "bold red"), "setup": ("?", "yellow"), "waiting": ("~", "cyan")}
 _MEANINGS = {
     "high": "above the limit",
     "setup": "without a good enough calibration",
@@ -60,6 +60,27 @@ class Job:
     settings: str | None = None
 
 
+@dataclass(frozen=True)
+class Line:
+    """A channel in the table of a report.
+
+    Attributes:
+        name: as it is shown; so is time.
+        status, verdict, floor, hi, course, remarks: see :class:`~gam_db.findings.Finding`.
+        trend: how much the indicator rose of late; None in reports that have no such column.
+    """
+
+    name: str
+    status: str
+    verdict: str
+    floor: float | None
+    hi: float | None
+    course: NDArray[np.float64]
+    time: str
+    remarks: Sequence[str]
+    trend: str | None = None
+
+
 def console(width: int | None = None) -> Console:
     """Return the console of reports: no markup, so that names mean nothing but themselves."""
     return Console(width=width, markup=False, highlight=False, emoji=False)
@@ -78,10 +99,12 @@ def show(out: Console, job: Job, found: Sequence[Finding], everything: bool = Fa
         say(out, line)
     out.print()
     shown = found if everything else found[:SHOWN]
-    for text in _table(out, shown):
+    one_asset = len({one.asset for one in shown}) == 1
+    for text in channel_lines(out, [_line(one, one_asset) for one in shown]):
         out.print(text, no_wrap=True, overflow="crop", crop=True)
     if len(found) > len(shown):
-        say(out, f"and {len(found) - len(shown)} more ({_statuses(found[len(shown) :])}); --all")
+        rest = counted(one.status for one in found[len(shown) :])
+        say(out, f"and {len(found) - len(shown)} more ({rest}); --all")
     out.print()
     for line in _summary(found):
         say(out, line)
@@ -177,32 +200,33 @@ def healthy_part(calibration: Calibration) -> str:
     return healthy
 
 
-def _table(out: Console, found: Sequence[Finding]) -> list[Text]:
-    """Return a line per channel, and under it what is to be said of it."""
+def channel_lines(out: Console, channels: Sequence[Line]) -> list[Text]:
+    """Return a line per channel, and under it what is to be said of it; the first is the heading."""
     blocks = BLOCKS if can_show(out, BLOCKS) else PLAIN_BLOCKS
-    one_asset = len({one.asset for one in found}) == 1
-    names = [_name(one, one_asset) for one in found]
-    times = [time_text(one.time) for one in found]
-    verdict = max([7, *(len(one.verdict) for one in found)])
-    time_width = max([4, *map(len, times)])
-    free = out.width - (2 + 2 + verdict + 2 + 5 + 2 + 5 + 2 + 2 + time_width)
+    names = [printable(one.name) for one in channels]
+    verdict = max([7, *(len(one.verdict) for one in channels)])
+    time_width = max([4, *(len(one.time) for one in channels)])
+    trend = f"{'trend':>5}  " if any(one.trend is not None for one in channels) else ""
+    free = out.width - (2 + 2 + verdict + 2 + 5 + 2 + 5 + 2 + len(trend) + 2 + time_width)
     name_width = min(max([7, *map(cell_len, names)]), max(12, free - _LEAST_COURSE))
     course = min(_MOST_COURSE, max(_LEAST_COURSE, free - name_width))
     lines = [
         Text(
             f"  {fit('channel', name_width)}  {'verdict':{verdict}}  floor     HI  "
-            f"{fit('HI, 0 to 1', course)}  last",
+            f"{trend}{fit('HI, 0 to 1', course)}  last",
             style="bold",
         )
     ]
-    for one, name, time in zip(found, names, times, strict=True):
-        mark, style = _MARKS.get(one.status, (" ", ""))
+    for one, name in zip(channels, names, strict=True):
+        mark, style = MARKS.get(one.status, (" ", ""))
         is_shown = one.status != "not assessed"
         line = Text(f"{mark} {fit(name, name_width)}  {one.verdict:{verdict}}  ", style)
-        line.append(f"{share(one.support['floor'] if is_shown else None):>5}  ")
+        line.append(f"{share(one.floor if is_shown else None):>5}  ")
         line.append(f"{share(one.hi if is_shown else None):>5}  ")
+        if trend:
+            line.append(f"{one.trend if is_shown else '-':>5}  ")
         line.append(fit(sparkline(one.course, course, blocks) if is_shown else "", course))
-        line.append(f"  {time}")
+        line.append(f"  {one.time}")
         line.rstrip()
         lines.append(line)
         for remark in folded("; ".join(one.remarks), out.width - 4):
@@ -212,12 +236,25 @@ def _table(out: Console, found: Sequence[Finding]) -> list[Text]:
     return lines
 
 
+def _line(one: Finding, one_asset: bool) -> Line:
+    return Line(
+        name=one.channel if one_asset else f"{one.asset} {one.channel}",
+        status=one.status,
+        verdict=one.verdict,
+        floor=one.support["floor"],
+        hi=one.hi,
+        course=one.course,
+        time=time_text(one.time),
+        remarks=one.remarks,
+    )
+
+
 def _summary(found: Sequence[Finding]) -> list[str]:
     verdicts = Counter(one.verdict for one in found)
     order = ("ready", "too_fine", "needs_data", "constant", "no_data")
     lines = [
         "verdicts: " + ", ".join(f"{verdicts[name]} {name}" for name in order if verdicts[name]),
-        "channels: " + _statuses(found),
+        "channels: " + counted(one.status for one in found),
     ]
     if verdicts["no_data"]:
         lines.append(
@@ -245,16 +282,20 @@ def _summary(found: Sequence[Finding]) -> list[str]:
         )
     if not need_attention(found):
         lines.append("nothing needs attention")
-    return [*lines, " ".join(_legend(found))]
+    return [*lines, " ".join(legend(remark for one in found for remark in one.remarks))]
 
 
-def _legend(found: Sequence[Finding]) -> list[str]:
-    """Return what the words of this report mean, and no others."""
+def legend(said: Iterable[str]) -> list[str]:
+    """Return what the words of a report mean, and no others.
+
+    Args:
+        said: its remarks.
+    """
     words = [
         "HI: share of the last window's vectors in states that calibration never visited.",
         "Floor: what a healthy machine would show, from calibration itself.",
     ]
-    remarks = " ".join(remark for one in found for remark in one.remarks)
+    remarks = " ".join(said)
     if "limit" in remarks:
         words.append(
             "Limit: twice the floor, the highest block of calibration or target_floor, whichever is "
@@ -277,9 +318,10 @@ def _ladder(grids: Sequence[int]) -> str:
     )
 
 
-def _statuses(found: Sequence[Finding]) -> str:
-    count = Counter(one.status for one in found)
-    return ", ".join(f"{count[status]} {_MEANINGS[status]}" for status in STATUSES if count[status])
+def counted(statuses: Iterable[str]) -> str:
+    """Return how many channels are what, in words, the most urgent first."""
+    count = Counter(statuses)
+    return ", ".join(f"{count[status]:,} {_MEANINGS[status]}" for status in STATUSES if count[status])
 
 
 def printable(name: str) -> str:
@@ -287,12 +329,8 @@ def printable(name: str) -> str:
     return "".join(sign if sign.isprintable() else "\N{REPLACEMENT CHARACTER}" for sign in name)
 
 
-def _name(one: Finding, one_asset: bool) -> str:
-    return printable(one.channel if one_asset else f"{one.asset} {one.channel}")
-
-
 def time_text(time: Any) -> str:
-    """Return an instant of the source, to the minute."""
+    """Return an instant to the minute, or a counter; a dash where there is none."""
     if time is None:
         return "-"
     return f"{time:%Y-%m-%d %H:%M}" if isinstance(time, dt.datetime) else f"{time:,}"
