@@ -77,7 +77,8 @@ class Plant:
     def monitor(self, name: str = "default", time_kind: str = "timestamp") -> int:
         """Note a monitor and return its key."""
         key = self.next_id()
-        self.add("monitor", monitor_id=key, name=name, source="t", time_kind=time_kind, created=0)
+        read = {"source": "t", "layout": "long", "time_column": "time"}
+        self.add("monitor", monitor_id=key, name=name, time_kind=time_kind, created=0, **read)
         return key
 
     def channel(self, monitor: int, asset: str, channel: str) -> int:

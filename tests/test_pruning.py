@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gam_db.engines.duckdb_session import Session
-from gam_db.errors import EngineError, ParameterError, StateError
+from gam_db.errors import ConfigurationError, EngineError, ParameterError
 from gam_db.stored import pruning
 from gam_db.stored.pruning import COUNTED, Retention, prune
 from gam_db.stored.status import status
@@ -238,7 +238,7 @@ def test_what_cannot_be_pruned_is_refused(session: Session) -> None:
     ):
         with pytest.raises(ParameterError, match=message):
             prune(session, TABLES, retention=wrong)
-    with pytest.raises(StateError, match="no monitor 'nobody'"):
+    with pytest.raises(ConfigurationError, match="no monitor 'nobody'"):
         prune(session, TABLES, "nobody")
     with session.transaction(), pytest.raises(EngineError, match="transaction open"):
         prune(session, TABLES)

@@ -625,7 +625,7 @@ def test_filled_queries_of_a_selection_break_no_rule() -> None:
 
 #: What reads the state only; each may read those before it.
 OF_STATE = (
-    *("time_kinds", "status_rows", "course", "pruned_versions", "aged_buckets", "horizons"),
+    *("status_rows", "course", "pruned_versions", "aged_buckets", "horizons"),
     *("doomed_buckets", "doomed_novel", "doomed_runs", "doomed_versions", "doomed_supports"),
     "state_sizes",
 )

@@ -8,7 +8,7 @@ import pyarrow as pa
 import pytest
 
 from gam_db.engines.duckdb_session import Session
-from gam_db.errors import ParameterError, StateError
+from gam_db.errors import ConfigurationError, ParameterError, StateError
 from gam_db.stored import status as stored_status
 from gam_db.stored.status import by_asset
 from gam_db.stored.tables import StateTables
@@ -181,13 +181,13 @@ def test_monitors_are_kept_apart(session: Session) -> None:
         plant.run(version, [FULL, FULL])
     assert status(session, plant, "it's \\another")["asset"].to_pylist() == ["R2"]
     assert stored_status.status(session, TABLES)["asset"].to_pylist() == ["R1"]
-    with pytest.raises(StateError, match=r"no monitor 'defualt' in gam_.*did you mean 'default'"):
+    with pytest.raises(ConfigurationError, match=r"no monitor 'defualt' yet in gam_.*mean 'default'"):
         stored_status.status(session, TABLES, "defualt")
 
 
 def test_state_that_is_not_there_is_named(session: Session) -> None:
     emptied(session, TABLES)
-    with pytest.raises(StateError, match="no monitor yet; run `gam calibrate`"):
+    with pytest.raises(ConfigurationError, match="`gam calibrate` makes it"):
         stored_status.status(session, TABLES)
     with pytest.raises(StateError, match="no state tables other_"):
         stored_status.status(session, StateTables(prefix="other_"))

@@ -16,7 +16,8 @@ from gam_db.clock import FAR_AHEAD, Length, TimeKind, length
 from gam_db.engines.duckdb_session import Session
 from gam_db.errors import ParameterError
 from gam_db.pipeline import Pipeline, filled, place
-from gam_db.stored import lengths, monitors
+from gam_db.stored import lengths, migrations
+from gam_db.stored.state import State, kind_of
 from gam_db.stored.tables import StateTables
 
 NOVEL_ROWS = 100_000
@@ -95,11 +96,13 @@ def prune(
         dry_run: undo it all; the result is the same.
 
     Raises:
-        StateError: there is no such monitor, or no state of this gam-db.
+        StateError: there is no state of this gam-db.
+        ConfigurationError: there is no such monitor.
         ParameterError: a length of time or a number is none.
         EngineError: the database cannot be written, or a transaction is open.
     """
-    kind = monitors.time_kind(session, tables, monitor)
+    migrations.require(session, tables)
+    kind = kind_of(State(session, tables).monitor(monitor))
     slots = {"monitor": template.text(monitor), **_slots(retention or Retention(), kind)}
     steps = _steps(tables, slots)
     sizes = filled("stored/state_sizes", {"monitor": slots["monitor"]})

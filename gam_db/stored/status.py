@@ -22,7 +22,8 @@ from gam_db.engines.duckdb_session import Session
 from gam_db.findings import Course, Finding, Row, finding, urgency
 from gam_db.parameters import Parameters
 from gam_db.pipeline import filled, place
-from gam_db.stored import lengths, monitors
+from gam_db.stored import lengths, migrations
+from gam_db.stored.state import State, kind_of
 from gam_db.stored.tables import StateTables
 from gam_db.template import Slot, text
 
@@ -69,10 +70,12 @@ def status(
             ever. Default one day, for counters for ever.
 
     Raises:
-        StateError: there is no such monitor, or no state of this gam-db.
+        StateError: there is no state of this gam-db.
+        ConfigurationError: there is no such monitor.
         ParameterError: ``park_after`` is no length of time of this monitor.
     """
-    kind = monitors.time_kind(session, tables, monitor)
+    migrations.require(session, tables)
+    kind = kind_of(State(session, tables).monitor(monitor))
     longest = lengths.park_after(park_after, kind)
     stored = _fetched(session, tables, "stored/status_rows", {"monitor": text(monitor)})
     loaded = session.load(stored)
