@@ -13,7 +13,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.duckdb import ENGINE, file_reader
-from gam_db.engines.duckdb_opening import check_settings, opened, rows_at_once
+from gam_db.engines.duckdb_opening import attached, check_settings, opened, rows_at_once
 from gam_db.engines.duckdb_types import check_columns, is_name, is_numeric, is_text, time_kind
 from gam_db.errors import EngineError, SourceError, StatementError, nearest
 from gam_db.source import is_file, table_names
@@ -281,27 +281,13 @@ class Session:
         finally:
             unfinished.unlink(missing_ok=True)
 
-    @contextlib.contextmanager
-    def attached(self, path: Path) -> Iterator[exp.Identifier]:
+    def attached(self, path: Path) -> contextlib.AbstractContextManager[exp.Identifier]:
         """Open another DuckDB file for writing beside this one, and give its catalogue.
 
         Raises:
             SourceError: it cannot be opened.
         """
-        catalog = template.name(f"{self._mark}_target")
-        attach = exp.Attach(
-            this=exp.alias_(template.text(str(path)), catalog, table=False),
-            # Said in full: a session that only reads would attach other files for reading, too.
-            expressions=[exp.AttachOption(this=exp.var("READ_WRITE"))],
-        )
-        try:
-            self._run(attach)
-        except (duckdb.IOException, duckdb.BinderException) as error:
-            raise SourceError(f"{path} cannot be opened as a DuckDB file for writing.") from error
-        try:
-            yield catalog
-        finally:
-            self._run(exp.Detach(this=catalog.copy()))
+        return attached(self._run, f"{self._mark}_target", path)
 
     def _write_table(self, query: exp.Query, path: Path, table: str) -> None:
         with self.attached(path) as catalog:
