@@ -26,8 +26,6 @@ from gam_db.source import Source, WideSource, readings
 from gam_db.stored.migration_files import files
 from gam_db.stored.migrations import rendered
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.pruning import prune
-from gam_db.stored.status import status
 from gam_db.stored.steps import comparing_steps, relearning_steps, scoring_steps
 from gam_db.stored.tables import StateTables
 from gam_db.study import Study
@@ -580,8 +578,8 @@ def watch_once() -> None:
             monitor.calibrate()
             monitor.score()
             assert monitor.check_state().num_rows == 0
-            status(session, StateTables(), monitor.name)
-            prune(session, StateTables(), monitor.name)
+            assert monitor.status()["scored"].to_pylist() == [32]
+            monitor.prune()
 
 
 def estimated(name: str, rows: int) -> tuple[list[tuple[str, exp.Query]], dict[str, sql_lint.Columns]]:

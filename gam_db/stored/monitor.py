@@ -9,24 +9,21 @@ from typing import Any, Literal
 import pyarrow as pa
 
 from gam_db.calibration import Calibration
-from gam_db.clock import Instant, Length, TimeKind, instant, length
+from gam_db.clock import Instant, Length, instant
 from gam_db.connect import connect
 from gam_db.engines.duckdb_session import Session
-from gam_db.errors import ParameterError
 from gam_db.parameters import Parameters, pattern_matches
 from gam_db.running import Listener, unheard
 from gam_db.source import AnySource
-from gam_db.stored import migrations
+from gam_db.stored import lengths, migrations
 from gam_db.stored.calibrating import calibrate
 from gam_db.stored.checking import check_state
+from gam_db.stored.pruning import Retention, prune
 from gam_db.stored.scoring import Report, Wanted, score
 from gam_db.stored.state import State, kind_of
+from gam_db.stored.status import status
 from gam_db.stored.tables import StateTables
 from gam_db.study import Study
-
-#: Where the source has timestamps; a counter has no hours, so nothing is assumed of it.
-LOOKBACK = "1 h"
-PARK_AFTER = "1 d"
 
 
 class Monitor:
@@ -139,8 +136,8 @@ class Monitor:
         migrations.require(self.session, self.state.tables)
         kind = kind_of(self.state.monitor(self.name))
         wanted = Wanted(
-            lookback=self._lookback(kind),
-            park_after=self._park_after(kind),
+            lookback=lengths.lookback(self.lookback, kind),
+            park_after=lengths.park_after(self.park_after, kind),
             repair_from=None if since is None else instant(since, kind, "since"),
             until=None if until is None else instant(until, kind, "until"),
             full=full,
@@ -166,22 +163,38 @@ class Monitor:
         """
         migrations.require(self.session, self.state.tables)
         kind = kind_of(self.state.monitor(self.name))
-        lookback = self._lookback(kind)
+        lookback = lengths.lookback(self.lookback, kind)
         return check_state(self.state, self.source, self.name, lookback, limit, on_step)
 
-    def _lookback(self, kind: TimeKind) -> int:
-        if self.lookback is None:
-            return 0 if kind.is_counter else length(LOOKBACK, kind, "lookback")
-        return length(self.lookback, kind, "lookback")
+    def status(self) -> pa.Table:
+        """Return what the state says of each channel; see :func:`gam_db.stored.status.status`.
 
-    def _park_after(self, kind: TimeKind) -> int | None:
-        if self.park_after is None:
-            return None if kind.is_counter else length(PARK_AFTER, kind, "park_after")
-        if self.park_after is False:
-            return None
-        if self.park_after is True:
-            raise ParameterError("park_after is True; give a length of time, or False for never.")
-        return length(self.park_after, kind, "park_after")
+        Raises:
+            UserError: there is no such monitor.
+        """
+        return status(self.session, self.state.tables, self.name, self.park_after)
+
+    def prune(
+        self,
+        keep: Length | None = None,
+        keep_novel: Length | None = None,
+        keep_versions: int | None = None,
+        dry_run: bool = False,
+    ) -> pa.Table:
+        """Delete what is old, and return how much there was and is of each channel.
+
+        Args:
+            keep: age of the buckets that stay; None for all. See
+                :class:`gam_db.stored.pruning.Retention`.
+            keep_novel: age of the novel cells that stay; None for a bounded number of rows.
+            keep_versions: retired versions of each channel that stay; None for all.
+            dry_run: undo it all; the result is the same.
+
+        Raises:
+            UserError: there is no such monitor, a length is none, or the database cannot be written.
+        """
+        retention = Retention(keep, keep_novel, keep_versions, self.lookback)
+        return prune(self.session, self.state.tables, self.name, retention, dry_run)
 
 
 def _chosen(asset: str, channel: str) -> Callable[[str, str], bool]:
