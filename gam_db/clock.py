@@ -94,6 +94,13 @@ def instant(value: object, kind: TimeKind, what: str) -> int:
     )
 
 
+def shown_instant(tick: int, kind: TimeKind) -> str:
+    """Return integer time as :func:`instant` takes it: a counter value, or an ISO 8601 text (UTC)."""
+    if kind.is_counter:
+        return str(tick)
+    return (_EPOCH.replace(tzinfo=None) + tick * _MICROSECOND).isoformat()
+
+
 def length(value: object, kind: TimeKind, what: str) -> int:
     """Return a length of time as an integer: counter steps, or microseconds.
 

@@ -229,23 +229,9 @@ def _courses(
 def _remarks(
     row: Row, setting: Parameters, status: str, limit: float | None, course: Course | None
 ) -> list[str]:
-    remarks = []
-    verdict = row["verdict"]
+    has_moved = course is not None and course.has_moved
+    remarks = shortcomings(row, setting.span, has_moved)
     hi = None if course is None else course.now
-    if verdict == "constant":
-        has_moved = " and has moved since" if course is not None and course.has_moved else ""
-        remarks.append(f"was constant in calibration{has_moved}: not assessable")
-    elif verdict == "no_data" and row["lo"] is None:
-        remarks.append("no usable sample in calibration: not assessable")
-    elif verdict == "no_data":
-        remarks.append(
-            f"calibration holds no run of {setting.span + 1:,} samples without gap or missing value: "
-            "not assessable"
-        )
-    elif verdict == "too_fine":
-        remarks.append(f"grid too fine for its calibration, {row['finest_bins']:,} bins would pass")
-    elif verdict == "needs_data":
-        remarks.append(f"calibration too short, {_more(row['vectors_needed'])}")
     if status != "not assessed":
         if course is None or hi is None:
             scored = 0 if course is None else course.vectors
@@ -259,6 +245,31 @@ def _remarks(
     if row.get("conflicts"):
         remarks.append(f"{row['conflicts']:,} instants with different values, the smallest taken")
     return remarks
+
+
+def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
+    """Return why a channel cannot be watched, and what would help; nothing for a good calibration.
+
+    Args:
+        row: what was learnt of it: verdict, lo, finest_bins, vectors_needed.
+        span: samples between the oldest and the newest of a vector.
+        has_moved: a vector was novel since.
+    """
+    verdict = row["verdict"]
+    if verdict == "constant":
+        return [f"was constant in calibration{' and has moved since' * has_moved}: not assessable"]
+    if verdict == "no_data" and row["lo"] is None:
+        return ["no usable sample in calibration: not assessable"]
+    if verdict == "no_data":
+        return [
+            f"calibration holds no run of {span + 1:,} samples without gap or missing value: "
+            "not assessable"
+        ]
+    if verdict == "too_fine":
+        return [f"grid too fine for its calibration, {row['finest_bins']:,} bins would pass"]
+    if verdict == "needs_data":
+        return [f"calibration too short, {_more(row['vectors_needed'])}"]
+    return []
 
 
 def share(value: float | None) -> str:

@@ -17,7 +17,7 @@ from rich.console import Console
 from rich.text import Text
 
 from gam_db.calibration import Calibration
-from gam_db.findings import STATUSES, Finding, need_attention, share
+from gam_db.findings import STATUSES, Finding, Row, need_attention, share
 from gam_db.guess import Guess
 from gam_db.parameters import Parameters
 from gam_db.source import Source
@@ -250,25 +250,12 @@ def _line(one: Finding, one_asset: bool) -> Line:
 
 
 def _summary(found: Sequence[Finding]) -> list[str]:
-    verdicts = Counter(one.verdict for one in found)
-    order = ("ready", "too_fine", "needs_data", "constant", "no_data")
+    supports = [one.support for one in found]
     lines = [
-        "verdicts: " + ", ".join(f"{verdicts[name]} {name}" for name in order if verdicts[name]),
+        "verdicts: " + verdicts(supports),
         "channels: " + counted(one.status for one in found),
+        *advice(supports),
     ]
-    if verdicts["no_data"]:
-        lines.append(
-            "no_data: say which part is healthy by --calibrate FROM/TO, --calibration-duration or "
-            "--calibration-fraction, where it holds data"
-        )
-    grids = sorted(
-        (one.support["finest_bins"] for one in found if one.verdict == "too_fine"), reverse=True
-    )
-    if grids:
-        lines.append(
-            f"grid too fine: {_ladder(grids)} (--bins, or [[override]] in gam.toml); the coarser the "
-            "grid, the less it sees, so a longer calibration is better where it can be had"
-        )
     short = [
         one
         for one in found
@@ -283,6 +270,34 @@ def _summary(found: Sequence[Finding]) -> list[str]:
     if not need_attention(found):
         lines.append("nothing needs attention")
     return [*lines, " ".join(legend(remark for one in found for remark in one.remarks))]
+
+
+def verdicts(supports: Sequence[Row]) -> str:
+    """Return how many calibrations have which verdict."""
+    count = Counter(row["verdict"] for row in supports)
+    order = ("ready", "too_fine", "needs_data", "constant", "no_data")
+    return ", ".join(f"{count[name]:,} {name}" for name in order if count[name])
+
+
+def advice(supports: Sequence[Row]) -> list[str]:
+    """Return what can be done for calibrations that are not good enough, a line each.
+
+    Args:
+        supports: a row per channel, with its verdict and finest_bins.
+    """
+    lines = []
+    if any(row["verdict"] == "no_data" for row in supports):
+        lines.append(
+            "no_data: say which part is healthy by --calibrate FROM/TO, --calibration-duration or "
+            "--calibration-fraction, where it holds data"
+        )
+    grids = [row["finest_bins"] for row in supports if row["verdict"] == "too_fine"]
+    if grids:
+        lines.append(
+            f"grid too fine: {_ladder(grids)} (--bins, or [[override]] in gam.toml); the coarser the "
+            "grid, the less it sees, so a longer calibration is better where it can be had"
+        )
+    return lines
 
 
 def legend(said: Iterable[str]) -> list[str]:

@@ -292,10 +292,7 @@ class Session:
     def _write_table(self, query: exp.Query, path: Path, table: str) -> None:
         with self.attached(path) as catalog:
             if (catalog.name, "main", "gam_migration") in self._known_tables():
-                raise SourceError(
-                    f"{path} holds the state of a monitor, whose tables would be replaced; write the "
-                    "results to a file of their own."
-                )
+                raise SourceError(f"{path} holds the state of a monitor; write results to another file.")
             target = exp.Table(this=template.name(table), db=template.name("main"), catalog=catalog)
             self._run(exp.Create(this=target, kind="TABLE", replace=True, expression=query))
 

@@ -17,7 +17,7 @@ import pyarrow.compute as pc
 from numpy.typing import NDArray
 from sqlglot import exp
 
-from gam_db.clock import SECOND, Length, TimeKind
+from gam_db.clock import SECOND, Length, TimeKind, shown_instant
 from gam_db.engines.duckdb_session import Session
 from gam_db.findings import Course, Finding, Row, finding, urgency
 from gam_db.parameters import Parameters
@@ -219,7 +219,7 @@ def _remarks(row: Row, kind: TimeKind) -> list[str]:
         remarks.append(f"silent: {shown_length(row['behind'], kind)} behind the newest data")
     runs = row["differing_contexts"]
     if runs:
-        since = _instant(row["repair_from_tick"], kind)
+        since = shown_instant(row["repair_from_tick"], kind)
         remarks.append(
             f"{runs:,} run{'s' * (runs != 1)} found other samples than were scored, so rows came later "
             f"than lookback or were taken away: gam score --from {since}"
@@ -235,12 +235,6 @@ def _remarks(row: Row, kind: TimeKind) -> list[str]:
 def _added(row: Row) -> int | None:
     now = row["calibration_readings_now"]
     return None if now is None else now - row["calibration_readings"]
-
-
-def _instant(tick: int, kind: TimeKind) -> str:
-    if kind.is_counter:
-        return str(tick)
-    return (dt.datetime(1970, 1, 1) + dt.timedelta(microseconds=tick)).isoformat()
 
 
 def _table(found: Sequence[Finding], kind: TimeKind) -> pa.Table:
