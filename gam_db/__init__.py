@@ -11,6 +11,7 @@ from gam_db.parameters import Override, Parameters
 from gam_db.script import render
 from gam_db.selection import Selection, select
 from gam_db.source import Source, WideSource
+from gam_db.stored.monitor import Monitor
 from gam_db.version import __version__
 
 __all__ = [
@@ -18,6 +19,7 @@ __all__ = [
     "Conventions",
     "Evaluation",
     "GamError",
+    "Monitor",
     "Override",
     "Parameters",
     "Selection",

@@ -577,6 +577,7 @@ def watch_once() -> None:
             monitor.migrate()
             monitor.calibrate()
             monitor.score()
+            assert monitor.health().num_rows > 0
             assert monitor.check_state().num_rows == 0
             assert monitor.status()["scored"].to_pylist() == [32]
             monitor.prune()

@@ -7,11 +7,15 @@ from collections.abc import Callable
 from typing import Any, Literal
 
 import pyarrow as pa
+from sqlglot import exp
 
+from gam_db import template
 from gam_db.calibration import Calibration
+from gam_db.checking import look_at
 from gam_db.clock import Instant, Length, instant
 from gam_db.connect import connect
 from gam_db.engines.duckdb_session import Session
+from gam_db.method.source import named_like
 from gam_db.parameters import Parameters, pattern_matches
 from gam_db.running import Listener, unheard
 from gam_db.source import AnySource
@@ -64,6 +68,7 @@ class Monitor:
         schema: str | None = None,
         prefix: str = "gam_",
     ) -> None:
+        self._is_ours = not isinstance(engine, Session)
         self.session = engine if isinstance(engine, Session) else connect(engine)
         self.source = source
         self.parameters = parameters or Parameters()
@@ -72,6 +77,31 @@ class Monitor:
         self.park_after = park_after
         self.name = name
         self.state = State(self.session, StateTables(schema, prefix))
+
+    def __enter__(self) -> "Monitor":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Close the database if this monitor opened it; a session that was given stays open."""
+        if self._is_ours:
+            self.session.close()
+
+    def check(self, on_step: Listener = unheard) -> pa.Table:
+        """Look at the source before anything is learnt of it; no state is needed.
+
+        Args:
+            on_step: called with the name of each step before it is run.
+
+        Returns:
+            One row per (asset, channel) pair; see :func:`gam_db.check`.
+
+        Raises:
+            UserError: the source, a parameter or the calibration cannot be used at all.
+        """
+        return look_at(self.session, self.source, self.parameters, self.calibration, on_step).table
 
     def migrate(self) -> list[str]:
         """Make or change the state tables; return the names of what was applied."""
@@ -167,10 +197,13 @@ class Monitor:
         return check_state(self.state, self.source, self.name, lookback, limit, on_step)
 
     def status(self) -> pa.Table:
-        """Return what the state says of each channel; see :func:`gam_db.stored.status.status`.
+        """Return what the state says of each channel, the most urgent first; the source is not read.
+
+        Returns:
+            One row per channel; see :func:`gam_db.stored.status.status` for the columns.
 
         Raises:
-            UserError: there is no such monitor.
+            UserError: there is no such monitor, or no state.
         """
         return status(self.session, self.state.tables, self.name, self.park_after)
 
@@ -195,6 +228,30 @@ class Monitor:
         """
         retention = Retention(keep, keep_novel, keep_versions, self.lookback)
         return prune(self.session, self.state.tables, self.name, retention, dry_run)
+
+    def health(self, asset: str = "*", channel: str = "*") -> pa.Table:
+        """Return the stored health indicator; the source is not read.
+
+        Args:
+            asset: pattern of the assets (``*`` any text, ``?`` one character).
+            channel: pattern of the channels.
+
+        Returns:
+            One row per full bucket of the active versions, ordered: asset, channel, version_no, bucket,
+            first_time and last_time (UTC; NULL where the source counts time), first_tick and last_tick
+            (microseconds since 1970, or the counter), samples, novel, out_of_range, novel_in_window
+            (NULL until the window is full), window_length, hi (a share).
+
+        Raises:
+            UserError: there is no such monitor, or no state.
+        """
+        migrations.require(self.session, self.state.tables)
+        self.state.monitor(self.name)
+        conditions = [named_like("asset", asset), named_like("channel", channel)]
+        chosen = exp.and_(exp.true(), *(one for one in conditions if one is not None))
+        return self.state.fetch(
+            "stored/health_rows", {"monitor": template.text(self.name), "chosen": chosen}
+        )
 
 
 def _chosen(asset: str, channel: str) -> Callable[[str, str], bool]:

@@ -81,6 +81,13 @@ def plan_rows(
     return rows
 
 
+def last_times(state: State, monitor_id: int) -> dict[int, int]:
+    """Return the end of what is stored of each version that has a bucket."""
+    steps = plan_steps(monitor_id, None, None)
+    rows = state.session.fetch(steps.query("newest", state.tables.placed())).to_pylist()
+    return {row["version_id"]: row["newest_time"] for row in rows}
+
+
 def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
     """Return the step *cohort*: the channels of a group, by their rows of the plan.
 

@@ -11,13 +11,14 @@ from dataclasses import dataclass, field
 import pyarrow as pa
 
 from gam_db import template
-from gam_db.clock import FAR_AHEAD
+from gam_db.clock import FAR_AHEAD, shown_instant
+from gam_db.errors import ParameterError
 from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
 from gam_db.stored.planning import Cohort, Row, planned, portions, resumed
-from gam_db.stored.reading import Reader, cohort_of, plan_rows
+from gam_db.stored.reading import Reader, cohort_of, last_times, plan_rows
 from gam_db.stored.state import State, kind_of, now
 from gam_db.stored.steps import DAY, PUBLISHED, reading_steps, scoring_steps, setting_of
 
@@ -107,10 +108,15 @@ class _Run:
 
     def go(self, dry_run: bool) -> Report:
         wanted = self.wanted
-        rows = [row for row in self._plan() if wanted.chosen(row["asset"], row["channel"])]
+        known = {(row["asset"], row["channel"]) for row in self._known()}
+        if known and not any(wanted.chosen(*channel) for channel in known):
+            raise ParameterError(
+                f"No channel of the monitor {self.monitor['name']!r} matches the patterns of asset and "
+                "channel; * stands for any text, ? for one character."
+            )
+        rows = self._plan()
         everything = wanted.everything or wanted.full or wanted.repair_from is not None
         plan = planned(rows, wanted.lookback, wanted.park_after, self.started, everything)
-        known = {(row["asset"], row["channel"]) for row in self._known()}
         parked = list(plan.parked)
         cohorts = list(plan.cohorts)
         while cohorts:
@@ -143,7 +149,28 @@ class _Run:
 
     def _plan(self) -> list[Row]:
         lookback = None if self.wanted.full else self.wanted.lookback
-        return plan_rows(self.state, self.monitor["monitor_id"], lookback, self.wanted.repair_from)
+        monitor_id = self.monitor["monitor_id"]
+        rows = plan_rows(self.state, monitor_id, lookback, self.wanted.repair_from)
+        chosen = [row for row in rows if self.wanted.chosen(row["asset"], row["channel"])]
+        if self.wanted.repair_from is not None:
+            ends = last_times(self.state, monitor_id)
+            stored = [ends[row["version_id"]] for row in chosen if row["version_id"] in ends]
+            self._check_begin(self.wanted.repair_from, max(stored, default=None))
+        return chosen
+
+    def _check_begin(self, begin: int, newest: int | None) -> None:
+        """Refuse to score anew from an instant on where nothing is stored."""
+        kind, end = self.reader.kind, self.wanted.until
+        refused = f"Scoring anew cannot begin at {shown_instant(begin, kind)}"
+        if end is not None and begin > end:
+            raise ParameterError(f"{refused}: that is after its end, {shown_instant(end, kind)}.")
+        if newest is None:
+            raise ParameterError(f"{refused}: nothing of these channels is scored yet; leave it out.")
+        if begin > newest:
+            raise ParameterError(
+                f"{refused}: the newest stored bucket ends at {shown_instant(newest, kind)}; leave "
+                "it out to score what is new."
+            )
 
     def _known(self) -> list[Row]:
         slots: dict[str, template.Slot] = {"monitor_id": self.monitor["monitor_id"]}
@@ -184,7 +211,7 @@ class _Run:
                 everything = reading_steps(self.reader.readings(), is_ranged=False)
                 running.put("recount", everything.query("recount", running.placed))
             else:
-                running.load("recount", _NO_RECOUNT)
+                running.load("recount", _NO_RECOUNT.empty_table())
             rows = reading_steps(self.reader.readings(cohort, earliest))
             running.put("identified", rows.query("identified", running.placed))
             for part in PUBLISHED:
@@ -220,6 +247,4 @@ class _Run:
             )
 
 
-_NO_RECOUNT = pa.table(
-    {name: pa.array([], pa.int64()) for name in ("channel_id", "calibration_readings")}
-)
+_NO_RECOUNT = pa.schema([(name, pa.int64()) for name in ("channel_id", "calibration_readings")])
