@@ -19,6 +19,7 @@ from typer.core import TyperGroup
 
 import gam_db
 from gam_db.cli.benchmark import benchmark
+from gam_db.cli.calibrate import calibrate
 from gam_db.cli.check import check
 from gam_db.cli.compile import compile_script
 from gam_db.cli.demo import demo
@@ -28,6 +29,7 @@ from gam_db.cli.init import init
 from gam_db.cli.migrate import migrate
 from gam_db.cli.prune import prune
 from gam_db.cli.run import run
+from gam_db.cli.score import score
 from gam_db.cli.select import select
 from gam_db.cli.status import status
 from gam_db.errors import StatementError, UserError
@@ -99,6 +101,8 @@ app.command()(demo)
 app.command("compile")(compile_script)
 app.command()(evaluate)
 app.command()(benchmark)
+app.command()(calibrate)
+app.command()(score)
 app.command()(migrate)
 app.command()(drop)
 app.command()(status)
