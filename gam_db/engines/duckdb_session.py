@@ -12,6 +12,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db import template
+from gam_db.engines import duckdb_opening
 from gam_db.engines.duckdb import ENGINE, file_reader
 from gam_db.engines.duckdb_opening import attached, check_settings, opened, rows_at_once
 from gam_db.engines.duckdb_types import check_columns, is_name, is_numeric, is_text, time_kind
@@ -185,9 +186,9 @@ class Session:
             ) from error
         except StatementError as error:
             if isinstance(error.__cause__, duckdb.TransactionException):
-                raise EngineError(_CONFLICT) from error
+                raise EngineError(duckdb_opening.CONFLICT) from error
             if "read-only" in str(error.__cause__):
-                raise EngineError(_READ_ONLY) from error
+                raise EngineError(duckdb_opening.READ_ONLY) from error
             raise
 
     @contextlib.contextmanager
@@ -198,7 +199,7 @@ class Session:
             EngineError: a transaction is open already, or the end of this one was refused.
         """
         if self._in_transaction():
-            raise EngineError(_OPEN)
+            raise EngineError(duckdb_opening.OPEN)
         self.execute(exp.Transaction())
         try:
             yield
@@ -390,11 +391,3 @@ def _is_among(table: exp.Expr, known: list[tuple[str, str, str]]) -> bool:
 
 def _temporary(name: str) -> exp.Table:
     return exp.Table(this=template.name(name))
-
-
-_READ_ONLY = "The database is open for reading only; it cannot be changed."
-_OPEN = "The connection has a transaction open; commit it or roll it back first."
-_CONFLICT = (
-    "Another connection changed the same rows at the same time; nothing of this run was written. "
-    "Run it again."
-)
