@@ -137,3 +137,31 @@ def test_a_corrected_calibration_value_is_found(
     found = monitor.check_state().to_pylist()
     assert [(row["asset"], row["part"]) for row in found] == [("r1", "calibration")]
     assert found[0]["differing"] > 0
+
+
+def test_what_was_pruned_is_neither_missed_nor_scored_anew(
+    watched: tuple[duckdb.DuckDBPyConnection, Monitor],
+) -> None:
+    connection, monitor = watched
+    monitor.prune(keep=120)
+    kept = rows_of(connection, BUCKETS)
+    assert min(row["bucket"] for row in kept) > 0
+    connection.execute("DELETE FROM telemetry WHERE time < 200").fetchall()
+    found = monitor.check_state()
+    assert set(found["part"].to_pylist()) <= {"calibration", "scored"}
+    monitor.score(since=150)  # older than what is kept
+    assert rows_of(connection, BUCKETS) == kept
+
+
+def test_the_context_of_single_samples_is_one(
+    watched: tuple[duckdb.DuckDBPyConnection, Monitor],
+) -> None:
+    connection = watched[0]
+    single = gam_db.Parameters(m=1, bins=4, window=20, stride=10)
+    monitor = Monitor(
+        connection, gam_db.Source("telemetry"), single, CALIBRATION, lookback=20, name="m = 1"
+    )
+    monitor.calibrate()
+    monitor.score()
+    for row in monitor.score().channels:
+        assert row["context_rows"] == row["context_expected"] == 1

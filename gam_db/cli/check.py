@@ -11,7 +11,8 @@ from typing import Annotated, Any
 import typer
 
 from gam_db.checking import Look, Note, Proposal, look_at, must_be_fixed, notes, propose
-from gam_db.cli import look_report, options, report
+from gam_db.cli import look_report, monitor_options, options, report
+from gam_db.cli.check_state import check_state
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.config import Settings
 from gam_db.engines.duckdb_session import Session
@@ -20,12 +21,25 @@ from gam_db.guess import guess
 MUST_BE_FIXED = 2
 
 _OUTPUT = "Output"
+_STATE = "Where the state lies, with --state"
 
 
 def check(
     source: options.SourceArgument = None,
     database: options.DatabaseOption = None,
     config: options.ConfigOption = None,
+    state: Annotated[
+        bool,
+        typer.Option(
+            "--state",
+            help="Instead, compare what gam score has stored with the source: rows that came too late, "
+            "were corrected or went. Reads all of it; ends with 2 if anything differs.",
+            rich_help_panel=_STATE,
+        ),
+    ] = False,
+    name: monitor_options.NameOption = None,
+    schema: monitor_options.SchemaOption = None,
+    prefix: monitor_options.PrefixOption = None,
     everything: Annotated[
         bool,
         typer.Option(
@@ -72,6 +86,20 @@ def check(
     everywhere, one time for all rows, nothing that moves, too few samples for a window on any channel.
     Nothing is written.
     """
+    if state:
+        differs = check_state(
+            source=source,
+            database=database,
+            config=config,
+            name=name,
+            schema=schema,
+            prefix=prefix,
+            threads=threads,
+            everything=everything,
+            as_json=as_json,
+            quiet=quiet,
+        )
+        raise typer.Exit(MUST_BE_FIXED if differs else 0)
     settings = options.settings(
         file=config,
         relation=source,

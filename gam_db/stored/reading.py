@@ -112,7 +112,7 @@ _COHORT = pa.schema(
             for name in (
                 *("channel_id", "version_id", "support_id", "first_bucket", "first_scored"),
                 *("read_from", "read_until", "context_expected", "calibration_end"),
-                *("recounted", "settled"),
+                *("oldest_bucket", "recounted", "settled"),
             )
         ),
         *((name, pa.string()) for name in ("asset", "channel")),

@@ -74,6 +74,7 @@ def plan_steps(monitor_id: int, lookback: int | None, repair_from: int | None) -
     slots = {
         "lookback": FAR_AHEAD if lookback is None else lookback,
         "repair_from": FAR_AHEAD if repair_from is None else repair_from,
+        "pruned_stay": 0 if lookback is None else 1,
     }
     add(steps, "stored/active", {"monitor_id": monitor_id})
     add(steps, "stored/newest")

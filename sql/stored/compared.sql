@@ -46,7 +46,7 @@ FROM (
         1 AS is_stored
       FROM stored_visible_bucket AS bucket
       JOIN cohort AS member ON member.version_id = bucket.version_id
-      WHERE bucket.bucket_no < member.settled
+      WHERE bucket.bucket_no BETWEEN member.oldest_bucket AND member.settled - 1
       UNION ALL
       SELECT
         made.channel_id AS channel_id,
@@ -59,7 +59,7 @@ FROM (
         0 AS is_stored
       FROM new_buckets AS made
       JOIN cohort AS member ON member.channel_id = made.channel_id
-      WHERE made.bucket_no < member.settled
+      WHERE made.bucket_no BETWEEN member.oldest_bucket AND member.settled - 1
     ) AS both_sides
     GROUP BY channel_id, bucket_no, first_time, last_time, samples, novel, out_of_range
   ) AS matched
