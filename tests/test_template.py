@@ -328,7 +328,7 @@ LAYERS = [
     ["gam_db"],
     ["config", "findings"],
     ["guess"],
-    ["benchmark"],
+    ["benchmark", "simulate"],
     ["cli"],
 ]
 

@@ -22,6 +22,7 @@ from gam_db.cli.benchmark import benchmark
 from gam_db.cli.compile import compile_script
 from gam_db.cli.demo import demo
 from gam_db.cli.run import run
+from gam_db.cli.simulate import simulate
 from gam_db.errors import StatementError, UserError
 
 FINE, USER_ERROR, OUR_FAULT, INTERRUPTED = 0, 1, 3, 130
@@ -87,6 +88,7 @@ app.command()(run)
 app.command()(demo)
 app.command("compile")(compile_script)
 app.command()(benchmark)
+app.add_typer(simulate, name="simulate")
 
 
 def main() -> None:
