@@ -197,6 +197,17 @@ def test_a_fleet_in_a_database(tmp_path: Path) -> None:
     assert rows["value"].null_count == expected["value"].null_count
 
 
+def test_a_view_is_not_replaced(tmp_path: Path) -> None:
+    out = tmp_path / "plant.duckdb"
+    with duckdb.connect(str(out)) as connection:
+        connection.execute("CREATE VIEW telemetry AS SELECT 1 AS one")
+    answer = invoked("fleet", "--out", str(out), "--only", "4", "--samples", "2000")
+    assert answer.exit_code == 1
+    assert "something else than a table is called 'telemetry'" in answer.stderr
+    with duckdb.connect(str(out)) as connection:
+        assert connection.execute("SHOW TABLES").fetchall() == [("telemetry",)]
+
+
 def test_the_langevin_system_with_its_truth(tmp_path: Path) -> None:
     out = tmp_path / "system.parquet"
     assert invoked("langevin", "--out", str(out), "--samples", "1000").exit_code == 0

@@ -96,6 +96,8 @@ def _written(path: Path, table: str) -> Iterator[tuple[Writer, Writer]]:
     try:
         with writing(path, table) as writers:
             yield writers
+    except duckdb.CatalogException as error:
+        raise SourceError(f"In {path} something else than a table is called {table!r}.") from error
     except (duckdb.IOException, OSError) as error:
         raise SourceError(f"{path} cannot be written; does another process hold it?") from error
 
@@ -125,22 +127,48 @@ def _in_parquet(path: Path, table: str) -> Iterator[tuple[Writer, Writer]]:
 
 @contextlib.contextmanager
 def _in_database(path: Path, table: str) -> Iterator[tuple[Writer, Writer]]:
+    # Written under other names and renamed in the end: a transaction around it all would keep all of
+    # it in memory.
+    mark = f"gam_unfinished_{secrets.token_hex(4)}"
+    targets = (table, truth_of(path, table))
+    unfinished = [_table(f"{mark}_{number}") for number in range(len(targets))]
     with duckdb.connect(str(path), config={"memory_limit": _MEMORY}) as connection:
-        connection.begin()
 
-        def write_to(name: str) -> Writer:
-            target = exp.Table(this=template.name(name))
+        def run(tree: exp.Expr) -> None:
+            connection.execute(ENGINE.text(tree))
+
+        def writer_of(target: exp.Table) -> Writer:
             begun = False
 
             def write(part: pa.Table) -> None:
                 nonlocal begun
                 connection.register(_PART, part)
                 rows = exp.select(*map(template.column, part.column_names)).from_(_PART)
-                made = exp.Create(this=target, kind="TABLE", replace=True, expression=rows)
-                connection.execute(ENGINE.text(exp.insert(rows, target) if begun else made))
+                run(
+                    exp.insert(rows, target)
+                    if begun
+                    else exp.Create(this=target, kind="TABLE", expression=rows)
+                )
+                connection.unregister(_PART)
                 begun = True
 
             return write
 
-        yield write_to(table), write_to(truth_of(path, table))
-        connection.commit()
+        try:
+            yield writer_of(unfinished[0]), writer_of(unfinished[1])
+            connection.begin()
+            for made, name in zip(unfinished, targets, strict=True):
+                run(exp.Drop(tables=[_table(name)], kind="TABLE", exists=True))
+                renamed = exp.AlterRename(this=_table(name))
+                run(exp.Alter(this=made, kind="TABLE", actions=[renamed]))
+            connection.commit()
+        except BaseException:
+            with contextlib.suppress(duckdb.Error):  # there is nothing to take back but in the end
+                connection.rollback()
+            for made in unfinished:
+                run(exp.Drop(tables=[made], kind="TABLE", exists=True))
+            raise
+
+
+def _table(name: str) -> exp.Table:
+    return exp.Table(this=template.name(name))
