@@ -2,6 +2,7 @@
 
 from gam_db.calibration import Calibration
 from gam_db.errors import GamError, UserError
+from gam_db.estimators import scores, scores_at_buckets
 from gam_db.health import certificate, health_at_buckets, health_indicator, support
 from gam_db.parameters import Override, Parameters
 from gam_db.script import render
@@ -21,5 +22,7 @@ __all__ = [
     "health_at_buckets",
     "health_indicator",
     "render",
+    "scores",
+    "scores_at_buckets",
     "support",
 ]

@@ -9,7 +9,7 @@ from pathlib import Path
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db import look
+from gam_db import look, template
 from gam_db.calibration import Calibration
 from gam_db.engines.duckdb_session import Session
 from gam_db.method import Method, pipeline
@@ -64,6 +64,12 @@ class Study:
         query = self._ready(step)
         self._on_step(step)
         return self.session.fetch(query)
+
+    def put(self, step: str, rows: pa.Table) -> None:
+        """Add an Arrow table as a small step that later ones can read."""
+        columns = [template.column(name) for name in rows.column_names]
+        self.steps.add(step, exp.select(*columns).from_(self.session.relation(rows)))
+        self.steps.small |= {step}
 
     def write(self, step: str, path: Path, table: str) -> None:
         """Write the rows of a step as Parquet, or as a table of a DuckDB file."""
