@@ -3,6 +3,7 @@
 from gam_db.calibration import Calibration
 from gam_db.errors import GamError, UserError
 from gam_db.estimators import scores, scores_at_buckets
+from gam_db.evaluation import Conventions, Evaluation, evaluate
 from gam_db.health import certificate, health_at_buckets, health_indicator, support
 from gam_db.parameters import Override, Parameters
 from gam_db.script import render
@@ -12,6 +13,8 @@ __version__ = "0.1.0"
 
 __all__ = [
     "Calibration",
+    "Conventions",
+    "Evaluation",
     "GamError",
     "Override",
     "Parameters",
@@ -19,6 +22,7 @@ __all__ = [
     "UserError",
     "WideSource",
     "certificate",
+    "evaluate",
     "health_at_buckets",
     "health_indicator",
     "render",

@@ -4,6 +4,7 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+import pyarrow as pa
 import pytest
 import sqlglot
 from sqlglot import exp
@@ -580,6 +581,12 @@ def test_every_file_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
     for name in ESTIMATORS:
         estimated(name, rows=30)
     estimated("gmm", rows=3)
+    values = pa.table({"asset": ["a", "a"], "channel": ["c", "c"], "index": [0, 1], "hi": [0.0, 1.0]})
+    counts = values.append_column("novel_in_window", pa.array([0, 1]))
+    outcomes = pa.table({"asset": ["a"], "failed_at": [1]})
+    sign = gam_db.Conventions(monotonicity="sign", amplitude="ends", samples=1)
+    gam_db.evaluate(values, outcomes)
+    gam_db.evaluate(counts, outcomes, conventions=sign)
     assert set(NAMES) - loaded == set()
     assert {name for name in loaded if name not in NAMES} == set()
 

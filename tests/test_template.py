@@ -324,7 +324,7 @@ LAYERS = [
     ["engines"],
     ["look"],
     ["script", "study"],
-    ["health"],
+    ["health", "evaluation"],
     ["gam_db"],
     ["config", "findings"],
     ["guess"],

@@ -123,9 +123,8 @@ def add_forecast_points(study: Study, number: int) -> list[str]:
     ]
     point = point_of(method, number)
     add_of_set(steps, method, number, "baselines/before", {"point": point, "earlier": lagged})
-    handed_on = [
-        exp.alias_(exp.column(column, table="placed"), column) for column in (*earlier.values(), "elapsed")
-    ]
+    added = [*earlier.values(), "elapsed"]
+    handed_on = [exp.alias_(exp.column(column, table="placed"), column) for column in added]
     for step in ("learnt_points", "scored_points"):
         add_of_set(
             steps,

@@ -10,6 +10,7 @@ A net takes rows of normalised values. For a reconstruction a row is a vector, n
 forecast it is the sample to be forecast and after it the vector one sample earlier.
 """
 
+import itertools
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -51,7 +52,8 @@ def torch() -> Any:
 
 def autoencoder(m: int) -> Net:
     """Return the autoencoder; its score is the squared reconstruction error."""
-    whole = torch().nn.Sequential(*_perceptron(m, *WIDTHS, LATENT), *_perceptron(LATENT, *WIDTHS[::-1], m))
+    encoder, decoder = _perceptron(m, *WIDTHS, LATENT), _perceptron(LATENT, *WIDTHS[::-1], m)
+    whole = torch().nn.Sequential(*encoder, *decoder)
     return _of_errors(whole, lambda rows: (whole(rows) - rows) ** 2)
 
 
@@ -129,6 +131,6 @@ def _of_errors(modules: Any, errors: Callable[[Tensor], Tensor]) -> Net:
 def _perceptron(*widths: int) -> list[Any]:
     library = torch()
     layers: list[Any] = []
-    for incoming, outgoing in zip(widths, widths[1:], strict=False):
+    for incoming, outgoing in itertools.pairwise(widths):
         layers += [library.nn.Linear(incoming, outgoing), library.nn.ReLU()]
     return layers[:-1]
