@@ -5,7 +5,7 @@ from it, and places about the middle, at most K / 2 + 1 from it:
 
 * the running sums of level * place^2 and the moments of a window stay below K^3 R / 4,
 * the sums of squared levels stay below K (R + 1)^2 / 4; of the 101 points of a life, below 101 R^2,
-* the sums of rank deviations stay below K^3 / 3.
+* the sums of rank deviations stay below K^3 / 3, and K below 2^22, from which keys of values are made.
 """
 
 from gam_db.errors import SourceError

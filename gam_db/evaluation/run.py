@@ -18,9 +18,8 @@ from gam_db.evaluation import sampling
 from gam_db.evaluation.capacity import POINTS
 from gam_db.evaluation.conventions import Conventions
 from gam_db.evaluation.members import Member, Outcome, as_table, members, outcomes_of, unmatched
-from gam_db.evaluation.steps import KEPT, chance_steps, evaluation_steps
+from gam_db.evaluation.steps import KEPT, chance_steps, evaluation_steps, looking_steps
 from gam_db.evaluation.table import health_table
-from gam_db.pipeline import Pipeline
 
 Listener = Callable[[str], None]
 
@@ -112,17 +111,17 @@ def evaluated(
     if outcomes is not None:
         known = outcomes_of(session, outcomes, table.kind)
 
-    def steps_for(found: list[Member]) -> Pipeline:
-        units = sampling.units(sampling.largest_weight(found))
-        return evaluation_steps(table.indicator, conventions, table.counts, units, known is not None)
-
-    on_step("candidates")
-    rows = session.fetch(steps_for([]).query("candidates")).to_pylist()
+    look = looking_steps(table.indicator)
+    on_step("indicator")
+    indicator = session.keep("indicator", look.query("indicator"))
+    rows = session.fetch(look.query("candidates", {"indicator": indicator})).to_pylist()
     found = members(rows, table, known, conventions.values_per_window)
     if known and unmatched(known, found) == len(known):
         raise SourceError("The outcomes speak of no asset or channel of the health indicators.")
-    steps = steps_for(found)
+    units = sampling.units(sampling.largest_weight(found))
+    steps = evaluation_steps(conventions, table.counts, units, known is not None)
     placed = {
+        "indicator": indicator,
         "members": _given(session, as_table(found)),
         "drawings": _given(session, sampling.drawings(found, conventions)),
         "life_shares": _given(session, _life_shares()),
@@ -161,8 +160,10 @@ def _chance(
             drawn.append((member, row["k"], novel_sum))
         else:
             reasons.append({"series_id": member.series_id, "chance_reason": reason})
-    steps = chance_steps(conventions, sampling.units(conventions.surrogates))
     parts = [pa.Table.from_pylist(reasons, _CHANCE)]
+    if not drawn:
+        return parts[0]
+    steps = chance_steps(conventions, sampling.units(conventions.surrogates))
     for batch in sampling.batches(drawn, conventions):
         placed = {
             "selected": _given(session, batch.selected),

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from gam_db.evaluation.conventions import Conventions
 from gam_db.evaluation.members import ASIDE, Member
 
-_BATCH = 4_000_000
+_BATCH = 1_000_000
 """Values of surrogates that are computed at once."""
 
 _VECTORS = 100

@@ -11,7 +11,7 @@ from gam_db.method.adding import add, add_stacked
 from gam_db.pipeline import Pipeline, filled
 
 #: Steps that others read more than once, and the last ones before the results: kept on the way.
-KEPT = ("indicator", "centred", "moments", "prefixes", "series_metrics")
+KEPT = ("centred", "moments", "prefixes", "series_metrics")
 
 #: Parts of a series' chance level: their numbers and columns.
 _TREND_PARTS = ((0, "mon"), (1, "corr_size"), (2, "rob"))
@@ -29,6 +29,14 @@ _METRICS = (
     ("trendability", "trendability", None, "failed_counted"),
     ("global", "global_score", None, "available"),
 )
+
+
+def looking_steps(indicator: exp.Query) -> Pipeline:
+    """Return the steps *indicator*, which is the given query, and *candidates*."""
+    steps = Pipeline()
+    steps.add("indicator", indicator, template.load("evaluation/indicator").comment)
+    add(steps, "evaluation/candidates")
+    return steps
 
 
 def series_steps(conventions: Conventions, counts: bool) -> Pipeline:
@@ -56,24 +64,19 @@ def chance_steps(conventions: Conventions, units: int) -> Pipeline:
     return steps
 
 
-def evaluation_steps(
-    indicator: exp.Query, conventions: Conventions, counts: bool, units: int, reasons: bool
-) -> Pipeline:
-    """Return all steps of an evaluation.
+def evaluation_steps(conventions: Conventions, counts: bool, units: int, reasons: bool) -> Pipeline:
+    """Return the steps of an evaluation after the look.
 
-    *members*, *drawings*, *life_shares* and *chance* are given. The last steps are *channel_summary* (a
-    row per channel) and *fleet_summary* (a row per metric).
+    *indicator*, *members*, *drawings*, *life_shares* and *chance* are given. The last steps are
+    *channel_summary* (a row per channel) and *fleet_summary* (a row per metric).
 
     Args:
-        indicator: the step *indicator*.
         conventions: forms of the metrics.
         counts: whether the indicator is a count of novel vectors.
         units: in which shares are counted; see :func:`gam_db.evaluation.sampling.units`.
         reasons: whether outcomes are known at all.
     """
     steps = Pipeline(small=frozenset((*KEPT, "part_means", "life_points", "fleet_metrics")))
-    steps.add("indicator", indicator, template.load("evaluation/indicator").comment)
-    add(steps, "evaluation/candidates")
     add(steps, "evaluation/selected")
     add(steps, "evaluation/rates")
     _add_series(steps, conventions, counts)

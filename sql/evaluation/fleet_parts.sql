@@ -1,6 +1,6 @@
 -- Fleet parts: the means and spreads of a drawing side by side. Numbers of the parts: 0 monotonicity,
 -- 1 temporal correlation, 2 robustness, 3 last value and 4 amplitude of failed series, 5 standard
--- deviation of healthy series.
+-- deviation of healthy series. Part -1 is there so that the fleet as it is has a row in any case.
 -- Reads:  part_means
 -- A row:  one drawing.
 SELECT
@@ -19,5 +19,15 @@ SELECT
   MAX(CASE WHEN part = 4 THEN counted ELSE 0 END) AS failed_counted,
   MAX(CASE WHEN part = 5 THEN part_mean END) AS healthy_sd,
   MAX(CASE WHEN part = 5 THEN counted ELSE 0 END) AS healthy_counted
-FROM part_means
+FROM (
+  SELECT group_id, part, counted, part_mean, part_sd
+  FROM part_means
+  UNION ALL
+  SELECT
+    0 AS group_id,
+    -1 AS part,
+    0 AS counted,
+    CAST(0 AS DOUBLE) AS part_mean,
+    CAST(0 AS DOUBLE) AS part_sd
+) AS found
 GROUP BY group_id

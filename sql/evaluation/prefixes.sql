@@ -1,6 +1,7 @@
 -- Prefixes: running sums of the level and of its products with place and place squared, from which the
 -- sums over any window are differences; and the window of the Savitzky-Golay trend around each value:
--- half width K / 10, rounded down; at both ends the first or last full window.
+-- half width K / 10, rounded down; at both ends the first or last full window. value_key tells values of
+-- all series apart by one number: joined by two columns, a planner may pair all values of a series first.
 -- Reads:  centred
 -- A row:  one value.
 SELECT
@@ -10,6 +11,7 @@ SELECT
   half_width,
   place,
   level_deviation,
+  series_id * 4194304 + value_no AS value_key,
   CASE
     WHEN value_no <= half_width THEN half_width + 1
     WHEN value_no > k - half_width THEN k - half_width

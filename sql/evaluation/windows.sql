@@ -34,12 +34,10 @@ FROM (
       place,
       level_deviation,
       centre_no,
-      centre_no - half_width AS oldest_no,
-      centre_no + half_width AS newest_no
+      value_key - value_no + centre_no - half_width AS oldest_key,
+      value_key - value_no + centre_no + half_width AS newest_key
     FROM prefixes
   ) AS value
-  JOIN prefixes AS oldest
-    ON oldest.series_id = value.series_id AND oldest.value_no = value.oldest_no
-  JOIN prefixes AS newest
-    ON newest.series_id = value.series_id AND newest.value_no = value.newest_no
+  JOIN prefixes AS oldest ON oldest.value_key = value.oldest_key
+  JOIN prefixes AS newest ON newest.value_key = value.newest_key
 ) AS summed
