@@ -8,8 +8,7 @@ from gam_db.health import certificate, health_at_buckets, health_indicator, supp
 from gam_db.parameters import Override, Parameters
 from gam_db.script import render
 from gam_db.source import Source, WideSource
-
-__version__ = "0.1.0"
+from gam_db.version import __version__
 
 __all__ = [
     "Calibration",
@@ -21,6 +20,7 @@ __all__ = [
     "Source",
     "UserError",
     "WideSource",
+    "__version__",
     "certificate",
     "evaluate",
     "health_at_buckets",

@@ -6,7 +6,8 @@
     │   ├── CalibrationError    the calibration is contradictory or cannot be resolved
     │   ├── SourceError         the relation, a column of it, or its rows are not usable
     │   ├── ConfigurationError  gam.toml or an option of the command line
-    │   └── EngineError         an unknown engine, or one that cannot do what is asked
+    │   ├── EngineError         an unknown engine, or one that cannot do what is asked
+    │   └── StateError          the state tables are missing, changed, or of another gam-db
     └── InternalError           our fault; the command line exits with 3
         ├── TemplateError       a file in sql/ breaks a rule, or its slots were not filled
         └── StatementError      a statement that we made failed; carries it as ``statement``
@@ -44,6 +45,10 @@ class ConfigurationError(UserError):
 
 class EngineError(UserError):
     """An unknown engine, or one that cannot do what is asked."""
+
+
+class StateError(UserError):
+    """The state tables are missing, were changed, or are of another gam-db."""
 
 
 class InternalError(GamError):

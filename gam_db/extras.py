@@ -19,5 +19,5 @@ def needed(module: str, extra: str) -> Any:
     try:
         return importlib.import_module(module)
     except ImportError as error:
-        library = {"sklearn": "scikit-learn"}.get(module.partition(".")[0], module.partition(".")[0])
+        library = module.partition(".")[0].replace("sklearn", "scikit-learn")
         raise UserError(f'This needs {library}: pip install "gam-db[{extra}]".') from error

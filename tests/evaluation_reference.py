@@ -78,7 +78,8 @@ def quadratic(points: Values) -> list[Fraction]:
         return list(points)
     power = [sum(Fraction(i) ** p for i in range(n)) for p in range(5)]
     rows = [
-        [power[p + q] for q in range(3)] + [sum(y * i**p for i, y in enumerate(points))] for p in range(3)
+        [power[p + q] for q in range(3)] + [sum(y * i**p for i, y in enumerate(points))]
+        for p in range(3)
     ]
     for p in range(3):
         rows[p] = [entry / rows[p][p] for entry in rows[p]]

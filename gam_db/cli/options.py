@@ -112,6 +112,16 @@ TargetFloorOption = Annotated[
     ),
 ]
 
+EstimatorOption = Annotated[
+    str,
+    typer.Option(
+        metavar="NAME",
+        help="What scores vectors: dse (the method itself), or centroid, gmm, forest, ocsvm, which have "
+        'no certificate and no limit. The last three need pip install "gam-db[benchmark]".',
+        rich_help_panel=_PARAMETERS,
+    ),
+]
+
 FractionOption = Annotated[
     float | None,
     typer.Option(help="The first share of each channel's samples.", rich_help_panel=_CALIBRATION),

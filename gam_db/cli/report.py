@@ -120,12 +120,13 @@ def _heading(job: Job, found: Sequence[Finding]) -> list[str]:
     settings = f"; settings from {job.settings}" if job.settings else ""
     return [
         f"{printable(job.name)}: {channels} of {machines}, {samples:,} samples{settings}",
-        _columns(job.guess),
-        _method(job.parameters, job.calibration),
+        columns_line(job.guess),
+        method_line(job.parameters, job.calibration),
     ]
 
 
-def _columns(guess: Guess) -> str:
+def columns_line(guess: Guess) -> str:
+    """Return which columns were taken for what."""
     source = guess.source
     named = {"asset": source.asset, "time": source.time}
     if isinstance(source, Source):
@@ -150,7 +151,8 @@ def _columns(guess: Guess) -> str:
     return line
 
 
-def _method(parameters: Parameters, calibration: Calibration) -> str:
+def method_line(parameters: Parameters, calibration: Calibration) -> str:
+    """Return the parameters and the calibration in one line."""
     said = [
         f"{name}={getattr(parameters, name)}"
         for name in ("m", "tau", "bins", "window", "stride", "max_gap", "target_floor")
@@ -175,7 +177,7 @@ def _table(out: Console, found: Sequence[Finding]) -> list[Text]:
     blocks = BLOCKS if _can_show(out, BLOCKS) else PLAIN_BLOCKS
     one_asset = len({one.asset for one in found}) == 1
     names = [_name(one, one_asset) for one in found]
-    times = [_time(one.time) for one in found]
+    times = [time_text(one.time) for one in found]
     verdict = max([7, *(len(one.verdict) for one in found)])
     time_width = max([4, *map(len, times)])
     free = out.width - (2 + 2 + verdict + 2 + 5 + 2 + 5 + 2 + 2 + time_width)
@@ -183,18 +185,18 @@ def _table(out: Console, found: Sequence[Finding]) -> list[Text]:
     course = min(_MOST_COURSE, max(_LEAST_COURSE, free - name_width))
     lines = [
         Text(
-            f"  {_fit('channel', name_width)}  {'verdict':{verdict}}  floor     HI  "
-            f"{_fit('HI, 0 to 1', course)}  last",
+            f"  {fit('channel', name_width)}  {'verdict':{verdict}}  floor     HI  "
+            f"{fit('HI, 0 to 1', course)}  last",
             style="bold",
         )
     ]
     for one, name, time in zip(found, names, times, strict=True):
         mark, style = _MARKS.get(one.status, (" ", ""))
         is_shown = one.status != "not assessed"
-        line = Text(f"{mark} {_fit(name, name_width)}  {one.verdict:{verdict}}  ", style)
+        line = Text(f"{mark} {fit(name, name_width)}  {one.verdict:{verdict}}  ", style)
         line.append(f"{share(one.support['floor'] if is_shown else None):>5}  ")
         line.append(f"{share(one.hi if is_shown else None):>5}  ")
-        line.append(_fit(sparkline(one.course, course, blocks) if is_shown else "", course))
+        line.append(fit(sparkline(one.course, course, blocks) if is_shown else "", course))
         line.append(f"  {time}")
         line.rstrip()
         lines.append(line)
@@ -284,13 +286,14 @@ def _name(one: Finding, one_asset: bool) -> str:
     return printable(one.channel if one_asset else f"{one.asset} {one.channel}")
 
 
-def _time(time: Any) -> str:
+def time_text(time: Any) -> str:
+    """Return an instant of the source, to the minute."""
     if time is None:
         return "-"
     return f"{time:%Y-%m-%d %H:%M}" if isinstance(time, dt.datetime) else f"{time:,}"
 
 
-def _fit(text: str, width: int) -> str:
+def fit(text: str, width: int) -> str:
     """Return a text of exactly so many cells; what is too long loses its middle."""
     if cell_len(text) > width:
         head, tail = text[: width - width // 2 - 1], text[-(width // 2) :]

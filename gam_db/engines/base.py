@@ -12,6 +12,7 @@ from sqlglot.dialects.dialect import Dialect
 from sqlglot.errors import ErrorLevel, UnsupportedError
 
 from gam_db.clock import TimeKind
+from gam_db.engines.storage import Definition, with_statements
 from gam_db.errors import EngineError
 
 Rewrite = Callable[[exp.Expr], exp.Expr]
@@ -35,6 +36,8 @@ class Engine:
         instant_of: the way back, for the last step of a query.
         rewrites: from tree to tree, each with its reason in its docstring.
         create_table: CREATE TABLE ... AS with what the engine wants to know of storage.
+        define: a table or view of the state, with keys, formats and comments as the engine has them.
+        schemas: whether CREATE SCHEMA is known.
         flow_hint: whether a WITH entry can be marked NOT MATERIALIZED.
         reads_files: whether a Parquet or CSV path can stand in FROM.
         macros: whether a script may define table macros.
@@ -47,6 +50,8 @@ class Engine:
     instant_of: TimeRewrite
     rewrites: Sequence[Rewrite] = ()
     create_table: Callable[[exp.Table, exp.Query], exp.Create] = table_as
+    define: Callable[[Definition], list[exp.Expr]] = with_statements
+    schemas: bool = True
     flow_hint: bool = False
     reads_files: bool = False
     macros: bool = False
@@ -77,7 +82,8 @@ def strip_null_order(tree: exp.Expr, dialect: str) -> exp.Expr:
     """
     ordering = Dialect.get_or_raise(dialect).NULL_ORDERING
     for ordered in tree.find_all(exp.Ordered):
-        ordered.set("nulls_first", ordering == "nulls_are_small")
+        first_of_all = "nulls_are_large" if ordered.args.get("desc") else "nulls_are_small"
+        ordered.set("nulls_first", ordering == first_of_all)
     return tree
 
 

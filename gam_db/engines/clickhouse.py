@@ -5,6 +5,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter, escape_by_backslash, table_as
+from gam_db.engines.storage import Definition, with_notes
 
 _UTC = "UTC"
 _PLAN_STEPS = 1_000_000
@@ -28,10 +29,32 @@ def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
 def create_table(table: exp.Table, query: exp.Query) -> exp.Create:
     """Return CREATE TABLE ... AS with an engine; a small table needs no order."""
     create = table_as(table, query)
-    unordered = exp.Order(expressions=[exp.Ordered(this=called("tuple"))])
-    merge_tree = exp.EngineProperty(this=exp.to_identifier("MergeTree"))
-    create.set("properties", exp.Properties(expressions=[merge_tree, unordered]))
+    create.set("properties", exp.Properties(expressions=_merge_tree(called("tuple"))))
     return create
+
+
+def define(definition: Definition) -> list[exp.Expr]:
+    """Return a MergeTree ordered by its key, with comments inside; a view goes without.
+
+    Cause: a column that is never NULL is said by its type. Symptom: ``Nullable(Int64) NOT NULL`` is
+    refused, and a nullable column cannot be part of the key.
+    """
+    if definition.is_view:
+        return [definition.create.copy()]
+    (create,) = with_notes(definition, _merge_tree(exp.Tuple(expressions=definition.key)))
+    for column in create.find_all(exp.ColumnDef):
+        present = [
+            rule for rule in column.constraints if isinstance(rule.kind, exp.NotNullColumnConstraint)
+        ]
+        for rule in present:
+            rule.pop()
+        column.args["kind"].set("nullable", not present)
+    return [create]
+
+
+def _merge_tree(key: exp.Expr) -> list[exp.Expr]:
+    order = exp.Order(expressions=[exp.Ordered(this=key)])
+    return [exp.EngineProperty(this=exp.to_identifier("MergeTree")), order]
 
 
 def allow_long_plans(tree: exp.Expr) -> exp.Expr:
@@ -56,4 +79,5 @@ ENGINE = Engine(
     instant_of=instant_of,
     rewrites=(escape_by_backslash, allow_long_plans),
     create_table=create_table,
+    define=define,
 )

@@ -1,7 +1,16 @@
 """Databricks: Spark's SQL over Delta tables, its default format."""
 
+from sqlglot import exp
+
 from gam_db.engines.base import Engine
 from gam_db.engines.spark import instant_of, micros_of
+from gam_db.engines.storage import Definition, clustered, with_notes
+
+
+def define(definition: Definition) -> list[exp.Expr]:
+    """Return a Delta table clustered by its key, with comments inside."""
+    return with_notes(definition, [clustered(definition)])
+
 
 ENGINE = Engine(
     name="databricks",
@@ -9,4 +18,5 @@ ENGINE = Engine(
     evidence="rendered",
     micros_of=micros_of,
     instant_of=instant_of,
+    define=define,
 )

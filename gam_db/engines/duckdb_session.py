@@ -2,7 +2,7 @@
 
 import contextlib
 import secrets
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +12,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.duckdb import ENGINE, file_reader
+from gam_db.engines.duckdb_opening import check_settings, opened
 from gam_db.engines.duckdb_types import check_columns, is_name, is_numeric, time_kind
 from gam_db.errors import EngineError, SourceError, StatementError, nearest
 from gam_db.source import is_file, table_names
@@ -26,6 +27,7 @@ class Session:
         target: None for a database in memory, the path of a database file, or an open connection,
             which stays open and keeps nothing of ours.
         threads: processor threads; None leaves DuckDB's own choice.
+        writable: open a database file for writing, and make it if it is not there; else it is only read.
 
     Raises:
         EngineError: the file cannot be opened, this DuckDB is too old, or the connection is closed or
@@ -37,7 +39,7 @@ class Session:
     is_numeric = staticmethod(is_numeric)
     is_name = staticmethod(is_name)
 
-    def __init__(self, target: Any = None, threads: int | None = None) -> None:
+    def __init__(self, target: Any = None, threads: int | None = None, writable: bool = False) -> None:
         if tuple(int(part) for part in duckdb.__version__.split(".")[:2]) < OLDEST:
             raise EngineError(
                 f"DuckDB {duckdb.__version__} is too old; gam-db needs "
@@ -45,14 +47,14 @@ class Session:
             )
         self.owned = not isinstance(target, duckdb.DuckDBPyConnection)
         if self.owned:
-            self.connection = _opened(target)
+            self.connection = opened(target, writable)
             self.connection.execute("SET TimeZone = 'UTC'")
             # Progress is counted, for whoever asks, but not painted: standard output is the caller's.
             self.connection.execute("SET enable_progress_bar = true")
             self.connection.execute("SET enable_progress_bar_print = false")
         else:
             self.connection = target
-            _check_settings(target)
+            check_settings(target)
         if threads is not None:
             self.connection.execute("SET threads = ?", [threads])
         self._mark = f"gam_{secrets.token_hex(4)}"
@@ -112,6 +114,19 @@ class Session:
         rows = self._run(exp.Describe(this=everything)).fetchall()
         return {str(row[0]): str(row[1]) for row in rows}
 
+    def relations(self, schema: str | None = None) -> dict[str, tuple[str, ...]]:
+        """Return the tables and views of a schema (None: the current one) with their columns, in order.
+
+        Names are folded to lower case: DuckDB does not tell them apart by it.
+        """
+        rows = self.connection.execute(
+            "SELECT table_name, list(column_name ORDER BY ordinal_position) "
+            "FROM information_schema.columns WHERE table_catalog = current_database() "
+            "AND lower(table_schema) = lower(coalesce(?, current_schema())) GROUP BY table_name",
+            [schema],
+        )
+        return {name.casefold(): tuple(columns) for name, columns in rows.fetchall()}
+
     def check_condition(self, relation: exp.Expr, condition: exp.Expr, shown: str) -> None:
         """Try a user's condition on no row.
 
@@ -126,6 +141,55 @@ class Session:
             raise SourceError(
                 f"where is {shown!r}, which DuckDB refuses: {str(cause).partition(chr(10))[0]}"
             ) from error
+
+    def execute(self, statement: exp.Expr) -> None:
+        """Run a statement that changes the database.
+
+        Raises:
+            EngineError: the database cannot be written: it is only read, its disk is full, or another
+                connection changed the same rows.
+        """
+        try:
+            self._run(statement)
+        except duckdb.IOException as error:
+            raise EngineError(
+                "The database cannot be written; is its disk full? What was there before is as it was."
+            ) from error
+        except StatementError as error:
+            if isinstance(error.__cause__, duckdb.TransactionException):
+                raise EngineError(_conflict(str(error.__cause__))) from error
+            if "read-only" in str(error.__cause__):
+                raise EngineError(_READ_ONLY) from error
+            raise
+
+    @contextlib.contextmanager
+    def transaction(self) -> Iterator[None]:
+        """Do all that is executed inside as one: either everything is there afterwards, or nothing.
+
+        Raises:
+            EngineError: a transaction is open already, or the end of this one was refused.
+        """
+        self.execute(exp.Transaction())
+        try:
+            yield
+            self.execute(exp.Commit())
+        except BaseException:
+            with contextlib.suppress(duckdb.Error, StatementError):
+                self._run(exp.Rollback())  # after some errors DuckDB has rolled back already
+            raise
+
+    def load(self, rows: pa.Table) -> exp.Table:
+        """Return the node that reads an Arrow table of ours, until the session is closed."""
+        return self._register(rows)
+
+    def forget(self, kept: exp.Table) -> None:
+        """Drop a table made by :meth:`keep`, or let go of one given to :meth:`load`."""
+        if kept.name in self._registered:
+            self._registered.remove(kept.name)
+            self.connection.unregister(kept.name)
+        else:
+            self._made.remove(kept.name)
+            self._run(exp.Drop(tables=[kept.copy()], kind="TABLE"))
 
     def fetch(self, query: exp.Expr) -> pa.Table:
         """Run a query and return its rows as an Arrow table."""
@@ -225,7 +289,7 @@ class Session:
                 ) from error
             raise StatementError(f"DuckDB refused a statement: {first}", statement) from error
 
-    def _register(self, relation: Any) -> exp.Expr:
+    def _register(self, relation: Any) -> exp.Table:
         if not isinstance(relation, (pa.Table, pa.RecordBatch)) and not hasattr(
             relation, "__arrow_c_stream__"
         ):
@@ -284,43 +348,17 @@ def _is_among(table: exp.Expr, known: list[tuple[str, str, str]]) -> bool:
     )
 
 
-def _check_settings(connection: duckdb.DuckDBPyConnection) -> None:
-    """Refuse a connection that is closed, or that compares or orders otherwise than the method."""
-    try:
-        found = connection.execute(
-            "SELECT current_setting('default_order'), current_setting('default_collation')"
-        ).fetchall()
-    except duckdb.Error as error:
-        raise EngineError(
-            "The DuckDB connection cannot be used; is it closed, in a transaction that has failed, or "
-            "still giving out the rows of a query?"
-        ) from error
-    order, collation = found[0]
-    if str(order).upper().startswith("DESC"):
-        raise EngineError(
-            "The DuckDB connection has default_order = DESC, which would turn time around; RESET "
-            "default_order, or give another connection."
-        )
-    if str(collation):
-        raise EngineError(
-            f"The DuckDB connection has default_collation = {collation}, under which different names "
-            "can be equal; RESET default_collation, or give another connection."
-        )
-
-
 def _temporary(name: str) -> exp.Table:
     return exp.Table(this=template.name(name))
 
 
-def _opened(target: Any) -> duckdb.DuckDBPyConnection:
-    if target is None:
-        return duckdb.connect()
-    path = Path(str(target).removeprefix("duckdb:///"))
-    if not path.exists():
-        raise EngineError(f"There is no database file {path}.")
-    try:
-        return duckdb.connect(str(path), read_only=True)
-    except duckdb.Error as error:
-        raise EngineError(
-            f"{path} cannot be opened as a DuckDB file; is it one, and does another process hold it?"
-        ) from error
+_READ_ONLY = "The database is open for reading only; it cannot be changed."
+
+
+def _conflict(reason: str) -> str:
+    if "within a transaction" in reason:
+        return "The connection has a transaction open; commit it or roll it back first."
+    return (
+        "Another connection changed the same rows at the same time; nothing of this run was written. "
+        "Run it again."
+    )

@@ -6,6 +6,7 @@ from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter
 from gam_db.engines.postgres import instant_of
+from gam_db.engines.storage import Definition, with_statements
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
@@ -16,10 +17,20 @@ def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
     return called("DATEDIFF", exp.var("MICROSECOND"), epoch, column)
 
 
+def define(definition: Definition) -> list[exp.Expr]:
+    """Return a table sorted by its key."""
+    create, *comments = with_statements(definition)
+    if not definition.is_view:
+        key = exp.SortKeyProperty(this=[column.this for column in definition.key], compound=True)
+        create.set("properties", exp.Properties(expressions=[key]))
+    return [create, *comments]
+
+
 ENGINE = Engine(
     name="redshift",
     dialect="redshift",
     evidence="rendered",
     micros_of=micros_of,
     instant_of=instant_of,
+    define=define,
 )

@@ -4,6 +4,7 @@ from sqlglot import exp
 
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter
+from gam_db.engines.storage import Definition, clustered, with_notes
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
@@ -22,10 +23,16 @@ def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
     return called(name, micros, exp.Literal.number(6))
 
 
+def define(definition: Definition) -> list[exp.Expr]:
+    """Return a table clustered by its key, with comments inside."""
+    return with_notes(definition, [clustered(definition)])
+
+
 ENGINE = Engine(
     name="snowflake",
     dialect="snowflake",
     evidence="rendered",
     micros_of=micros_of,
     instant_of=instant_of,
+    define=define,
 )

@@ -4,6 +4,7 @@ from sqlglot import exp
 
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter, table_as
+from gam_db.engines.storage import Definition, with_notes
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
@@ -21,9 +22,17 @@ def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
 def create_table(table: exp.Table, query: exp.Query) -> exp.Create:
     """Return CREATE TABLE ... USING PARQUET AS; without a format Spark may ask for Hive."""
     create = table_as(table, query)
-    parquet = exp.FileFormatProperty(this=exp.var("PARQUET"))
-    create.set("properties", exp.Properties(expressions=[parquet]))
+    create.set("properties", exp.Properties(expressions=[_parquet()]))
     return create
+
+
+def define(definition: Definition) -> list[exp.Expr]:
+    """Return a Parquet table with comments inside."""
+    return with_notes(definition, [_parquet()])
+
+
+def _parquet() -> exp.Expr:
+    return exp.FileFormatProperty(this=exp.var("PARQUET"))
 
 
 ENGINE = Engine(
@@ -33,4 +42,5 @@ ENGINE = Engine(
     micros_of=micros_of,
     instant_of=instant_of,
     create_table=create_table,
+    define=define,
 )

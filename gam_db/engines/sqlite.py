@@ -5,6 +5,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import SECOND, TimeKind
 from gam_db.engines.base import Engine, called, counter
+from gam_db.engines.storage import Definition
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
@@ -62,12 +63,26 @@ def _literal(sign: str) -> str:
     return f"[{sign}]" if sign in "*?[" else sign
 
 
+def define(definition: Definition) -> list[exp.Expr]:
+    """Return the definition without comments, which SQLite has not; a view is dropped first.
+
+    Cause: no CREATE OR REPLACE VIEW. Symptom: a syntax error at OR REPLACE.
+    """
+    create = definition.create.copy()
+    if not definition.is_view:
+        return [create]
+    create.set("replace", False)
+    return [exp.Drop(tables=[create.this.copy()], kind="VIEW", exists=True), create]
+
+
 ENGINE = Engine(
     name="sqlite",
     dialect="sqlite",
     evidence="executed",
     micros_of=micros_of,
     instant_of=instant_of,
+    define=define,
+    schemas=False,
     flow_hint=True,
     rewrites=(glob_for_like,),
 )

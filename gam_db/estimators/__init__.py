@@ -6,6 +6,7 @@ same delay vectors as Discrete Support Estimation, and their scores go through t
 """
 
 from gam_db.estimators.scoring import (
+    DSE,
     ESTIMATORS,
     SAMPLE,
     add_estimator,
@@ -15,6 +16,7 @@ from gam_db.estimators.scoring import (
 )
 
 __all__ = [
+    "DSE",
     "ESTIMATORS",
     "SAMPLE",
     "add_estimator",

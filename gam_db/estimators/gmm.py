@@ -34,8 +34,9 @@ def model(points: Points, seed: int) -> Any:
 def fit(points: Mapping[int, Points], seed: int) -> dict[str, pa.Table]:
     """Return ``mixture``: a row per component.
 
-    Columns: bias (log of the weight, of the determinant of U and of (2 pi)^(-m/2)), shift_j (mean U) and
-    factor_i_j (U, upper triangular; U times its transpose is the precision).
+    Columns: component (from 0), bias (log of the weight, of the determinant of U and of
+    (2 pi)^(-m/2)), shift_j (mean U) and factor_i_j (U, upper triangular; U times its transpose is the
+    precision).
     """
     return {"mixture": stacked({support: _rows(model(of, seed)) for support, of in points.items()})}
 
@@ -46,7 +47,7 @@ def _rows(mixture: Any) -> dict[str, NDArray[np.generic]]:
     log_determinants = np.log(np.diagonal(factors, axis1=1, axis2=2)).sum(axis=1)
     shifts = np.einsum("ci,cij->cj", mixture.means_, factors)
     bias = np.log(mixture.weights_) + log_determinants - 0.5 * m * math.log(2 * math.pi)
-    columns: dict[str, NDArray[np.generic]] = {"bias": bias}
+    columns: dict[str, NDArray[np.generic]] = {"component": np.arange(len(bias)), "bias": bias}
     columns |= {f"shift_{j}": shifts[:, j] for j in range(m)}
     return columns | {f"factor_{i}_{j}": factors[:, i, j] for j in range(m) for i in range(j + 1)}
 
@@ -80,7 +81,22 @@ def add_scores(steps: Pipeline, method: Method, number: int) -> None:
         "estimators/mixture_densities",
         {"projections": projections, "squared_length": template.added(squares)},
     )
-    add_of_set(steps, method, number, "estimators/mixture_scores", name="scores")
+    logs = [f"log_density_{component}" for component in range(COMPONENTS)]
+    gathered = [
+        exp.alias_(template.fill("estimators/mixture_component", {"component": component}), log)
+        for component, log in enumerate(logs)
+    ]
+    shares = [
+        template.fill("estimators/mixture_share", {"log_density": exp.column(log)}) for log in logs
+    ]
+    add_of_set(
+        steps,
+        method,
+        number,
+        "estimators/mixture_scores",
+        {"log_densities": gathered, "shares": template.added(shares)},
+        name="scores",
+    )
 
 
 ESTIMATOR = Estimator("gmm", add_scores, fit)

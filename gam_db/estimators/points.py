@@ -48,7 +48,7 @@ def add_points(steps: Pipeline, method: Method, number: int) -> None:
 
 
 def add_moving_average(steps: Pipeline, method: Method) -> None:
-    """Add Eq. 2 over the scores of all sets: ``score_health`` and ``score_bucket_health``."""
+    """Add Eq. 2 over the scores of all sets, and the last steps made of it."""
     for number, setting in enumerate(method.settings):
         slots: dict[str, template.Slot] = {"window": setting.window}
         units = {**slots, "most": _CAPACITY // setting.window}
@@ -59,6 +59,8 @@ def add_moving_average(steps: Pipeline, method: Method) -> None:
     time = method.instant_of(exp.column("time", table="counted"))
     add(steps, "estimators/score_health", {"time": time})
     add(steps, "estimators/score_bucket_health", {"time": time})
+    latest = method.instant_of(exp.column("time", table="latest"))
+    add(steps, "estimators/last_scores", {"time": latest})
 
 
 def squared_distance(method: Method, number: int, place: str) -> exp.Expr:

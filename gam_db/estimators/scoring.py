@@ -16,6 +16,7 @@ from gam_db.errors import ParameterError, nearest
 from gam_db.estimators import centroid, dse, forest, gmm, ocsvm
 from gam_db.estimators.base import Estimator, Points
 from gam_db.estimators.points import add_moving_average, add_points, names_of, point_of
+from gam_db.extras import needed
 from gam_db.method.adding import add_of_set
 from gam_db.parameters import Parameters
 from gam_db.source import AnySource
@@ -24,6 +25,7 @@ from gam_db.study import Study
 ESTIMATORS: Mapping[str, Estimator] = {
     module.ESTIMATOR.name: module.ESTIMATOR for module in (dse, centroid, gmm, forest, ocsvm)
 }
+DSE = dse.ESTIMATOR.name
 SAMPLE = 10_000
 """Calibration vectors of a support that scikit-learn is given at most."""
 
@@ -36,7 +38,7 @@ def scores(
     calibration: Calibration | None = None,
     engine: Any = None,
     *,
-    estimator: str = "dse",
+    estimator: str = DSE,
     seed: int = 0,
     sample: int = SAMPLE,
 ) -> pa.Table:
@@ -80,7 +82,7 @@ def scores_at_buckets(
     calibration: Calibration | None = None,
     engine: Any = None,
     *,
-    estimator: str = "dse",
+    estimator: str = DSE,
     seed: int = 0,
     sample: int = SAMPLE,
 ) -> pa.Table:
@@ -109,7 +111,10 @@ def estimator_named(name: str) -> Estimator:
 
 
 def add_estimator(study: Study, name: str, seed: int = 0, sample: int = SAMPLE) -> None:
-    """Fit an estimator and add its steps to a study: ``score_health`` and ``score_bucket_health``.
+    """Fit an estimator and add its steps to a study: ``score_health`` and the like.
+
+    The steps to be asked for are ``score_health``, ``score_bucket_health`` and ``last_scores`` (where
+    each channel stands).
 
     Args:
         study: of a source; it takes one estimator only.
@@ -122,6 +127,8 @@ def add_estimator(study: Study, name: str, seed: int = 0, sample: int = SAMPLE) 
     """
     estimator = estimator_named(name)
     seed, sample = _whole("seed", seed, 0), _whole("sample", sample, _FEWEST)
+    if estimator.fit is not None:
+        needed("sklearn", "benchmark")  # said before anything is read
     steps, method = study.steps, study.method
     for number in range(len(method.settings)):
         add_points(steps, method, number)
@@ -130,7 +137,10 @@ def add_estimator(study: Study, name: str, seed: int = 0, sample: int = SAMPLE) 
             add_of_set(steps, method, number, "estimators/no_scores", name="scores")
             continue
         if estimator.fit is not None:
-            for table, rows in estimator.fit(points, seed).items():
+            # One thread: what is fitted is small, and its sums then come in one order.
+            with needed("threadpoolctl", "benchmark").threadpool_limits(limits=1):
+                tables = estimator.fit(points, seed)
+            for table, rows in tables.items():
                 study.put(method.named(table, number), rows)
         estimator.add_scores(steps, method, number)
     add_moving_average(steps, method)

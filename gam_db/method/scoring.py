@@ -29,7 +29,10 @@ def add_buckets(steps: Pipeline, method: Method, number: int) -> None:
         parts = ["complete_novelty", "incomplete_numbered"]
     else:
         parts = ["numbered"]
-    columns = ("channel_id", "time", "number", "cell_key", "novel", "out_of_range")
+    columns = (
+        *("channel_id", "time", "number", "cell_key", "novel", "out_of_range"),
+        *("position", "context_time"),
+    )
     steps.add(
         method.named("placed", number),
         union_of(steps, [method.named(part, number) for part in parts], columns),
@@ -52,12 +55,9 @@ def add_short_scoring(steps: Pipeline, method: Method, number: int) -> None:
     """Add the short form of Eq. 1 and Eq. 4, apart for channels with and without missing samples."""
     setting = method.settings[number]
     add_of_set(steps, method, number, "score/run_up", {"span": setting.span})
-    missing = exp.column("missing_readings", table="scale")
-    none = exp.Literal.number(0)
-    for prefix, read in (
-        ("complete_", exp.EQ(this=missing, expression=none)),
-        ("incomplete_", exp.GT(this=missing, expression=none)),
-    ):
+    complete = exp.column("complete", table="scale")
+    for prefix, is_complete in (("complete_", 1), ("incomplete_", 0)):
+        read = exp.EQ(this=complete, expression=exp.Literal.number(is_complete))
         add_of_set(
             steps,
             method,

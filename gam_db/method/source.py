@@ -69,6 +69,7 @@ def add_source(steps: Pipeline, method: Method) -> None:
             ),
         },
     )
+    add(steps, "source/identified", {"read": exp.true()})
     for name in ("timeline", "collapsed", "samples", "recounted", "series"):
         add(steps, f"source/{name}")
     add(steps, "calibration/limits", {"long_ago": LONG_AGO})

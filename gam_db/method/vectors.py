@@ -72,6 +72,7 @@ def _cell_slots(setting: Parameters) -> dict[str, template.Slot]:
     coordinates = [exp.column(f"code_{k}") for k in range(setting.m)]
     return {
         "span": setting.span,
+        "next_span": max(setting.span - 1, 0),
         "known": exp.and_(*(template.fill("embedding/known", {"code": code}) for code in coordinates)),
         "cell_key": template.added(
             [

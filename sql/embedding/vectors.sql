@@ -3,9 +3,11 @@
 -- marked_vectors.
 -- Reads:  codes
 -- A row:  one vector, at the time of its newest sample; cell_key is NULL where a sample is missing;
---         position counts the samples of the channel up to it.
+--         position counts the samples of the channel up to it; context_time is that of the oldest sample of
+--         the next vector, from where on a later run must read.
 -- Slots:  :delayed   code_1 ... code_(m-1), the delayed codes
 --         :span      (m-1) * tau, the samples between oldest and newest
+--         :next_span the samples between its newest and the oldest one of the next vector
 --         :known     all coordinates are there
 --         :cell_key  the mixed-radix integer of the coordinates
 --         :outside   a coordinate lies outside the calibrated range
@@ -14,13 +16,15 @@ SELECT
   time,
   CASE WHEN :known THEN :cell_key END AS cell_key,
   CASE WHEN :outside THEN 1 ELSE 0 END AS out_of_range,
-  position
+  position,
+  context_time
 FROM (
   SELECT
     channel_id,
     time,
     code AS code_0,
     :delayed,
+    LAG(time, :next_span) OVER (PARTITION BY channel_id ORDER BY time) AS context_time,
     CAST(ROW_NUMBER() OVER (PARTITION BY channel_id ORDER BY time) AS BIGINT) AS position
   FROM codes
 ) AS embedded

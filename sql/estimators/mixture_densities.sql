@@ -8,11 +8,13 @@
 SELECT
   channel_id,
   time,
+  component,
   bias - CAST(5e-1 AS DOUBLE) * (:squared_length) AS log_density
 FROM (
   SELECT
     vector.channel_id AS channel_id,
     vector.time AS time,
+    fitted.component AS component,
     fitted.bias AS bias,
     :projections
   FROM scored_points AS vector

@@ -11,6 +11,8 @@ SELECT
   cell_key,
   novel,
   out_of_range,
+  position,
+  context_time,
   CASE WHEN number % :stride = 0 THEN 1 ELSE 0 END AS closing
 FROM placed
 WHERE novel = 1 OR number % :stride = 0 OR (number - 1) % :stride = 0

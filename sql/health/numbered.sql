@@ -7,6 +7,8 @@ SELECT
   cell_key,
   out_of_range,
   straddling,
+  position,
+  context_time,
   novel,
   CAST(ROW_NUMBER() OVER (PARTITION BY channel_id ORDER BY time) AS BIGINT) AS number,
   CAST(

@@ -8,7 +8,9 @@ SELECT
   vector.time AS time,
   vector.cell_key AS cell_key,
   vector.out_of_range AS out_of_range,
-  vector.straddling AS straddling
+  vector.straddling AS straddling,
+  vector.position AS position,
+  vector.context_time AS context_time
 FROM marked_vectors AS vector
 JOIN bounds AS scale ON scale.channel_id = vector.channel_id
 WHERE vector.time >= scale.first_scored

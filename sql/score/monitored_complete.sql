@@ -9,6 +9,8 @@ SELECT
   vector.time AS time,
   vector.cell_key AS cell_key,
   vector.out_of_range AS out_of_range,
-  vector.position - :span AS number
+  vector.position - :span AS number,
+  vector.position AS position,
+  vector.context_time AS context_time
 FROM vectors AS vector
 JOIN bounds AS scale ON scale.channel_id = vector.channel_id

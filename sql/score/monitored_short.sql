@@ -7,7 +7,9 @@ SELECT
   scale.support_id AS support_id,
   vector.time AS time,
   vector.cell_key AS cell_key,
-  vector.out_of_range AS out_of_range
+  vector.out_of_range AS out_of_range,
+  vector.position AS position,
+  vector.context_time AS context_time
 FROM vectors AS vector
 JOIN bounds AS scale ON scale.channel_id = vector.channel_id
-WHERE vector.cell_key IS NOT NULL
+WHERE vector.cell_key IS NOT NULL AND vector.time >= scale.first_scored

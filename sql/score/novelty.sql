@@ -7,6 +7,8 @@ SELECT
   vector.time AS time,
   vector.cell_key AS cell_key,
   vector.out_of_range AS out_of_range,
+  vector.position AS position,
+  vector.context_time AS context_time,
   :carried,
   CASE WHEN healthy.hit = 1 THEN 0 ELSE 1 END AS novel
 FROM monitored AS vector

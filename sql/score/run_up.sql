@@ -1,18 +1,23 @@
 -- Run-up: from where on a channel is read so that the first scored vector finds its oldest sample,
 -- (m-1) tau samples before. What lies further back cannot matter to any scored vector.
 -- Reads:  channels, bounds, samples
--- A row:  one channel with a range, all that coding must know of it.
+-- A row:  one channel with a range, all that coding must know of it; complete = 1 if no sample is missing.
 -- Slots:  :span  (m-1) * tau, the samples between oldest and newest
 SELECT
   scale.channel_id AS channel_id,
   scale.lo AS lo,
   scale.hi AS hi,
   CASE WHEN earlier.hit = 1 THEN earlier.run_from ELSE scale.first_scored END AS read_from,
-  named.missing_readings AS missing_readings
+  CASE WHEN earlier.hit = 1 THEN earlier.context_rows ELSE 0 END AS context_rows,
+  CASE WHEN named.missing_readings = 0 THEN 1 ELSE 0 END AS complete
 FROM bounds AS scale
 JOIN channels AS named ON named.channel_id = scale.channel_id
 LEFT JOIN (
-  SELECT channel_id, MIN(time) AS run_from, 1 AS hit
+  SELECT
+    channel_id,
+    MIN(time) AS run_from,
+    CAST(COUNT(*) AS BIGINT) AS context_rows,
+    1 AS hit
   FROM (
     SELECT
       sampled.channel_id AS channel_id,

@@ -1,6 +1,6 @@
 -- Timeline: one look at the times alone. Does an instant occur twice, and when was the calibration
 -- quota of readings reached? A source without repeated instants pays for nothing more.
--- Reads:  readings, channels, rules
+-- Reads:  identified, channels, rules
 -- A row:  one channel; quota_time is right only where repeats = 0 (else see recounted).
 SELECT
   ordered.channel_id AS channel_id,
@@ -17,16 +17,14 @@ SELECT
   ) AS quota_time
 FROM (
   SELECT
-    named.channel_id AS channel_id,
+    reading.channel_id AS channel_id,
     reading.time AS time,
     CAST(
-      ROW_NUMBER() OVER (PARTITION BY named.channel_id ORDER BY reading.time) AS BIGINT
+      ROW_NUMBER() OVER (PARTITION BY reading.channel_id ORDER BY reading.time) AS BIGINT
     ) AS position,
-    LAG(reading.time, 1) OVER (PARTITION BY named.channel_id ORDER BY reading.time)
+    LAG(reading.time, 1) OVER (PARTITION BY reading.channel_id ORDER BY reading.time)
       AS previous_time
-  FROM readings AS reading
-  JOIN channels AS named ON named.asset = reading.asset AND named.channel = reading.channel
-  WHERE reading.time IS NOT NULL
+  FROM identified AS reading
 ) AS ordered
 JOIN channels AS named ON named.channel_id = ordered.channel_id
 JOIN rules AS given ON given.calibration_no = named.calibration_no

@@ -1,0 +1,60 @@
+"""Opening a DuckDB database, and what a connection must be like to be used."""
+
+import os
+from pathlib import Path
+from typing import Any
+
+import duckdb
+
+from gam_db.errors import EngineError
+
+
+def opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:
+    """Open a database file, or one in memory for None.
+
+    Raises:
+        EngineError: it is not there, is no DuckDB file, is in use, or may not be written.
+    """
+    if target is None:
+        return duckdb.connect()
+    path = Path(str(target).removeprefix("duckdb:///"))
+    if not path.exists() and not (writable and path.parent.is_dir()):
+        raise EngineError(f"There is no database file {path}.")
+    try:
+        return duckdb.connect(str(path), read_only=not writable)
+    except duckdb.Error as error:
+        reason = str(error)
+        if "lock" in reason:
+            raise EngineError(
+                f"{path} is open in another process; while one writes a DuckDB file, no other can open "
+                "it. Wait for it to end, or read a copy."
+            ) from error
+        if writable and not os.access(path if path.exists() else path.parent, os.W_OK):
+            raise EngineError(f"{path} cannot be written: you may only read it.") from error
+        raise EngineError(
+            f"{path} cannot be opened as a DuckDB file; is it one, and is its disk full?"
+        ) from error
+
+
+def check_settings(connection: duckdb.DuckDBPyConnection) -> None:
+    """Refuse a connection that is closed, or that compares or orders otherwise than the method."""
+    try:
+        found = connection.execute(
+            "SELECT current_setting('default_order'), current_setting('default_collation')"
+        ).fetchall()
+    except duckdb.Error as error:
+        raise EngineError(
+            "The DuckDB connection cannot be used; is it closed, in a transaction that has failed, or "
+            "still giving out the rows of a query?"
+        ) from error
+    order, collation = found[0]
+    if str(order).upper().startswith("DESC"):
+        raise EngineError(
+            "The DuckDB connection has default_order = DESC, which would turn time around; RESET "
+            "default_order, or give another connection."
+        )
+    if str(collation):
+        raise EngineError(
+            f"The DuckDB connection has default_collation = {collation}, under which different names "
+            "can be equal; RESET default_collation, or give another connection."
+        )

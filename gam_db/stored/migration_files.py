@@ -1,0 +1,158 @@
+"""The files of ``migrations/``: read, checked, placed where the state lies, rendered for an engine.
+
+A file makes one table or one view, with its comments; it is safe to run twice, and calls the tables
+``stored_run`` and so on. Its checksum is that of its bytes.
+"""
+
+import hashlib
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import cast
+
+import sqlglot
+from sqlglot import exp
+from sqlglot.errors import SqlglotError
+
+from gam_db import template
+from gam_db.clock import TimeKind
+from gam_db.engines.base import Engine
+from gam_db.engines.storage import Definition
+from gam_db.errors import TemplateError
+from gam_db.pipeline import filled, place
+from gam_db.stored.tables import StateTables
+from gam_db.version import __version__
+
+RECORD = ("number", "name", "checksum", "applied_at", "gam_version")
+
+_FILE = re.compile(r"([0-9]{4})_([a-z_]+)\.sql")
+
+
+@dataclass(frozen=True)
+class Migration:
+    """A file of ``migrations/``.
+
+    Attributes:
+        number: 1, 2, ... without a gap.
+        name: the table or view that it makes, without prefix.
+        checksum: SHA-256 of its bytes.
+        definition: what it makes, in the words of the file.
+    """
+
+    number: int
+    name: str
+    checksum: str
+    definition: Definition
+
+    def statements(self, engine: Engine, tables: StateTables) -> list[exp.Expr]:
+        """Return the statements for an engine, with the tables in their place."""
+        create = self.definition.create.copy()
+        target = create.this.this if isinstance(create.this, exp.Schema) else create.this
+        target.replace(tables.table(self.name))
+        if create.expression is not None:
+            place(create.expression, tables.placed())
+            for instant in list(create.find_all(exp.UnixToTime)):
+                found = engine.instant_of(TimeKind.TIMESTAMP, instant.this.copy())
+                instant.replace(exp.paren(found) if isinstance(instant.parent, exp.Binary) else found)
+        about = self.definition
+        return engine.define(Definition(create, about.comment, about.columns))
+
+    def record(self, tables: StateTables, applied_at: int) -> exp.Expr:
+        """Return the statement that records the migration, unless it is recorded already."""
+        values = filled(
+            "stored/migration_record",
+            {
+                "number": self.number,
+                "name": template.text(self.name),
+                "checksum": template.text(self.checksum),
+                "applied_at": applied_at,
+                "gam_version": template.text(__version__),
+            },
+        )
+        place(values, tables.placed())
+        columns = [exp.to_identifier(name) for name in RECORD]
+        return exp.Insert(
+            this=exp.Schema(this=tables.table("migration"), expressions=columns), expression=values
+        )
+
+
+@cache
+def files() -> tuple[Migration, ...]:
+    """Return the migrations of this gam-db, in order."""
+    installed = Path(__file__).parent.parent / "migrations"
+    checkout = Path(__file__).parent.parent.parent / "migrations"
+    return read(installed if installed.is_dir() else checkout)
+
+
+def read(folder: Path) -> tuple[Migration, ...]:
+    """Read and parse the migrations of a folder, in order.
+
+    Raises:
+        TemplateError: a file has no number or breaks the form, or the numbers have a gap or repeat.
+    """
+    found = [_read(path) for path in sorted(folder.glob("*.sql"))]
+    for place_of, migration in enumerate(found, start=1):
+        if migration.number != place_of:
+            raise TemplateError(
+                f"The migrations in {folder.name}/ are not numbered 1, 2, ...: number {place_of} is "
+                f"{'there twice' if migration.number < place_of else 'missing'}."
+            )
+    return tuple(found)
+
+
+def _read(path: Path) -> Migration:
+    matched = _FILE.fullmatch(path.name)
+    if not matched:
+        raise TemplateError(f"migrations/{path.name} is not called like 0001_name.sql.")
+    content = path.read_bytes()
+    try:
+        parsed = sqlglot.parse(content.decode(), dialect="duckdb")
+    except SqlglotError as error:
+        raise TemplateError(f"migrations/{path.name} cannot be parsed: {error}") from error
+    statements = [statement for statement in parsed if statement is not None]
+    for statement in statements:
+        for node in statement.walk():
+            node.comments = None
+            node._meta = None
+    number, name = int(matched[1]), matched[2]
+    definition = _definition(path.name, name, statements)
+    return Migration(number, name, hashlib.sha256(content).hexdigest(), definition)
+
+
+def _definition(file: str, name: str, statements: Sequence[exp.Expr]) -> Definition:
+    """Return what a file makes: one table or view, called like the file, with all comments."""
+    create, *about = statements
+    twice = isinstance(create, exp.Create) and (
+        create.args.get("exists") if create.kind == "TABLE" else create.args.get("replace")
+    )
+    if not twice or not all(isinstance(one, exp.Comment) for one in about):
+        raise TemplateError(
+            f"migrations/{file} holds something else than one table (if not exists) or one view (or "
+            "replace) with its comments."
+        )
+    made = cast(exp.Create, create)
+    target = made.find(exp.Table)
+    named = made.this.expressions if isinstance(made.this, exp.Schema) else made.expression.selects
+    columns = [column.alias_or_name for column in named]
+    said = {one.this.name: one.expression for one in about if one.args["kind"] == "COLUMN"}
+    whole = [one.expression for one in about if one.args["kind"] == made.kind]
+    of_others = [one for one in about if _table_of(one) != f"stored_{name}"]
+    if (
+        target is None
+        or target.name != f"stored_{name}"
+        or list(said) != columns
+        or len(whole) != 1
+        or len(about) != len(said) + 1
+        or of_others
+    ):
+        raise TemplateError(
+            f"migrations/{file} must make stored_{name}, with a comment on it and then on each "
+            "column, in order."
+        )
+    return Definition(made, whole[0], said)
+
+
+def _table_of(comment: exp.Expr) -> str:
+    return str(comment.this.table if isinstance(comment.this, exp.Column) else comment.this.name)

@@ -1,0 +1,185 @@
+"""Applying migrations: what was applied to a database, what is pending, and the record of it.
+
+The record of a migration is written last: a run that is cut short applies it again. Nothing is ever
+undone, and a state that a newer gam-db made is refused.
+"""
+
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.engines.base import Engine
+from gam_db.engines.duckdb_session import Session
+from gam_db.errors import EngineError, StateError
+from gam_db.stored.migration_files import RECORD, Migration, files
+from gam_db.stored.tables import StateTables
+from gam_db.version import __version__
+
+#: The columns of the tables and views there are, by their names in lower case.
+Relations: TypeAlias = Mapping[str, tuple[str, ...]]
+
+
+@dataclass(frozen=True)
+class Applied:
+    """A row of the record: what was applied, when (microseconds, UTC) and by which gam-db."""
+
+    number: int
+    name: str
+    checksum: str
+    applied_at: int
+    gam_version: str
+
+
+@dataclass(frozen=True)
+class Status:
+    """What was applied to a database, and what is still to be applied; both in order."""
+
+    applied: tuple[Applied, ...]
+    pending: tuple[Migration, ...]
+
+
+def status(session: Session, tables: StateTables) -> Status:
+    """Return what was applied and what is pending; nothing is written.
+
+    Raises:
+        StateError: the state is of a newer gam-db, was changed by hand, or its names are taken.
+    """
+    there = session.relations(tables.schema)
+    applied = _recorded(session, tables, there)
+    _check_record(applied, tables)
+    known = files()
+    made = {migration.name for migration in known[: len(applied)]}
+    for name in sorted(made):
+        if _key(tables, name) not in there:
+            raise StateError(
+                f"{tables.shown(name)} was made once and is no longer there; put it back from a copy of "
+                "the database, or make it anew, empty, with what `gam migrate --sql` prints for it."
+            )
+    pending = known[len(applied) :]
+    for migration in pending:
+        if migration.name not in made and _key(tables, migration.name) in there:
+            _check_own(tables, migration.name, there, tuple(migration.definition.columns))
+    return Status(applied, pending)
+
+
+def migrate(
+    session: Session, tables: StateTables, on_step: Callable[[str], None] | None = None
+) -> tuple[Migration, ...]:
+    """Apply what is pending and return it; each migration is one transaction with its record.
+
+    Args:
+        session: on a database that can be written.
+        tables: where the state lies; its schema is made if it is not there.
+        on_step: called with the name of each migration before it is applied.
+
+    Raises:
+        StateError: see :func:`status`.
+        EngineError: the database cannot be written.
+    """
+    pending = status(session, tables).pending
+    for migration in pending:
+        if on_step is not None:
+            on_step(migration.name)
+        with session.transaction():
+            for statement in _complete(migration, session.engine, tables, time.time_ns() // 1000):
+                session.execute(statement)
+    return pending
+
+
+def require(session: Session, tables: StateTables) -> None:
+    """Refuse a database whose state tables are not those of this gam-db.
+
+    Raises:
+        StateError: there are none, some are missing, or they are of a newer gam-db.
+    """
+    found = status(session, tables)
+    if not found.applied:
+        raise StateError(f"There are no state tables {tables}* in this database; run `gam migrate`.")
+    if found.pending:
+        raise StateError(
+            f"The state tables {tables}* are of an older gam-db: {len(found.pending)} migrations are "
+            "pending; run `gam migrate`."
+        )
+
+
+def rendered(engine: Engine, tables: StateTables) -> str:
+    """Return all migrations as a script of an engine; it can be run on an empty or an older state.
+
+    Raises:
+        EngineError: the engine has no schemas, and one is named.
+    """
+    parts = [
+        f"-- gam-db {__version__}: the state tables {tables}*, for {engine.name}; safe to run again."
+    ]
+    now = time.time_ns() // 1000
+    for migration in files():
+        title = f"-- Migration {migration.number}: {tables.shown(migration.name)}."
+        statements = _complete(migration, engine, tables, now)
+        parts.append(
+            "\n".join([title, *(f"{engine.text(statement, pretty=True)};" for statement in statements)])
+        )
+    return "\n\n".join(parts) + "\n"
+
+
+def _complete(
+    migration: Migration, engine: Engine, tables: StateTables, applied_at: int
+) -> Sequence[exp.Expr]:
+    """Return all statements of a migration; the first makes the schema, the last is the record."""
+    statements = [*migration.statements(engine, tables), migration.record(tables, applied_at)]
+    if tables.schema is None:
+        return statements
+    if not engine.schemas:
+        raise EngineError(f"{engine.name} has no schemas; leave schema out and give another prefix.")
+    if migration.number == 1:
+        schema = exp.Table(db=template.name(tables.schema))
+        statements.insert(0, exp.Create(this=schema, kind="SCHEMA", exists=True))
+    return statements
+
+
+def _recorded(session: Session, tables: StateTables, there: Relations) -> tuple[Applied, ...]:
+    if _key(tables, "migration") not in there:
+        return ()
+    _check_own(tables, "migration", there, RECORD)
+    query = exp.select(*RECORD).distinct().from_(tables.table("migration")).order_by("number")
+    return tuple(Applied(**row) for row in session.fetch(query).to_pylist())
+
+
+def _check_record(applied: Sequence[Applied], tables: StateTables) -> None:
+    known = files()
+    if applied and applied[-1].number > len(known):
+        newest = applied[-1]
+        raise StateError(
+            f"The state tables {tables}* were last migrated by gam-db {newest.gam_version} (migration "
+            f"{newest.number}); this is gam-db {__version__}, which knows {len(known)}. Install that "
+            "version or a newer one."
+        )
+    for place_of, row in enumerate(applied, start=1):
+        if row.number != place_of:
+            what = "is there twice" if row.number < place_of else f"lacks number {place_of}"
+            raise StateError(
+                f"The record {tables.shown('migration')} was changed by hand: it {what}; put it back "
+                "from a copy of the database."
+            )
+        if row.checksum != known[row.number - 1].checksum:
+            raise StateError(
+                f"Migration {row.number} ({row.name}) was applied by gam-db {row.gam_version} with "
+                f"another text than gam-db {__version__} has; install the gam-db that made the state, "
+                "or a released one."
+            )
+
+
+def _check_own(tables: StateTables, name: str, there: Relations, columns: tuple[str, ...]) -> None:
+    """Refuse a table that is called like one of ours and is not."""
+    if there[_key(tables, name)] != columns:
+        raise StateError(
+            f"There is a {tables.shown(name)} in the database that is no state table of gam-db; give "
+            "another --prefix or --schema, or rename it."
+        )
+
+
+def _key(tables: StateTables, name: str) -> str:
+    return f"{tables.prefix}{name}".casefold()

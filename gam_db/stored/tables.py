@@ -1,0 +1,72 @@
+"""The state tables: their names, and where they lie.
+
+This module owns the names; the files in ``migrations/`` own what the tables hold.
+"""
+
+import re
+from dataclasses import dataclass
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.errors import ConfigurationError, InternalError
+
+TABLES = (
+    "migration",
+    "monitor",
+    "channel",
+    "version",
+    "calibration",
+    "bounds",
+    "block",
+    "support",
+    "bucket",
+    "novel",
+    "run",
+)
+VIEWS = ("visible_bucket", "visible_novel", "health", "fleet", "quarantine")
+
+_PREFIX = re.compile(r"([A-Za-z_][A-Za-z0-9_]{0,39})?")
+
+
+@dataclass(frozen=True)
+class StateTables:
+    """Where the state lies: several may lie in one database.
+
+    Attributes:
+        schema: the schema that holds them; None for the current one of the connection.
+        prefix: begins each name: letters, digits and underscores, at most 40, no digit first.
+
+    Raises:
+        ConfigurationError: the schema or prefix is no such name.
+    """
+
+    schema: str | None = None
+    prefix: str = "gam_"
+
+    def __post_init__(self) -> None:
+        if self.schema is not None and (not isinstance(self.schema, str) or not self.schema):
+            raise ConfigurationError(f"schema is {self.schema!r}; it takes the name of a schema.")
+        if not isinstance(self.prefix, str) or not _PREFIX.fullmatch(self.prefix):
+            raise ConfigurationError(
+                f"prefix is {self.prefix!r}; it takes letters, digits and underscores, at most 40, and "
+                "begins with no digit."
+            )
+
+    def __str__(self) -> str:
+        return self.prefix if self.schema is None else f"{self.schema}.{self.prefix}"
+
+    def table(self, name: str) -> exp.Table:
+        """Return the node of a table or view, ``"run"`` for ``<schema>.<prefix>run``."""
+        if name not in (*TABLES, *VIEWS):
+            raise InternalError(f"There is no state table {name!r}.")
+        db = None if self.schema is None else template.name(self.schema)
+        return exp.Table(this=template.name(f"{self.prefix}{name}"), db=db)
+
+    def shown(self, name: str) -> str:
+        """Return the name of a table or view as messages show it."""
+        return f"{self}{name}"
+
+    def placed(self) -> dict[str, exp.Table]:
+        """Return what the SQL calls the tables (``stored_run``), each with the node that it means."""
+        return {f"stored_{name}": self.table(name) for name in (*TABLES, *VIEWS)}
