@@ -32,10 +32,13 @@ DELAYS = (1, 2, 5, 10, 20, 50)
 FLEET, LANGEVIN = "fleet", "langevin"
 
 ROBOTS = 21
-SAMPLES, QUICK_SAMPLES = 60_000, 10_000
+HEALTHY_JOINTS = 2
+"""Joints of each healthy robot that are scored: enough, and a third of the time."""
+SAMPLES, QUICK_SAMPLES = 100_000, 10_000
 WINDOW, QUICK_WINDOW = 5000, 1000
 _FLEET_CALIBRATION = 0.2
 _BINS = 100
+_HEALTHY = tuple(f"joint_{number}" for number in range(1, HEALTHY_JOINTS + 1))
 
 Show = Callable[[str], None]
 
@@ -142,6 +145,7 @@ def _settings(on: str, quick: bool, m: int, tau: int) -> dict[str, Any]:
         "on": on,
         "seed": 0,
         "robots": ROBOTS if of_fleet else None,
+        "healthy_joints": HEALTHY_JOINTS if of_fleet else None,
         "samples": (QUICK_SAMPLES if quick else SAMPLES) if of_fleet else _steps(quick),
         "calibration_fraction": _FLEET_CALIBRATION if of_fleet else langevin.CALIBRATION,
         "m": m,
@@ -190,7 +194,7 @@ def _healthy(health: pa.Table, outcomes: pa.Table | None) -> float | None:
 
 
 def _fleet(quick: bool) -> tuple[pa.Table, pa.Table]:
-    """Return readings and outcomes of the simulated fleet: what failed, and healthy robots whole."""
+    """Return readings and outcomes of the simulated fleet: joints that failed, and healthy ones."""
     fleet = Fleet(0, QUICK_SAMPLES if quick else SAMPLES)
     parts, outcomes = [], {}
     for number in range(1, ROBOTS + 1):
@@ -199,6 +203,8 @@ def _fleet(quick: bool) -> tuple[pa.Table, pa.Table]:
             failed = truth["failure"] is not None
             if not failed and truth["kind"] != "healthy":
                 continue  # the other joints of a robot that failed count neither way
+            if not failed and joint.truth["channel"] not in _HEALTHY:
+                continue
             parts.append(joint.readings)
             outcomes[truth["asset"]] = {
                 "asset": truth["asset"],
