@@ -3,6 +3,7 @@
 Shares no code with the package and knows no SQL. Roots and exponentials are taken last, in doubles.
 """
 
+import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -58,7 +59,7 @@ def signed_monotonicity(values: Values, form: str) -> Metric:
     if len(values) < 2:
         return None, "one_value" if values else "no_values"
     if form == "sign":
-        steps = [(b > a) - (b < a) for a, b in zip(values, values[1:], strict=False)]
+        steps = [(b > a) - (b < a) for a, b in itertools.pairwise(values)]
         return sum(steps) / len(steps), None
     found = pearson(ranks(values), [Fraction(i) for i in range(len(values))])
     return found, "constant" if found is None else None

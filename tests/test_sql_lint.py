@@ -596,7 +596,7 @@ def test_every_file_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
     counts = values.append_column("novel_in_window", pa.array([0, 1]))
     outcomes = pa.table({"asset": ["a"], "failed_at": [1]})
     sign = gam_db.Conventions(monotonicity="sign", amplitude="ends", samples=1)
-    gam_db.evaluate(values, outcomes)
+    gam_db.evaluate(values, outcomes, conventions=gam_db.Conventions(values_per_window=1))
     gam_db.evaluate(counts, outcomes, conventions=sign)
     rendered(ENGINE, StateTables())
     assert set(NAMES) - loaded == set()

@@ -21,6 +21,7 @@ import gam_db
 from gam_db.cli.benchmark import benchmark
 from gam_db.cli.compile import compile_script
 from gam_db.cli.demo import demo
+from gam_db.cli.evaluate import evaluate
 from gam_db.cli.reproduce import reproduce
 from gam_db.cli.run import run
 from gam_db.cli.simulate import simulate
@@ -88,6 +89,7 @@ def options(
 app.command()(run)
 app.command()(demo)
 app.command("compile")(compile_script)
+app.command()(evaluate)
 app.command()(benchmark)
 app.add_typer(simulate, name="simulate")
 app.add_typer(reproduce, name="reproduce")
