@@ -244,6 +244,7 @@ def test_widened_thresholds_decide_as_rounded_values(
         ({"estimator": "gmm", "sample": 1}, "sample is 1; it must be at least 2"),
         ({"estimator": "gmm", "sample": 0.5}, "sample is 0.5; it must be an integer"),
         ({"estimator": "gmm", "seed": -1}, "seed is -1; it must be at least 0"),
+        ({"estimator": "gmm", "seed": 2**32}, "below 4294967296"),
     ],
 )
 def test_what_cannot_be_asked(changed: dict[str, Any], message: str, machine: Any) -> None:

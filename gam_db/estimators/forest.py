@@ -19,7 +19,7 @@ from gam_db.method.adding import add_of_set
 from gam_db.method.resolved import Method
 from gam_db.pipeline import Pipeline
 
-#: Trees are grown on at most 256 points each, and no deeper than log2 of that.
+#: Each tree is grown on at most 256 points, and no deeper than log2 of that.
 LEVELS = 8
 PATH_UNITS = 2.0**40
 
@@ -27,8 +27,12 @@ Columns = dict[str, NDArray[np.generic]]
 
 
 def model(points: Points, seed: int) -> Any:
-    """Return scikit-learn's forest, fitted."""
-    return needed("sklearn.ensemble", "benchmark").IsolationForest(random_state=seed).fit(points)
+    """Return scikit-learn's forest, fitted.
+
+    What it calls contamination moves a threshold of its own and no score.
+    """
+    forest = needed("sklearn.ensemble", "benchmark").IsolationForest
+    return forest(max_samples=min(2**LEVELS, len(points)), random_state=seed).fit(points)
 
 
 def fit(points: Mapping[int, Points], seed: int) -> dict[str, pa.Table]:

@@ -14,7 +14,7 @@ from gam_db.calibration import Calibration
 from gam_db.engines.duckdb_session import Session
 from gam_db.errors import ParameterError, nearest
 from gam_db.estimators import centroid, dse, forest, gmm, ocsvm
-from gam_db.estimators.base import Estimator, Points
+from gam_db.estimators.base import Estimator, Fit, Points
 from gam_db.estimators.points import add_moving_average, add_points, names_of, point_of
 from gam_db.extras import needed
 from gam_db.method.adding import add_of_set
@@ -57,8 +57,8 @@ def scores(
             the calibration vectors), "gmm" (negative log-likelihood, 15 Gaussians), "forest"
             (Isolation Forest: 2^(-mean path / average path)) or "ocsvm" (less the sum of the radial
             basis functions; nu 0.01, gamma "scale").
-        seed: of the sample and of scikit-learn.
-        sample: calibration vectors of a support that are given to scikit-learn at most.
+        seed: of the sample and of scikit-learn, from 0 to 2^32 - 1.
+        sample: calibration vectors of a support that are given to scikit-learn at most; at least 2.
 
     Returns:
         One row per scored vector, ordered by asset, channel and time: asset, channel, time (as in the
@@ -126,24 +126,30 @@ def add_estimator(study: Study, name: str, seed: int = 0, sample: int = SAMPLE) 
         ParameterError: there is no such estimator, or the sample or seed is no number that will do.
     """
     estimator = estimator_named(name)
-    seed, sample = _whole("seed", seed, 0), _whole("sample", sample, _FEWEST)
+    seed, sample = _whole("seed", seed, 0, 2**32), _whole("sample", sample, _FEWEST, 2**63)
     if estimator.fit is not None:
         needed("sklearn", "benchmark")  # said before anything is read
     steps, method = study.steps, study.method
     for number in range(len(method.settings)):
         add_points(steps, method, number)
-        points = {} if estimator.fit is None else _drawn(study, number, seed, sample)
-        if estimator.fit is not None and not points:
+        if estimator.fit is None or _put_fitted(study, estimator.fit, number, seed, sample):
+            estimator.add_scores(steps, method, number)
+        else:
             add_of_set(steps, method, number, "estimators/no_scores", name="scores")
-            continue
-        if estimator.fit is not None:
-            # One thread: what is fitted is small, and its sums then come in one order.
-            with needed("threadpoolctl", "benchmark").threadpool_limits(limits=1):
-                tables = estimator.fit(points, seed)
-            for table, rows in tables.items():
-                study.put(method.named(table, number), rows)
-        estimator.add_scores(steps, method, number)
     add_moving_average(steps, method)
+
+
+def _put_fitted(study: Study, fit: Fit, number: int, seed: int, sample: int) -> bool:
+    """Fit on the drawn points of one set and put the rows into the study; False if there are none."""
+    points = _drawn(study, number, seed, sample)
+    if not points:
+        return False
+    # One thread: what is fitted is small, and its sums then come in one order.
+    with needed("threadpoolctl", "benchmark").threadpool_limits(limits=1):
+        tables = fit(points, seed)
+    for table, rows in tables.items():
+        study.put(study.method.named(table, number), rows)
+    return True
 
 
 def _drawn(study: Study, number: int, seed: int, sample: int) -> dict[int, Points]:
@@ -166,11 +172,11 @@ def _drawn(study: Study, number: int, seed: int, sample: int) -> dict[int, Point
     return {support: stacked[of == support] for support in np.unique(of).tolist()}
 
 
-def _whole(name: str, value: object, least: int) -> int:
+def _whole(name: str, value: object, least: int, beyond: int) -> int:
     try:
         whole = operator.index(cast(SupportsIndex, value))
     except TypeError:
         raise ParameterError(f"{name} is {value!r}; it must be an integer.") from None
-    if whole < least:
-        raise ParameterError(f"{name} is {whole}; it must be at least {least}.")
+    if not least <= whole < beyond:
+        raise ParameterError(f"{name} is {whole}; it must be at least {least} and below {beyond}.")
     return whole
