@@ -136,6 +136,7 @@ def test_sensitivity_in_small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     by_floor = sorted(cells, key=lambda cell: cell.floor)
     healthy = [cell.healthy for cell in by_floor]
     assert healthy == sorted(healthy, key=lambda one: one or 0), "healthy data score as foretold"
+    assert sensitivity.foretold(cells) == pytest.approx(1)
     said = list(page.sensitivity_page("fleet", cells, True))
     assert any(line.startswith("  m = 5") for line in said)
 

@@ -134,6 +134,15 @@ def trends(cells: Sequence[Cell]) -> list[Trend]:
     return found
 
 
+def foretold(cells: Sequence[Cell]) -> float | None:
+    """Return Spearman's correlation of the floor with the healthy HI later seen, over the cells."""
+    seen = [cell for cell in cells if cell.healthy is not None]
+    by_floor = sorted(seen, key=lambda cell: cell.floor)
+    by_healthy = sorted(seen, key=lambda cell: cell.healthy or 0.0)
+    names = [[f"{cell.m}/{cell.tau}" for cell in order] for order in (by_floor, by_healthy)]
+    return agreement(*names)
+
+
 def _steps(quick: bool) -> int:
     return 2 * QUICK_SAMPLES if quick else langevin.SAMPLES
 
