@@ -115,6 +115,7 @@ def test_recordings_of_machines_that_failed(tmp_path: Path) -> None:
 
     (row,) = recordings(tmp_path, ["plant"], ["dse"], False, Results(tmp_path / "results"), print)
     assert (row.channels, row.series) == (1, 2)
+    assert row.certified.constant == {(asset, "still") for asset in ("one", "two", "three")}
     assert row.metrics["mon"] is not None
     assert row.metrics["mon"] > 0.6
     assert row.signed[1] == 1

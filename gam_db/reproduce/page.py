@@ -83,6 +83,8 @@ def recordings(rows: Sequence[RecordingRow]) -> Iterator[str]:
             f"first 20 % taken as healthy; mean ± standard deviation over {first.channels} channels "
             f"({first.series} series of machines that failed)"
         )
+        verdicts = ", ".join(f"{count} {verdict}" for verdict, count in first.certified.verdicts.items())
+        yield f"certificate: {verdicts}; floor {first.certified.floor:.3f} in the median"
         yield ""
         titles = "".join(f"{title:>9}{'':6}" for title in _SHOWN)
         yield f"{'':18}{titles}{'rising':>9}{'seconds':>10}"

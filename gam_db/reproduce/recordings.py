@@ -1,12 +1,14 @@
 """The same table on real machines that ran to failure: a production plant, and bearings on a rig.
 
-Which channel of a plant's component shows wear is not known, so none is chosen: every channel that moved
-is evaluated over the assets that failed, and what is printed is the mean over the channels. No healthy
-control was recorded, so there is no discriminability, and Global is the mean of the other four.
+Which channel of a plant's component shows wear is not known, so none is chosen: every channel is
+evaluated over the assets that failed, and what is printed is the mean over the channels. A channel that
+did not move while it was calibrated cannot be judged and is left out. No healthy control was recorded,
+so there is no discriminability, and Global is the mean of the other four.
 """
 
+from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +19,7 @@ from pyarrow import parquet
 
 from gam_db.calibration import Calibration
 from gam_db.errors import SourceError
+from gam_db.health import support
 from gam_db.parameters import Parameters
 from gam_db.reproduce.evaluated import SURROGATES, summary
 from gam_db.reproduce.methods import METHODS, Task, health
@@ -26,6 +29,8 @@ from gam_db.source import Source
 CALIBRATION = 0.2
 METRICS = ("mon", "corr", "rob", "prog", "global")
 CHANCE = ("mon", "corr", "rob")
+
+_UNJUDGED = ("constant", "no_data")
 
 Show = Callable[[str], None]
 
@@ -59,11 +64,27 @@ RECORDINGS = {
 
 
 @dataclass(frozen=True)
+class Certified:
+    """What calibration says of a set of recordings.
+
+    Attributes:
+        verdicts: how many channels of machines have each verdict.
+        floor: median of the floors.
+        constant: asset and channel of those that did not move.
+    """
+
+    verdicts: dict[str, int]
+    floor: float
+    constant: frozenset[tuple[str, str]]
+
+
+@dataclass(frozen=True)
 class Row:
     """One method on one set of recordings.
 
     Attributes:
         recording, method: names.
+        certified: what calibration says, whatever the method.
         metrics: the mean over channels of each metric; None where no channel has it.
         spread: their standard deviation over channels.
         signed: mean of the signed rank correlation over all series, and the share of series above 0.5.
@@ -76,6 +97,7 @@ class Row:
 
     recording: str
     method: str
+    certified: Certified
     metrics: dict[str, float | None]
     spread: dict[str, float | None]
     signed: tuple[float, float]
@@ -111,33 +133,65 @@ def recordings(
             raise SourceError(
                 f"There is no {series} with its labels.parquet; --data takes their folder."
             )
+        show(f"{recording.title}: certificate")
+        folder_of = f"recordings{'-quick' if quick else ''}"
+        parameters = _settings_of(recording)
+        found = results.get(
+            f"{folder_of}/{name}-certificate",
+            parameters,
+            lambda: _certificate(recording, series),  # noqa: B023
+        )
+        certified = _certified(found)
         for method in methods:
             title = f"{recording.title}: {METHODS[method].title}"
             show(title)
             surrogates = SURROGATES if method == methods[0] else 0
-            settings = _settings(recording, method, quick, surrogates)
-            file = f"recordings{'-quick' if quick else ''}/{name}-{method}"
-            run = _runner(recording, series, labels, method, quick, surrogates, title, show)
-            rows.append(_row(name, method, results.get(file, settings, run)))
+            task = Task(0, quick, at_buckets=True)
+            settings = {
+                **parameters,
+                "method": method,
+                "seed": task.seed,
+                "surrogates": surrogates,
+                **METHODS[method].settings(task),
+            }
+            run = _runner(recording, series, labels, method, task, surrogates, certified, title, show)
+            figures = results.get(f"{folder_of}/{name}-{method}", settings, run)
+            rows.append(_row(name, method, certified, figures))
     return rows
 
 
-def _settings(recording: Recording, method: str, quick: bool, surrogates: int) -> dict[str, Any]:
+def _settings_of(recording: Recording) -> dict[str, Any]:
     parameters = recording.parameters
     return {
         "experiment": "recordings",
         "recording": recording.folder,
-        "method": method,
-        "seed": 0,
         "calibration_fraction": CALIBRATION,
         "m": parameters.m,
         "tau": parameters.tau,
         "bins": parameters.bins,
         "window": parameters.window,
         "max_gap": parameters.max_gap,
-        "surrogates": surrogates,
-        **METHODS[method].settings(Task(0, quick)),
+        "constant": "left out",
     }
+
+
+def _certificate(recording: Recording, series: Path) -> Figures:
+    rows = support(
+        Source(series, time="t"), recording.parameters, Calibration(fraction=CALIBRATION)
+    ).to_pylist()
+    columns = ("asset", "channel", "verdict", "floor")
+    return {"channels": [{column: row[column] for column in columns} for row in rows]}
+
+
+def _certified(figures: Figures) -> Certified:
+    rows = figures["channels"]
+    return Certified(
+        verdicts=dict(Counter(row["verdict"] for row in rows).most_common()),
+        floor=float(np.median([row["floor"] for row in rows if row["verdict"] not in _UNJUDGED])),
+        constant=frozenset(
+            (row["asset"], row["channel"]) for row in rows if row["verdict"] in _UNJUDGED
+        ),
+    )
 
 
 def _runner(
@@ -145,8 +199,9 @@ def _runner(
     series: Path,
     labels: Path,
     method: str,
-    quick: bool,
+    task: Task,
     surrogates: int,
+    certified: Certified,
     title: str,
     show: Show,
 ) -> Callable[[], Figures]:
@@ -155,16 +210,21 @@ def _runner(
             show(f"{title}: epoch {epoch}, loss {loss:.2e}")
 
         parameters = recording.parameters
-        task = Task(0, quick, at_buckets=True, on_epoch=on_epoch)
+        told = replace(task, on_epoch=on_epoch)
         calibration = Calibration(fraction=CALIBRATION)
-        table, seconds = health(method, Source(series, time="t"), parameters, calibration, task)
-        failed = _failures(labels)
+        table, seconds = health(method, Source(series, time="t"), parameters, calibration, told)
+        failed, constant = _failures(labels), certified.constant
         per_window = parameters.window // parameters.bucket_length
         channels = []
         for channel in sorted(set(table["channel"].to_pylist())):
             show(f"{title}: evaluating {channel}")
             of_one = table.filter(pc.equal(table["channel"], channel))
-            known = _outcomes(of_one, failed, channel)
+            judged = {asset for asset in of_one["asset"].to_pylist() if (asset, channel) not in constant}
+            known = [
+                {"asset": asset, "channel": channel, "failed_at": end}
+                for asset, end in failed.items()
+                if asset in judged
+            ]
             if not known:
                 continue
             metrics, found = summary(of_one, pa.Table.from_pylist(known), surrogates, per_window)
@@ -193,22 +253,14 @@ def _failures(labels: Path) -> dict[str, int]:
     return {row["asset"]: row["end"] for row in rows if row["event"] == "end_of_life"}
 
 
-def _outcomes(table: pa.Table, failed: dict[str, int], channel: str) -> list[dict[str, Any]]:
-    there = set(table["asset"].to_pylist())
-    return [
-        {"asset": asset, "channel": channel, "failed_at": end}
-        for asset, end in failed.items()
-        if asset in there
-    ]
-
-
-def _row(recording: str, method: str, figures: Figures) -> Row:
+def _row(recording: str, method: str, certified: Certified, figures: Figures) -> Row:
     channels: list[dict[str, Any]] = figures["channels"]
     signed = [value for channel in channels for value in channel["signed"]]
     columns = {metric: [channel[metric] for channel in channels] for metric in METRICS}
     return Row(
         recording=recording,
         method=method,
+        certified=certified,
         metrics={metric: _mean(values) for metric, values in columns.items()},
         spread={metric: _spread(values) for metric, values in columns.items()},
         signed=(float(np.mean(signed)), float(np.mean(np.array(signed) > 0.5))),
