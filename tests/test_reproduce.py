@@ -1,6 +1,7 @@
 """The paper's experiments: end to end in small, resumed from files, and read honestly."""
 
 import json
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -156,6 +157,16 @@ def test_options_are_checked(words: tuple[str, ...], refusal: str) -> None:
     answer = invoked(*words)
     assert answer.exit_code == 1
     assert refusal in answer.stderr
+
+
+def test_a_missing_library_is_said_before_anything_is_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "torch", None)  # importing it raises
+    answer = invoked("table2", "--quick", "--methods", "dse,mlp", "--results", str(tmp_path))
+    assert answer.exit_code == 1
+    assert 'This needs torch: pip install "gam-db[benchmark]"' in answer.stderr
+    assert not list(tmp_path.iterdir())
 
 
 def test_methods_keep_the_order_of_the_list() -> None:

@@ -104,8 +104,7 @@ def health(
         UserError: see its subclasses; also where a library is not installed.
     """
     method = METHODS[name]
-    if method.library is not None:
-        needed(method.library, "benchmark")
+    check_libraries([name])
     begin = time.perf_counter()
     with Session() as session:
         study = Study(session, source, parameters, calibration, on_step)
@@ -129,6 +128,18 @@ def chosen(text: str | None, among: Sequence[str]) -> list[str]:
         if name not in METHODS:
             raise ConfigurationError(f"--methods does not know {name!r}{nearest(name, METHODS)}.")
     return [name for name in METHODS if name in names]
+
+
+def check_libraries(names: Sequence[str]) -> None:
+    """Import what methods need, before anything is computed.
+
+    Raises:
+        UserError: a library is not installed; the message says what to install.
+    """
+    for name in names:
+        library = METHODS[name].library
+        if library is not None:
+            needed(library, "benchmark")
 
 
 def _discrete(study: Study, task: Task) -> pa.Table:

@@ -22,7 +22,7 @@ from gam_db.errors import SourceError
 from gam_db.health import support
 from gam_db.parameters import Parameters
 from gam_db.reproduce.evaluated import SURROGATES, summary
-from gam_db.reproduce.methods import METHODS, Task, health
+from gam_db.reproduce.methods import METHODS, Task, check_libraries, health
 from gam_db.reproduce.results import Figures, Results
 from gam_db.source import Source
 
@@ -124,6 +124,7 @@ def recordings(
         SourceError: there is no such recording in the folder.
         UserError: see its subclasses.
     """
+    check_libraries(methods)
     rows = []
     for name in names:
         recording = RECORDINGS[name]

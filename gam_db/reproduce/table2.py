@@ -11,7 +11,7 @@ from gam_db import langevin
 from gam_db.calibration import Calibration
 from gam_db.parameters import Parameters
 from gam_db.reproduce.evaluated import chance, summary
-from gam_db.reproduce.methods import METHODS, Task, health
+from gam_db.reproduce.methods import METHODS, Task, check_libraries, health
 from gam_db.reproduce.paper import TABLE2
 from gam_db.reproduce.results import Figures, Results
 from gam_db.simulate.single import langevin_series
@@ -79,6 +79,7 @@ def table2(methods: Sequence[str], seeds: int, quick: bool, results: Results, sh
     Raises:
         UserError: see its subclasses.
     """
+    check_libraries(methods)
     found: dict[str, list[Figures]] = {name: [] for name in methods}
     for seed in range(seeds):
         for name in methods:
