@@ -68,8 +68,9 @@ def add_baseline(
     """Train a baseline and add its steps to a study: ``score_health`` and ``score_bucket_health``.
 
     One net is trained per channel (or pool), on all of its calibration vectors in ranges of
-    calibration. A forecast is made from the vector one sample earlier; where there is none, because of
-    a missing sample or a new segment, the vector is neither learnt nor scored by it.
+    calibration; its scores are in units of their mean over calibration. A forecast is made from the
+    vector one sample earlier; where there is none, because of a missing sample or a new segment, the
+    vector is neither learnt nor scored by it.
 
     Args:
         study: of a source; it takes one baseline only.
@@ -102,6 +103,9 @@ def add_baseline(
             net = trained(baseline.build, setting.m, rows, effort.epochs, seed, on_epoch)
             of_one = to_score["support_id"].to_numpy() == support
             scores = scored(net, baseline.score, _rows(to_score, columns, of_one))
+            # A net that learns well has errors far below the 2^-20 in which scores are summed.
+            usual = float(scored(net, baseline.score, rows).mean())
+            scores = scores / usual if usual > 0 else scores
             own = to_score.select(["channel_id", "time"]).filter(pa.array(of_one))
             parts.append(own.append_column("score", pa.array(scores)))
         empty = to_score.select(["channel_id", "time"]).slice(0, 0)
