@@ -134,6 +134,15 @@ def sensitivity_page(on: str, cells: Sequence[sensitivity.Cell], quick: bool) ->
             f"{trend.floors[1]:.3f}"
         )
     yield "Paper: rises for tau <= 5, falls for tau > 5, on its industrial fleet."
+    changes = [
+        f"{title} by {change:+.3f}"
+        for title, number in (("Prog", "prog"), ("Disc", "disc"), ("Mon", "mon"))
+        if (change := sensitivity.change(cells, number)) is not None
+    ]
+    yield (
+        f"In the mean over the delays, from the smallest m to the largest: {', '.join(changes)}. A sparse "
+        "support adds to Prog and takes from Disc; which of them decides depends on the fleet."
+    )
     foretold = sensitivity.foretold(cells)
     if foretold is not None:
         yield (

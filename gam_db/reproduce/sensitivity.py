@@ -134,6 +134,19 @@ def trends(cells: Sequence[Cell]) -> list[Trend]:
     return found
 
 
+def change(cells: Sequence[Cell], number: str) -> float | None:
+    """Return a number of the cells at the largest m less that at the smallest, mean over the delays.
+
+    None where it is not known of every cell.
+    """
+    ends = [
+        [getattr(cell, number) for cell in cells if cell.m == m] for m in (DIMENSIONS[0], DIMENSIONS[-1])
+    ]
+    if None in ends[0] + ends[1]:
+        return None
+    return float(np.mean(ends[1]) - np.mean(ends[0]))
+
+
 def foretold(cells: Sequence[Cell]) -> float | None:
     """Return Spearman's correlation of the floor with the healthy HI later seen, over the cells."""
     seen = [cell for cell in cells if cell.healthy is not None]
