@@ -140,8 +140,8 @@ def sensitivity_page(on: str, cells: Sequence[sensitivity.Cell], quick: bool) ->
         if (change := sensitivity.change(cells, number)) is not None
     ]
     yield (
-        f"In the mean over the delays, from the smallest m to the largest: {', '.join(changes)}. A sparse "
-        "support adds to Prog and takes from Disc; which of them decides depends on the fleet."
+        f"In the mean over the delays, from the smallest m to the largest: {', '.join(changes)}. A "
+        "sparse support adds to Prog and takes from Disc; which of them decides depends on the fleet."
     )
     foretold = sensitivity.foretold(cells)
     if foretold is not None:
