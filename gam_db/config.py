@@ -43,6 +43,15 @@ All of it is optional. Columns that are not named are guessed from the source::
 
     [calibration.overrides]
     robot_8 = false                  # no calibration of its own: it learns from its pool
+
+    [monitor]                        # what is kept in the database from run to run
+    name = "default"                 # several monitors can share one database
+    # schema = "monitoring"          # of the state tables; default the current one
+    prefix = "gam_"                  # begins their names
+    lookback = "1 h"                 # how late a reading may come; a number: seconds, or counter steps
+    park_after = "1 d"               # channels silent for longer are looked at once a day
+    keep = "400 d"                   # age up to which gam prune keeps buckets; default all
+    keep_novel = "90 d"              # the same for their novel cells
 """
 
 import dataclasses
@@ -53,9 +62,11 @@ from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
 from gam_db.calibration import Calibration
+from gam_db.clock import Length
 from gam_db.errors import ConfigurationError, nearest
 from gam_db.parameters import Override, Parameters
 from gam_db.source import is_file
+from gam_db.stored.tables import StateTables
 
 DEFAULT_FILE = "gam.toml"
 
@@ -91,6 +102,34 @@ class SourceSettings:
 
 
 @dataclass(frozen=True)
+class MonitorSettings:
+    """What is kept in the database, where, and for how long.
+
+    Attributes:
+        name: of the monitor; several can share one database.
+        schema: of the state tables; None for the current one.
+        prefix: of their names.
+        lookback: how far behind the newest time of its channel a reading may come.
+        park_after: channels silent for longer are looked at once a day; None for never.
+        keep: age up to which buckets are kept; None for all.
+        keep_novel: the same for novel cells.
+    """
+
+    name: str = "default"
+    schema: str | None = None
+    prefix: str = "gam_"
+    lookback: Length | None = None
+    park_after: Length | None = None
+    keep: Length | None = None
+    keep_novel: Length | None = None
+
+    @property
+    def tables(self) -> StateTables:
+        """Where the state lies."""
+        return StateTables(self.schema, self.prefix)
+
+
+@dataclass(frozen=True)
 class Settings:
     """Everything that can be set, as it was said.
 
@@ -99,6 +138,7 @@ class Settings:
         parameters: keywords of :class:`~gam_db.Parameters`; only what was said.
         calibration: keywords of :class:`~gam_db.Calibration`; only what was said.
         overrides: parameters of some channels.
+        monitor: see :class:`MonitorSettings`.
         file: the file it was read from, None if there was none.
     """
 
@@ -106,6 +146,7 @@ class Settings:
     parameters: Mapping[str, Any] = field(default_factory=dict)
     calibration: Mapping[str, Any] = field(default_factory=dict)
     overrides: tuple[Override, ...] = ()
+    monitor: MonitorSettings = MonitorSettings()
     file: Path | None = None
 
     def under(
@@ -113,6 +154,7 @@ class Settings:
         source: Mapping[str, Any],
         parameters: Mapping[str, Any],
         calibration: Mapping[str, Any],
+        monitor: Mapping[str, Any] | None = None,
     ) -> "Settings":
         """Return these settings with options laid over them; an option that is None says nothing.
 
@@ -138,6 +180,7 @@ class Settings:
             source=dataclasses.replace(kept_source, **said_source),
             parameters={**self.parameters, **_unset(_said(parameters))},
             calibration={**kept_calibration, **said_calibration},
+            monitor=dataclasses.replace(self.monitor, **_said(monitor or {})),
         )
 
     def method(self) -> tuple[Parameters, Calibration]:
@@ -180,8 +223,9 @@ def _names(of: type) -> tuple[str, ...]:
 
 
 _WHERE_IT_LIES = ("fraction", "duration", "intervals")
-_SECTIONS = ("source", "parameters", "override", "calibration")
+_SECTIONS = ("source", "parameters", "override", "calibration", "monitor")
 _SOURCE = _names(SourceSettings)
+_MONITOR = _names(MonitorSettings)
 _PARAMETERS = tuple(name for name in _names(Parameters) if name != "overrides")
 _OVERRIDE = _names(Override)
 _CALIBRATION = _names(Calibration)
@@ -198,6 +242,7 @@ def _settings(document: Mapping[str, Any], path: Path) -> Settings:
         parameters=_unset(_section(document, "parameters", _PARAMETERS)),
         calibration=_calibration("[calibration]", _section(document, "calibration", _CALIBRATION)),
         overrides=tuple(_override(number, table) for number, table in enumerate(tables, start=1)),
+        monitor=_monitor(_section(document, "monitor", _MONITOR)),
         file=path,
     )
 
@@ -231,6 +276,22 @@ def _source(section: dict[str, Any], folder: Path) -> SourceSettings:
     if is_file(said.get("relation")) and "://" not in said["relation"]:
         said["relation"] = str(folder / said["relation"])
     return SourceSettings(**said)
+
+
+def _monitor(section: dict[str, Any]) -> MonitorSettings:
+    for name, value in section.items():
+        if name == "prefix" and isinstance(value, str):
+            continue
+        if name in ("name", "schema", "prefix"):
+            fits, what = isinstance(value, str) and value != "", "a text"
+        else:
+            fits = isinstance(value, (int, float, str)) and not isinstance(value, bool)
+            what = "a length of time, such as '1 h'"
+        if not fits:
+            raise ConfigurationError(f"{name} in [monitor] is {value!r}; it takes {what}.")
+    said = MonitorSettings(**section)
+    _ = said.tables  # which refuses a prefix that cannot begin a name
+    return said
 
 
 def _override(number: int, table: dict[str, Any]) -> Override:

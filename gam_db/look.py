@@ -65,6 +65,19 @@ def kind_of(source: AnySource, columns: dict[str, str], session: Session) -> Tim
     return kind
 
 
+def check_kind(kind: TimeKind, expected: TimeKind, monitor: str) -> None:
+    """Refuse a source that tells time otherwise than the one its monitor was made for.
+
+    Raises:
+        SourceError: it does.
+    """
+    if kind is not expected:
+        raise SourceError(
+            f"The time of this source is a {kind.value}; the monitor {monitor!r} was made for a "
+            f"{expected.value}. Give a source like the first, or this one a monitor of its own."
+        )
+
+
 def check_rows(names: pa.Table) -> None:
     """Refuse a source with rows that belong nowhere; ``names`` is the step of that name.
 

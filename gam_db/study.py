@@ -1,9 +1,8 @@
 """A study: one source, one method, one session; runs the steps and hands out tables.
 
-This module owns the order of work: look, resolve, keep the small steps as temporary tables, compute.
+This module owns the order of work: look at the source, resolve what was asked, make the steps.
 """
 
-from collections.abc import Callable
 from pathlib import Path
 
 import pyarrow as pa
@@ -14,9 +13,8 @@ from gam_db.calibration import Calibration
 from gam_db.engines.duckdb_session import Session
 from gam_db.method import Method, pipeline
 from gam_db.parameters import Parameters
+from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource, is_file, parsed_condition, readings
-
-Listener = Callable[[str], None]
 
 
 class Study:
@@ -38,11 +36,9 @@ class Study:
         source: AnySource,
         parameters: Parameters,
         calibration: Calibration,
-        on_step: Listener = lambda _: None,
+        on_step: Listener = unheard,
     ) -> None:
         self.session = session
-        self._on_step = on_step
-        self._kept: dict[str, exp.Table] = {}
         relation = session.relation(source.relation)
         columns = session.describe(relation)
         if source.where is not None:
@@ -57,13 +53,12 @@ class Study:
         if is_file(source.relation) and not str(source.relation).lower().endswith((".parquet", ".pq")):
             # Text is parsed once, not once per step.
             self.steps.small |= {"readings"}
+        self.running = Running(session, self.steps, on_step=on_step)
         look.check_rows(self._looked())
 
     def table(self, step: str) -> pa.Table:
         """Return the rows of a step; the small steps before it are kept for the next call."""
-        query = self._ready(step)
-        self._on_step(step)
-        return self.session.fetch(query)
+        return self.running.table(step)
 
     def put(self, step: str, rows: pa.Table) -> None:
         """Add an Arrow table as a small step that later ones can read."""
@@ -73,18 +68,8 @@ class Study:
 
     def write(self, step: str, path: Path, table: str) -> None:
         """Write the rows of a step as Parquet, or as a table of a DuckDB file."""
-        query = self._ready(step)
-        self._on_step(step)
-        self.session.write(query, path, table)
-
-    def _ready(self, step: str) -> exp.Query:
-        for needed in self.steps.needed([step], self._kept.keys()):
-            if needed.name in self.steps.small and needed.name != step:
-                self._on_step(needed.name)
-                query = self.steps.query(needed.name, self._kept)
-                self._kept[needed.name] = self.session.keep(needed.name, query)
-        return self.steps.query(step, self._kept)
+        self.running.write(step, path, table)
 
     def _looked(self) -> pa.Table:
-        self._ready("channels")
-        return self.session.fetch(self.steps.query("names", self._kept))
+        self.running.keep("names")
+        return self.session.fetch(self.steps.query("names", self.running.placed))

@@ -10,8 +10,9 @@ from typing import Any
 import pytest
 
 from gam_db import Calibration, Override, Parameters, config
-from gam_db.config import Settings, SourceSettings
+from gam_db.config import MonitorSettings, Settings, SourceSettings
 from gam_db.errors import CalibrationError, ConfigurationError
+from gam_db.stored.tables import StateTables
 
 OPTIONS: tuple[dict[str, Any], dict[str, Any], dict[str, Any]] = ({}, {}, {})
 
@@ -53,6 +54,9 @@ def test_the_documented_example(tmp_path: Path) -> None:
         pool="channel",
         overrides={"robot_9*": Calibration(duration="30 d"), "robot_8": None},
     )
+    assert settings.monitor == MonitorSettings(
+        lookback="1 h", park_after="1 d", keep="400 d", keep_novel="90 d"
+    )
 
 
 def test_the_documented_alternatives(tmp_path: Path) -> None:
@@ -64,12 +68,13 @@ def test_the_documented_alternatives(tmp_path: Path) -> None:
     assert settings.source.layout == "wide"
     assert settings.source.channels == ("current", "torque")
     assert settings.source.time_kind == "timestamp"
+    assert settings.monitor.tables == StateTables("monitoring", "gam_")
 
 
 def test_the_example_holds_every_key() -> None:
     """A new parameter that nobody documents would be found here."""
     example = documented()
-    for kind in (SourceSettings, Parameters, Calibration):
+    for kind in (SourceSettings, Parameters, Calibration, MonitorSettings):
         for one in dataclasses.fields(kind):
             if one.name not in ("overrides", "fraction"):
                 assert f"{one.name} = " in example, one.name
@@ -86,6 +91,8 @@ def test_the_example_holds_every_key() -> None:
         ("[parameters]\nmaxgap = 2", "max_gap"),
         ("[[override]]\nasset = 'a'\nbin = 2", "bins"),
         ("[calibration]\nfracton = 0.5", "fraction"),
+        ("[monitor]\nlook_back = 3", "lookback"),
+        ("[monitors]\nname = 'x'", "monitor"),
         ("[calibration.overrides.R1]\nduraton = '3 d'", "duration"),
     ],
 )
@@ -111,6 +118,14 @@ def test_an_unknown_key_is_refused_with_the_nearest_name(tmp_path: Path, text: s
         ("[calibration]\noverrides = 3", "overrides in"),
         ("[calibration.overrides]\nR1 = true", "R1"),
         ("[calibration.overrides.R1]\npool = 'channel'", "pool"),
+        ("monitor = 3", r"\[monitor\]"),
+        ("[monitor]\nname = ''", r"name in \[monitor\]"),
+        ("[monitor]\nname = 3", r"name in \[monitor\]"),
+        ("[monitor]\nschema = false", r"schema in \[monitor\]"),
+        ("[monitor]\nprefix = 3", r"prefix in \[monitor\]"),
+        ("[monitor]\nprefix = 'a-b'", "letters, digits"),
+        ("[monitor]\nlookback = true", "takes a length"),
+        ("[monitor]\nkeep = [3]", "takes a length"),
         ("[source", "TOML"),
     ],
 )
@@ -174,6 +189,12 @@ def test_options_replace_what_the_file_says(tmp_path: Path) -> None:
     assert (parameters.m, parameters.tau, parameters.max_gap) == (4, 1, None)
     assert calibration.fraction == 0.5
     assert settings.under(*OPTIONS) == settings
+
+
+def test_options_of_the_monitor_replace_what_the_file_says(tmp_path: Path) -> None:
+    settings = read(tmp_path, "[monitor]\nname = 'north'\nprefix = 'n_'\nlookback = 5")
+    laid = settings.under({}, {}, {}, {"name": "south", "schema": "s", "prefix": None})
+    assert laid.monitor == MonitorSettings("south", "s", "n_", lookback=5)
 
 
 def test_an_option_of_calibration_replaces_the_other_ways_to_say_it(tmp_path: Path) -> None:

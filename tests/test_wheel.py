@@ -9,7 +9,7 @@ from pathlib import Path
 ROOT = Path(__file__).parent.parent
 
 
-def test_the_wheel_holds_the_sql_and_runs_the_demo(tmp_path: Path) -> None:
+def test_the_wheel_holds_the_sql_and_the_migrations_and_runs_the_demo(tmp_path: Path) -> None:
     subprocess.run(
         [sys.executable, "-m", "build", "--wheel", "--outdir", str(tmp_path), str(ROOT)],
         check=True,
@@ -31,6 +31,11 @@ def test_the_wheel_holds_the_sql_and_runs_the_demo(tmp_path: Path) -> None:
         check=True,
         capture_output=True,
     )
+    for words in (
+        ["migrate", "--database", "plant.duckdb"],
+        ["migrate", "--status", "--database", "plant.duckdb"],
+    ):
+        subprocess.run([str(environment / "bin" / "gam"), *words], cwd=tmp_path, check=True)
     demo = subprocess.run(
         [str(environment / "bin" / "gam"), "demo"],
         cwd=tmp_path,

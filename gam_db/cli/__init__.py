@@ -21,9 +21,12 @@ import gam_db
 from gam_db.cli.benchmark import benchmark
 from gam_db.cli.compile import compile_script
 from gam_db.cli.demo import demo
+from gam_db.cli.drop import drop
 from gam_db.cli.evaluate import evaluate
+from gam_db.cli.migrate import migrate
 from gam_db.cli.reproduce import reproduce
 from gam_db.cli.run import run
+from gam_db.cli.select import select
 from gam_db.cli.simulate import simulate
 from gam_db.errors import StatementError, UserError
 
@@ -87,10 +90,13 @@ def options(
 
 
 app.command()(run)
+app.command()(select)
 app.command()(demo)
 app.command("compile")(compile_script)
 app.command()(evaluate)
 app.command()(benchmark)
+app.command()(migrate)
+app.command()(drop)
 app.add_typer(simulate, name="simulate")
 app.add_typer(reproduce, name="reproduce")
 

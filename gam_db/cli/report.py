@@ -126,7 +126,7 @@ def _heading(job: Job, found: Sequence[Finding]) -> list[str]:
 
 
 def columns_line(guess: Guess) -> str:
-    """Return which columns were taken for what."""
+    """Return which columns are read, and which of them were guessed."""
     source = guess.source
     named = {"asset": source.asset, "time": source.time}
     if isinstance(source, Source):
@@ -160,6 +160,11 @@ def method_line(parameters: Parameters, calibration: Calibration) -> str:
     ]
     if parameters.overrides:
         said.append(f"{len(parameters.overrides)} overrides")
+    return f"method: {' '.join(said)}; calibration: {healthy_part(calibration)}"
+
+
+def healthy_part(calibration: Calibration) -> str:
+    """Return what is calibration, in words."""
     if calibration.fraction is not None:
         healthy = f"the first {100 * calibration.fraction:.4g} % of each channel"
     elif calibration.duration is not None:
@@ -169,12 +174,12 @@ def method_line(parameters: Parameters, calibration: Calibration) -> str:
         healthy = f"{pieces} interval{'s' * (pieces != 1)}"
     if calibration.pool is not None:
         healthy += ", pooled"
-    return f"method: {' '.join(said)}; calibration: {healthy}"
+    return healthy
 
 
 def _table(out: Console, found: Sequence[Finding]) -> list[Text]:
     """Return a line per channel, and under it what is to be said of it."""
-    blocks = BLOCKS if _can_show(out, BLOCKS) else PLAIN_BLOCKS
+    blocks = BLOCKS if can_show(out, BLOCKS) else PLAIN_BLOCKS
     one_asset = len({one.asset for one in found}) == 1
     names = [_name(one, one_asset) for one in found]
     times = [time_text(one.time) for one in found]
@@ -317,7 +322,8 @@ def say(out: Console, line: str) -> None:
         out.print(Text(part))
 
 
-def _can_show(out: Console, text: str) -> bool:
+def can_show(out: Console, text: str) -> bool:
+    """Tell whether the terminal's alphabet has these characters."""
     try:
         text.encode(out.encoding)
     except (UnicodeEncodeError, LookupError):

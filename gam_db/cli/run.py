@@ -137,7 +137,7 @@ def run(
         pool=pool,
     )
     estimator_named(estimator)
-    relation = _relation(settings)
+    relation = relation_of(settings)
     results = [] if no_out else _results(relation, settings.source.database, out, every, estimator)
     with interruptible(), Session(settings.source.database, threads) as session:
         lines = report.console()
@@ -209,7 +209,12 @@ class _Result:
         return f"{self.path} (table {self.table})" if _is_database(self.path) else str(self.path)
 
 
-def _relation(settings: Settings) -> str:
+def relation_of(settings: Settings) -> str:
+    """Return what to read.
+
+    Raises:
+        ConfigurationError: nothing is named, or a table without its database.
+    """
     relation, database = settings.source.relation, settings.source.database
     if relation is None:
         raise ConfigurationError(

@@ -8,6 +8,18 @@ import duckdb
 
 from gam_db.errors import EngineError
 
+_UNITS = {"bytes": 1, "KiB": 2**10, "MiB": 2**20, "GiB": 2**30, "TiB": 2**40}
+
+#: What one reading takes while it is scored, in bytes: kept once, sorted in a window, joined.
+_PER_READING = 100
+
+
+def rows_at_once(connection: duckdb.DuckDBPyConnection) -> int:
+    """Return how many readings can be worked on at once within the connection's memory limit."""
+    row = connection.execute("SELECT current_setting('memory_limit')").fetchall()[0]
+    amount, _, unit = str(row[0]).partition(" ")
+    return max(int(float(amount) * _UNITS.get(unit, 2**20)) // _PER_READING, 100_000)
+
 
 def opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:
     """Open a database file, or one in memory for None.

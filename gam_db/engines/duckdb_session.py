@@ -1,6 +1,7 @@
 """DuckDB at work: a session on a connection."""
 
 import contextlib
+import itertools
 import secrets
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -12,7 +13,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.duckdb import ENGINE, file_reader
-from gam_db.engines.duckdb_opening import check_settings, opened
+from gam_db.engines.duckdb_opening import check_settings, opened, rows_at_once
 from gam_db.engines.duckdb_types import check_columns, is_name, is_numeric, time_kind
 from gam_db.errors import EngineError, SourceError, StatementError, nearest
 from gam_db.source import is_file, table_names
@@ -58,6 +59,7 @@ class Session:
         if threads is not None:
             self.connection.execute("SET threads = ?", [threads])
         self._mark = f"gam_{secrets.token_hex(4)}"
+        self._numbers = itertools.count()
         self._made: list[str] = []
         self._registered: list[str] = []
 
@@ -108,6 +110,17 @@ class Session:
             + ". A file must end in .parquet, .csv or .tsv."
         )
 
+    @contextlib.contextmanager
+    def lent(self, table: pa.Table) -> Iterator[exp.Table]:
+        """Register an Arrow table for a while; its memory is free again afterwards."""
+        node = self._register(table)
+        name = self._registered[-1]
+        try:
+            yield node
+        finally:
+            self.connection.unregister(name)
+            self._registered.remove(name)
+
     def describe(self, relation: exp.Expr) -> dict[str, str]:
         """Return the columns of a relation and their types, in order."""
         everything = exp.select("*").from_(relation)
@@ -118,7 +131,16 @@ class Session:
         """Return the tables and views of a schema (None: the current one) with their columns, in order.
 
         Names are folded to lower case: DuckDB does not tell them apart by it.
+
+        Raises:
+            EngineError: the schema is called like a database, and DuckDB cannot tell which is meant.
         """
+        databases = self.connection.execute("SELECT database_name FROM duckdb_databases()").fetchall()
+        if schema is not None and schema.casefold() in {name.casefold() for (name,) in databases}:
+            raise EngineError(
+                f"The schema {schema!r} is called like a database, and DuckDB cannot tell them apart; "
+                "give another name."
+            )
         rows = self.connection.execute(
             "SELECT table_name, list(column_name ORDER BY ordinal_position) "
             "FROM information_schema.columns WHERE table_catalog = current_database() "
@@ -157,7 +179,7 @@ class Session:
             ) from error
         except StatementError as error:
             if isinstance(error.__cause__, duckdb.TransactionException):
-                raise EngineError(_conflict(str(error.__cause__))) from error
+                raise EngineError(_CONFLICT) from error
             if "read-only" in str(error.__cause__):
                 raise EngineError(_READ_ONLY) from error
             raise
@@ -169,6 +191,8 @@ class Session:
         Raises:
             EngineError: a transaction is open already, or the end of this one was refused.
         """
+        if self._in_transaction():
+            raise EngineError(_OPEN)
         self.execute(exp.Transaction())
         try:
             yield
@@ -177,6 +201,19 @@ class Session:
             with contextlib.suppress(duckdb.Error, StatementError):
                 self._run(exp.Rollback())  # after some errors DuckDB has rolled back already
             raise
+
+    def _in_transaction(self) -> bool:
+        """Tell whether a transaction is open: only then two statements have the same number.
+
+        It is not tried by beginning one: that fails, and takes the user's transaction with it.
+        """
+        try:
+            first, second = (
+                self.connection.execute("SELECT txid_current()").fetchall() for _ in range(2)
+            )
+        except duckdb.TransactionException:  # one that has failed already
+            return True
+        return first == second
 
     def load(self, rows: pa.Table) -> exp.Table:
         """Return the node that reads an Arrow table of ours, until the session is closed."""
@@ -197,7 +234,7 @@ class Session:
 
     def keep(self, step: str, query: exp.Query) -> exp.Table:
         """Run a query into a temporary table and return the node that reads it."""
-        made = f"{self._mark}_{step}"
+        made = f"{self._mark}_{next(self._numbers)}_{step}"
         create = exp.Create(
             this=_temporary(made),
             kind="TABLE",
@@ -250,11 +287,20 @@ class Session:
         except (duckdb.IOException, duckdb.BinderException) as error:
             raise SourceError(f"{path} cannot be opened as a DuckDB file for writing.") from error
         try:
+            if (name, "main", "gam_migration") in self._known_tables():
+                raise SourceError(
+                    f"{path} holds the state of a monitor, whose tables would be replaced; write the "
+                    "results to a file of their own."
+                )
             target = exp.Table(this=template.name(table), db=template.name("main"))
             target.set("catalog", template.name(name))
             self._run(exp.Create(this=target, kind="TABLE", replace=True, expression=query))
         finally:
             self._run(exp.Detach(this=template.name(name)))
+
+    def rows_at_once(self) -> int:
+        """Return how many readings can be worked on at once within the memory limit."""
+        return rows_at_once(self.connection)
 
     def progress(self) -> float:
         """Return how far the running statement is, in percent; negative if it is not known."""
@@ -299,7 +345,7 @@ class Session:
             )
         table = relation if isinstance(relation, pa.Table) else pa.table(relation)
         check_columns(table)
-        name = f"{self._mark}_arrow{len(self._registered)}"
+        name = f"{self._mark}_{next(self._numbers)}_arrow"
         try:
             self.connection.register(name, table)
         except duckdb.Error as error:
@@ -353,12 +399,8 @@ def _temporary(name: str) -> exp.Table:
 
 
 _READ_ONLY = "The database is open for reading only; it cannot be changed."
-
-
-def _conflict(reason: str) -> str:
-    if "within a transaction" in reason:
-        return "The connection has a transaction open; commit it or roll it back first."
-    return (
-        "Another connection changed the same rows at the same time; nothing of this run was written. "
-        "Run it again."
-    )
+_OPEN = "The connection has a transaction open; commit it or roll it back first."
+_CONFLICT = (
+    "Another connection changed the same rows at the same time; nothing of this run was written. "
+    "Run it again."
+)

@@ -81,7 +81,7 @@ def evaluate(
             of indicators with the columns asset, channel, hi (a number, the larger the worse) and one
             of bucket, time, index. Values that are NULL or no number are left out. With a column
             novel_in_window all sums are exact; without it each series is counted in steps of its range
-            (2^-26 of it at a thousand values, 2^-14 at 115,000).
+            (2^-27 of it at a thousand values, 2^-14 at 115,000).
         outcomes: what became of the assets: a relation with the columns asset, channel (optional; the
             one that failed), failed_at (a time as in ``health``) and healthy. The series of a failed
             asset is that of its failed channel and ends at ``failed_at``; each channel of a healthy
@@ -165,11 +165,9 @@ def _chance(
         return parts[0]
     steps = chance_steps(conventions, sampling.units(conventions.surrogates))
     for batch in sampling.batches(drawn, conventions):
-        placed = {
-            "selected": _given(session, batch.selected),
-            "surrogates": _given(session, batch.surrogates),
-        }
-        levels = session.fetch(steps.query("chance_levels", placed))
+        with session.lent(batch.selected) as selected, session.lent(batch.surrogates) as surrogates:
+            placed = {"selected": selected, "surrogates": surrogates}
+            levels = session.fetch(steps.query("chance_levels", placed))
         parts.append(
             levels.append_column("chance_reason", pa.nulls(len(levels), pa.string())).cast(_CHANCE)
         )

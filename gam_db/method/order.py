@@ -7,7 +7,7 @@ from gam_db.method.adding import add, join_sets
 from gam_db.method.calibration import add_calibration
 from gam_db.method.certificate import add_certificate
 from gam_db.method.resolved import Method
-from gam_db.method.scoring import add_buckets, add_scoring
+from gam_db.method.scoring import add_bucket_counts, add_buckets, add_run_up, add_scoring
 from gam_db.method.source import add_source
 from gam_db.pipeline import Pipeline
 
@@ -16,6 +16,7 @@ _JOINED_HEALTH = ("window_counts",)
 _JOINED_BUCKETS = ("bucket_counts", "novel_cells")
 _JOINED_CERTIFICATE = (
     "bounds",
+    "run_up",
     "cells",
     "blocks",
     "learning",
@@ -39,7 +40,9 @@ def pipeline(method: Method, readings: exp.Query) -> Pipeline:
     for number in numbers:
         add_calibration(steps, method, number)
         add_scoring(steps, method, number)
+        add_run_up(steps, method, number)
         add_buckets(steps, method, number)
+        add_bucket_counts(steps, method, number)
         add_certificate(steps, method, number)
     join_sets(steps, method, (*_JOINED_HEALTH, *_JOINED_BUCKETS, *_JOINED_CERTIFICATE))
     add_results(steps, method)
@@ -51,6 +54,7 @@ def add_results(steps: Pipeline, method: Method) -> None:
     add(steps, "health/health_indicator", {"time": method.instant_of(_counted("time"))})
     edges = {name: method.instant_of(_counted(name)) for name in ("first_time", "last_time")}
     add(steps, "health/bucket_health", edges)
+    add(steps, "certificate/verdicts")
     add(steps, "certificate/support_summary")
     add(steps, "certificate/certificate", edges)
 

@@ -66,6 +66,10 @@ class Method:
         """Return what a step of one set is called."""
         return step if len(self.settings) == 1 else f"{step}_{number}"
 
+    def is_short(self, number: int) -> bool:
+        """Tell whether the short form of the vectors will do for scoring one set."""
+        return self.gaps[number] is None and all(rule.score_from is None for rule in self.rules)
+
     def small(self) -> set[str]:
         """Return the names of the steps that may be kept as tables."""
         numbers = range(len(self.settings))

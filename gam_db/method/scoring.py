@@ -1,5 +1,7 @@
 """Novelty (Eq. 4) and its running counts (Eq. 2) of one set: per vector, and in buckets."""
 
+from collections.abc import Mapping
+
 from sqlglot import exp
 
 from gam_db.method.adding import add_of_set
@@ -10,21 +12,30 @@ from gam_db.pipeline import Pipeline, union_of
 
 def add_scoring(steps: Pipeline, method: Method, number: int) -> None:
     """Add Eq. 4 and the running counts of Eq. 2 of one set, a row per scored vector."""
+    add_numbered(steps, method, number)
+    add_of_set(steps, method, number, "health/window_counts", {"window": method.settings[number].window})
+
+
+def add_numbered(steps: Pipeline, method: Method, number: int) -> None:
+    """Add Eq. 4 of one set by the complete form of its vectors."""
     add_vectors(steps, method, number, "", exp.true())
     add_of_set(steps, method, number, "score/monitored")
     add_of_set(steps, method, number, "score/novelty", {"carried": [_carried("straddling")]})
     add_of_set(steps, method, number, "health/numbered")
-    add_of_set(steps, method, number, "health/window_counts", {"window": method.settings[number].window})
+
+
+def add_run_up(steps: Pipeline, method: Method, number: int) -> None:
+    """Add from where on the channels of one set are read to be scored."""
+    add_of_set(steps, method, number, "score/run_up", {"span": method.settings[number].span})
 
 
 def add_buckets(steps: Pipeline, method: Method, number: int) -> None:
-    """Add Eq. 4 and Eq. 2 at bucket ends of one set, and the novel cells of each bucket.
+    """Add Eq. 4 of one set in full buckets, and the novel cells of each.
 
     Where no segment ends and every channel is scored from the end of its calibration on, the short
-    form of the vectors gives the same buckets from half the columns.
+    form of the vectors gives the same buckets from half the columns; else *numbered* is read.
     """
-    setting = method.settings[number]
-    if method.gaps[number] is None and all(rule.score_from is None for rule in method.rules):
+    if method.is_short(number):
         add_short_scoring(steps, method, number)
         parts = ["complete_novelty", "incomplete_numbered"]
     else:
@@ -38,23 +49,24 @@ def add_buckets(steps: Pipeline, method: Method, number: int) -> None:
         union_of(steps, [method.named(part, number) for part in parts], columns),
         "Placed: every scored vector with its number.",
     )
-    stride = setting.bucket_length
+    stride = method.settings[number].bucket_length
     add_of_set(steps, method, number, "health/kept", {"stride": stride})
     add_of_set(steps, method, number, "health/buckets")
-    add_of_set(
-        steps,
-        method,
-        number,
-        "health/bucket_counts",
-        {"buckets": setting.window // stride, "window": setting.window},
-    )
     add_of_set(steps, method, number, "health/novel_cells")
+
+
+def add_bucket_counts(
+    steps: Pipeline, method: Method, number: int, tables: Mapping[str, str] | None = None
+) -> None:
+    """Add Eq. 2 of one set at bucket ends, over the step *buckets* or what stands for it."""
+    setting = method.settings[number]
+    slots = {"buckets": setting.window // setting.bucket_length, "window": setting.window}
+    add_of_set(steps, method, number, "health/bucket_counts", slots, tables=tables)
 
 
 def add_short_scoring(steps: Pipeline, method: Method, number: int) -> None:
     """Add the short form of Eq. 1 and Eq. 4, apart for channels with and without missing samples."""
     setting = method.settings[number]
-    add_of_set(steps, method, number, "score/run_up", {"span": setting.span})
     complete = exp.column("complete", table="scale")
     for prefix, is_complete in (("complete_", 1), ("incomplete_", 0)):
         read = exp.EQ(this=complete, expression=exp.Literal.number(is_complete))

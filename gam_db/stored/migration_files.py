@@ -123,7 +123,7 @@ def _read(path: Path) -> Migration:
 
 def _definition(file: str, name: str, statements: Sequence[exp.Expr]) -> Definition:
     """Return what a file makes: one table or view, called like the file, with all comments."""
-    create, *about = statements
+    create, *about = statements or [exp.Null()]
     twice = isinstance(create, exp.Create) and (
         create.args.get("exists") if create.kind == "TABLE" else create.args.get("replace")
     )

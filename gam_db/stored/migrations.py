@@ -42,6 +42,31 @@ class Status:
     pending: tuple[Migration, ...]
 
 
+def recorded(session: Session, tables: StateTables, there: Relations) -> tuple[Applied, ...]:
+    """Return the rows of the record, in order; none if there is no record.
+
+    Args:
+        session: on the database.
+        tables: where the state lies.
+        there: what :meth:`Session.relations` says of the schema.
+
+    Raises:
+        StateError: the table is none of ours, or a newer gam-db wrote it.
+    """
+    if tables.folded("migration") not in there:
+        return ()
+    _check_own(tables, "migration", there, RECORD)
+    query = exp.select(*RECORD).from_(tables.table("migration")).order_by("number")
+    rows = tuple(Applied(**row) for row in session.fetch(query).to_pylist())
+    if rows and rows[-1].number > len(files()):
+        raise StateError(
+            f"The state tables {tables}* were last migrated by gam-db {rows[-1].gam_version} (migration "
+            f"{rows[-1].number}); this is gam-db {__version__}, which knows {len(files())}. Install "
+            "that version or a newer one."
+        )
+    return rows
+
+
 def status(session: Session, tables: StateTables) -> Status:
     """Return what was applied and what is pending; nothing is written.
 
@@ -49,19 +74,19 @@ def status(session: Session, tables: StateTables) -> Status:
         StateError: the state is of a newer gam-db, was changed by hand, or its names are taken.
     """
     there = session.relations(tables.schema)
-    applied = _recorded(session, tables, there)
+    applied = recorded(session, tables, there)
     _check_record(applied, tables)
     known = files()
     made = {migration.name for migration in known[: len(applied)]}
     for name in sorted(made):
-        if _key(tables, name) not in there:
+        if tables.folded(name) not in there:
             raise StateError(
                 f"{tables.shown(name)} was made once and is no longer there; put it back from a copy of "
                 "the database, or make it anew, empty, with what `gam migrate --sql` prints for it."
             )
     pending = known[len(applied) :]
     for migration in pending:
-        if migration.name not in made and _key(tables, migration.name) in there:
+        if migration.name not in made and tables.folded(migration.name) in there:
             _check_own(tables, migration.name, there, tuple(migration.definition.columns))
     return Status(applied, pending)
 
@@ -140,23 +165,8 @@ def _complete(
     return statements
 
 
-def _recorded(session: Session, tables: StateTables, there: Relations) -> tuple[Applied, ...]:
-    if _key(tables, "migration") not in there:
-        return ()
-    _check_own(tables, "migration", there, RECORD)
-    query = exp.select(*RECORD).distinct().from_(tables.table("migration")).order_by("number")
-    return tuple(Applied(**row) for row in session.fetch(query).to_pylist())
-
-
 def _check_record(applied: Sequence[Applied], tables: StateTables) -> None:
     known = files()
-    if applied and applied[-1].number > len(known):
-        newest = applied[-1]
-        raise StateError(
-            f"The state tables {tables}* were last migrated by gam-db {newest.gam_version} (migration "
-            f"{newest.number}); this is gam-db {__version__}, which knows {len(known)}. Install that "
-            "version or a newer one."
-        )
     for place_of, row in enumerate(applied, start=1):
         if row.number != place_of:
             what = "is there twice" if row.number < place_of else f"lacks number {place_of}"
@@ -174,12 +184,8 @@ def _check_record(applied: Sequence[Applied], tables: StateTables) -> None:
 
 def _check_own(tables: StateTables, name: str, there: Relations, columns: tuple[str, ...]) -> None:
     """Refuse a table that is called like one of ours and is not."""
-    if there[_key(tables, name)] != columns:
+    if there[tables.folded(name)] != columns:
         raise StateError(
             f"There is a {tables.shown(name)} in the database that is no state table of gam-db; give "
             "another --prefix or --schema, or rename it."
         )
-
-
-def _key(tables: StateTables, name: str) -> str:
-    return f"{tables.prefix}{name}".casefold()

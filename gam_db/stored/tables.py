@@ -35,7 +35,8 @@ class StateTables:
 
     Attributes:
         schema: the schema that holds them; None for the current one of the connection.
-        prefix: begins each name: letters, digits and underscores, at most 40, no digit first.
+        prefix: begins each name: letters, digits and underscores, at most 40, no digit first. It may be
+            empty in a schema.
 
     Raises:
         ConfigurationError: the schema or prefix is no such name.
@@ -52,6 +53,8 @@ class StateTables:
                 f"prefix is {self.prefix!r}; it takes letters, digits and underscores, at most 40, and "
                 "begins with no digit."
             )
+        if not self.prefix and self.schema is None:
+            raise ConfigurationError("prefix is empty; that takes a schema of its own.")
 
     def __str__(self) -> str:
         return self.prefix if self.schema is None else f"{self.schema}.{self.prefix}"
@@ -66,6 +69,10 @@ class StateTables:
     def shown(self, name: str) -> str:
         """Return the name of a table or view as messages show it."""
         return f"{self}{name}"
+
+    def folded(self, name: str) -> str:
+        """Return the name of a table or view in lower case, to look it up among others."""
+        return f"{self.prefix}{name}".casefold()
 
     def placed(self) -> dict[str, exp.Table]:
         """Return what the SQL calls the tables (``stored_run``), each with the node that it means."""

@@ -1,0 +1,295 @@
+"""Calibrating: new versions of channels, frozen with what calibration taught.
+
+This module owns which channels need a version, and the order in which one is written: its row in
+``gam_version`` comes last, so that a version is there as a whole or not at all.
+"""
+
+import hashlib
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import pyarrow as pa
+
+from gam_db import template
+from gam_db.clock import LONG_AGO
+from gam_db.errors import CalibrationError
+from gam_db.method import Method
+from gam_db.method.adding import add
+from gam_db.parameters import Parameters, pattern_matches
+from gam_db.pipeline import filled, place
+from gam_db.stored.sources import SOURCE_COLUMNS, described
+from gam_db.stored.state import State, now
+from gam_db.study import Study
+
+Row = dict[str, Any]
+
+#: The folders of ``sql/`` that decide what the numbers of a version are.
+_METHOD = ("source", "calibration", "embedding", "support", "certificate", "score", "health")
+
+#: What is appended, in this order; a version is committed by its own row.
+_WRITTEN = ("calibration", "bounds", "block", "support", "version")
+
+#: What is told of a new version, as its support says it.
+_TOLD = (
+    *("verdict", "floor", "floor_sd", "floor_max", "vectors", "cells"),
+    *("blocks", "finest_bins", "vectors_needed"),
+)
+
+
+def calibrate(
+    state: State, study: Study, name: str, again: bool = False, limit: int | None = None
+) -> pa.Table:
+    """Make a version of every channel that has none with these settings (method, section 4).
+
+    A pool is calibrated as a whole. What is resolved is frozen: a later call with the same settings
+    leaves a version as it is, unless it is asked for again.
+
+    Args:
+        state: the state tables, in a session that can write.
+        study: the source, under the parameters and the calibration that are to be frozen.
+        name: of the monitor; it is made if it is not there.
+        again: make a new version of every channel.
+        limit: most readings to work on at once; None for what memory allows.
+
+    Returns:
+        One row per new version, ordered: asset, channel, version_no, reason, verdict, floor, floor_sd,
+        floor_max, vectors (of calibration), cells, blocks, finest_bins, vectors_needed.
+
+    Raises:
+        UserError: the source or the calibration cannot be used, or the monitor watches a source that
+            tells time in another way.
+    """
+    running, steps = study.running, study.steps
+    monitor = _monitor(state, study, name)
+    add(steps, "stored/recount")
+    add(steps, "stored/version_rows", {"long_ago": LONG_AGO, "created": now()})
+    for part in ("calibration", "bounds", "block", "support"):
+        add(steps, f"stored/{part}_rows")
+    versions = {
+        (row["asset"], row["channel"]): row
+        for row in state.fetch("stored/active", {"monitor_id": monitor["monitor_id"]}).to_pylist()
+    }
+    found = running.table("channels").to_pylist()
+    for row in found:
+        row["hash"] = settings_hash(study.method, row)
+    due = _due(found, versions, again)
+    made: list[Row] = []
+    names = running.placed["names"]
+    for group in _groups(due, limit or state.session.rows_at_once()):
+        running.forget(but=("names", "readings"))
+        wanted = state.session.load(
+            pa.table({role: [row[role] for row in group] for role in ("asset", "channel")})
+        )
+        asked = filled("stored/wanted_names")
+        place(asked, {"names": names, "wanted": wanted})
+        running.placed["names"] = state.session.keep("wanted_names", asked)
+        made += _write(state, study, monitor, group, versions)
+        state.session.forget(running.placed["names"])
+        state.session.forget(wanted)
+        running.placed["names"] = names
+    made.sort(key=lambda row: (row["asset"], row["channel"]))
+    return pa.Table.from_pylist(made, schema=_RESULT)
+
+
+def settings_hash(method: Method, channel: Mapping[str, Any]) -> str:
+    """Return what tells whether a channel's settings are those of its version.
+
+    Args:
+        method: what the user asks for.
+        channel: asset, settings_no and calibration_no of the channel.
+    """
+    pool = next(
+        (
+            group
+            for group in method.calibration.pools
+            if any(pattern_matches(pattern, channel["asset"]) for pattern in group)
+        ),
+        None,
+    )
+    setting = method.settings[channel["settings_no"]]
+    said = (
+        _figures(setting, method.gaps[channel["settings_no"]]),
+        method.rules[channel["calibration_no"]],
+        pool,
+    )
+    return hashlib.sha256(repr(said).encode()).hexdigest()[:16]
+
+
+def method_hash() -> str:
+    """Return what tells whether the method itself is the one a version was made by."""
+    digest = hashlib.sha256()
+    for path in sorted(template.sql_folder().glob("*/*.sql")):
+        if path.parent.name in _METHOD:
+            digest.update(path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def _figures(setting: Parameters, gap: int | None) -> Row:
+    return {
+        "m": setting.m,
+        "tau": setting.tau,
+        "bins": setting.bins,
+        "window_length": setting.window,
+        "stride": setting.bucket_length,
+        "max_gap": gap,
+        "target_floor": float(setting.target_floor),
+    }
+
+
+def _monitor(state: State, study: Study, name: str) -> Row:
+    kind = study.method.kind.value
+    rows = state.monitors()
+    for row in rows:
+        if row["name"] == name:
+            if row["time_kind"] != kind:
+                raise CalibrationError(
+                    f"The monitor {name!r} watches a source whose time is a {row['time_kind']}; that of "
+                    f"this source is a {kind}. Give the monitor of this source another name."
+                )
+            return row
+    number = 1 + max((row["monitor_id"] for row in rows), default=0)
+    monitor = {"monitor_id": number, "name": name, **described(study.source), "time_kind": kind}
+    made = pa.Table.from_pylist([{**monitor, "created": now()}], schema=_MONITOR)
+    with state.session.transaction():
+        state.append_rows("monitor", made)
+    return monitor
+
+
+def _due(found: Sequence[Row], versions: Mapping[tuple[str, str], Row], again: bool) -> list[list[Row]]:
+    """Return the pools (a channel alone is one) that need versions, with the reason in each row."""
+    pools: dict[int, list[Row]] = {}
+    for row in found:
+        pools.setdefault(row["support_id"], []).append(row)
+    due = []
+    for pool in pools.values():
+        for row in pool:
+            version = versions.get((row["asset"], row["channel"]))
+            row["reason"] = (
+                "first calibration"
+                if version is None
+                else "other settings"
+                if version["settings_hash"] != row["hash"]
+                else None
+            )
+        if again or any(row["reason"] for row in pool):
+            for row in pool:
+                row["reason"] = row["reason"] or ("asked for" if again else "pool changed")
+            due.append(pool)
+    return due
+
+
+def _groups(pools: Sequence[list[Row]], limit: int) -> Iterator[list[Row]]:
+    """Put whole pools together as long as their readings stay below the limit."""
+    group: list[Row] = []
+    for pool in pools:
+        if group and sum(row["readings"] for row in (*group, *pool)) > limit:
+            yield group
+            group = []
+        group = [*group, *pool]
+    if group:
+        yield group
+
+
+def _write(
+    state: State,
+    study: Study,
+    monitor: Row,
+    group: Sequence[Row],
+    versions: Mapping[tuple[str, str], Row],
+) -> list[Row]:
+    """Calibrate a group of channels, and append its versions in one transaction."""
+    running = study.running
+    local = {(row["asset"], row["channel"]): row for row in running.table("channels").to_pylist()}
+    known = {
+        (row["asset"], row["channel"]): row["channel_id"]
+        for row in state.fetch(
+            "stored/known_channels", {"monitor_id": monitor["monitor_id"]}
+        ).to_pylist()
+    }
+    last = state.last_numbers()
+    numbering: list[Row] = []
+    channels: list[Row] = []
+    for row in group:
+        key = (row["asset"], row["channel"])
+        if key not in known:
+            known[key] = last["channel"] + len(channels) + 1
+            channels.append(
+                {
+                    "channel_id": known[key],
+                    "monitor_id": monitor["monitor_id"],
+                    "asset": row["asset"],
+                    "channel": row["channel"],
+                }
+            )
+        before = versions.get(key)
+        number = row["settings_no"]
+        numbering.append(
+            {
+                "channel_id": local[key]["channel_id"],
+                "stored_channel_id": known[key],
+                "version_id": last["version"] + len(numbering) + 1,
+                "stored_support_id": last["support"] + local[key]["support_id"],
+                "parent_id": None if before is None else before["version_id"],
+                "version_no": 1 if before is None else before["version_no"] + 1,
+                "reason": row["reason"],
+                **_figures(study.method.settings[number], study.method.gaps[number]),
+                "score_from": study.method.rules[row["calibration_no"]].score_from,
+                "settings_hash": row["hash"],
+                "method_hash": method_hash(),
+            }
+        )
+    loaded = state.session.load(pa.Table.from_pylist(numbering, schema=_NUMBERING))
+    running.placed["numbering"] = loaded
+    queries = {part: running.query(f"{part}_rows") for part in _WRITTEN}
+    with state.session.transaction():
+        if channels:
+            state.append_rows("channel", pa.Table.from_pylist(channels))
+        for part, query in queries.items():
+            state.append(part, query)
+    verdicts = {row["channel_id"]: row for row in running.table("verdicts").to_pylist()}
+    running.forget(but=("names", "readings"))
+    del running.placed["numbering"]
+    state.session.forget(loaded)
+    return [
+        {
+            **{key: row[key] for key in ("asset", "channel", "reason")},
+            "version_no": numbered["version_no"],
+            **{key: verdicts[numbered["channel_id"]][key] for key in _TOLD},
+        }
+        for row, numbered in zip(group, numbering, strict=True)
+    ]
+
+
+_NUMBERING = pa.schema(
+    [
+        *(
+            (name, pa.int64())
+            for name in (
+                *("channel_id", "stored_channel_id", "version_id", "stored_support_id", "parent_id"),
+                *("version_no", "m", "tau", "bins", "window_length", "stride", "max_gap", "score_from"),
+            )
+        ),
+        ("target_floor", pa.float64()),
+        *((name, pa.string()) for name in ("reason", "settings_hash", "method_hash")),
+    ]
+)
+
+_MONITOR = pa.schema(
+    [
+        ("monitor_id", pa.int64()),
+        *((name, pa.string()) for name in ("name", *SOURCE_COLUMNS, "time_kind")),
+        ("created", pa.int64()),
+    ]
+)
+
+_RESULT = pa.schema(
+    [
+        *(("asset", pa.string()), ("channel", pa.string()), ("version_no", pa.int64())),
+        *(("reason", pa.string()), ("verdict", pa.string())),
+        *((name, pa.float64()) for name in ("floor", "floor_sd", "floor_max")),
+        *(
+            (name, pa.int64())
+            for name in ("vectors", "cells", "blocks", "finest_bins", "vectors_needed")
+        ),
+    ]
+)

@@ -1,0 +1,112 @@
+"""Removing state: all of it, or the rows of one monitor.
+
+This module owns what belongs to a monitor. Only what the record of migrations says was made is touched:
+other tables that begin with the prefix stay.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from sqlglot import exp
+
+from gam_db.engines.duckdb_session import Session
+from gam_db.errors import StateError, nearest
+from gam_db.stored.migrations import recorded
+from gam_db.stored.tables import TABLES, VIEWS, StateTables
+
+_COUNT = exp.alias_(exp.Count(this=exp.Star()), "found")
+
+
+@dataclass(frozen=True)
+class Removal:
+    """What would be removed of one table or view.
+
+    Attributes:
+        name: of the table, without prefix.
+        rows: how many; None for a view.
+        statement: what removes it.
+    """
+
+    name: str
+    rows: int | None
+    statement: exp.Expr
+
+
+def removals(session: Session, tables: StateTables, monitor: str | None = None) -> tuple[Removal, ...]:
+    """Return what would be removed, in the order in which it can be.
+
+    Args:
+        session: on the database; nothing is written.
+        tables: where the state lies.
+        monitor: the one whose rows go; None for all tables and views.
+
+    Raises:
+        StateError: there is no state, no such monitor, or a newer gam-db made the state.
+    """
+    there = session.relations(tables.schema)
+    made = [row.name for row in recorded(session, tables, there) if row.name in (*TABLES, *VIEWS)]
+    present = [name for name in made if tables.folded(name) in there]
+    if not present:
+        raise StateError(f"There are no state tables {tables}* in this database.")
+    if monitor is not None:
+        rows_of = _conditions(tables, _monitor_id(session, tables, monitor))
+        return tuple(
+            Removal(
+                name,
+                _count(session, exp.select(_COUNT).from_(tables.table(name)).where(owned)),
+                exp.delete(tables.table(name), where=owned),
+            )
+            for name, owned in rows_of.items()
+            if name in present
+        )
+    return tuple(_dropped(session, tables, name) for name in reversed(present))
+
+
+def remove(session: Session, found: Sequence[Removal]) -> None:
+    """Remove what :func:`removals` found, all of it or nothing.
+
+    Raises:
+        EngineError: the database cannot be written.
+    """
+    with session.transaction():
+        for removal in found:
+            session.execute(removal.statement)
+
+
+def _dropped(session: Session, tables: StateTables, name: str) -> Removal:
+    if name in VIEWS:
+        return Removal(name, None, exp.Drop(tables=[tables.table(name)], kind="VIEW"))
+    rows = _count(session, exp.select(_COUNT).from_(tables.table(name)))
+    return Removal(name, rows, exp.Drop(tables=[tables.table(name)], kind="TABLE"))
+
+
+def _conditions(tables: StateTables, monitor_id: int) -> dict[str, exp.Expr]:
+    """Return which rows of each table belong to a monitor, in the order in which they can go."""
+    of_monitor = exp.column("monitor_id").eq(exp.Literal.number(monitor_id))
+    channels = exp.select("channel_id").from_(tables.table("channel")).where(of_monitor)
+    of_channels = exp.column("channel_id").isin(query=channels)
+    versions = exp.select("version_id").from_(tables.table("version")).where(of_channels)
+    supports = exp.select("support_id").from_(tables.table("version")).where(of_channels)
+    of_versions = exp.column("version_id").isin(query=versions)
+    of_supports = exp.column("support_id").isin(query=supports)
+    return {
+        **dict.fromkeys(("bucket", "novel", "run", "calibration"), of_versions),
+        **dict.fromkeys(("block", "support", "bounds"), of_supports),
+        "version": of_channels,
+        "channel": of_monitor,
+        "monitor": of_monitor,
+    }
+
+
+def _monitor_id(session: Session, tables: StateTables, monitor: str) -> int:
+    query = exp.select("monitor_id", "name").from_(tables.table("monitor"))
+    known = {row["name"]: row["monitor_id"] for row in session.fetch(query).to_pylist()}
+    if monitor not in known:
+        raise StateError(
+            f"There is no monitor {monitor!r} in the state tables {tables}*{nearest(monitor, known)}"
+        )
+    return int(known[monitor])
+
+
+def _count(session: Session, query: exp.Query) -> int:
+    return int(session.fetch(query).column("found")[0].as_py())

@@ -1,0 +1,190 @@
+"""A monitor: one source watched for years, its tables kept up to date.
+
+This module owns the public calls of the stored form.
+"""
+
+from collections.abc import Callable
+from typing import Any, Literal
+
+import pyarrow as pa
+
+from gam_db.calibration import Calibration
+from gam_db.clock import Instant, Length, TimeKind, instant, length
+from gam_db.connect import connect
+from gam_db.engines.duckdb_session import Session
+from gam_db.errors import ParameterError
+from gam_db.parameters import Parameters, pattern_matches
+from gam_db.running import Listener, unheard
+from gam_db.source import AnySource
+from gam_db.stored import migrations
+from gam_db.stored.calibrating import calibrate
+from gam_db.stored.checking import check_state
+from gam_db.stored.scoring import Report, Wanted, score
+from gam_db.stored.state import State, kind_of
+from gam_db.stored.tables import StateTables
+from gam_db.study import Study
+
+#: Where the source has timestamps; a counter has no hours, so nothing is assumed of it.
+LOOKBACK = "1 h"
+PARK_AFTER = "1 d"
+
+
+class Monitor:
+    """The stored form of one source: calibrated once, scored again and again (state.md).
+
+    The contract: as long as no row arrives more than ``lookback`` behind the newest one of its channel
+    that was read before, the stored buckets equal those of one run over everything, whatever the order
+    of batches, replays and crashes.
+
+    Args:
+        engine: what :func:`gam_db.connect` returns, or what it takes. The state tables lie there.
+        source: where the telemetry lies: a table of that database, a file, or an Arrow table.
+        parameters: of the method; default :class:`Parameters`. They count when a version is made.
+        calibration: the healthy part; default the first fifth of each channel. It counts likewise.
+        lookback: how far behind its channel's newest row a late one may arrive; counter steps, or
+            seconds, a timedelta or a text such as "1 h" where the source has timestamps. Default one
+            hour; 0 for counters.
+        park_after: a channel that would have to be read from further back than this is looked at once a
+            day, or when it has new values; False for never. Default one day; False for counters.
+        name: of the monitor; a database may hold several.
+        schema: where the state tables lie; None for the current schema.
+        prefix: of the names of the state tables.
+
+    Raises:
+        UserError: the database cannot be opened, or a length is none.
+    """
+
+    def __init__(
+        self,
+        engine: Any,
+        source: AnySource,
+        parameters: Parameters | None = None,
+        calibration: Calibration | None = None,
+        *,
+        lookback: Length | None = None,
+        park_after: Length | Literal[False] | None = None,
+        name: str = "default",
+        schema: str | None = None,
+        prefix: str = "gam_",
+    ) -> None:
+        self.session = engine if isinstance(engine, Session) else connect(engine)
+        self.source = source
+        self.parameters = parameters or Parameters()
+        self.calibration = calibration or Calibration()
+        self.lookback = lookback
+        self.park_after = park_after
+        self.name = name
+        self.state = State(self.session, StateTables(schema, prefix))
+
+    def migrate(self) -> list[str]:
+        """Make or change the state tables; return the names of what was applied."""
+        return [step.name for step in migrations.migrate(self.session, self.state.tables)]
+
+    def calibrate(
+        self, again: bool = False, limit: int | None = None, on_step: Listener = unheard
+    ) -> pa.Table:
+        """Freeze what calibration teaches; see :func:`gam_db.stored.calibrating.calibrate`.
+
+        Args:
+            again: make a new version of every channel, even with the same settings.
+            limit: most readings to work on at once; None for what memory allows.
+            on_step: called with the name of each step before it is run.
+
+        Returns:
+            One row per new version, with its verdict; none where every channel has one already.
+
+        Raises:
+            UserError: the source or the calibration cannot be used; nothing is half written.
+        """
+        migrations.require(self.session, self.state.tables)
+        study = Study(self.session, self.source, self.parameters, self.calibration, on_step)
+        try:
+            return calibrate(self.state, study, self.name, again, limit)
+        finally:
+            study.running.forget()
+
+    def score(
+        self,
+        *,
+        since: Instant | None = None,
+        until: Instant | None = None,
+        full: bool = False,
+        everything: bool = False,
+        asset: str = "*",
+        channel: str = "*",
+        dry_run: bool = False,
+        limit: int | None = None,
+        on_step: Listener = unheard,
+    ) -> Report:
+        """Bring the stored buckets up to date, reading only what is new.
+
+        Args:
+            since: score anew from this instant on: what repairs after rows that came too late.
+            until: read nothing newer; buckets after it are hidden until the next run without it.
+            full: score everything anew.
+            everything: look at parked channels and count calibration anew, without waiting for a day.
+            asset: pattern of the assets to score (``*`` any text, ``?`` one character).
+            channel: pattern of the channels to score.
+            dry_run: look at the source and tell what would be read; write nothing.
+            limit: most readings to work on at once; None for what memory allows.
+            on_step: called with what is done next.
+
+        Returns:
+            What was read and made; see :class:`gam_db.stored.scoring.Report`.
+
+        Raises:
+            UserError: there is no such monitor, or the source cannot be used. Channels that were scored
+                before the error stay scored; of the others nothing is half written.
+        """
+        migrations.require(self.session, self.state.tables)
+        kind = kind_of(self.state.monitor(self.name))
+        wanted = Wanted(
+            lookback=self._lookback(kind),
+            park_after=self._park_after(kind),
+            repair_from=None if since is None else instant(since, kind, "since"),
+            until=None if until is None else instant(until, kind, "until"),
+            full=full,
+            everything=everything,
+            chosen=_chosen(asset, channel),
+            limit=limit,
+        )
+        return score(self.state, self.source, self.name, wanted, dry_run, on_step)
+
+    def check_state(self, limit: int | None = None, on_step: Listener = unheard) -> pa.Table:
+        """Compare what is stored with the source; see :func:`gam_db.stored.checking.check_state`.
+
+        Args:
+            limit: most readings to work on at once; None for what memory allows.
+            on_step: called with what is done next.
+
+        Returns:
+            One row per difference: what came too late, was corrected, or went; none if all is as one
+            run over the whole source would have it.
+
+        Raises:
+            UserError: there is no such monitor, or the source cannot be used.
+        """
+        migrations.require(self.session, self.state.tables)
+        kind = kind_of(self.state.monitor(self.name))
+        lookback = self._lookback(kind)
+        return check_state(self.state, self.source, self.name, lookback, limit, on_step)
+
+    def _lookback(self, kind: TimeKind) -> int:
+        if self.lookback is None:
+            return 0 if kind.is_counter else length(LOOKBACK, kind, "lookback")
+        return length(self.lookback, kind, "lookback")
+
+    def _park_after(self, kind: TimeKind) -> int | None:
+        if self.park_after is None:
+            return None if kind.is_counter else length(PARK_AFTER, kind, "park_after")
+        if self.park_after is False:
+            return None
+        if self.park_after is True:
+            raise ParameterError("park_after is True; give a length of time, or False for never.")
+        return length(self.park_after, kind, "park_after")
+
+
+def _chosen(asset: str, channel: str) -> Callable[[str, str], bool]:
+    return lambda its_asset, its_channel: (
+        pattern_matches(asset, its_asset) and pattern_matches(channel, its_channel)
+    )

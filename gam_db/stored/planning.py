@@ -1,0 +1,143 @@
+"""Planning a run: which channels are read, from where on, and which of them together.
+
+This module owns what is read at all. Channels that have to be read from about the same instant on form
+a cohort, whose lower bound stands as a literal in its query; so one silent channel does not make every
+run a scan of everything. A channel that would have to be read from further back than ``park_after`` is
+parked: looked at once a day, on request, or when the newest cohort's look finds values of it.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from gam_db.clock import LONG_AGO
+from gam_db.stored.steps import DAY, setting_of
+
+Row = dict[str, Any]
+
+#: With at most so many assets, a cohort's query names them.
+_FEW = 64
+
+
+@dataclass(frozen=True)
+class Cohort:
+    """Channels that are read together.
+
+    Attributes:
+        channels: rows of the plan.
+        earliest: nothing older is read; LONG_AGO where all is.
+        everyone: whether it holds the channels of today, and so shows which rows belong to none.
+    """
+
+    channels: tuple[Row, ...]
+    earliest: int
+    everyone: bool
+
+    @property
+    def assets(self) -> list[str] | None:
+        """The assets to be asked for by name; None where they are too many, or all are wanted."""
+        names = sorted({row["asset"] for row in self.channels})
+        return None if self.everyone or len(names) > _FEW else names
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What is to be read now, and what only if values of it are found.
+
+    Attributes:
+        cohorts: to be read; the first holds the channels of today.
+        parked: rows of the plan that are not read now.
+    """
+
+    cohorts: tuple[Cohort, ...]
+    parked: tuple[Row, ...]
+
+
+def planned(
+    rows: Sequence[Row], lookback: int, park_after: int | None, now: int, everything: bool
+) -> Plan:
+    """Return the plan of a run.
+
+    Args:
+        rows: of ``sql/stored/plan.sql``.
+        lookback: how far behind the newest bucket late rows are looked for, in the unit of time.
+        park_after: how far back a channel is read without a special reason; None parks none.
+        now: this instant, in microseconds.
+        everything: read the parked channels, too.
+    """
+    fresh = [row for row in rows if row["looked_at"] == LONG_AGO]
+    known = [row for row in rows if row["looked_at"] != LONG_AGO]
+    newest = max((row["read_until"] for row in known), default=LONG_AGO)
+    active, due, parked = [], [], []
+    for row in known:
+        if park_after is None or newest - row["read_from"] <= lookback + park_after:
+            active.append(row)
+        elif everything or now - row["looked_at"] >= DAY:
+            due.append(row)
+        else:
+            parked.append(row)
+    groups = [*alike(active, newest, lookback), *alike(due, newest, lookback)]
+    if fresh:
+        groups.append(fresh)
+    if not groups and parked:
+        return Plan((Cohort((), newest - lookback, True),), tuple(parked))
+    return Plan(tuple(_cohort(group, number == 0) for number, group in enumerate(groups)), tuple(parked))
+
+
+def resumed(parked: Iterable[Row], names: Iterable[Row], lookback: int) -> list[Cohort]:
+    """Return the cohorts of parked channels of which the look at today's rows found values.
+
+    Args:
+        parked: rows of the plan.
+        names: rows of ``sql/source/names.sql`` over today's rows.
+        lookback: in the unit of time.
+    """
+    alive = {
+        (row["asset"], row["channel"])
+        for row in names
+        if row["readings"] + row["without_time"] > row["missing_readings"]
+    }
+    back = [row for row in parked if (row["asset"], row["channel"]) in alive]
+    newest = max((row["read_until"] for row in back), default=LONG_AGO)
+    return [_cohort(group, False) for group in alike(back, newest, lookback)]
+
+
+def alike(rows: Sequence[Row], newest: int, lookback: int) -> list[list[Row]]:
+    """Cut channels into cohorts, the most recent first, none of which doubles the time to be read."""
+    groups: list[list[Row]] = []
+    first_age = 0
+    for row in sorted(rows, key=lambda row: -row["read_from"]):
+        age = newest - row["read_from"]
+        if not groups or age > 2 * first_age + lookback:
+            groups.append([])
+            first_age = age
+        groups[-1].append(row)
+    return groups
+
+
+def portions(
+    channels: Sequence[Row], readings: dict[tuple[str, str], int], limit: int
+) -> Iterator[list[Row]]:
+    """Cut a cohort into groups of the same parameters whose readings stay below the limit.
+
+    Args:
+        channels: rows of the plan.
+        readings: (asset, channel) -> rows in the cohort's range.
+        limit: most readings at once; a channel with more is a group of its own.
+    """
+    ordered = sorted(channels, key=lambda row: (repr(setting_of(row)), row["channel_id"]))
+    group: list[Row] = []
+    total = 0
+    for row in ordered:
+        count = readings.get((row["asset"], row["channel"]), 0)
+        if group and (total + count > limit or setting_of(row) != setting_of(group[0])):
+            yield group
+            group, total = [], 0
+        group.append(row)
+        total += count
+    if group:
+        yield group
+
+
+def _cohort(rows: Sequence[Row], everyone: bool) -> Cohort:
+    return Cohort(tuple(rows), min(row["read_from"] for row in rows), everyone)

@@ -1,0 +1,225 @@
+"""Scoring what is new: the restart rule at work, group by group (state.md).
+
+This module owns the steps of a run and its publication. Rows are appended first and one row per version
+in ``gam_run`` last: that is the commit. Where an engine has transactions, all of it is one, and rows
+that are now hidden go in the same.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+import pyarrow as pa
+
+from gam_db import template
+from gam_db.clock import FAR_AHEAD
+from gam_db.method.adding import add
+from gam_db.pipeline import Pipeline
+from gam_db.running import Listener, Running, unheard
+from gam_db.source import AnySource
+from gam_db.stored.planning import Cohort, Row, planned, portions, resumed
+from gam_db.stored.reading import Reader, cohort_of, plan_rows
+from gam_db.stored.state import State, kind_of, now
+from gam_db.stored.steps import DAY, PUBLISHED, reading_steps, scoring_steps, setting_of
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What is asked of a run.
+
+    Attributes:
+        lookback: how far behind the newest bucket late rows are looked for, in the unit of time.
+        park_after: see :mod:`gam_db.stored.planning`; None parks no channel.
+        repair_from: score anew from this instant on; None for what the lookback asks for.
+        until: read nothing newer; None for all there is.
+        full: score everything anew.
+        everything: look at parked channels, and count calibration anew, without waiting for a day.
+        chosen: tells by asset and channel which channels are scored.
+        limit: most readings to work on at once; None for what memory allows.
+    """
+
+    lookback: int
+    park_after: int | None = None
+    repair_from: int | None = None
+    until: int | None = None
+    full: bool = False
+    everything: bool = False
+    chosen: Callable[[str, str], bool] = lambda asset, channel: True
+    limit: int | None = None
+
+
+@dataclass
+class Report:
+    """What a run did, or would do.
+
+    Attributes:
+        channels: a row per channel that was read: asset, channel, first_bucket, buckets (new or written
+            anew), read_from, read_to (integer time), rows_read, context_rows, context_expected.
+        parked: channels that were not read.
+        strangers: rows of today that belong to no calibrated channel, by (asset, channel).
+        nameless: rows of today without asset or channel.
+        undated: rows of the source without a time.
+        ranges: of each query: earliest instant, channels, rows in the range.
+    """
+
+    channels: list[Row] = field(default_factory=list)
+    parked: int = 0
+    strangers: dict[tuple[str, str], int] = field(default_factory=dict)
+    nameless: int = 0
+    undated: int = 0
+    ranges: list[Row] = field(default_factory=list)
+
+
+def score(
+    state: State,
+    source: AnySource,
+    name: str,
+    wanted: Wanted,
+    dry_run: bool = False,
+    on_step: Listener = unheard,
+) -> Report:
+    """Bring the stored buckets of a monitor up to date.
+
+    Args:
+        state: the state tables, in a session that can write.
+        source: where the telemetry lies.
+        name: of the monitor.
+        wanted: what is asked.
+        dry_run: look at the source and write nothing.
+        on_step: called with what is done next.
+
+    Raises:
+        UserError: there is no such monitor, or the source cannot be used; groups of channels that were
+            scored before stay scored.
+    """
+    run = _Run(state, source, name, wanted, on_step)
+    return run.go(dry_run)
+
+
+class _Run:
+    def __init__(
+        self, state: State, source: AnySource, name: str, wanted: Wanted, on_step: Listener
+    ) -> None:
+        self.state, self.session, self.wanted, self.on_step = state, state.session, wanted, on_step
+        self.monitor = state.monitor(name)
+        self.reader = Reader(state.session, source, kind_of(self.monitor), name)
+        self.started = now()
+        self.report = Report()
+
+    def go(self, dry_run: bool) -> Report:
+        wanted = self.wanted
+        rows = [row for row in self._plan() if wanted.chosen(row["asset"], row["channel"])]
+        everything = wanted.everything or wanted.full or wanted.repair_from is not None
+        plan = planned(rows, wanted.lookback, wanted.park_after, self.started, everything)
+        known = {(row["asset"], row["channel"]) for row in self._known()}
+        parked = list(plan.parked)
+        cohorts = list(plan.cohorts)
+        while cohorts:
+            cohort = cohorts.pop(0)
+            names = self._look(cohort)
+            if cohort.everyone:
+                self._note_strangers(names, known)
+                back = resumed(parked, names, wanted.lookback)
+                cohorts += back
+                again = {row["version_id"] for group in back for row in group.channels}
+                parked = [row for row in parked if row["version_id"] not in again]
+            counts = {(row["asset"], row["channel"]): row["readings"] for row in names}
+            members = [(row["asset"], row["channel"]) for row in cohort.channels]
+            if members:
+                self.report.ranges.append(
+                    {
+                        "earliest": cohort.earliest,
+                        "channels": len(members),
+                        "rows": sum(counts.get(member, 0) for member in members),
+                    }
+                )
+            if dry_run:
+                continue
+            limit = wanted.limit or self.session.rows_at_once()
+            for group in portions(cohort.channels, counts, limit):
+                self._score(group, cohort)
+        self.report.parked = len(parked)
+        self.report.undated = self._undated()
+        return self.report
+
+    def _plan(self) -> list[Row]:
+        lookback = None if self.wanted.full else self.wanted.lookback
+        return plan_rows(self.state, self.monitor["monitor_id"], lookback, self.wanted.repair_from)
+
+    def _known(self) -> list[Row]:
+        slots: dict[str, template.Slot] = {"monitor_id": self.monitor["monitor_id"]}
+        rows: list[Row] = self.state.fetch("stored/known_channels", slots).to_pylist()
+        return rows
+
+    def _look(self, cohort: Cohort) -> list[Row]:
+        self.on_step("looking at the source")
+        steps = reading_steps(self.reader.readings(cohort, cohort.earliest))
+        rows: list[Row] = self.session.fetch(steps.query("names")).to_pylist()
+        return rows
+
+    def _undated(self) -> int:
+        steps = Pipeline()
+        steps.add("readings", self.reader.undated())
+        add(steps, "stored/undated")
+        return int(self.session.fetch(steps.query("undated"))["undated"][0].as_py())
+
+    def _note_strangers(self, names: Sequence[Row], known: set[tuple[str, str]]) -> None:
+        for row in names:
+            if row["asset"] is None or row["channel"] is None:
+                self.report.nameless += row["readings"] + row["without_time"]
+            elif (row["asset"], row["channel"]) not in known and row["readings"]:
+                self.report.strangers[row["asset"], row["channel"]] = row["readings"]
+
+    def _score(self, group: Sequence[Row], cohort: Cohort) -> None:
+        """Score a group of channels of one setting, and publish it."""
+        due = [self.wanted.everything or self.started - row["counted_at"] >= DAY for row in group]
+        steps = scoring_steps(setting_of(group[0]), self.reader.kind)
+        running = Running(self.session, steps, self.state.tables.placed(), self.on_step)
+        earliest = min(row["read_from"] for row in group)
+        try:
+            latest = FAR_AHEAD if self.wanted.until is None else self.wanted.until
+            running.load(
+                "cohort", cohort_of(group, read_until=latest, recounted=[int(one) for one in due])
+            )
+            if any(due):
+                everything = reading_steps(self.reader.readings(), is_ranged=False)
+                running.put("recount", everything.query("recount", running.placed))
+            else:
+                running.load("recount", _NO_RECOUNT)
+            rows = reading_steps(self.reader.readings(cohort, earliest))
+            running.put("identified", rows.query("identified", running.placed))
+            for part in PUBLISHED:
+                running.prepare(part)
+            made = {row["channel_id"]: row for row in running.table("new_counts").to_pylist()}
+            seen = {row["channel_id"]: row for row in running.table("seen").to_pylist()}
+            self.on_step("writing")
+            run_id = self.state.next_run()
+            stamp = {"run_id": run_id, "started": self.started, "committed": now()}
+            running.load("stamp", pa.Table.from_pylist([stamp]))
+            after = min(row["first_scored"] for row in group) - 1
+            with self.session.transaction():
+                for part in PUBLISHED:
+                    self.state.append(part.removesuffix("_rows"), running.query(part))
+                for table in ("bucket", "novel"):
+                    self.state.delete_hidden(table, run_id, after)
+        finally:
+            running.forget()
+        self._note(group, made, seen)
+
+    def _note(self, group: Sequence[Row], made: Mapping[int, Row], seen: Mapping[int, Row]) -> None:
+        for row in group:
+            ranged = seen.get(row["channel_id"])
+            self.report.channels.append(
+                {
+                    **{key: row[key] for key in ("asset", "channel", "first_bucket", "read_from")},
+                    "buckets": made.get(row["channel_id"], {}).get("new_buckets", 0),
+                    "read_to": None if ranged is None else ranged["read_to"],
+                    "rows_read": 0 if ranged is None else ranged["rows_read"],
+                    "context_rows": 0 if ranged is None else ranged["context_rows"],
+                    "context_expected": row["context_expected"],
+                }
+            )
+
+
+_NO_RECOUNT = pa.table(
+    {name: pa.array([], pa.int64()) for name in ("channel_id", "calibration_readings")}
+)

@@ -1,0 +1,73 @@
+"""The source of a monitor, as its row keeps it: a later run needs no word of it.
+
+This module owns how a source becomes columns of ``gam_monitor`` and comes back.
+"""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.errors import ConfigurationError
+from gam_db.source import AnySource, Source, WideSource
+
+#: The columns of ``gam_monitor`` that tell of the source.
+SOURCE_COLUMNS = (
+    *("source", "layout", "asset_column", "channel_column"),
+    *("time_column", "value_column", "condition"),
+)
+
+_OBJECT = "an Arrow table"
+
+
+def described(source: AnySource) -> dict[str, str | None]:
+    """Return what is kept of a source: the values of :data:`SOURCE_COLUMNS`."""
+    is_long = isinstance(source, Source)
+    condition = source.where.sql("duckdb") if isinstance(source.where, exp.Expr) else source.where
+    return {
+        "source": _shown(source.relation),
+        "layout": "long" if is_long else "wide",
+        "asset_column": source.asset,
+        "channel_column": source.channel if isinstance(source, Source) else None,
+        "time_column": source.time,
+        "value_column": source.value if isinstance(source, Source) else None,
+        "condition": condition,
+    }
+
+
+def source_of(monitor: Mapping[str, Any], channels: Sequence[str], relation: Any = None) -> AnySource:
+    """Return the source that a monitor was made from.
+
+    Args:
+        monitor: its row.
+        channels: names of its channels, the columns of a wide source.
+        relation: what to read instead of the relation that it was made from.
+
+    Raises:
+        ConfigurationError: it was made from an Arrow table, and no relation is given.
+    """
+    relation = monitor["source"] if relation is None else relation
+    if isinstance(relation, str) and relation == _OBJECT:
+        raise ConfigurationError(
+            f"The monitor {monitor['name']!r} was made from an Arrow table, which is not kept; name its "
+            "source."
+        )
+    said = {
+        "asset": monitor["asset_column"],
+        "time": monitor["time_column"],
+        "where": monitor["condition"],
+    }
+    if monitor["layout"] == "wide":
+        return WideSource(relation, channels=sorted(set(channels)), **said)
+    return Source(relation, channel=monitor["channel_column"], value=monitor["value_column"], **said)
+
+
+def _shown(relation: Any) -> str:
+    if isinstance(relation, (str, Path)):
+        return str(relation)
+    if isinstance(relation, (tuple, list)):
+        parts = [template.name(part).sql("duckdb") for part in relation]
+        return ".".join(parts)
+    return _OBJECT

@@ -1,0 +1,194 @@
+"""The steps of a run: from the rows of a cohort to what is appended to the state tables.
+
+This module owns which files of ``sql/`` a run uses, and in which order; it runs nothing. Everything
+that differs from run to run comes in tables (*cohort*, *stamp*), so the steps of a setting are made
+once.
+"""
+
+import datetime as dt
+from collections.abc import Mapping
+from functools import cache
+from typing import Any, NamedTuple
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.calibration import Calibration
+from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
+from gam_db.method import Method
+from gam_db.method.adding import add, add_of_set, add_stacked
+from gam_db.method.calibration import add_breaks, until_calibration_end
+from gam_db.method.scoring import add_bucket_counts, add_buckets, add_numbered
+from gam_db.method.vectors import add_vectors
+from gam_db.parameters import Parameters
+from gam_db.pipeline import Pipeline, filled, union_of
+
+#: A day, in microseconds.
+DAY = 86_400_000_000
+
+#: What a run appends, in this order: the rows of *run* are its commit.
+PUBLISHED = ("bucket_rows", "novel_rows", "run_rows")
+
+#: Steps of a run that are kept: what is read once, and what has few rows.
+_KEPT = frozenset(
+    (
+        *("identified", "timeline", "collapsed", "seen", "run_up", "breaks"),
+        *("kept", "buckets", "new_buckets", "recount"),
+    )
+)
+
+
+class Setting(NamedTuple):
+    """What channels must share to be scored by one query.
+
+    Attributes:
+        m, tau, bins, window_length, stride: as in the version.
+        max_gap: integer time; None for no limit.
+        has_start: whether the version is scored from a given instant on.
+    """
+
+    m: int
+    tau: int
+    bins: int
+    window_length: int
+    stride: int
+    max_gap: int | None
+    has_start: bool
+
+
+def setting_of(version: Mapping[str, Any]) -> Setting:
+    """Return the setting of a row of the plan."""
+    figures = {name: version[name] for name in Setting._fields if name != "has_start"}
+    return Setting(**figures, has_start=version["score_from"] is not None)
+
+
+def plan_steps(monitor_id: int, lookback: int | None, repair_from: int | None) -> Pipeline:
+    """Return the steps that tell from where on each version must be read; the last is *plan*.
+
+    Args:
+        monitor_id: of the monitor.
+        lookback: in the unit of time; None to begin anew.
+        repair_from: the instant from which on to score anew, in any case; None for none.
+    """
+    steps = Pipeline()
+    slots = {
+        "lookback": FAR_AHEAD if lookback is None else lookback,
+        "repair_from": FAR_AHEAD if repair_from is None else repair_from,
+    }
+    add(steps, "stored/active", {"monitor_id": monitor_id})
+    add(steps, "stored/newest")
+    add(steps, "stored/restart", slots)
+    add(steps, "stored/looks", {"long_ago": LONG_AGO})
+    add(steps, "stored/plan", {"long_ago": LONG_AGO})
+    return steps
+
+
+def reading_steps(rows: exp.Query, is_ranged: bool = True) -> Pipeline:
+    """Return the only steps that read the source, up to *identified*, and *recount* after it.
+
+    Args:
+        rows: the step *readings*.
+        is_ranged: whether each channel is read in its own range only.
+    """
+    steps = Pipeline()
+    steps.add("readings", rows, template.load("source/readings").comment)
+    add(steps, "source/names")
+    add(steps, "stored/channels")
+    edges = [exp.column(name, table="named") for name in ("read_from", "read_until")]
+    ranged = exp.Between(this=exp.column("time", table="reading"), low=edges[0], high=edges[1])
+    add(steps, "source/identified", {"read": ranged if is_ranged else exp.true()})
+    add(steps, "stored/calibration")
+    add(steps, "stored/recount")
+    return steps
+
+
+@cache
+def scoring_steps(setting: Setting, kind: TimeKind) -> Pipeline:
+    """Return the steps from *identified* to the rows that are appended.
+
+    Given by the caller are the state tables, *identified*, *recount*, *stamp* (run_id, started,
+    committed), and *cohort*: the channels, from where on each is read and scored, and the number of its
+    first bucket.
+    """
+    steps, method = _sampled(setting, kind)
+    _add_new_buckets(steps, method)
+    add(steps, "stored/new_counts")
+    add(steps, "stored/past_buckets", {"buckets": setting.window_length // setting.stride})
+    columns = ("channel_id", "bucket_no", "first_time", "last_time", "novel", "out_of_range")
+    steps.add(
+        "running_buckets",
+        union_of(steps, ["past_buckets", "new_buckets"], columns),
+        "Running buckets: those of this run after the last window of those that stay.",
+    )
+    add_bucket_counts(steps, method, 0, {"buckets": "running_buckets"})
+    for part in PUBLISHED:
+        add(steps, f"stored/{part}")
+    return steps
+
+
+@cache
+def comparing_steps(setting: Setting, kind: TimeKind) -> Pipeline:
+    """Return the steps from *identified* to *compared*: where the stored buckets are no longer right."""
+    steps, method = _sampled(setting, kind)
+    _add_new_buckets(steps, method)
+    add(steps, "stored/compared", {"day": FAR_AHEAD if kind.is_counter else DAY})
+    return steps
+
+
+@cache
+def relearning_steps(setting: Setting, kind: TimeKind) -> Pipeline:
+    """Return the steps from *identified* to *relearnt*: whether calibration would teach other cells."""
+    steps, method = _sampled(setting, kind)
+    add_vectors(steps, method, 0, "calibration_", until_calibration_end())
+    add_of_set(
+        steps,
+        method,
+        0,
+        "calibration/learnable",
+        tables={"marked_vectors": "calibration_vectors"},
+    )
+    add(steps, "stored/relearnt")
+    return steps
+
+
+def _sampled(setting: Setting, kind: TimeKind) -> tuple[Pipeline, Method]:
+    """Return the steps from *identified* to the samples, and the method of the setting."""
+    method = _method(setting, kind)
+    steps = Pipeline(small=_KEPT)
+    for name in ("channels", "bounds", "calibration", "support"):
+        add(steps, f"stored/{name}")
+    rule = {"calibration_no": 0, "fraction": None, "duration": None}
+    rules = filled("calibration/rules", {**rule, "declared_end": None, "score_from": None})
+    add_stacked(steps, "rules", "calibration/rules", [rules])
+    for name in ("timeline", "collapsed", "samples"):
+        add(steps, f"source/{name}")
+    add_breaks(steps, method, 0)
+    return steps, method
+
+
+def _add_new_buckets(steps: Pipeline, method: Method) -> None:
+    add(steps, "stored/seen")
+    add(steps, "stored/run_up", {"span": method.settings[0].span})
+    if not method.is_short(0):
+        add_numbered(steps, method, 0)
+    add_buckets(steps, method, 0)
+    add(steps, "stored/new_buckets")
+
+
+def _method(setting: Setting, kind: TimeKind) -> Method:
+    """Return the method of a stored version, for scoring alone; its calibration is in the tables."""
+    gap: Any = setting.max_gap
+    if gap is not None and not kind.is_counter:
+        gap = dt.timedelta(microseconds=gap)
+    parameters = Parameters(
+        m=setting.m,
+        tau=setting.tau,
+        bins=setting.bins,
+        window=setting.window_length,
+        stride=setting.stride,
+        max_gap=gap,
+    )
+    start = None
+    if setting.has_start:
+        start = 0 if kind.is_counter else dt.date(1970, 1, 1)
+    return Method(parameters, Calibration(score_from=start), kind, lambda node: node)

@@ -1,0 +1,12 @@
+-- Bounds, stored form: frozen when the version was made; first_scored moves on to the first vector that
+-- belongs to no bucket that stays.
+-- Reads:  cohort
+-- A row:  one channel.
+SELECT
+  member.channel_id AS channel_id,
+  member.support_id AS support_id,
+  member.lo AS lo,
+  member.hi AS hi,
+  member.calibration_end AS calibration_end,
+  member.first_scored AS first_scored
+FROM cohort AS member

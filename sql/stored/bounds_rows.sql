@@ -1,0 +1,21 @@
+-- Bounds rows: range and certificate of each new support; members of a pool share theirs.
+-- Reads:  bounds, verdicts, numbering
+-- A row:  one support.
+SELECT
+  numbered.stored_support_id AS support_id,
+  scale.lo AS lo,
+  scale.hi AS hi,
+  judged.vectors AS calibration_vectors,
+  judged.cells AS cells,
+  judged.seen_once AS seen_once,
+  judged.blocks AS blocks,
+  judged.verdict AS verdict,
+  judged.floor AS floor,
+  judged.floor_sd AS floor_sd,
+  judged.floor_max AS floor_max,
+  judged.finest_bins AS finest_bins,
+  judged.vectors_needed AS vectors_needed
+FROM bounds AS scale
+JOIN verdicts AS judged ON judged.channel_id = scale.channel_id
+JOIN numbering AS numbered ON numbered.channel_id = scale.channel_id
+WHERE scale.channel_id = scale.support_id

@@ -1,0 +1,30 @@
+-- New buckets: the full buckets of this run, numbered on from those that stay.
+-- Reads:  buckets, cohort, seen
+-- A row:  one bucket; samples counts those after the end of the bucket before.
+SELECT
+  full_bucket.channel_id AS channel_id,
+  member.version_id AS version_id,
+  full_bucket.bucket_no + member.first_bucket AS bucket_no,
+  full_bucket.first_time AS first_time,
+  full_bucket.last_time AS last_time,
+  full_bucket.context_time AS context_time,
+  full_bucket.end_position
+  - CASE WHEN full_bucket.bucket_no = 0 THEN ranged.context_rows ELSE full_bucket.previous_end END
+    AS samples,
+  full_bucket.novel AS novel,
+  full_bucket.out_of_range AS out_of_range
+FROM (
+  SELECT
+    channel_id,
+    bucket_no,
+    first_time,
+    last_time,
+    context_time,
+    end_position,
+    novel,
+    out_of_range,
+    LAG(end_position, 1) OVER (PARTITION BY channel_id ORDER BY bucket_no) AS previous_end
+  FROM buckets
+) AS full_bucket
+JOIN cohort AS member ON member.channel_id = full_bucket.channel_id
+JOIN seen AS ranged ON ranged.channel_id = full_bucket.channel_id

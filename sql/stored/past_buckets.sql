@@ -1,0 +1,14 @@
+-- Past buckets: the last window of buckets that stay, for the running counts of those that follow.
+-- Reads:  stored_visible_bucket, cohort
+-- A row:  one bucket.
+-- Slots:  :buckets  W / stride, the buckets of a window
+SELECT
+  member.channel_id AS channel_id,
+  bucket.bucket_no AS bucket_no,
+  bucket.first_time AS first_time,
+  bucket.last_time AS last_time,
+  bucket.novel AS novel,
+  bucket.out_of_range AS out_of_range
+FROM stored_visible_bucket AS bucket
+JOIN cohort AS member ON member.version_id = bucket.version_id
+WHERE bucket.bucket_no < member.first_bucket AND bucket.bucket_no >= member.first_bucket - :buckets

@@ -1,0 +1,50 @@
+-- Plan: from where on each version has to be read and scored. Every vector after the last bucket that stays
+-- has all its samples at or after that bucket's context_time, so nothing older is read, and nothing is
+-- searched for. Where no bucket stays, scoring begins as the version does.
+-- Reads:  active, restart, looks, stored_visible_bucket
+-- A row:  one version with a range.
+-- Slots:  :long_ago  an instant before all others
+SELECT
+  frozen.version_id AS version_id,
+  frozen.channel_id AS channel_id,
+  frozen.asset AS asset,
+  frozen.channel AS channel,
+  frozen.support_id AS support_id,
+  frozen.lo AS lo,
+  frozen.hi AS hi,
+  frozen.m AS m,
+  frozen.tau AS tau,
+  frozen.bins AS bins,
+  frozen.window_length AS window_length,
+  frozen.stride AS stride,
+  frozen.max_gap AS max_gap,
+  frozen.score_from AS score_from,
+  frozen.calibration_end AS calibration_end,
+  frozen.calibration_readings AS calibration_readings,
+  CASE WHEN staying.hit = 1 THEN staying.bucket_no + 1 ELSE 0 END AS first_bucket,
+  CASE WHEN staying.hit = 1 THEN staying.last_time + 1 ELSE frozen.first_scored END AS first_scored,
+  CASE WHEN staying.hit = 1 THEN staying.context_time ELSE frozen.run_up_from END AS read_from,
+  CASE WHEN staying.hit = 1 THEN (frozen.m - 1) * frozen.tau END AS context_expected,
+  CASE WHEN seen.hit = 1 THEN seen.read_until ELSE CAST(:long_ago AS BIGINT) END AS read_until,
+  CASE WHEN seen.hit = 1 THEN seen.looked_at ELSE CAST(:long_ago AS BIGINT) END AS looked_at,
+  CASE
+    WHEN seen.hit = 1 AND seen.counted_at > frozen.created THEN seen.counted_at
+    ELSE frozen.created
+  END AS counted_at
+FROM active AS frozen
+LEFT JOIN (
+  SELECT
+    bucket.version_id AS version_id,
+    bucket.bucket_no AS bucket_no,
+    bucket.last_time AS last_time,
+    bucket.context_time AS context_time,
+    1 AS hit
+  FROM stored_visible_bucket AS bucket
+  JOIN restart AS again
+    ON again.version_id = bucket.version_id AND again.last_staying = bucket.bucket_no
+) AS staying ON staying.version_id = frozen.version_id
+LEFT JOIN (
+  SELECT version_id, read_until, looked_at, counted_at, 1 AS hit
+  FROM looks
+) AS seen ON seen.version_id = frozen.version_id
+WHERE frozen.lo IS NOT NULL

@@ -1,0 +1,28 @@
+-- Run rows: what commits a run, one row per version; appended last of all.
+-- Reads:  cohort, seen, recount, stamp
+-- A row:  one version that was looked at. One without any row in its range, not even its context, hides
+--         nothing: from_bucket is beyond all buckets.
+SELECT
+  stamp.run_id AS run_id,
+  member.version_id AS version_id,
+  CASE WHEN ranged.hit = 1 THEN member.first_bucket ELSE 4611686018427387904 END AS from_bucket,
+  member.read_from AS read_from,
+  CASE WHEN ranged.hit = 1 THEN ranged.read_to END AS read_to,
+  CASE WHEN ranged.hit = 1 THEN ranged.rows_read ELSE 0 END AS rows_read,
+  CASE WHEN ranged.hit = 1 THEN ranged.context_rows ELSE 0 END AS context_rows,
+  member.context_expected AS context_expected,
+  CASE
+    WHEN member.recounted = 1 THEN CASE WHEN again.hit = 1 THEN again.calibration_readings ELSE 0 END
+  END AS calibration_readings,
+  stamp.started AS started,
+  stamp.committed AS committed
+FROM cohort AS member
+CROSS JOIN stamp
+LEFT JOIN (
+  SELECT channel_id, read_to, rows_read, context_rows, 1 AS hit
+  FROM seen
+) AS ranged ON ranged.channel_id = member.channel_id
+LEFT JOIN (
+  SELECT channel_id, calibration_readings, 1 AS hit
+  FROM recount
+) AS again ON again.channel_id = member.channel_id

@@ -1,0 +1,118 @@
+"""The reference for the stored form: calibrated on the first rows, scored over the last.
+
+Built on :mod:`reference`: what the first rows taught of each channel (its intervals, and its pool's
+range and cells) is kept, and the vectors of the final rows are judged by it.
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+import reference
+from reference import Channel, Pool, Row
+
+
+def channels(
+    first: list[Row], final: list[Row], parameters: Any, calibration: Any
+) -> Iterator[tuple[Channel, Pool]]:
+    """Give every channel of the first rows, holding the final ones, with its frozen pool."""
+    for learnt, pool in reference.channels(first, parameters, calibration):
+        found = [row[2:] for row in final if row[:2] == (learnt.asset, learnt.name)]
+        times, values, conflicts = reference.collapse(found)
+        own = resolved(calibration, learnt)
+        healthy = [any(a <= t <= b for a, b in own) for t in times]
+        channel = Channel(
+            learnt.asset,
+            learnt.name,
+            learnt.settings,
+            times,
+            values,
+            conflicts,
+            healthy,
+            learnt.end,
+            learnt.score_from,
+        )
+        reference.embed(channel)
+        if pool.lo is not None and pool.hi is not None:
+            channel.codes = [reference.code(x, pool.lo, pool.hi, pool.settings.bins) for x in values]
+        yield channel, pool
+
+
+def resolved(calibration: Any, channel: Channel) -> list[tuple[float, float]]:
+    """Return the closed intervals of time that calibration means for a channel, once and for all."""
+    patterns = calibration.overrides.items()
+    own = next((c for p, c in patterns if reference.glob(p, channel.asset)), calibration)
+    if own is None or channel.end is None:
+        return []
+    declared = [(channel.times[0], channel.end)] if own.intervals is None else own.intervals
+    pieces: list[tuple[float, float]] = [(a, b) for a, b in declared]
+    for cut_from, cut_to in own.exclude:
+        pieces = [
+            part
+            for a, b in pieces
+            for part in ((a, min(b, cut_from - 1)), (max(a, cut_to + 1), b))
+            if part[0] <= part[1]
+        ]
+    return pieces
+
+
+def buckets(
+    first: list[Row], final: list[Row], parameters: Any, calibration: Any
+) -> list[dict[str, Any]]:
+    """Return what ``gam_bucket`` must show, in order, names in the place of numbers."""
+    answer = []
+    for channel, pool in channels(first, final, parameters, calibration):
+        stride, window = pool.settings.stride, pool.settings.window
+        span = (pool.settings.m - 1) * pool.settings.tau
+        scored = list(reference.health(channel, pool))
+        start = channel.score_from
+        if start is None:
+            start = -(2**62) if channel.end is None else channel.end + 1
+        ends = [start - 1]
+        for bucket in range(len(scored) // stride):
+            inside = scored[bucket * stride : (bucket + 1) * stride]
+            newest = channel.times.index(inside[-1]["time"])
+            recent = [row["novel"] for row in scored[: (bucket + 1) * stride]][-window:]
+            row = {
+                "asset": channel.asset,
+                "channel": channel.name,
+                "bucket": bucket,
+                "first_time": inside[0]["time"],
+                "last_time": inside[-1]["time"],
+                "context_time": channel.times[newest - max(span - 1, 0)],
+                "samples": sum(ends[-1] < t <= inside[-1]["time"] for t in channel.times),
+                "novel": sum(row["novel"] for row in inside),
+                "out_of_range": sum(row["out_of_range"] for row in inside),
+                "novel_in_window": sum(recent) if len(recent) == window else None,
+            }
+            ends.append(inside[-1]["time"])
+            answer.append(row)
+    return answer
+
+
+def novel_cells(
+    first: list[Row], final: list[Row], parameters: Any, calibration: Any
+) -> list[dict[str, Any]]:
+    """Return what ``gam_novel`` must show, in order, names in the place of numbers."""
+    answer = []
+    for channel, pool in channels(first, final, parameters, calibration):
+        stride = pool.settings.stride
+        scored = list(reference.health(channel, pool))
+        for bucket in range(len(scored) // stride):
+            cells: dict[int, list[int]] = {}
+            for row in scored[bucket * stride : (bucket + 1) * stride]:
+                if row["novel"]:
+                    cells.setdefault(row["cell_key"], []).append(row["time"])
+            for key in sorted(cells):
+                times = cells[key]
+                answer.append(
+                    {
+                        "asset": channel.asset,
+                        "channel": channel.name,
+                        "bucket": bucket,
+                        "cell_key": key,
+                        "visits": len(times),
+                        "first_time": min(times),
+                        "last_time": max(times),
+                    }
+                )
+    return answer

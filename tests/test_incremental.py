@@ -1,0 +1,101 @@
+"""The contract of the stored form: whatever the batches, what is stored equals one full recompute."""
+
+import contextlib
+from typing import Any
+
+import duckdb
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import frozen
+import gam_db
+import harness
+from batches import CHANNELS, KINDS, History, history
+from gam_db.stored.monitor import Monitor
+from strategies import Row
+
+#: Histories of each kind; each is one of many channels with a series and a lateness of its own.
+EXAMPLES = 17
+
+BUCKETS = """
+    SELECT asset, channel, bucket_no AS bucket, first_time, last_time, context_time, samples, novel,
+        out_of_range, novel_in_window
+    FROM gam_visible_bucket JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+    ORDER BY asset, channel, bucket_no
+"""
+NOVEL = """
+    SELECT asset, channel, bucket_no AS bucket, cell_key, visits, first_time, last_time
+    FROM gam_visible_novel JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+    ORDER BY asset, channel, bucket_no, cell_key
+"""
+
+
+class CrashError(Exception):
+    """What stands for the end of a process."""
+
+
+def crashing(after: int) -> Any:
+    """Return a listener that gives up at its so-manieth step."""
+    heard = 0
+
+    def listen(_: str) -> None:
+        nonlocal heard
+        heard += 1
+        if heard >= after:
+            raise CrashError
+
+    return listen
+
+
+def rows_of(connection: duckdb.DuckDBPyConnection, query: str) -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = connection.sql(query).to_arrow_table().to_pylist()
+    return found
+
+
+def play(connection: duckdb.DuckDBPyConnection, monitor: Monitor, history: History) -> None:
+    """Let a history happen."""
+    put(connection, history.first)
+    monitor.migrate()
+    monitor.calibrate(limit=history.limit)
+    for batch in history.batches:
+        put(connection, batch.rows)
+        for kind, number in batch.runs:
+            options: dict[str, Any] = {"limit": history.limit}
+            if kind in ("full", "everything"):
+                options[kind] = True
+            if kind != "crash":
+                monitor.score(**options)
+                continue
+            with contextlib.suppress(CrashError):
+                monitor.score(on_step=crashing(number), **options)
+
+
+def put(connection: duckdb.DuckDBPyConnection, rows: list[Row]) -> None:
+    loaded = harness.arrow(rows)
+    connection.register("arriving", loaded)
+    connection.execute("INSERT INTO telemetry SELECT * FROM arriving").fetchall()
+    connection.unregister("arriving")
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@settings(max_examples=max(EXAMPLES, settings().max_examples // 4))
+@given(seed=st.integers(0, 2**32))
+def test_any_history_ends_in_the_tables_of_one_full_run(kind: str, seed: int) -> None:
+    told = history(kind, seed)
+    parameters, calibration = harness.made(told.parameters, told.calibration)
+    with duckdb.connect() as connection:
+        connection.execute(
+            "CREATE TABLE telemetry (asset VARCHAR, channel VARCHAR, time BIGINT, value DOUBLE)"
+        )
+        source = gam_db.Source("telemetry")
+        reach: dict[str, Any] = {"lookback": told.lookback, "park_after": told.park_after}
+        monitor = Monitor(connection, source, parameters, calibration, **reach)
+        play(connection, monitor, told)
+        asked = (told.first, told.final, parameters, calibration)
+        harness.assert_same(frozen.buckets(*asked), rows_of(connection, BUCKETS), "buckets")
+        harness.assert_same(frozen.novel_cells(*asked), rows_of(connection, NOVEL), "novel cells")
+
+
+def test_there_are_two_thousand_histories() -> None:
+    assert len(KINDS) * EXAMPLES * CHANNELS >= 2000

@@ -1,0 +1,108 @@
+"""What each engine makes of the migrations: its types, keys and comments, and whether it runs."""
+
+import sqlite3
+from pathlib import Path
+
+import duckdb
+import pytest
+import sqlglot
+from sqlglot import exp
+
+from gam_db.engines import NAMES, engine_named
+from gam_db.errors import EngineError
+from gam_db.stored import migration_files
+from gam_db.stored.migration_files import files
+from gam_db.stored.migrations import rendered
+from gam_db.stored.tables import StateTables
+
+STATE = StateTables()
+ALL = [migration.name for migration in files()]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_script_of_an_engine_can_be_parsed(name: str) -> None:
+    """Each migration makes one thing and is recorded; the engine's grammar knows all of it."""
+    engine = engine_named(name)
+    parsed = [one for one in sqlglot.parse(rendered(engine, STATE), dialect=engine.dialect) if one]
+    assert not [one for one in parsed if one.find(exp.Command)]
+    made = [one.find(exp.Table) for one in parsed if isinstance(one, exp.Create)]
+    assert [table.name for table in made if table] == [f"gam_{name}" for name in ALL]
+    assert len([one for one in parsed if isinstance(one, exp.Insert)]) == len(ALL)
+    others = {type(one) for one in parsed} - {exp.Create, exp.Insert}
+    assert others <= {exp.Comment, exp.Drop}
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("postgres", "floor DOUBLE PRECISION,\n"),
+        ("clickhouse", "bucket_no Int64 COMMENT 'Number of the bucket"),
+        ("clickhouse", "novel_in_window Nullable(Int64) COMMENT"),
+        ("clickhouse", "ENGINE=MergeTree\nORDER BY (version_id, bucket_no)\nCOMMENT 'Full"),
+        ("clickhouse", "ORDER BY (support_id)\nCOMMENT 'Range"),
+        ("bigquery", "CLUSTER BY version_id, bucket_no\nOPTIONS (\n  description='Full"),
+        ("bigquery", "novel_in_window INT64 OPTIONS (\n    description='Novel"),
+        ("spark", "USING PARQUET\nCOMMENT 'Full"),
+        ("databricks", "CLUSTER BY (version_id, bucket_no)\nCOMMENT 'Full"),
+        ("snowflake", "CLUSTER BY (version_id, bucket_no)\nCOMMENT='Full"),
+        ("redshift", "COMPOUND SORTKEY(version_id, bucket_no)"),
+        ("trino", 'COMMENT ON COLUMN "gam_run".run_id IS \'The run'),
+        ("sqlite", 'DROP VIEW IF EXISTS "gam_visible_novel"'),
+    ],
+)
+def test_types_keys_and_comments_are_the_engines(name: str, said: str) -> None:
+    assert said in rendered(engine_named(name), STATE)
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if engine_named(name).schemas])
+def test_a_schema_is_made_first(name: str) -> None:
+    engine = engine_named(name)
+    first = sqlglot.parse(rendered(engine, StateTables("plant")), dialect=engine.dialect)[0]
+    assert isinstance(first, exp.Create)
+    assert (first.kind, first.args["exists"]) == ("SCHEMA", True)
+
+
+def test_an_engine_without_schemas_refuses_one() -> None:
+    with pytest.raises(EngineError, match="sqlite has no schemas"):
+        rendered(engine_named("sqlite"), StateTables("plant"))
+
+
+def test_the_script_runs_on_sqlite() -> None:
+    connection = sqlite3.connect(":memory:")
+    script = rendered(engine_named("sqlite"), STATE)
+    connection.executescript(script)
+    connection.executescript(script)
+    assert connection.execute("SELECT name FROM gam_migration ORDER BY number").fetchall() == [
+        (name,) for name in ALL
+    ]
+    connection.close()
+
+
+def test_instants_in_views_are_the_engines(tmp_path: Path) -> None:
+    view = (
+        "CREATE OR REPLACE VIEW stored_health AS SELECT run_id AS a, "
+        "CASE WHEN run_id > 0 THEN MAKE_TIMESTAMP(started) END AS b FROM stored_run;"
+        "COMMENT ON VIEW stored_health IS 'x'; COMMENT ON COLUMN stored_health.a IS 'x';"
+        "COMMENT ON COLUMN stored_health.b IS 'x';"
+    )
+    (tmp_path / "0001_health.sql").write_text(view)
+    (migration,) = migration_files.read(tmp_path)
+    run = "(1, 1, 0, 0, 0, 0, 0, 0, 0, 1767225599999999, 0)"
+    for name in NAMES:
+        engine = engine_named(name)
+        script = [engine.text(statement) for statement in migration.statements(engine, STATE)]
+        assert len(sqlglot.parse(";".join(script), dialect=engine.dialect)) == len(script)
+        if name == "duckdb":
+            with duckdb.connect() as connection:
+                connection.execute(rendered(engine, STATE) + ";".join(script))
+                connection.execute(f"INSERT INTO gam_run VALUES {run}")
+                found = connection.execute("SELECT CAST(b AS VARCHAR) FROM gam_health").fetchall()
+        elif name == "sqlite":
+            lite = sqlite3.connect(":memory:")
+            lite.executescript(rendered(engine, STATE) + ";".join(script))
+            lite.execute(f"INSERT INTO gam_run VALUES {run}")
+            found = lite.execute("SELECT b FROM gam_health").fetchall()
+            lite.close()
+        else:
+            continue
+        assert found == [("2025-12-31 23:59:59.999999",)]
