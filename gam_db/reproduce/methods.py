@@ -67,7 +67,7 @@ class Method:
         series: makes the series of a study.
         library: what it needs, if anything.
         settings: what a result of it depends on, beside the data and the parameters.
-        cheap: whether it is run on many channels unless asked otherwise.
+        cheap: whether it is run on many channels unless asked otherwise; nothing is fitted outside SQL.
     """
 
     title: str
@@ -180,7 +180,7 @@ def _network(name: str, title: str) -> Method:
 
 METHODS: Mapping[str, Method] = {
     "dse": Method("DSE", _discrete),
-    "gmm": _estimator("gmm", "GMM", "sklearn.mixture"),
+    "gmm": _estimator("gmm", "GMM", "sklearn.mixture", cheap=False),
     "forest": _estimator("forest", "Isolation Forest", "sklearn.ensemble", cheap=False),
     "ocsvm": _estimator("ocsvm", "OCSVM", "sklearn.svm", cheap=False),
     "centroid": _estimator("centroid", "Centroid"),

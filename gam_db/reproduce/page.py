@@ -93,6 +93,12 @@ def recordings(rows: Sequence[RecordingRow]) -> Iterator[str]:
             yield f"{METHODS[row.method].title:18}{numbers}{row.signed[1]:>9.0%}{row.seconds:10.1f}"
         chance = "".join(_beside(first.chance.get(metric)) for metric in METRICS)
         yield f"{'chance':18}{chance.rstrip()}"
+        for row in of_one:
+            if row.method == "dse":
+                yield (
+                    f"DSE ends at {row.last_hi:.2f} in the median; where it ends near 1 it is saturated, "
+                    "and Prog is high for that alone."
+                )
         yield ""
     yield (
         "chance: random scores under the same windows. rising: share of the series whose signed rank "

@@ -90,6 +90,7 @@ class Row:
         signed: mean of the signed rank correlation over all series, and the share of series above 0.5.
         chance: mean of each metric for random series with the same windows; it does not depend on the
             method, and is told with the first one only.
+        last_hi: median of the last indicators of the machines that failed.
         channels: how many were evaluated.
         series: of how many series.
         seconds: from the raw table to the health indicator, all channels.
@@ -102,6 +103,7 @@ class Row:
     spread: dict[str, float | None]
     signed: tuple[float, float]
     chance: dict[str, float | None]
+    last_hi: float
     channels: int
     series: int
     seconds: float
@@ -266,6 +268,7 @@ def _row(recording: str, method: str, certified: Certified, figures: Figures) ->
         spread={metric: _spread(values) for metric, values in columns.items()},
         signed=(float(np.mean(signed)), float(np.mean(np.array(signed) > 0.5))),
         chance={metric: _mean([channel["chance"][metric] for channel in channels]) for metric in CHANCE},
+        last_hi=float(np.median([value for channel in channels for value in channel["last_hi"]])),
         channels=len(channels),
         series=len(signed),
         seconds=figures["seconds"],
