@@ -176,9 +176,9 @@ def _agreement(table: Table) -> Iterator[str]:
         printed_place = paper.index(row.method) + 1
         if abs(place - printed_place) >= _FAR or abs(ours - printed) >= _FAR_GLOBAL:
             cause = CAUSES.get(row.method, "its row was in view when the system was chosen.")
+            title = METHODS[row.method].title
             elsewhere.append(
-                f"  {METHODS[row.method].title}: place {place}, Global {ours:.3f}; paper {printed_place}, "
-                f"{printed:.3f}: {cause}"
+                f"  {title}: place {place}, Global {ours:.3f}; paper {printed_place}, {printed:.3f}: {cause}"
             )
     if not elsewhere:
         yield f"No method is {_FAR} places or {_FAR_GLOBAL} of Global from where the paper has it."
