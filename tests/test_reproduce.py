@@ -143,6 +143,11 @@ def test_sensitivity_in_small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     healthy = [cell.healthy for cell in by_floor]
     assert healthy == sorted(healthy, key=lambda one: one or 0), "healthy data score as foretold"
     assert sensitivity.foretold(cells) == pytest.approx(1)
+    for trend in sensitivity.trends(cells):
+        scores = {cell.m: cell.global_score for cell in cells if cell.tau == trend.tau}
+        assert trend.best == max(scores, key=lambda m: scores[m])
+        passing = [m for m in (2, 5) if floors[m, trend.tau] <= 0.05]
+        assert trend.passed == (max(passing) if passing else None)
     said = list(page.sensitivity_page("fleet", cells, True))
     assert any(line.startswith("  m = 5") for line in said)
 

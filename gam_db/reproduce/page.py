@@ -133,25 +133,33 @@ def sensitivity_page(on: str, cells: Sequence[sensitivity.Cell], quick: bool) ->
             shown = "".join(f"{'-' if value is None else format(value, '.3f'):>10}" for value in values)
             yield f"{f'  m = {m}':26}{shown}"
     yield ""
-    yield "As m grows from 2 to 6, Global"
+    yield "As m grows from the smallest to the largest:"
+    yield (
+        f"{'  tau':>6}{'Global':>10}{'rank corr.':>12}{'paper':>10}{'floor':>18}{'passes to':>12}"
+        f"{'best at':>10}"
+    )
     for trend in sensitivity.trends(cells):
-        goes = "rises" if trend.change > 0 else "falls"
-        same = "as" if (trend.change > 0) == (trend.tau <= _SHORT_DELAY) else "not as"
+        same = "the same" if (trend.change > 0) == (trend.tau <= _SHORT_DELAY) else "not so"
+        floors = f"{trend.floors[0]:.3f} to {trend.floors[1]:.3f}"
+        passed = "-" if trend.passed is None else f"m = {trend.passed}"
         yield (
-            f"  tau = {trend.tau:<3} {goes} by {abs(trend.change):.3f} (rank correlation with m "
-            f"{trend.by_rank:+.2f}), {same} in the paper; the floor goes from {trend.floors[0]:.3f} to "
-            f"{trend.floors[1]:.3f}"
+            f"{trend.tau:>6}{trend.change:>+10.3f}{trend.by_rank:>+12.2f}{same:>10}{floors:>18}"
+            f"{passed:>12}{f'm = {trend.best}':>10}"
         )
-    yield "Paper: rises for tau <= 5, falls for tau > 5, on its industrial fleet."
+    yield (
+        "paper: on its industrial fleet Global rises for tau <= 5 and falls for tau > 5. passes to: the "
+        "largest m whose floor is within the certificate's target. best at: the m of the best Global."
+    )
     changes = [
         f"{title} by {change:+.3f}"
         for title, number in (("Prog", "prog"), ("Disc", "disc"), ("Mon", "mon"))
         if (change := sensitivity.change(cells, number)) is not None
     ]
-    yield (
-        f"In the mean over the delays, from the smallest m to the largest: {', '.join(changes)}. A "
-        "sparse support adds to Prog and takes from Disc; which of them decides depends on the fleet."
-    )
+    if of_fleet:
+        yield (
+            f"In the mean over the delays, from the smallest m to the largest: {', '.join(changes)}. A "
+            "sparse support adds to Prog and takes from Disc; which decides depends on the fleet."
+        )
     foretold = sensitivity.foretold(cells)
     if foretold is not None:
         yield (
@@ -177,9 +185,8 @@ def _agreement(table: Table) -> Iterator[str]:
         if abs(place - printed_place) >= _FAR or abs(ours - printed) >= _FAR_GLOBAL:
             cause = CAUSES.get(row.method, "its row was in view when the system was chosen.")
             title = METHODS[row.method].title
-            elsewhere.append(
-                f"  {title}: place {place}, Global {ours:.3f}; paper {printed_place}, {printed:.3f}: {cause}"
-            )
+            places = f"place {place}, Global {ours:.3f}; paper {printed_place}, {printed:.3f}"
+            elsewhere.append(f"  {title}: {places}: {cause}")
     if not elsewhere:
         yield f"No method is {_FAR} places or {_FAR_GLOBAL} of Global from where the paper has it."
         return

@@ -76,12 +76,16 @@ class Trend:
         by_rank: Spearman's correlation of Global with m.
         change: Global at the largest m less that at the smallest.
         floors: the floor at the smallest and at the largest m.
+        passed: the largest m whose floor is within the certificate's target; None if there is none.
+        best: the m of the best Global.
     """
 
     tau: int
     by_rank: float
     change: float
     floors: tuple[float, float]
+    passed: int | None
+    best: int
 
 
 def sensitivity(on: str, quick: bool, results: Results, show: Show) -> list[Cell]:
@@ -118,6 +122,7 @@ def sensitivity(on: str, quick: bool, results: Results, show: Show) -> list[Cell
 
 def trends(cells: Sequence[Cell]) -> list[Trend]:
     """Return how Global goes with m at each delay."""
+    target = Parameters().target_floor
     found = []
     for tau in DELAYS:
         of_one = sorted((cell for cell in cells if cell.tau == tau), key=lambda cell: cell.m)
@@ -129,6 +134,8 @@ def trends(cells: Sequence[Cell]) -> list[Trend]:
                 by_rank=rank or 0.0,
                 change=of_one[-1].global_score - of_one[0].global_score,
                 floors=(of_one[0].floor, of_one[-1].floor),
+                passed=max((cell.m for cell in of_one if cell.floor <= target), default=None),
+                best=by_score[-1],
             )
         )
     return found
