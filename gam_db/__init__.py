@@ -1,6 +1,7 @@
 """gam-db: a health indicator for every machine channel, by plain SQL where the telemetry lies."""
 
 from gam_db.calibration import Calibration
+from gam_db.checking import check
 from gam_db.connect import connect
 from gam_db.errors import GamError, UserError
 from gam_db.estimators import scores, scores_at_buckets
@@ -25,6 +26,7 @@ __all__ = [
     "WideSource",
     "__version__",
     "certificate",
+    "check",
     "connect",
     "evaluate",
     "health_at_buckets",

@@ -25,6 +25,8 @@ class Study:
         source: where the telemetry lies.
         parameters, calibration: the method.
         on_step: called with the name of each step before it is run.
+        strict: refuse a source with rows that belong nowhere; else the step *names* counts them, and
+            they are left out of all that follows.
 
     Raises:
         UserError: anything of the source, the parameters or the calibration that cannot be used.
@@ -37,10 +39,11 @@ class Study:
         parameters: Parameters,
         calibration: Calibration,
         on_step: Listener = unheard,
+        strict: bool = True,
     ) -> None:
         self.session = session
-        relation = session.relation(source.relation)
-        columns = session.describe(relation)
+        self.relation = relation = session.relation(source.relation)
+        self.columns = columns = session.describe(relation)
         if source.where is not None:
             session.check_condition(relation, parsed_condition(source.where), str(source.where))
         self.source = look.resolved(source, columns, session)
@@ -54,7 +57,7 @@ class Study:
             # Text is parsed once, not once per step.
             self.steps.small |= {"readings"}
         self.running = Running(session, self.steps, on_step=on_step)
-        look.check_rows(self._looked())
+        (look.check_rows if strict else look.check_clock)(self._looked())
 
     def table(self, step: str) -> pa.Table:
         """Return the rows of a step; the small steps before it are kept for the next call."""

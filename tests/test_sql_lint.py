@@ -13,6 +13,7 @@ import gam_db
 import sql_lint
 from gam_db import template
 from gam_db.baselines.baseline import add_forecast_points
+from gam_db.checking.steps import add_look
 from gam_db.clock import TimeKind
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_session import Session
@@ -505,7 +506,9 @@ def steps(
     """The filled steps of the method, in order, over a source that counts time."""
     method = Method(parameters, calibration, TimeKind.COUNTER, lambda node: node)
     rows = readings(source, exp.to_table("telemetry"), lambda node: node)
-    return [(step.name, step.query) for step in pipeline(method, rows).steps.values()]
+    made = pipeline(method, rows)
+    add_look(made, method)
+    return [(step.name, step.query) for step in made.steps.values()]
 
 
 SOURCES: list[Source | WideSource] = [
@@ -653,6 +656,7 @@ def test_every_file_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
     sign = gam_db.Conventions(monotonicity="sign", amplitude="ends", samples=1)
     gam_db.evaluate(values, outcomes, conventions=gam_db.Conventions(values_per_window=1))
     gam_db.evaluate(counts, outcomes, conventions=sign)
+    gam_db.check(gam_db.Source(pa.table({"time": [1], "value": [2.5], "more": ["3"]}), None, None))
     assert set(NAMES) - loaded == set()
     assert {name for name in loaded if name not in NAMES} == set()
 

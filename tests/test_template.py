@@ -324,7 +324,7 @@ LAYERS = [
     ["engines"],
     ["look", "running", "connect"],
     ["script", "study"],
-    ["health", "estimators", "evaluation", "selection"],
+    ["health", "checking", "estimators", "evaluation", "selection"],
     ["stored"],
     ["gam_db"],
     ["config", "findings"],

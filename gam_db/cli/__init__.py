@@ -19,10 +19,12 @@ from typer.core import TyperGroup
 
 import gam_db
 from gam_db.cli.benchmark import benchmark
+from gam_db.cli.check import check
 from gam_db.cli.compile import compile_script
 from gam_db.cli.demo import demo
 from gam_db.cli.drop import drop
 from gam_db.cli.evaluate import evaluate
+from gam_db.cli.init import init
 from gam_db.cli.migrate import migrate
 from gam_db.cli.reproduce import reproduce
 from gam_db.cli.run import run
@@ -91,6 +93,8 @@ def options(
 
 app.command()(run)
 app.command()(select)
+app.command()(check)
+app.command()(init)
 app.command()(demo)
 app.command("compile")(compile_script)
 app.command()(evaluate)

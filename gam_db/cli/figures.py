@@ -30,7 +30,7 @@ def figures(job: Job, found: Sequence[Finding], written: Sequence[str], code: in
         code: the exit code.
     """
     return {
-        **heading(job),
+        **asked(job),
         "channels": [_channel(one) for one in found],
         "verdicts": dict(Counter(one.verdict for one in found)),
         "needs_attention": need_attention(found),
@@ -39,7 +39,7 @@ def figures(job: Job, found: Sequence[Finding], written: Sequence[str], code: in
     }
 
 
-def heading(job: Job) -> dict[str, Any]:
+def asked(job: Job) -> dict[str, Any]:
     """Return what was asked: version, source, settings file, parameters and calibration."""
     source = job.guess.source
     columns = {"asset": source.asset, "time": source.time}

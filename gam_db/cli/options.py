@@ -12,6 +12,9 @@ import typer
 from gam_db import config
 from gam_db.config import Settings
 from gam_db.errors import ConfigurationError
+from gam_db.source import FILE_ENDINGS, is_file
+
+DATABASE_ENDINGS = (".duckdb", ".db")
 
 _COLUMNS = "Columns, guessed where not named"
 _PARAMETERS = "Parameters of the method"
@@ -194,8 +197,9 @@ def settings(
     exclude: Sequence[str] | None,
     score_from: str | None,
     pool: Sequence[str] | None,
+    fresh: bool = False,
 ) -> Settings:
-    """Return the settings of the file with the options of a command laid over them.
+    """Return the settings of the file with the options of a command laid over them; ``fresh``: no file.
 
     Raises:
         ConfigurationError: the file or an option cannot be used.
@@ -238,7 +242,32 @@ def settings(
         "score_from": score_from,
         "pool": _pools(pool),
     }
-    return config.load(file).under(columns, parameters, calibration)
+    said = Settings() if fresh else config.load(file)
+    return said.under(columns, parameters, calibration)
+
+
+def named_relation(settings: Settings) -> str:
+    """Return the relation that was named: a file, or a table of the database.
+
+    Raises:
+        ConfigurationError: none was named, or it is neither.
+    """
+    relation, database = settings.source.relation, settings.source.database
+    if relation is None:
+        raise ConfigurationError(
+            "Name a SOURCE: a Parquet or CSV file, or a table with --database FILE.duckdb; or put "
+            "relation under [source] into gam.toml. `gam demo` needs none."
+        )
+    if database is None and not is_file(relation):
+        if Path(relation).suffix in DATABASE_ENDINGS:
+            raise ConfigurationError(
+                f"{relation} is a database; name the table: gam run TABLE --database {relation}."
+            )
+        raise ConfigurationError(
+            f"{relation!r} is no Parquet or CSV file ({', '.join(FILE_ENDINGS)}); if it is a table, say "
+            "which database holds it: --database FILE.duckdb."
+        )
+    return relation
 
 
 def _length(text: str | None) -> int | float | str | None:

@@ -140,14 +140,14 @@ def columns_line(guess: Guess) -> str:
     line = "columns: " + " ".join(f"{role}={printable(column)}" for role, column in shown.items())
     if not isinstance(source, Source):
         names = [printable(name) for name in source.value_columns]
-        line += f"; wide table, signals: {_some(names)}"
+        line += f"; wide table, signals: {some(names)}"
     if guess.guessed:
         guessed = [role for role in guess.guessed if role != "layout"]
         line += f"; guessed: {'all' if len(guessed) == len(shown) else ', '.join(guessed)}"
     if "layout" in guess.guessed:
         line += f"; taken as {guess.guessed['layout']}"
     if guess.unused:
-        line += f"; not used: {_some([printable(name) for name in guess.unused])}"
+        line += f"; not used: {some([printable(name) for name in guess.unused])}"
     return line
 
 
@@ -205,7 +205,7 @@ def _table(out: Console, found: Sequence[Finding]) -> list[Text]:
         line.append(f"  {time}")
         line.rstrip()
         lines.append(line)
-        for remark in _folded("; ".join(one.remarks), out.width - 4):
+        for remark in folded("; ".join(one.remarks), out.width - 4):
             lines.append(
                 Text(f"    {remark}", style="dim" if one.status in ("ok", "not assessed") else "")
             )
@@ -308,17 +308,19 @@ def fit(text: str, width: int) -> str:
     return text + " " * (width - cell_len(text))
 
 
-def _some(names: Sequence[str], most: int = 8) -> str:
+def some(names: Sequence[str], most: int = 8) -> str:
+    """Return the first names of a list, and how many more there are."""
     return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
 
 
-def _folded(text: str, width: int) -> list[str]:
+def folded(text: str, width: int) -> list[str]:
+    """Return a text as lines of at most so many cells."""
     return [str(line).rstrip() for line in Text(text).wrap(Console(), width)] if text else []
 
 
 def say(out: Console, line: str) -> None:
     """Print a line of prose, folded."""
-    for part in _folded(line, min(out.width, _READABLE)):
+    for part in folded(line, min(out.width, _READABLE)):
         out.print(Text(part))
 
 

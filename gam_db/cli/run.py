@@ -29,7 +29,6 @@ from gam_db.study import Study
 NEEDS_ATTENTION = 2
 
 _OUTPUT = "Output"
-_DATABASE_ENDINGS = (".duckdb", ".db")
 _PARQUET_ENDINGS = (".parquet", ".pq")
 
 Every = Literal["vector", "stride"]
@@ -137,7 +136,7 @@ def run(
         pool=pool,
     )
     estimator_named(estimator)
-    relation = relation_of(settings)
+    relation = options.named_relation(settings)
     results = [] if no_out else _results(relation, settings.source.database, out, every, estimator)
     with interruptible(), Session(settings.source.database, threads) as session:
         lines = report.console()
@@ -209,30 +208,6 @@ class _Result:
         return f"{self.path} (table {self.table})" if _is_database(self.path) else str(self.path)
 
 
-def relation_of(settings: Settings) -> str:
-    """Return what to read.
-
-    Raises:
-        ConfigurationError: nothing is named, or a table without its database.
-    """
-    relation, database = settings.source.relation, settings.source.database
-    if relation is None:
-        raise ConfigurationError(
-            "Name a SOURCE: a Parquet or CSV file, or a table with --database FILE.duckdb; or put "
-            "relation under [source] into gam.toml. `gam demo` needs none."
-        )
-    if database is None and not is_file(relation):
-        if _is_database(Path(relation)):
-            raise ConfigurationError(
-                f"{relation} is a database; name the table: gam run TABLE --database {relation}."
-            )
-        raise ConfigurationError(
-            f"{relation!r} is no Parquet or CSV file ({', '.join(FILE_ENDINGS)}); if it is a table, say "
-            "which database holds it: --database FILE.duckdb."
-        )
-    return relation
-
-
 def _results(
     relation: str, database: str | None, out: Path | None, every: Every, estimator: str
 ) -> list[_Result]:
@@ -278,4 +253,4 @@ def _stem(relation: str) -> str:
 
 
 def _is_database(path: Path) -> bool:
-    return path.suffix in _DATABASE_ENDINGS
+    return path.suffix in options.DATABASE_ENDINGS

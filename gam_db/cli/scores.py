@@ -10,7 +10,7 @@ from typing import Any
 from rich.console import Console
 from rich.text import Text
 
-from gam_db.cli.figures import heading, plain
+from gam_db.cli.figures import asked, plain
 from gam_db.cli.report import SHOWN, Job, columns_line, fit, method_line, printable, say, time_text
 
 _LEGEND = {
@@ -77,7 +77,7 @@ def score_figures(
         {("hi_now" if name == "hi" else name): value for name, value in row.items()} for row in rows
     ]
     return {
-        **heading(job),
+        **asked(job),
         "estimator": estimator,
         "channels": plain(channels),
         "written": list(written),

@@ -9,8 +9,8 @@ from typing import Annotated, Literal
 import typer
 
 from gam_db.cli import options, report
+from gam_db.cli.options import named_relation
 from gam_db.cli.progress import Progress, interruptible
-from gam_db.cli.run import relation_of
 from gam_db.cli.selection_report import figures, show
 from gam_db.engines.duckdb_session import Session
 from gam_db.guess import guess
@@ -126,7 +126,7 @@ def select(
         score_from=None,
         pool=None,
     )
-    relation = relation_of(settings)
+    relation = named_relation(settings)
     parameters, calibration = alone(*settings.method())
     with (
         interruptible(),

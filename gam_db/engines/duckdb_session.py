@@ -14,7 +14,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.engines.duckdb import ENGINE, file_reader
 from gam_db.engines.duckdb_opening import check_settings, opened, rows_at_once
-from gam_db.engines.duckdb_types import check_columns, is_name, is_numeric, time_kind
+from gam_db.engines.duckdb_types import check_columns, is_name, is_numeric, is_text, time_kind
 from gam_db.errors import EngineError, SourceError, StatementError, nearest
 from gam_db.source import is_file, table_names
 
@@ -39,6 +39,7 @@ class Session:
     time_kind = staticmethod(time_kind)
     is_numeric = staticmethod(is_numeric)
     is_name = staticmethod(is_name)
+    is_text = staticmethod(is_text)
 
     def __init__(self, target: Any = None, threads: int | None = None, writable: bool = False) -> None:
         if tuple(int(part) for part in duckdb.__version__.split(".")[:2]) < OLDEST:
