@@ -28,7 +28,7 @@ CAUSES = {
     "ocsvm": "on which scale, and on how many vectors, the paper's was fitted is not given.",
     "centroid": "how far the mean distance to one centre moves depends on where the wells lie and "
     "whither they drift, which is not given.",
-    "ae": _TRAINING,
+    "ae": "the length of training is not given.",
     "vae_rec": "the weight of the divergence is not given; with weight 1 on values from 0 to 1 the "
     "latent units collapse, and the reconstruction is the mean vector whatever the vector, as Centroid.",
     "vae_latent": "the latent units collapse (as in VAE (Rec)): the divergence is about a hundred "
