@@ -12,11 +12,13 @@ from sqlglot import exp
 import gam_db
 import sql_lint
 from gam_db import template
+from gam_db.baselines.baseline import add_forecast_points
 from gam_db.checking.steps import add_look
 from gam_db.clock import TimeKind
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_session import Session
 from gam_db.estimators import ESTIMATORS, add_estimator
+from gam_db.estimators.points import add_points
 from gam_db.method import Method, pipeline
 from gam_db.selection.budget import add_budget, add_results
 from gam_db.selection.lags import add_delays, add_samples
@@ -461,6 +463,9 @@ EXEMPT_IN_SELECTION = {
     ("budget", "rough_decisions"),
 }
 
+#: Not an estimator: what a neural forecast reads.
+FORECAST = "forecast"
+
 PARAMETERS = [
     gam_db.Parameters(),
     gam_db.Parameters(m=1, bins=2**31, window=7, max_gap=3),
@@ -590,7 +595,11 @@ def estimated(name: str, rows: int) -> tuple[list[tuple[str, exp.Query]], dict[s
     kinds = {"BIGINT": Kind.INTEGER, "DOUBLE": Kind.DOUBLE, "VARCHAR": Kind.OTHER}
     with Session() as session:
         study = Study(session, Source(series), PARAMETERS[0], gam_db.Calibration(fraction=0.8))
-        add_estimator(study, name)
+        if name == FORECAST:
+            add_points(study.steps, study.method, 0)
+            add_forecast_points(study, 0)
+        else:
+            add_estimator(study, name)
         queries = [(step.name, step.query) for step in study.steps.steps.values()]
         read: dict[str, sql_lint.Columns] = {
             table.name: {
@@ -603,7 +612,7 @@ def estimated(name: str, rows: int) -> tuple[list[tuple[str, exp.Query]], dict[s
     return queries, read
 
 
-@pytest.mark.parametrize("name", ESTIMATORS)
+@pytest.mark.parametrize("name", [*ESTIMATORS, FORECAST])
 def test_estimators_break_no_rule(name: str) -> None:
     queries, tables = estimated(name, rows=30)
     found = set()
@@ -674,7 +683,7 @@ def test_every_file_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
     source = Source("telemetry", time_kind="counter")
     for form, engine in (("exact", "sqlite"), ("view", "duckdb")):
         gam_db.render(form, engine, source, gam_db.Parameters(), CALIBRATIONS[1])
-    for name in ESTIMATORS:
+    for name in [*ESTIMATORS, FORECAST]:
         estimated(name, rows=30)
     estimated("gmm", rows=3)
     rendered(ENGINE, StateTables())

@@ -329,7 +329,8 @@ LAYERS = [
     ["gam_db"],
     ["config"],
     ["guess"],
-    ["benchmark"],
+    ["benchmark", "simulate", "baselines"],
+    ["reproduce"],
     ["cli"],
 ]
 

@@ -28,9 +28,11 @@ from gam_db.cli.evaluate import evaluate
 from gam_db.cli.init import init
 from gam_db.cli.migrate import migrate
 from gam_db.cli.prune import prune
+from gam_db.cli.reproduce import reproduce
 from gam_db.cli.run import run
 from gam_db.cli.score import score
 from gam_db.cli.select import select
+from gam_db.cli.simulate import simulate
 from gam_db.cli.status import status
 from gam_db.errors import StatementError, UserError
 
@@ -107,6 +109,8 @@ app.command()(migrate)
 app.command()(drop)
 app.command()(status)
 app.command()(prune)
+app.add_typer(simulate, name="simulate")
+app.add_typer(reproduce, name="reproduce")
 
 
 def main() -> None:
