@@ -18,7 +18,7 @@ import typer
 from typer.core import TyperGroup
 
 import gam_db
-from gam_db.cli.benchmark import benchmark
+from gam_db.cli.benchmark_stored import benchmarks
 from gam_db.cli.compile import compile_script
 from gam_db.cli.demo import demo
 from gam_db.cli.drop import drop
@@ -88,7 +88,7 @@ def options(
 app.command()(run)
 app.command()(demo)
 app.command("compile")(compile_script)
-app.command()(benchmark)
+app.add_typer(benchmarks, name="benchmark")
 app.command()(migrate)
 app.command()(drop)
 
