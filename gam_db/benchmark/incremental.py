@@ -2,12 +2,13 @@
 
 import shutil
 import tempfile
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from gam_db.benchmark.measure import Listener, circumstances, median_steps, parameters, spread
-from gam_db.benchmark.stored_run import HOUR, SILENT, StoredJob
+from gam_db.benchmark.stored_run import HOUR, SILENT, StoredJob, done
 from gam_db.errors import ConfigurationError, InternalError
 
 #: What is measured, in turns.
@@ -60,8 +61,8 @@ class IncrementalPlan:
 
     @property
     def runs(self) -> int:
-        """How many processes it takes."""
-        return 2 * 2 + len(SIDES) * (2 + self.repeat)
+        """How many processes it takes, and looks at the profile."""
+        return 2 * 2 + len(SIDES) * (self.repeat + 1)
 
 
 def measure_incremental(plan: IncrementalPlan, on_run: Listener = lambda _: None) -> dict[str, Any]:
@@ -69,7 +70,7 @@ def measure_incremental(plan: IncrementalPlan, on_run: Listener = lambda _: None
 
     Args:
         plan: what to measure.
-        on_run: called before each process is started.
+        on_run: called before each process is started, and before each look at the profile.
 
     Raises:
         InternalError: a process failed, or repetitions did not do the same.
@@ -84,18 +85,17 @@ def measure_incremental(plan: IncrementalPlan, on_run: Listener = lambda _: None
             state = folder / f"{size}_state.duckdb"
             replace(jobs[size], task="prepare", state=str(state)).run()
         for side, job in jobs.items():
-            on_run(f"{side}: its channels")
             shutil.copy(folder / f"{_size(side)}_state.duckdb", _begun(folder, side))
-            replace(job, task="leave_out", state=str(_begun(folder, side))).run()
+            done(replace(job, task="leave_out", state=str(_begun(folder, side))))
         runs: dict[str, list[dict[str, Any]]] = {side: [] for side in SIDES}
         for turn in range(plan.repeat):
             for side, job in jobs.items():
                 on_run(f"{side}, run {turn + 1} of {plan.repeat}")
-                runs[side].append(_run(job, folder, side, "score"))
+                runs[side].append(_on_copy(StoredJob.run, job, folder, side, "score"))
         explained = {}
         for side, job in jobs.items():
             on_run(f"{side}: explain")
-            explained[side] = _run(job, folder, side, "explain")
+            explained[side] = _on_copy(done, job, folder, side, "explain")
     sides = {side: _side(plan, side, runs[side], explained[side]) for side in SIDES}
     return {
         "workload": {
@@ -154,10 +154,13 @@ def _begun(folder: Path, side: str) -> Path:
     return folder / f"{side}_begun.duckdb"
 
 
-def _run(job: StoredJob, folder: Path, side: str, task: str) -> dict[str, Any]:
+def _on_copy(
+    how: Callable[[StoredJob], dict[str, Any]], job: StoredJob, folder: Path, side: str, task: str
+) -> dict[str, Any]:
+    """Do a task on a fresh copy of the state that a side begins with."""
     state = folder / "state.duckdb"
     shutil.copy(_begun(folder, side), state)
-    figures = replace(job, task=task, state=str(state)).run()
+    figures = how(replace(job, task=task, state=str(state)))
     state.unlink()
     return figures
 

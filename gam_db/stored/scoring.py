@@ -18,7 +18,7 @@ from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource, parsed_condition, readings
-from gam_db.stored.planning import DAY, Cohort, Row, planned, portions, resumed
+from gam_db.stored.planning import DAY, Cohort, Row, assets_of, planned, portions, resumed
 from gam_db.stored.state import State, kind_of, now
 from gam_db.stored.steps import PUBLISHED, plan_steps, reading_steps, scoring_steps, setting_of
 
@@ -168,22 +168,29 @@ class _Run:
         engine = self.session.engine
         return readings(source, self.relation, lambda node: engine.micros_of(self.kind, node))
 
-    def _bounds(self, cohort: Cohort, earliest: int) -> list[exp.Expr]:
-        """Return the conditions of a cohort on the source's own columns, with literal bounds."""
+    def _bounds(
+        self, assets: Sequence[str] | None, earliest: int, latest: int = FAR_AHEAD
+    ) -> list[exp.Expr]:
+        """Return conditions on the source's own columns, with literal bounds."""
         conditions: list[exp.Expr] = []
+        time = template.column(self.source.time)
         if earliest > LONG_AGO:
             instant = self.session.engine.instant_of(self.kind, template.node_of(earliest))
-            conditions.append(exp.GTE(this=template.column(self.source.time), expression=instant))
-        if cohort.assets is not None and self.source.asset is not None:
+            conditions.append(exp.GTE(this=time, expression=instant))
+        if latest < FAR_AHEAD:
+            # The next one is excluded, so that nanoseconds after the last microsecond are not.
+            instant = self.session.engine.instant_of(self.kind, template.node_of(latest + 1))
+            conditions.append(exp.LT(this=time.copy(), expression=instant))
+        if assets is not None and self.source.asset is not None:
             named = exp.cast(template.column(self.source.asset), "VARCHAR")
-            texts = [template.text(asset) for asset in cohort.assets]
+            texts = [template.text(asset) for asset in assets]
             conditions.append(exp.In(this=named, expressions=texts))
         return conditions
 
     def _look(self, cohort: Cohort) -> list[Row]:
         self.on_step("looking at the source")
         steps = Pipeline()
-        steps.add("readings", self._readings(self._bounds(cohort, cohort.earliest)))
+        steps.add("readings", self._readings(self._bounds(cohort.assets, cohort.earliest)))
         add(steps, "source/names")
         rows: list[Row] = self.session.fetch(steps.query("names")).to_pylist()
         return rows
@@ -210,11 +217,15 @@ class _Run:
         earliest = min(row["read_from"] for row in group)
         try:
             running.load("cohort", _control(group, due, self.wanted.until))
-            rows = self._readings(self._bounds(cohort, earliest))
+            # A part of a cohort is found by name, or each part would read the rows of all.
+            assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
+            rows = self._readings(self._bounds(assets, earliest))
             running.put("identified", reading_steps(rows).query("identified", running.placed))
-            if any(due):
-                everything = reading_steps(self._readings([]), is_ranged=False)
-                running.put("recount", everything.query("recount", running.placed))
+            calibration = running.table("calibration_range").to_pylist()[0]
+            if any(due) and calibration["earliest"] is not None:
+                bounds = self._bounds(assets, calibration["earliest"], calibration["latest"])
+                counting = reading_steps(self._readings(bounds), is_ranged=False)
+                running.put("recount", counting.query("recount", running.placed))
             else:
                 running.load("recount", _NO_RECOUNT)
             for part in PUBLISHED:

@@ -15,11 +15,11 @@ from sqlglot import exp
 from gam_db.calibration import Calibration
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.method import Method
-from gam_db.method.adding import add, add_stacked
+from gam_db.method.adding import add
 from gam_db.method.calibration import add_breaks
 from gam_db.method.scoring import add_bucket_counts, add_buckets, add_numbered
 from gam_db.parameters import Parameters
-from gam_db.pipeline import Pipeline, filled, union_of
+from gam_db.pipeline import Pipeline, union_of
 
 #: What a run appends, in this order: the rows of *run* are its commit.
 PUBLISHED = ("bucket_rows", "novel_rows", "run_rows")
@@ -109,10 +109,9 @@ def scoring_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     steps = Pipeline(small=_KEPT)
     for name in ("channels", "bounds", "calibration", "support"):
         add(steps, f"stored/{name}")
-    rule = {"calibration_no": 0, "fraction": None, "duration": None}
-    rules = filled("calibration/rules", {**rule, "declared_end": None, "score_from": None})
-    add_stacked(steps, "rules", "calibration/rules", [rules])
-    for name in ("timeline", "collapsed", "samples"):
+    add(steps, "stored/calibration_range")
+    add(steps, "stored/repeats", name="timeline")
+    for name in ("collapsed", "samples"):
         add(steps, f"source/{name}")
     add(steps, "stored/seen")
     add(steps, "stored/run_up", {"span": span})
