@@ -39,7 +39,7 @@ class Running:
         self.session = session
         self.steps = steps
         self.placed: dict[str, exp.Table] = dict(given or {})
-        self._on_step = on_step
+        self.on_step = on_step
         self._kept: dict[str, exp.Table] = {}
 
     def query(self, step: str) -> exp.Query:
@@ -56,13 +56,13 @@ class Running:
     def table(self, step: str) -> pa.Table:
         """Return the rows of a step."""
         query = self.query(step)
-        self._on_step(step)
+        self.on_step(step)
         return self.session.fetch(query)
 
     def write(self, step: str, path: Path, table: str) -> None:
         """Write the rows of a step as Parquet, or as a table of a DuckDB file."""
         query = self.query(step)
-        self._on_step(step)
+        self.on_step(step)
         self.session.write(query, path, table)
 
     def keep(self, step: str) -> None:
@@ -72,7 +72,7 @@ class Running:
 
     def put(self, step: str, query: exp.Query) -> None:
         """Keep the rows of a query as the table of a step."""
-        self._on_step(step)
+        self.on_step(step)
         self._kept[step] = self.placed[step] = self.session.keep(step, query)
 
     def load(self, step: str, rows: pa.Table) -> None:

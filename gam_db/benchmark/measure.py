@@ -4,8 +4,6 @@ import datetime
 import os
 import platform
 import statistics
-import subprocess
-import sys
 import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -14,10 +12,9 @@ from pathlib import Path
 from typing import Any
 
 import gam_db
-from gam_db.benchmark import inside
-from gam_db.benchmark.one_run import PROGRAMS, Job, parsed
+from gam_db.benchmark import alone, inside
+from gam_db.benchmark.one_run import PROGRAMS, Job
 from gam_db.benchmark.workload import ORDERS
-from gam_db.errors import InternalError
 
 Listener = Callable[[str], None]
 
@@ -91,20 +88,36 @@ def measure(plan: Plan, on_run: Listener = lambda _: None) -> dict[str, Any]:
             for threads in plan.threads:
                 cases.append(_case(plan, folder, order, threads, on_run))
             Path(folder, f"by_{order}.duckdb").unlink()
-    parameters = inside.PARAMETERS
     return {
         "workload": {
             "channels": plan.channels,
             "samples": plan.samples,
             "rows": plan.channels * plan.samples,
             "calibration": inside.CALIBRATION.fraction,
-            "m": parameters.m,
-            "tau": parameters.tau,
-            "bins": parameters.bins,
-            "window": parameters.window,
-            "stride": parameters.bucket_length,
+            **parameters(),
         },
         "repeat": plan.repeat,
+        **circumstances(),
+        "meaning": list(MEANING),
+        "cases": cases,
+    }
+
+
+def parameters() -> dict[str, int]:
+    """Return the parameters of the method under which everything is measured."""
+    used = inside.PARAMETERS
+    return {
+        "m": used.m,
+        "tau": used.tau,
+        "bins": used.bins,
+        "window": used.window,
+        "stride": used.bucket_length,
+    }
+
+
+def circumstances() -> dict[str, Any]:
+    """Return what a figure depends on: versions, cores, date."""
+    return {
         "versions": {
             "gam_db": gam_db.__version__,
             "duckdb": version("duckdb"),
@@ -113,9 +126,23 @@ def measure(plan: Plan, on_run: Listener = lambda _: None) -> dict[str, Any]:
         },
         "cores": os.cpu_count(),
         "date": datetime.date.today().isoformat(),
-        "meaning": list(MEANING),
-        "cases": cases,
     }
+
+
+def spread(runs: list[dict[str, Any]], key: str, digits: int) -> dict[str, Any]:
+    """Return median, least and most of a figure of several runs, and all of them."""
+    figures = [round(run[key], digits) for run in runs]
+    return {
+        "median": round(statistics.median(figures), digits),
+        "min": min(figures),
+        "max": max(figures),
+        "runs": figures,
+    }
+
+
+def median_steps(runs: list[dict[str, Any]], key: str = "steps") -> dict[str, float]:
+    """Return the median seconds of each step of several runs."""
+    return {step: round(statistics.median(one[key][step] for one in runs), 4) for step in runs[0][key]}
 
 
 def run_alone(job: Job) -> dict[str, Any]:
@@ -124,18 +151,7 @@ def run_alone(job: Job) -> dict[str, Any]:
     Raises:
         InternalError: it failed; the message is the last line that it wrote.
     """
-    # The package may have been imported from a folder that a new interpreter would not search.
-    paths = [str(Path(gam_db.__file__).parent.parent), os.environ.get("PYTHONPATH", "")]
-    finished = subprocess.run(
-        [sys.executable, "-m", "gam_db.benchmark.one_run", job.text()],
-        capture_output=True,
-        text=True,
-        env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths))},
-    )
-    if finished.returncode:
-        last = finished.stderr.strip().rpartition("\n")[2]
-        raise InternalError(f"The benchmark's {job.task} failed: {last}")
-    return parsed(finished.stdout)
+    return alone.run("one_run", job.task, job.text())
 
 
 def _case(plan: Plan, folder: str, order: str, threads: int, on_run: Listener) -> dict[str, Any]:
@@ -151,8 +167,8 @@ def _case(plan: Plan, folder: str, order: str, threads: int, on_run: Listener) -
         "case": f"{order}-{threads}",
         "order": order,
         "threads": threads,
-        "seconds": {program: _spread(of, "seconds", 4) for program, of in runs.items()},
-        "peak_memory": {program: _spread(of, "peak_memory", 0) for program, of in runs.items()},
+        "seconds": {program: spread(of, "seconds", 4) for program, of in runs.items()},
+        "peak_memory": {program: spread(of, "peak_memory", 0) for program, of in runs.items()},
     }
     for name, (above, below) in RATIOS.items():
         both = above in runs and below in runs
@@ -162,10 +178,7 @@ def _case(plan: Plan, folder: str, order: str, threads: int, on_run: Listener) -
             else None
         )
     if "gam" in runs:
-        case["steps"] = {
-            step: round(statistics.median(one["steps"][step] for one in runs["gam"]), 4)
-            for step in runs["gam"][0]["steps"]
-        }
+        case["steps"] = median_steps(runs["gam"])
     if plan.compared:
         compared = run("compare")
         case["integers_equal"] = True  # else the process would have failed
@@ -174,13 +187,3 @@ def _case(plan: Plan, folder: str, order: str, threads: int, on_run: Listener) -
     if plan.explain:
         case["operators"] = run("explain")["operators"]
     return case
-
-
-def _spread(runs: list[dict[str, Any]], key: str, digits: int) -> dict[str, Any]:
-    figures = [round(run[key], digits) for run in runs]
-    return {
-        "median": round(statistics.median(figures), digits),
-        "min": min(figures),
-        "max": max(figures),
-        "runs": figures,
-    }

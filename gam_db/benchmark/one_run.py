@@ -4,15 +4,12 @@ The clock runs from before the database is opened until it is closed again; impo
 """
 
 import json
-import resource
-import sys
-import time
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from gam_db.benchmark import equal, extract, floor, inside, workload
-from gam_db.errors import GamError, InternalError
+from gam_db.benchmark import alone, equal, extract, floor, inside, workload
+from gam_db.errors import InternalError
 
 #: The programs that are timed, the first being ours.
 PROGRAMS = ("gam", "floor_on_ids", "floor_on_names", "extract")
@@ -46,19 +43,16 @@ class Job:
         return Path(self.folder) / f"{program}.duckdb"
 
 
-def parsed(output: str) -> dict[str, Any]:
-    """Return the figures that a process printed: its last line."""
-    figures: dict[str, Any] = json.loads(output.strip().rpartition("\n")[2])
-    return figures
-
-
 def done(job: Job) -> dict[str, Any]:
     """Do a job; return ``seconds``, ``peak_memory`` in MiB, and what the task itself found."""
+    job.result(job.task).unlink(missing_ok=True)
+    return alone.measured(lambda: _done(job))
+
+
+def _done(job: Job) -> dict[str, Any]:
     source = Path(job.folder) / f"by_{job.order}.duckdb"
     result = job.result(job.task)
-    result.unlink(missing_ok=True)
     found: dict[str, Any] = {}
-    started = time.perf_counter()
     if job.task == "gam":
         found["steps"] = inside.run(source, result, job.threads)
     elif job.task == "extract":
@@ -73,14 +67,8 @@ def done(job: Job) -> dict[str, Any]:
         found |= equal.compare(job.result("gam"), job.result("extract"))
     else:
         raise InternalError(f"The benchmark knows no task {job.task!r}.")
-    found["seconds"] = time.perf_counter() - started
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    found["peak_memory"] = peak / 2**20 if sys.platform == "darwin" else peak / 2**10
     return found
 
 
 if __name__ == "__main__":
-    try:
-        print(json.dumps(done(Job(**json.loads(sys.argv[1])))))
-    except GamError as error:
-        sys.exit(str(error))
+    alone.answer(lambda job: done(Job(**json.loads(job))))

@@ -52,7 +52,7 @@ def _case(case: dict[str, Any]) -> Iterator[str]:
         yield f"  integers of gam-db and the script are equal: {counts}{share}"
     if "steps" in case:
         yield "  seconds by step of gam-db: " + ", ".join(
-            f"{step} {seconds:.2f}" for step, seconds in _worthy(case["steps"]).items()
+            f"{step} {seconds:.2f}" for step, seconds in worthy(case["steps"]).items()
         )
     if "operators" in case:
         yield from _operators(case["operators"])
@@ -73,7 +73,8 @@ def _operators(operators: list[dict[str, Any]]) -> Iterator[str]:
     yield f"  {'all others':58}{small:9.2f}{small / total:8.0%}"
 
 
-def _worthy(seconds: dict[str, float]) -> dict[str, float]:
+def worthy(seconds: dict[str, float]) -> dict[str, float]:
+    """Return the steps worth a line, and what the others take together."""
     least = WORTH_A_LINE * sum(seconds.values())
     shown = {step: taken for step, taken in seconds.items() if taken >= least}
     return {**shown, "others": sum(seconds.values()) - sum(shown.values())}

@@ -18,7 +18,7 @@ import typer
 from typer.core import TyperGroup
 
 import gam_db
-from gam_db.cli.benchmark import benchmark
+from gam_db.cli.benchmark_stored import benchmarks
 from gam_db.cli.calibrate import calibrate
 from gam_db.cli.check import check
 from gam_db.cli.compile import compile_script
@@ -102,9 +102,9 @@ app.command()(init)
 app.command()(demo)
 app.command("compile")(compile_script)
 app.command()(evaluate)
-app.command()(benchmark)
 app.command()(calibrate)
 app.command()(score)
+app.add_typer(benchmarks, name="benchmark")
 app.command()(migrate)
 app.command()(drop)
 app.command()(status)

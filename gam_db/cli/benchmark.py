@@ -1,15 +1,15 @@
 """``gam benchmark``: what the SQL costs on this machine, beside its floor and the extract script."""
 
 import json
-from collections.abc import Sequence
-from typing import Annotated
+from collections.abc import Callable, Sequence
+from typing import Annotated, Any
 
 import typer
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from gam_db.benchmark import report
-from gam_db.benchmark.measure import Plan, measure
+from gam_db.benchmark.measure import Listener, Plan, measure
 from gam_db.benchmark.one_run import PROGRAMS
 from gam_db.benchmark.workload import ORDERS
 from gam_db.errors import ConfigurationError, nearest
@@ -37,26 +37,31 @@ def benchmark(
         channels=channels,
         samples=samples,
         repeat=repeat,
-        threads=tuple(_count(part) for part in _parts("threads", threads)),
-        orders=tuple(_chosen("order", order, list(ORDERS))),
-        programs=PROGRAMS if only is None else tuple(_chosen("only", only, PROGRAMS)),
+        threads=tuple(counts("threads", threads)),
+        orders=tuple(chosen("order", order, list(ORDERS))),
+        programs=PROGRAMS if only is None else tuple(chosen("only", only, PROGRAMS)),
         explain=explain,
     )
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
-        task = progress.add_task("", total=plan.runs)
-
-        def show(run: str) -> None:
-            # Called before a run: what is complete are the runs before it.
-            progress.update(task, description=run, completed=next(begun))
-
-        begun = iter(range(plan.runs))
-        figures = measure(plan, show)
+    figures = shown(plan.runs, lambda on_run: measure(plan, on_run))
     if as_json:
         typer.echo(json.dumps(figures, indent=2))
     else:
         for line in report.lines(figures):
             typer.echo(line)
+
+
+def shown(runs: int, work: Callable[[Listener], dict[str, Any]]) -> dict[str, Any]:
+    """Do some work while a bar on stderr shows how many of its runs are done."""
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        task = progress.add_task("", total=runs)
+
+        def show(run: str) -> None:
+            # Called before a run: what is complete are the runs before it.
+            progress.update(task, description=run, completed=next(begun))
+
+        begun = iter(range(runs))
+        return work(show)
 
 
 def _parts(option: str, text: str) -> list[str]:
@@ -66,7 +71,12 @@ def _parts(option: str, text: str) -> list[str]:
     return list(dict.fromkeys(parts))
 
 
-def _chosen(option: str, text: str, known: Sequence[str]) -> list[str]:
+def chosen(option: str, text: str, known: Sequence[str]) -> list[str]:
+    """Return the parts of an option's text, all of which must be known.
+
+    Raises:
+        ConfigurationError: one is not, or there is none.
+    """
     parts = _parts(option, text)
     for part in parts:
         if part not in known:
@@ -74,7 +84,14 @@ def _chosen(option: str, text: str, known: Sequence[str]) -> list[str]:
     return parts
 
 
-def _count(text: str) -> int:
-    if not (text.isascii() and text.isdigit() and int(text) > 0):
-        raise ConfigurationError(f"--threads is {text!r}; it takes positive integers, such as 1,2.")
-    return int(text)
+def counts(option: str, text: str) -> list[int]:
+    """Return the positive integers of an option's text.
+
+    Raises:
+        ConfigurationError: a part is none, or there is no part.
+    """
+    parts = _parts(option, text)
+    for part in parts:
+        if not (part.isascii() and part.isdigit() and int(part) > 0):
+            raise ConfigurationError(f"--{option} is {part!r}; it takes positive integers, such as 1,2.")
+    return [int(part) for part in parts]

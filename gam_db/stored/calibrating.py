@@ -242,6 +242,7 @@ def _write(
     loaded = state.session.load(pa.Table.from_pylist(numbering, schema=_NUMBERING))
     running.placed["numbering"] = loaded
     queries = {part: running.query(f"{part}_rows") for part in _WRITTEN}
+    running.on_step("writing")
     with state.session.transaction():
         if channels:
             state.append_rows("channel", pa.Table.from_pylist(channels))

@@ -36,8 +36,7 @@ class Cohort:
     @property
     def assets(self) -> list[str] | None:
         """The assets to be asked for by name; None where they are too many, or all are wanted."""
-        names = sorted({row["asset"] for row in self.channels})
-        return None if self.everyone or len(names) > _FEW else names
+        return None if self.everyone else assets_of(self.channels)
 
 
 @dataclass(frozen=True)
@@ -51,6 +50,12 @@ class Plan:
 
     cohorts: tuple[Cohort, ...]
     parked: tuple[Row, ...]
+
+
+def assets_of(channels: Iterable[Row]) -> list[str] | None:
+    """Return the assets of some channels, in order; None where they are too many for a query."""
+    names = sorted({row["asset"] for row in channels})
+    return None if len(names) > _FEW else names
 
 
 def planned(

@@ -12,10 +12,10 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db import look, template
-from gam_db.clock import LONG_AGO, TimeKind
+from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.engines.duckdb_session import Session
 from gam_db.source import AnySource, parsed_condition, readings
-from gam_db.stored.planning import Cohort, Row
+from gam_db.stored.planning import Row
 from gam_db.stored.state import State
 from gam_db.stored.steps import plan_steps
 
@@ -44,23 +44,34 @@ class Reader:
         self.kind = look.kind_of(self._source, columns, session)
         look.check_kind(self.kind, expected, name)
 
-    def readings(self, cohort: Cohort | None = None, earliest: int = LONG_AGO) -> exp.Query:
+    def readings(
+        self,
+        assets: Sequence[str] | None = None,
+        earliest: int = LONG_AGO,
+        latest: int = FAR_AHEAD,
+    ) -> exp.Query:
         """Return the step *readings*, with literal bounds where there are any.
 
         Args:
-            cohort: names the assets to be read, where they are few; None for all.
+            assets: to be read; None for all.
             earliest: nothing older is read.
+            latest: nothing newer is read.
         """
         conditions: list[exp.Expr] = []
+        time = template.column(self._source.time)
         if earliest > LONG_AGO:
-            instant = self._engine.instant_of(self.kind, template.node_of(earliest))
-            conditions.append(exp.GTE(this=template.column(self._source.time), expression=instant))
-        assets = None if cohort is None else cohort.assets
+            conditions.append(exp.GTE(this=time, expression=self._instant(earliest)))
+        if latest < FAR_AHEAD:
+            # The next one is excluded, so that nanoseconds after the last microsecond are not.
+            conditions.append(exp.LT(this=time.copy(), expression=self._instant(latest + 1)))
         if assets is not None and self._source.asset is not None:
             named = exp.cast(template.column(self._source.asset), "VARCHAR")
             texts = [template.text(asset) for asset in assets]
             conditions.append(exp.In(this=named, expressions=texts))
         return self._under(conditions)
+
+    def _instant(self, time: int) -> exp.Expr:
+        return self._engine.instant_of(self.kind, template.node_of(time))
 
     def undated(self) -> exp.Query:
         """Return the readings without a time."""

@@ -17,7 +17,7 @@ from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
-from gam_db.stored.planning import Cohort, Row, planned, portions, resumed
+from gam_db.stored.planning import Cohort, Row, assets_of, planned, portions, resumed
 from gam_db.stored.reading import Reader, cohort_of, last_times, plan_rows
 from gam_db.stored.state import State, kind_of, now
 from gam_db.stored.steps import DAY, PUBLISHED, reading_steps, scoring_steps, setting_of
@@ -179,7 +179,7 @@ class _Run:
 
     def _look(self, cohort: Cohort) -> list[Row]:
         self.on_step("looking at the source")
-        steps = reading_steps(self.reader.readings(cohort, cohort.earliest))
+        steps = reading_steps(self.reader.readings(cohort.assets, cohort.earliest))
         rows: list[Row] = self.session.fetch(steps.query("names")).to_pylist()
         return rows
 
@@ -207,12 +207,16 @@ class _Run:
             running.load(
                 "cohort", cohort_of(group, read_until=latest, recounted=[int(one) for one in due])
             )
-            if any(due):
-                everything = reading_steps(self.reader.readings(), is_ranged=False)
-                running.put("recount", everything.query("recount", running.placed))
+            # A part of a cohort is found by name, or each part would read the rows of all.
+            assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
+            calibration = running.table("calibration_range").to_pylist()[0]
+            if any(due) and calibration["earliest"] is not None:
+                healthy = self.reader.readings(assets, calibration["earliest"], calibration["latest"])
+                counting = reading_steps(healthy, is_ranged=False)
+                running.put("recount", counting.query("recount", running.placed))
             else:
                 running.load("recount", _NO_RECOUNT.empty_table())
-            rows = reading_steps(self.reader.readings(cohort, earliest))
+            rows = reading_steps(self.reader.readings(assets, earliest))
             running.put("identified", rows.query("identified", running.placed))
             for part in PUBLISHED:
                 running.prepare(part)

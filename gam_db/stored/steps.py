@@ -16,12 +16,12 @@ from gam_db import template
 from gam_db.calibration import Calibration
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.method import Method
-from gam_db.method.adding import add, add_of_set, add_stacked
+from gam_db.method.adding import add, add_of_set
 from gam_db.method.calibration import add_breaks, until_calibration_end
 from gam_db.method.scoring import add_bucket_counts, add_buckets, add_numbered
 from gam_db.method.vectors import add_vectors
 from gam_db.parameters import Parameters
-from gam_db.pipeline import Pipeline, filled, union_of
+from gam_db.pipeline import Pipeline, union_of
 
 #: A day, in microseconds.
 DAY = 86_400_000_000
@@ -158,10 +158,9 @@ def _sampled(setting: Setting, kind: TimeKind) -> tuple[Pipeline, Method]:
     steps = Pipeline(small=_KEPT)
     for name in ("channels", "bounds", "calibration", "support"):
         add(steps, f"stored/{name}")
-    rule = {"calibration_no": 0, "fraction": None, "duration": None}
-    rules = filled("calibration/rules", {**rule, "declared_end": None, "score_from": None})
-    add_stacked(steps, "rules", "calibration/rules", [rules])
-    for name in ("timeline", "collapsed", "samples"):
+    add(steps, "stored/calibration_range")
+    add(steps, "stored/repeats", name="timeline")
+    for name in ("collapsed", "samples"):
         add(steps, f"source/{name}")
     add_breaks(steps, method, 0)
     return steps, method
