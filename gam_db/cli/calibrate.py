@@ -32,6 +32,9 @@ from gam_db.stored.tables import StateTables
 
 NEEDS_ATTENTION = 2
 
+_WIDE = 100
+"""Columns below which the counts of calibration are left out, so that names have room."""
+
 Row = dict[str, Any]
 
 
@@ -269,16 +272,17 @@ def _lines(out: Console, rows: Sequence[Row], one_asset: bool) -> Iterator[Text]
         }
         for row in rows
     ]
-    widths = {key: max([len(key), *(len(row[key]) for row in cells)]) for key in cells[0]}
+    told = [key for key in cells[0] if out.width >= _WIDE or key not in ("vectors", "cells")]
+    widths = {key: max([len(key), *(len(row[key]) for row in cells)]) for key in told}
     free = out.width - 2 - sum(width + 2 for width in widths.values())
     width = min(max([7, *map(cell_len, names)]), max(12, free))
 
     def laid(name: str, row: Mapping[str, str]) -> str:
-        told = [
+        padded = [
             f"{row[key]:<{wide}}" if key in ("reason", "verdict") else f"{row[key]:>{wide}}"
             for key, wide in widths.items()
         ]
-        return f"{report.fit(name, width)}  {'  '.join(told)}"
+        return f"{report.fit(name, width)}  {'  '.join(padded)}"
 
     yield Text(f"  {laid('channel', {key: key for key in widths})}", style="bold")
     for name, row, cell in zip(names, rows, cells, strict=True):
