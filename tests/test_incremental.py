@@ -79,7 +79,7 @@ def put(connection: duckdb.DuckDBPyConnection, rows: list[Row]) -> None:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@settings(max_examples=max(EXAMPLES, settings().max_examples // 4))
+@settings(max_examples=max(EXAMPLES, settings().max_examples // 6))
 @given(seed=st.integers(0, 2**32))
 def test_any_history_ends_in_the_tables_of_one_full_run(kind: str, seed: int) -> None:
     told = history(kind, seed)
