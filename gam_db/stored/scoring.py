@@ -14,6 +14,7 @@ from sqlglot import exp
 
 from gam_db import look, template
 from gam_db.clock import FAR_AHEAD, LONG_AGO
+from gam_db.errors import SourceError
 from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline
 from gam_db.running import Listener, Running, unheard
@@ -186,7 +187,16 @@ class _Run:
         steps.add("readings", self._readings(self._bounds(cohort, cohort.earliest)))
         add(steps, "source/names")
         rows: list[Row] = self.session.fetch(steps.query("names")).to_pylist()
+        if not rows:
+            self._refuse_nothing()
         return rows
+
+    def _refuse_nothing(self) -> None:
+        """Refuse a source that holds nothing at all; that nothing is new is no error."""
+        condition = parsed_condition(self.source.where)
+        probe = exp.select(exp.Literal.number(1)).from_(self.relation).where(condition).limit(1)
+        if not self.session.fetch(probe).num_rows:
+            raise SourceError(look.NO_ROW)
 
     def _undated(self) -> int:
         steps = Pipeline()
@@ -210,13 +220,14 @@ class _Run:
         earliest = min(row["read_from"] for row in group)
         try:
             running.load("cohort", _control(group, due, self.wanted.until))
-            rows = self._readings(self._bounds(cohort, earliest))
-            running.put("identified", reading_steps(rows).query("identified", running.placed))
             if any(due):
+                # Before *identified* is kept, which holds the rows of the range only.
                 everything = reading_steps(self._readings([]), is_ranged=False)
                 running.put("recount", everything.query("recount", running.placed))
             else:
                 running.load("recount", _NO_RECOUNT)
+            rows = self._readings(self._bounds(cohort, earliest))
+            running.put("identified", reading_steps(rows).query("identified", running.placed))
             for part in PUBLISHED:
                 running.prepare(part)
             made = {row["channel_id"]: row for row in running.table("new_counts").to_pylist()}
