@@ -41,7 +41,10 @@ def opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:
                 f"{path} is open in another process; while one writes a DuckDB file, no other can open "
                 "it. Wait for it to end, or read a copy."
             ) from error
-        if writable and not os.access(path if path.exists() else path.parent, os.W_OK):
+        target = path if path.exists() else path.parent
+        if writable and not os.access(
+            target, os.W_OK, effective_ids=os.access in os.supports_effective_ids
+        ):
             raise EngineError(f"{path} cannot be written: you may only read it.") from error
         raise EngineError(
             f"{path} cannot be opened as a DuckDB file; is it one, and is its disk full?"

@@ -163,12 +163,13 @@ class Session:
         try:
             self._run(statement)
         except duckdb.IOException as error:
-            raise EngineError(
-                "The database cannot be written; is its disk full? What was there before is as it was."
-            ) from error
+            raise EngineError(_FULL) from error
         except StatementError as error:
+            # Of a commit that the disk had no room for, DuckDB says that the transaction failed.
+            if "Could not write file" in str(error.__cause__):
+                raise EngineError(_FULL) from error
             if isinstance(error.__cause__, duckdb.TransactionException):
-                raise EngineError(_CONFLICT) from error
+                raise EngineError(CONFLICT) from error
             if "read-only" in str(error.__cause__):
                 raise EngineError(_READ_ONLY) from error
             raise
@@ -384,7 +385,10 @@ def _temporary(name: str) -> exp.Table:
 
 _READ_ONLY = "The database is open for reading only; it cannot be changed."
 _OPEN = "The connection has a transaction open; commit it or roll it back first."
-_CONFLICT = (
-    "Another connection changed the same rows at the same time; nothing of this run was written. "
+_FULL = "The database cannot be written; is its disk full? What was there before is as it was."
+
+#: What is said to the slower one of two writers.
+CONFLICT = (
+    "Another connection changed the same tables at the same time; what was to be written here was not. "
     "Run it again."
 )
