@@ -13,6 +13,8 @@ from gam_db.engines.duckdb_session import Session
 from gam_db.errors import SourceError, nearest
 from gam_db.source import AnySource, WideSource, declared_kind
 
+NO_ROW = "The source has no row (after where, if there is one)."
+
 
 def resolved(source: AnySource, columns: dict[str, str], session: Session) -> AnySource:
     """Return the source with its channels named; check its columns against those of the relation.
@@ -87,7 +89,7 @@ def check_rows(names: pa.Table) -> None:
     """
     rows: list[dict[str, Any]] = names.to_pylist()
     if not rows:
-        raise SourceError("The source has no row (after where, if there is one).")
+        raise SourceError(NO_ROW)
     nameless = {
         role: sum(row["readings"] + row["without_time"] for row in rows if row[role] is None)
         for role in ("asset", "channel")

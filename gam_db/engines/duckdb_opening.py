@@ -21,8 +21,9 @@ _PER_READING = 100
 #: What is said of a connection that refuses to write.
 READ_ONLY = "The database is open for reading only; it cannot be changed."
 OPEN = "The connection has a transaction open; commit it or roll it back first."
+FULL = "The database cannot be written; is its disk full? What was there before is as it was."
 CONFLICT = (
-    "Another connection changed the same rows at the same time; nothing of this run was written. "
+    "Another connection changed the same tables at the same time; what was to be written here was not. "
     "Run it again."
 )
 
@@ -54,7 +55,10 @@ def opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:
                 f"{path} is open in another process; while one writes a DuckDB file, no other can open "
                 "it. Wait for it to end, or read a copy."
             ) from error
-        if writable and not os.access(path if path.exists() else path.parent, os.W_OK):
+        target = path if path.exists() else path.parent
+        if writable and not os.access(
+            target, os.W_OK, effective_ids=os.access in os.supports_effective_ids
+        ):
             raise EngineError(f"{path} cannot be written: you may only read it.") from error
         raise EngineError(
             f"{path} cannot be opened as a DuckDB file; is it one, and is its disk full?"

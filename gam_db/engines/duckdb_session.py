@@ -181,10 +181,11 @@ class Session:
         try:
             self._run(statement)
         except duckdb.IOException as error:
-            raise EngineError(
-                "The database cannot be written; is its disk full? What was there before is as it was."
-            ) from error
+            raise EngineError(duckdb_opening.FULL) from error
         except StatementError as error:
+            # Of a commit that the disk had no room for, DuckDB says that the transaction failed.
+            if "Could not write file" in str(error.__cause__):
+                raise EngineError(duckdb_opening.FULL) from error
             if isinstance(error.__cause__, duckdb.TransactionException):
                 raise EngineError(duckdb_opening.CONFLICT) from error
             if "read-only" in str(error.__cause__):

@@ -61,7 +61,8 @@ def calibrate(
             tells time in another way.
     """
     running, steps = study.running, study.steps
-    monitor = _monitor(state, study, name)
+    keys = state.keys()
+    monitor = _monitor(state, study, name, keys)
     add(steps, "stored/recount")
     add(steps, "stored/version_rows", {"long_ago": LONG_AGO, "created": now()})
     for part in ("calibration", "bounds", "block", "support"):
@@ -84,7 +85,7 @@ def calibrate(
         asked = filled("stored/wanted_names")
         place(asked, {"names": names, "wanted": wanted})
         running.placed["names"] = state.session.keep("wanted_names", asked)
-        made += _write(state, study, monitor, group, versions)
+        made += _write(state, study, monitor, group, versions, keys)
         state.session.forget(running.placed["names"])
         state.session.forget(wanted)
         running.placed["names"] = names
@@ -137,7 +138,7 @@ def _figures(setting: Parameters, gap: int | None) -> Row:
     }
 
 
-def _monitor(state: State, study: Study, name: str) -> Row:
+def _monitor(state: State, study: Study, name: str, keys: dict[str, int]) -> Row:
     kind = study.method.kind.value
     rows = state.monitors()
     for row in rows:
@@ -151,7 +152,7 @@ def _monitor(state: State, study: Study, name: str) -> Row:
     number = 1 + max((row["monitor_id"] for row in rows), default=0)
     monitor = {"monitor_id": number, "name": name, **described(study.source), "time_kind": kind}
     made = pa.Table.from_pylist([{**monitor, "created": now()}], schema=_MONITOR)
-    with state.session.transaction():
+    with state.alone(keys):
         state.append_rows("monitor", made)
     return monitor
 
@@ -197,6 +198,7 @@ def _write(
     monitor: Row,
     group: Sequence[Row],
     versions: Mapping[tuple[str, str], Row],
+    keys: dict[str, int],
 ) -> list[Row]:
     """Calibrate a group of channels, and append its versions in one transaction."""
     running = study.running
@@ -207,7 +209,7 @@ def _write(
             "stored/known_channels", {"monitor_id": monitor["monitor_id"]}
         ).to_pylist()
     }
-    last = state.last_numbers()
+    last = dict(keys)
     numbering: list[Row] = []
     channels: list[Row] = []
     for row in group:
@@ -243,7 +245,7 @@ def _write(
     running.placed["numbering"] = loaded
     queries = {part: running.query(f"{part}_rows") for part in _WRITTEN}
     running.on_step("writing")
-    with state.session.transaction():
+    with state.alone(keys):
         if channels:
             state.append_rows("channel", pa.Table.from_pylist(channels))
         for part, query in queries.items():

@@ -13,6 +13,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.base import Engine
+from gam_db.engines.duckdb_opening import CONFLICT
 from gam_db.engines.duckdb_session import Session
 from gam_db.errors import EngineError, StateError
 from gam_db.stored.migration_files import RECORD, Migration, files
@@ -103,13 +104,16 @@ def migrate(
 
     Raises:
         StateError: see :func:`status`.
-        EngineError: the database cannot be written.
+        EngineError: the database cannot be written, or another connection migrates it now.
     """
     pending = status(session, tables).pending
     for migration in pending:
         if on_step is not None:
             on_step(migration.name)
         with session.transaction():
+            done = recorded(session, tables, session.relations(tables.schema))
+            if len(done) >= migration.number:
+                raise EngineError(CONFLICT)
             for statement in _complete(migration, session.engine, tables, time.time_ns() // 1000):
                 session.execute(statement)
     return pending

@@ -35,7 +35,7 @@ class Reader:
     """
 
     def __init__(self, session: Session, source: AnySource, expected: TimeKind, name: str) -> None:
-        self._engine = session.engine
+        self._session, self._engine = session, session.engine
         self._relation = session.relation(source.relation)
         columns = session.describe(self._relation)
         if source.where is not None:
@@ -72,6 +72,12 @@ class Reader:
 
     def _instant(self, time: int) -> exp.Expr:
         return self._engine.instant_of(self.kind, template.node_of(time))
+
+    def is_empty(self) -> bool:
+        """Tell whether the source holds nothing at all; that nothing is new is another matter."""
+        condition = parsed_condition(self._source.where)
+        probe = exp.select(exp.Literal.number(1)).from_(self._relation.copy()).where(condition).limit(1)
+        return not self._session.fetch(probe).num_rows
 
     def undated(self) -> exp.Query:
         """Return the readings without a time."""

@@ -10,9 +10,9 @@ from dataclasses import dataclass, field
 
 import pyarrow as pa
 
-from gam_db import template
+from gam_db import look, template
 from gam_db.clock import FAR_AHEAD, shown_instant
-from gam_db.errors import ParameterError
+from gam_db.errors import ParameterError, SourceError
 from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline
 from gam_db.running import Listener, Running, unheard
@@ -181,6 +181,8 @@ class _Run:
         self.on_step("looking at the source")
         steps = reading_steps(self.reader.readings(cohort.assets, cohort.earliest))
         rows: list[Row] = self.session.fetch(steps.query("names")).to_pylist()
+        if not rows and self.reader.is_empty():
+            raise SourceError(look.NO_ROW)
         return rows
 
     def _undated(self) -> int:

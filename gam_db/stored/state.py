@@ -3,9 +3,10 @@
 This module owns how state tables are read and appended to. It decides nothing.
 """
 
+import contextlib
 import secrets
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,8 +15,9 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import TimeKind
+from gam_db.engines.duckdb_opening import CONFLICT
 from gam_db.engines.duckdb_session import Session
-from gam_db.errors import ConfigurationError, nearest
+from gam_db.errors import ConfigurationError, EngineError, nearest
 from gam_db.pipeline import filled, place
 from gam_db.stored.tables import StateTables
 
@@ -95,6 +97,41 @@ class State:
         """Return the largest key in use: of monitor, channel, version, support and run."""
         rows = self.fetch("stored/last_numbers").to_pylist()
         return {row["kind"]: row["last_id"] or 0 for row in rows}
+
+    def keys(self) -> dict[str, int]:
+        """Return the largest key in use, but for runs: what calibrating adds to."""
+        return {kind: last for kind, last in self.last_numbers().items() if kind != "run"}
+
+    @contextlib.contextmanager
+    def alone(self, keys: dict[str, int]) -> Iterator[None]:
+        """Do all inside as one transaction, whose new keys no other writer gives.
+
+        Two scoring runs at once do no harm, since the larger run id hides the other; two calibrations
+        would give the same keys twice. So each touches one row, which only one of them may, and one
+        that begins when the other has ended finds other keys than it was made for.
+
+        Args:
+            keys: what :meth:`keys` said before the decision on what to write; brought up to date.
+
+        Raises:
+            EngineError: another connection was faster; nothing of this transaction was written.
+        """
+        with self.session.transaction():
+            self._touch()
+            if self.keys() != keys:
+                raise EngineError(CONFLICT)
+            yield
+            keys.update(self.keys())
+
+    def _touch(self) -> None:
+        """Change a row and change it back: the same value alone would be no change to DuckDB."""
+        one = exp.Literal.number(1)
+        for change in (exp.Add, exp.Sub):
+            applied = exp.column("applied_at")
+            changed = exp.EQ(this=applied, expression=change(this=applied.copy(), expression=one.copy()))
+            first = exp.Where(this=exp.EQ(this=exp.column("number"), expression=one.copy()))
+            record = self.tables.table("migration")
+            self.session.execute(exp.Update(this=record, expressions=[changed], where=first))
 
     def next_run(self) -> int:
         """Return a run id above all others."""

@@ -1,0 +1,337 @@
+"""Killed at any moment (kill -9), a run leaves a state that it passes through, and a plain run goes on.
+
+What a run passes through is watched on a copy of the database file, where it is left alone. The killed
+ones are real processes on a real file; some are killed again before anyone looks.
+"""
+
+import itertools
+import random
+import shutil
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import frozen
+import gam_db
+import harness
+from batches import Arrivals
+from gam_db.engines.duckdb_session import Session
+from gam_db.errors import StateError
+from gam_db.stored.migration_files import files
+from gam_db.stored.monitor import Monitor
+from gam_db.stored.tables import TABLES
+from strategies import Row
+from test_incremental import BUCKETS, NOVEL, put, rows_of
+from test_migrations import catalog
+from victims import Moment, Victims, carry_out
+
+#: How many running processes are killed of each command.
+KILLS = {"migrate": 20, "calibrate": 22, "score": 58}
+
+PARAMETERS: dict[str, Any] = {
+    **{"m": 2, "tau": 3, "bins": 4, "window": 20, "stride": 5},
+    "overrides": [{"asset": "q*", "channel": "*", "m": 3, "tau": 1, "window": 12, "stride": 4}],
+}
+CALIBRATION: dict[str, Any] = {"fraction": 0.4, "pool": [["p1", "p2", "p3"]]}
+LOOKBACK = 8
+METHOD: dict[str, Any] = {
+    "parameters": PARAMETERS,
+    "calibration": CALIBRATION,
+    "lookback": LOOKBACK,
+}
+
+#: Rows of each channel, and those of them that are there when calibration is frozen.
+LENGTH, FIRST = 340, 220
+
+#: Most rows that a run works on at once, so that it takes several transactions.
+GROUP = 1000
+
+#: What calibration leaves, and what says of which version it is.
+LEARNT = {
+    "calibration": "version_id",
+    "bounds": "support_id",
+    "block": "support_id",
+    "support": "support_id",
+}
+
+SIZES = "SELECT table_name, estimated_size FROM duckdb_tables() WHERE NOT temporary ORDER BY ALL"
+
+#: Columns that differ from run to run.
+STAMPS = ("run_id", "created", "started", "committed", "applied_at")
+
+State = dict[str, list[tuple[Any, ...]]]
+Look = Callable[[Session], Any]
+
+
+@pytest.fixture(scope="module")
+def program() -> Iterator[Victims]:
+    victims = Victims()
+    yield victims
+    victims.close()
+
+
+@pytest.fixture
+def victims(program: Victims) -> Victims:
+    program.killed = 0
+    return program
+
+
+# The plant
+
+
+@dataclass
+class Plant:
+    """Twelve channels that repeat a pattern, and later on less so; their rows come in batches."""
+
+    first: list[Row] = field(default_factory=list)
+    batches: list[list[Row]] = field(default_factory=list)
+
+    @property
+    def final(self) -> list[Row]:
+        """All rows, some of them more than once."""
+        return [*self.first, *itertools.chain(*self.batches)]
+
+
+@cache
+def plant() -> Plant:
+    chance = random.Random(20240229)
+    rows: list[Row] = []
+    for asset, channel in itertools.product(["a", "b", "p1", "p2", "p3", "q"], ["x", "y"]):
+        pattern = [chance.random() for _ in range(chance.randint(3, 6))]
+        for time_of in range(LENGTH):
+            oddness = 0.02 if time_of < FIRST else 0.2
+            usual = pattern[time_of % len(pattern)]
+            rows.append(
+                (asset, channel, time_of, chance.choice([None, chance.random()]))
+                if chance.random() < oddness
+                else (asset, channel, time_of, usual)
+            )
+    first = [row for row in rows if row[2] < FIRST]
+    arrivals = Arrivals(chance, first, [row for row in rows if row[2] >= FIRST], LOOKBACK)
+    made = Plant(first)
+    made.batches += [arrivals.next() for _ in range(4)]
+    while arrivals.pending:
+        made.batches[-1].extend(arrivals.next())
+    return made
+
+
+@contextmanager
+def opened(path: Path) -> Iterator[Session]:
+    with gam_db.connect(path, threads=1) as session:
+        yield session
+
+
+def monitor(session: Session) -> Monitor:
+    parameters, calibration = harness.made(PARAMETERS, CALIBRATION)
+    return Monitor(session, gam_db.Source("telemetry"), parameters, calibration, lookback=LOOKBACK)
+
+
+def founded(path: Path, rows: list[Row]) -> Path:
+    """Make a database file that holds rows of the source."""
+    with opened(path) as session:
+        session.connection.execute(
+            "CREATE TABLE telemetry (asset VARCHAR, channel VARCHAR, time BIGINT, value DOUBLE)"
+        )
+        put(session.connection, rows)
+    return path
+
+
+def stored(session: Session) -> State:
+    """Return all rows of the state tables, hidden or not, but for what differs from run to run."""
+    there = session.relations()
+    state: State = {}
+    for table in TABLES:
+        columns = [column for column in there[f"gam_{table}"] if column not in STAMPS]
+        query = f"SELECT {', '.join(columns)} FROM gam_{table} ORDER BY ALL"
+        state[table] = session.connection.execute(query).fetchall()
+    return state
+
+
+def results(session: Session) -> list[Any]:
+    """Return what is seen and what was learnt, names in the place of numbers."""
+    connection = session.connection
+    found: list[Any] = [rows_of(connection, BUCKETS), rows_of(connection, NOVEL)]
+    for table, key in LEARNT.items():
+        query = f"""
+            SELECT named.asset, named.channel, frozen.version_no, learnt.*
+            FROM gam_{table} AS learnt JOIN gam_version AS frozen USING ({key})
+            JOIN gam_channel AS named ON named.channel_id = frozen.channel_id
+        """
+        rows = [
+            tuple((name, value) for name, value in row.items() if not name.endswith("_id"))
+            for row in rows_of(connection, query)
+        ]
+        found.append(sorted(rows, key=repr))
+    return found
+
+
+def by_channel(session: Session) -> dict[tuple[str, str], list[Any]]:
+    """Return what is seen of each channel; that nothing else is there is checked."""
+    seen: dict[tuple[str, str], list[Any]] = {}
+    for table, query in (("bucket", BUCKETS), ("novel", NOVEL)):
+        rows = rows_of(session.connection, query)
+        kept = session.connection.execute(f"SELECT COUNT(*) FROM gam_{table}").fetchall()
+        assert kept == [(len(rows),)], "rows that are hidden, or of no run, are left"
+        for row in rows:
+            seen.setdefault((row["asset"], row["channel"]), []).append(row)
+    return seen
+
+
+# Killing
+
+
+@dataclass
+class Course:
+    """What an uninterrupted run goes through.
+
+    Attributes:
+        seconds: it takes, from when the file is open until it is closed.
+        states: those before it, after each of its transactions, and in the end.
+        steps: what it announces, that the file is open first of all.
+    """
+
+    seconds: float
+    states: list[Any] = field(default_factory=list)
+    steps: list[str] = field(default_factory=lambda: ["open"])
+
+
+def course(victims: Victims, before: Path, look: Look, **order: Any) -> Course:
+    """Let a command run to its end on copies of a file, and note the states on the way."""
+    copy = before.with_suffix(".course")
+    passed = Course(victims.lifetime(database=str(shutil.copy(before, copy)), **order, **METHOD))
+    shutil.copy(before, copy)
+
+    sizes: list[Any] = []
+
+    def note(step: str = "") -> None:
+        passed.steps += [step] * bool(step)
+        # Looking takes a while; what is to be seen has changed only if some table has grown.
+        now = session.connection.execute(SIZES).fetchall()
+        if not sizes or sizes[-1] != now:
+            sizes.append(now)
+            passed.states.append(look(session))
+
+    with opened(copy) as session:
+        carry_out(monitor(session), order["command"], order["options"], note)
+        note()
+    copy.unlink()
+    return passed
+
+
+def moments(chance: random.Random, passed: Course) -> Iterator[Moment]:
+    """Yield random moments: any time, on a step, and shortly after what precedes a transaction."""
+    before = [n for n, step in enumerate(passed.steps, 1) if step in ("writing", "verdicts", "run_up")]
+    while True:
+        yield Moment(1, chance.uniform(0, passed.seconds))
+        yield Moment(chance.randint(1, len(passed.steps)))
+        if before:
+            yield Moment(chance.choice(before))
+            yield Moment(chance.choice(before), chance.uniform(0, 0.2 * passed.seconds))
+
+
+def hit(victims: Victims, chosen: Iterator[Moment], before: Path, path: Path, **order: Any) -> Moment:
+    """Kill a process at work on a copy of a file; one that was faster does not count."""
+    for moment in itertools.islice(chosen, 50):
+        shutil.copy(before, path)
+        if victims.kill(moment, database=str(path), **order, **METHOD):
+            return moment
+    raise AssertionError("fifty processes ended before they were killed")
+
+
+def test_at_least_a_hundred_processes_are_killed() -> None:
+    assert sum(KILLS.values()) >= 100
+
+
+def test_killed_while_migrating(tmp_path: Path, victims: Victims) -> None:
+    chance = random.Random(1)
+    empty = founded(tmp_path / "empty.duckdb", plant().first[:50])
+    path = tmp_path / "plant.duckdb"
+
+    def look(session: Session) -> Any:
+        there = "gam_migration" in session.relations()
+        query = "SELECT number, name, checksum FROM gam_migration ORDER BY number"
+        return catalog(session), session.connection.execute(query).fetchall() if there else []
+
+    order: dict[str, Any] = {"command": "migrate", "options": {}}
+    passed = course(victims, empty, look, **order)
+    chosen = moments(chance, passed)
+    while victims.killed < KILLS["migrate"]:
+        moment = hit(victims, chosen, empty, path, **order)
+        with opened(path) as session:
+            assert look(session) in passed.states, moment
+            if look(session) != passed.states[-1]:
+                with pytest.raises(StateError, match="run `gam migrate`"):
+                    monitor(session).score()
+            monitor(session).migrate()
+            assert look(session) == passed.states[-1], moment
+    assert len(passed.states) == 1 + len(files())
+
+
+def test_killed_while_calibrating(tmp_path: Path, victims: Victims) -> None:
+    chance = random.Random(2)
+    path = tmp_path / "plant.duckdb"
+    before = founded(tmp_path / "before.duckdb", plant().first)
+    with opened(before) as session:
+        monitor(session).migrate()
+    order: dict[str, Any] = {"command": "calibrate", "options": {"limit": GROUP}}
+    passed = course(victims, before, stored, **order)
+    assert len(passed.states) >= 5, "before, the monitor, and at least three groups"
+    chosen = moments(chance, passed)
+    while victims.killed < KILLS["calibrate"]:
+        moment = hit(victims, chosen, before, path, **order)
+        if chance.random() < 0.3:
+            victims.kill(next(chosen), database=str(path), **order, **METHOD)
+        with opened(path) as session:
+            assert stored(session) in passed.states, moment
+            monitor(session).calibrate(limit=GROUP)
+            assert stored(session) == passed.states[-1], moment
+
+
+def test_killed_while_scoring(tmp_path: Path, victims: Victims) -> None:
+    chance = random.Random(3)
+    before, path = tmp_path / "before.duckdb", tmp_path / "plant.duckdb"
+    with opened(founded(before, plant().first)) as session:
+        monitor(session).migrate()
+        monitor(session).calibrate(limit=GROUP)
+    rounds = [plant().first[:0], *plant().batches, []]
+    each = -(-KILLS["score"] // len(rounds))
+    transactions = 0
+    for number, rows in enumerate(rounds, start=1):
+        with opened(before) as session:
+            put(session.connection, rows)
+        # The first run reads everything, and so does the last; between them there are few rows.
+        limit = {1: GROUP, len(rounds): 2 * GROUP}.get(number, GROUP // 2)
+        options: dict[str, Any] = {"limit": limit, "full": number == len(rounds)}
+        order: dict[str, Any] = {"command": "score", "options": options}
+        passed = course(victims, before, by_channel, **order)
+        transactions += passed.steps.count("writing")
+        start, end = passed.states[0], passed.states[-1]
+        chosen = moments(chance, passed)
+        while victims.killed < min(number * each, KILLS["score"]):
+            moment = hit(victims, chosen, before, path, **order)
+            again = chance.random() < 0.3 and victims.kill(
+                next(chosen), database=str(path), **order, **METHOD
+            )
+            with opened(path) as session:
+                found = by_channel(session)
+                for name in end:
+                    assert found.get(name) in (start.get(name), end[name]), (name, moment)
+                assert again or found in passed.states, moment
+                monitor(session).score(**options)
+                assert by_channel(session) == end, moment
+        shutil.copy(path, before)
+    assert transactions >= 2 * len(rounds)
+    with opened(before) as session, opened(founded(tmp_path / "fresh.duckdb", plant().first)) as fresh:
+        monitor(fresh).migrate()
+        monitor(fresh).calibrate()
+        put(fresh.connection, list(itertools.chain(*plant().batches)))
+        monitor(fresh).score()
+        assert results(session) == results(fresh)
+        asked = (plant().first, plant().final, *harness.made(PARAMETERS, CALIBRATION))
+        harness.assert_same(frozen.buckets(*asked), rows_of(session.connection, BUCKETS), "buckets")
+        harness.assert_same(frozen.novel_cells(*asked), rows_of(session.connection, NOVEL), "novel")
