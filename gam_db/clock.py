@@ -49,6 +49,11 @@ class TimeKind(Enum):
         """True for an integer counter, false for anything a calendar can place."""
         return self is TimeKind.COUNTER
 
+    @property
+    def has_zone(self) -> bool:
+        """True if its timestamps say that they are UTC."""
+        return self in (TimeKind.TIMESTAMP_WITH_ZONE, TimeKind.NANOSECONDS_WITH_ZONE)
+
 
 def instant(value: object, kind: TimeKind, what: str) -> int:
     """Return an instant as an integer: a counter value, or microseconds since 1970 (UTC).
@@ -87,6 +92,13 @@ def instant(value: object, kind: TimeKind, what: str) -> int:
         f"{what} is {value!r}, but the source tells time by timestamps; give a datetime or a text "
         "like 2026-03-01T06:00:00."
     )
+
+
+def shown_instant(tick: int, kind: TimeKind) -> str:
+    """Return integer time as :func:`instant` takes it: a counter value, or an ISO 8601 text (UTC)."""
+    if kind.is_counter:
+        return str(tick)
+    return (_EPOCH.replace(tzinfo=None) + tick * _MICROSECOND).isoformat()
 
 
 def length(value: object, kind: TimeKind, what: str) -> int:

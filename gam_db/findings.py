@@ -1,6 +1,7 @@
 """Findings: what the numbers of each channel say to the engineer, and whether they ask for attention.
 
-This module owns the rule of attention and the remarks in plain words. It knows no terminal.
+This module owns the rule of attention and the remarks in plain words, for a recording just studied and
+for what is stored of a monitor alike. It knows no terminal.
 
 A channel needs attention in two cases:
 
@@ -15,7 +16,7 @@ calibration: then nothing is watched at all.
 """
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -28,6 +29,9 @@ from gam_db.study import Study
 
 #: Every status, the most urgent first.
 STATUSES = ("high", "setup", "waiting", "ok", "not assessed")
+
+#: Those that ask for attention.
+URGENT = STATUSES[:2]
 
 #: What the other columns of a support row say is a count or a share; these are read by name here.
 Row = dict[str, Any]
@@ -46,7 +50,7 @@ class Finding:
         hi: the last health indicator, a share; None until a window is scored.
         time: the instant of the last full bucket as the source tells time; None if there is none.
         scored: vectors in full buckets, missing ones left out.
-        course: the health indicator at the end of each bucket; NaN until a window is scored.
+        course: the health indicator so far, oldest first; NaN until a window is scored.
         remarks: what is to be known, in plain words.
     """
 
@@ -75,7 +79,31 @@ class Finding:
     @property
     def needs_attention(self) -> bool:
         """Tell whether somebody should look at it."""
-        return self.status in ("high", "setup")
+        return self.status in URGENT
+
+
+@dataclass(frozen=True)
+class Course:
+    """What a channel showed since it is scored.
+
+    Attributes:
+        hi: (points,) the health indicator, oldest first; NaN until a window is scored.
+        now: its last value; None until a window is scored.
+        highest: its highest value; None until a window is scored.
+        vectors: scored vectors in full buckets.
+        novel, out_of_range: of those of the last window, or of as many as there are.
+        has_moved: a vector was novel at some time.
+        time: the instant of the last full bucket as the source tells time.
+    """
+
+    hi: NDArray[np.float64]
+    now: float | None
+    highest: float | None
+    vectors: int
+    novel: int
+    out_of_range: int
+    has_moved: bool
+    time: Any
 
 
 def findings(study: Study) -> list[Finding]:
@@ -85,32 +113,89 @@ def findings(study: Study) -> list[Finding]:
         UserError: the source cannot be used.
     """
     support = study.table("support_summary").to_pylist()
-    courses = _courses(study.table("bucket_health"))
     settings = {
         (row["asset"], row["channel"]): study.method.settings[row["settings_no"]]
         for row in study.table("channels").to_pylist()
     }
+    courses = _courses(study.table("bucket_health"), settings)
     found = []
     for row in support:
         name = (row["asset"], row["channel"])
-        found.append(_finding(row, settings[name], courses.get(name)))
-    return sorted(found, key=_urgency)
+        found.append(finding(row, settings[name], courses.get(name)))
+    return sorted(found, key=urgency)
+
+
+def finding(row: Row, setting: Parameters, course: Course | None) -> Finding:
+    """Return the finding of one channel.
+
+    Args:
+        row: what was learnt of it, as in the support.
+        setting: its parameters.
+        course: what it showed; None while no bucket is full.
+    """
+    limit = limit_of(row["floor"], row["floor_max"], setting.target_floor)
+    hi = None if course is None else course.now
+    status = status_of(row["verdict"], hi, limit)
+    return Finding(
+        asset=row["asset"],
+        channel=row["channel"],
+        status=status,
+        support=row,
+        window=setting.window,
+        limit=limit,
+        hi=hi,
+        time=None if course is None else course.time,
+        scored=0 if course is None else course.vectors,
+        course=np.empty(0) if course is None else course.hi,
+        remarks=tuple(_remarks(row, setting, status, limit, course)),
+    )
+
+
+def limit_of(floor: float | None, floor_max: float | None, target_floor: float) -> float | None:
+    """Return the health indicator above which a channel is high; None without a certificate."""
+    if floor is None or floor_max is None:
+        return None
+    return max(2 * floor, floor_max, target_floor)
+
+
+def status_of(verdict: str, hi: float | None, limit: float | None) -> str:
+    """Return the status of a channel: its verdict, and its health indicator against the limit."""
+    if verdict in ("constant", "no_data"):
+        return "not assessed"
+    if verdict != "ready":
+        return "setup"
+    if hi is None or limit is None:
+        return "waiting"
+    return "high" if hi > limit else "ok"
+
+
+def urgency(one: Finding) -> tuple[int, bool, float, str, str]:
+    """Return what findings are sorted by, the most urgent first."""
+    return (
+        STATUSES.index(one.status),
+        not one.is_above,
+        -(one.hi if one.hi is not None else -1.0),
+        one.asset,
+        one.channel,
+    )
 
 
 def need_attention(found: Sequence[Finding]) -> bool:
     """Tell whether a recording needs attention; see the module."""
-    return any(one.needs_attention for one in found) or all(one.verdict == "no_data" for one in found)
+    return any_needs_attention((one.status, one.verdict) for one in found)
 
 
-@dataclass(frozen=True)
-class _Course:
-    hi: NDArray[np.float64]
-    novel: NDArray[np.int64]
-    out_of_range: NDArray[np.int64]
-    last_time: Any
+def any_needs_attention(channels: Iterable[tuple[str, str]]) -> bool:
+    """Tell the same from the statuses and verdicts of all channels."""
+    known = set(channels)
+    return any(status in URGENT for status, _ in known) or {verdict for _, verdict in known} <= {
+        "no_data"
+    }
 
 
-def _courses(buckets: pa.Table) -> dict[tuple[str, str], _Course]:
+def _courses(
+    buckets: pa.Table, settings: Mapping[tuple[str, str], Parameters]
+) -> dict[tuple[str, str], Course]:
     """Cut the buckets, which come in order, into one course per channel."""
     if not buckets.num_rows:
         return {}
@@ -121,87 +206,70 @@ def _courses(buckets: pa.Table) -> dict[tuple[str, str], _Course]:
     hi = buckets["hi"].to_numpy()
     novel = buckets["novel"].to_numpy()
     out_of_range = buckets["out_of_range"].to_numpy()
-    return {
-        (buckets["asset"][start].as_py(), buckets["channel"][start].as_py()): _Course(
-            hi[start:end],
-            novel[start:end],
-            out_of_range[start:end],
-            buckets["last_time"][end - 1].as_py(),
+    courses = {}
+    for start, end in itertools.pairwise(edges):
+        name = (buckets["asset"][start].as_py(), buckets["channel"][start].as_py())
+        setting = settings[name]
+        window = slice(max(start, end - setting.window // setting.bucket_length), end)
+        course = hi[start:end]
+        is_complete = not np.isnan(course[-1])
+        courses[name] = Course(
+            hi=course,
+            now=float(course[-1]) if is_complete else None,
+            highest=float(np.nanmax(course)) if is_complete else None,
+            vectors=len(course) * setting.bucket_length,
+            novel=int(novel[window].sum()),
+            out_of_range=int(out_of_range[window].sum()),
+            has_moved=bool(novel[start:end].any()),
+            time=buckets["last_time"][end - 1].as_py(),
         )
-        for start, end in itertools.pairwise(edges)
-    }
-
-
-def _finding(row: Row, setting: Parameters, course: _Course | None) -> Finding:
-    limit = None
-    if row["floor"] is not None:
-        limit = max(2 * row["floor"], row["floor_max"], setting.target_floor)
-    hi = None
-    if course is not None and not np.isnan(course.hi[-1]):
-        hi = float(course.hi[-1])
-    scored = 0 if course is None else len(course.hi) * setting.bucket_length
-    status = _status(row["verdict"], hi, limit)
-    return Finding(
-        asset=row["asset"],
-        channel=row["channel"],
-        status=status,
-        support=row,
-        window=setting.window,
-        limit=limit,
-        hi=hi,
-        time=None if course is None else course.last_time,
-        scored=scored,
-        course=np.empty(0) if course is None else course.hi,
-        remarks=tuple(_remarks(row, setting, status, hi, limit, scored, course)),
-    )
-
-
-def _status(verdict: str, hi: float | None, limit: float | None) -> str:
-    if verdict in ("constant", "no_data"):
-        return "not assessed"
-    if verdict != "ready":
-        return "setup"
-    if hi is None or limit is None:
-        return "waiting"
-    return "high" if hi > limit else "ok"
+    return courses
 
 
 def _remarks(
-    row: Row,
-    setting: Parameters,
-    status: str,
-    hi: float | None,
-    limit: float | None,
-    scored: int,
-    course: _Course | None,
+    row: Row, setting: Parameters, status: str, limit: float | None, course: Course | None
 ) -> list[str]:
-    remarks = []
-    verdict = row["verdict"]
-    if verdict == "constant":
-        remarks.append(f"was constant in calibration{_moved(course)}: not assessable")
-    elif verdict == "no_data" and row["lo"] is None:
-        remarks.append("no usable sample in calibration: not assessable")
-    elif verdict == "no_data":
-        remarks.append(
-            f"calibration holds no run of {setting.span + 1:,} samples without gap or missing value: "
-            "not assessable"
-        )
-    elif verdict == "too_fine":
-        remarks.append(f"grid too fine for its calibration, {row['finest_bins']:,} bins would pass")
-    elif verdict == "needs_data":
-        remarks.append(f"calibration too short, {_more(row['vectors_needed'])}")
+    has_moved = course is not None and course.has_moved
+    remarks = shortcomings(row, setting.span, has_moved)
+    hi = None if course is None else course.now
     if status != "not assessed":
-        if hi is None:
+        if course is None or hi is None:
+            scored = 0 if course is None else course.vectors
             remarks.append(f"HI not yet available: {scored:,} of {setting.window:,} vectors scored")
         elif limit is not None and hi > limit:
-            remarks.append(f"above its limit of {share(limit)}{_out_of_range(course, setting)}")
-        elif limit is not None and course is not None and np.nanmax(course.hi) > limit:
-            remarks.append(f"below its limit of {share(limit)} now, was up to {_highest(course)}")
-    if row["missing_vectors"]:
+            remarks.append(f"above its limit of {share(limit)}{_out_of_range(course)}")
+        elif limit is not None and course.highest is not None and course.highest > limit:
+            remarks.append(f"below its limit of {share(limit)} now, was up to {share(course.highest)}")
+    if row.get("missing_vectors"):
         remarks.append(f"{row['missing_vectors']:,} vectors incomplete")
-    if row["conflicts"]:
+    if row.get("conflicts"):
         remarks.append(f"{row['conflicts']:,} instants with different values, the smallest taken")
     return remarks
+
+
+def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
+    """Return why a channel cannot be watched, and what would help; nothing for a good calibration.
+
+    Args:
+        row: what was learnt of it: verdict, lo, finest_bins, vectors_needed.
+        span: samples between the oldest and the newest of a vector.
+        has_moved: a vector was novel since.
+    """
+    verdict = row["verdict"]
+    if verdict == "constant":
+        return [f"was constant in calibration{' and has moved since' * has_moved}: not assessable"]
+    if verdict == "no_data" and row["lo"] is None:
+        return ["no usable sample in calibration: not assessable"]
+    if verdict == "no_data":
+        return [
+            f"calibration holds no run of {span + 1:,} samples without gap or missing value: "
+            "not assessable"
+        ]
+    if verdict == "too_fine":
+        return [f"grid too fine for its calibration, {row['finest_bins']:,} bins would pass"]
+    if verdict == "needs_data":
+        return [f"calibration too short, {_more(row['vectors_needed'])}"]
+    return []
 
 
 def share(value: float | None) -> str:
@@ -211,37 +279,14 @@ def share(value: float | None) -> str:
     return f"{value:.3f}" if value < 0.1 else f"{value:.2f}"
 
 
-def _moved(course: _Course | None) -> str:
-    return " and has moved since" if course is not None and course.novel.any() else ""
-
-
-def _highest(course: _Course) -> str:
-    return share(float(np.nanmax(course.hi)))
-
-
 def _more(vectors_needed: int | None) -> str:
     if vectors_needed is None:
         return "how much more it takes cannot be told yet"
     return f"it takes about {vectors_needed:,} more vectors"
 
 
-def _out_of_range(course: _Course | None, setting: Parameters) -> str:
+def _out_of_range(course: Course) -> str:
     """Tell whether values left the calibrated range, which any threshold would see, or their order."""
-    if course is None:
+    if not course.novel:
         return ""
-    buckets = setting.window // setting.bucket_length
-    novel = int(course.novel[-buckets:].sum())
-    outside = int(course.out_of_range[-buckets:].sum())
-    if not novel:
-        return ""
-    return f", {100 * outside / novel:.0f} % of the novel vectors out of range"
-
-
-def _urgency(one: Finding) -> tuple[int, bool, float, str, str]:
-    return (
-        STATUSES.index(one.status),
-        not one.is_above,
-        -(one.hi if one.hi is not None else -1.0),
-        one.asset,
-        one.channel,
-    )
+    return f", {100 * course.out_of_range / course.novel:.0f} % of the novel vectors out of range"

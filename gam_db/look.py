@@ -101,7 +101,17 @@ def check_rows(names: pa.Table) -> None:
             f'where="{next(role for role, count in nameless.items() if count)} IS NOT NULL" with '
             "your column's name, or mend them."
         )
-    if any(max(abs(row["earliest"]), abs(row["latest"])) >= FAR_AHEAD for row in rows):
+    check_clock(names)
+
+
+def check_clock(names: pa.Table) -> None:
+    """Refuse times with which nothing can be computed; ``names`` is the step of that name.
+
+    Raises:
+        SourceError: a counter beyond 2^62.
+    """
+    edges = [row[edge] for row in names.to_pylist() for edge in ("earliest", "latest")]
+    if any(edge is not None and abs(edge) >= FAR_AHEAD for edge in edges):
         raise SourceError(
             "The time column holds values beyond 2^62: subtract an offset from a counter in a view, or "
             "leave damaged timestamps out by where=."

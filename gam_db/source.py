@@ -145,12 +145,17 @@ def readings(source: AnySource, relation: exp.Expr, micros_of: TimeNode) -> exp.
                 "condition": condition,
             },
         )
-        for table in list(filled.find_all(exp.Table)):
-            if table.name == "source" and not table.db:
-                alias = table.args.get("alias")
-                table.replace(relation.copy() if alias is None else relation.as_(alias))
+        read_from(relation, filled)
         branches.append(filled)  # type: ignore[arg-type]
     return branches[0] if len(branches) == 1 else exp.union(*branches, distinct=False)
+
+
+def read_from(relation: exp.Expr, filled: exp.Expr) -> None:
+    """Let a tree read the relation where it names ``source``; in place."""
+    for table in list(filled.find_all(exp.Table)):
+        if table.name == "source" and not table.db:
+            alias = table.args.get("alias")
+            table.replace(relation.copy() if alias is None else relation.as_(alias))
 
 
 def parsed_condition(where: str | exp.Expr | None) -> exp.Expr:

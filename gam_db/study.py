@@ -6,8 +6,9 @@ This module owns the order of work: look at the source, resolve what was asked, 
 from pathlib import Path
 
 import pyarrow as pa
+from sqlglot import exp
 
-from gam_db import look
+from gam_db import look, template
 from gam_db.calibration import Calibration
 from gam_db.engines.duckdb_session import Session
 from gam_db.method import Method, pipeline
@@ -24,6 +25,8 @@ class Study:
         source: where the telemetry lies.
         parameters, calibration: the method.
         on_step: called with the name of each step before it is run.
+        strict: refuse a source with rows that belong nowhere; else the step *names* counts them, and
+            they are left out of all that follows.
 
     Raises:
         UserError: anything of the source, the parameters or the calibration that cannot be used.
@@ -36,10 +39,11 @@ class Study:
         parameters: Parameters,
         calibration: Calibration,
         on_step: Listener = unheard,
+        strict: bool = True,
     ) -> None:
         self.session = session
-        relation = session.relation(source.relation)
-        columns = session.describe(relation)
+        self.relation = relation = session.relation(source.relation)
+        self.columns = columns = session.describe(relation)
         if source.where is not None:
             session.check_condition(relation, parsed_condition(source.where), str(source.where))
         self.source = look.resolved(source, columns, session)
@@ -53,11 +57,17 @@ class Study:
             # Text is parsed once, not once per step.
             self.steps.small |= {"readings"}
         self.running = Running(session, self.steps, on_step=on_step)
-        look.check_rows(self._looked())
+        (look.check_rows if strict else look.check_clock)(self._looked())
 
     def table(self, step: str) -> pa.Table:
         """Return the rows of a step; the small steps before it are kept for the next call."""
         return self.running.table(step)
+
+    def put(self, step: str, rows: pa.Table) -> None:
+        """Add an Arrow table as a small step that later ones can read."""
+        columns = [template.column(name) for name in rows.column_names]
+        self.steps.add(step, exp.select(*columns).from_(self.session.relation(rows)))
+        self.steps.small |= {step}
 
     def write(self, step: str, path: Path, table: str) -> None:
         """Write the rows of a step as Parquet, or as a table of a DuckDB file."""

@@ -160,7 +160,7 @@ def settings(kind: str, chance: random.Random) -> tuple[Arguments, Arguments]:
     if kind == "pools":
         calibration |= {"pool": chance.choice(["channel", [["a*", "b%"], ["m_1*"]]])}
         calibration["overrides"] = {"m_1*": None}
-        parameters["overrides"] = [{"asset": "m_2*", "channel": "x", "tau": 2, "window": 4}]
+        parameters["overrides"] = [{"asset": "m_2*", "channel": "x", "tau": 2, "window": 4, "stride": 2}]
     return parameters, calibration
 
 

@@ -37,7 +37,7 @@ Columns = Mapping[str, Kind]
 Tables = Mapping[str, Columns]
 
 DOUBLES = (Kind.WHOLE, Kind.DOUBLE, Kind.ROUGH)
-_CASTS = {
+CASTS = {
     **dict.fromkeys(exp.DataType.INTEGER_TYPES, Kind.NARROW),
     exp.DataType.Type.BIGINT: Kind.INTEGER,
     exp.DataType.Type.DOUBLE: Kind.DOUBLE,
@@ -153,7 +153,7 @@ def _kind(node: exp.Expr, of: Mapping[int, Kind], scope: list[tuple[str, Columns
     if isinstance(node, exp.Null):
         return Kind.NULL
     if isinstance(node, (exp.Cast, exp.TryCast)):
-        return _CASTS.get(node.to.this, Kind.UNKNOWN)
+        return CASTS.get(node.to.this, Kind.UNKNOWN)
     if isinstance(node, (exp.Floor, exp.Ceil)):
         return Kind.WHOLE
     if isinstance(node, (exp.Ln, exp.Exp, exp.Pow)):
@@ -328,7 +328,7 @@ def casts_of_fractions(checked: Checked) -> Iterator[exp.Expr]:
     ClickHouse, Spark and SQLite.
     """
     for cast in checked.every(exp.Cast, exp.TryCast):
-        whole = _CASTS.get(cast.args["to"].this) in (Kind.NARROW, Kind.INTEGER)
+        whole = CASTS.get(cast.args["to"].this) in (Kind.NARROW, Kind.INTEGER)
         if whole and checked.kind(cast.this) in (Kind.DOUBLE, Kind.ROUGH):
             yield cast
 
@@ -399,7 +399,7 @@ def decimals(checked: Checked) -> Iterator[exp.Expr]:
             outer = literal.parent
             while isinstance(outer, (exp.Neg, exp.Paren)):
                 outer = outer.parent
-            if not (isinstance(outer, exp.Cast) and _CASTS.get(outer.to.this) is Kind.DOUBLE):
+            if not (isinstance(outer, exp.Cast) and CASTS.get(outer.to.this) is Kind.DOUBLE):
                 yield literal
 
 

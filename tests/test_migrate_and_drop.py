@@ -52,7 +52,8 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
     """Give each monitor two channels, each with a version of its own and rows in every table."""
     for monitor in monitors:
         connection.execute(
-            f"INSERT INTO gam_monitor VALUES ({monitor}, 'm{monitor}', 's', 'counter', 0)"
+            f"INSERT INTO gam_monitor VALUES ({monitor}, 'm{monitor}', 's', 'long', 'a', 'c', 't', 'v', "
+            "NULL, 'counter', 0)"
         )
         for key in (10 * monitor, 10 * monitor + 1):
             for table, values in {

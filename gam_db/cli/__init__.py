@@ -19,11 +19,21 @@ from typer.core import TyperGroup
 
 import gam_db
 from gam_db.cli.benchmark_stored import benchmarks
+from gam_db.cli.calibrate import calibrate
+from gam_db.cli.check import check
 from gam_db.cli.compile import compile_script
 from gam_db.cli.demo import demo
 from gam_db.cli.drop import drop
+from gam_db.cli.evaluate import evaluate
+from gam_db.cli.init import init
 from gam_db.cli.migrate import migrate
+from gam_db.cli.prune import prune
+from gam_db.cli.reproduce import reproduce
 from gam_db.cli.run import run
+from gam_db.cli.score import score
+from gam_db.cli.select import select
+from gam_db.cli.simulate import simulate
+from gam_db.cli.status import status
 from gam_db.errors import StatementError, UserError
 
 FINE, USER_ERROR, OUR_FAULT, INTERRUPTED = 0, 1, 3, 130
@@ -86,11 +96,21 @@ def options(
 
 
 app.command()(run)
+app.command()(select)
+app.command()(check)
+app.command()(init)
 app.command()(demo)
 app.command("compile")(compile_script)
+app.command()(evaluate)
+app.command()(calibrate)
+app.command()(score)
 app.add_typer(benchmarks, name="benchmark")
 app.command()(migrate)
 app.command()(drop)
+app.command()(status)
+app.command()(prune)
+app.add_typer(simulate, name="simulate")
+app.add_typer(reproduce, name="reproduce")
 
 
 def main() -> None:

@@ -7,8 +7,6 @@ import shlex
 from pathlib import Path
 from typing import Annotated
 
-import numpy as np
-import pyarrow as pa
 import typer
 from pyarrow import parquet
 
@@ -20,6 +18,7 @@ from gam_db.config import Settings, SourceSettings
 from gam_db.engines.duckdb_session import Session
 from gam_db.errors import ConfigurationError
 from gam_db.findings import findings
+from gam_db.simulate.single import langevin_series
 
 COLUMNS = SourceSettings(asset="asset", channel="channel", time="time", value="value")
 PARAMETERS = {
@@ -61,7 +60,7 @@ def demo(
     lines = report.console()
     with interruptible(), Session() as session, Progress(session) as progress:
         progress.on_step("simulating")
-        series = simulated()
+        series = langevin_series()
         settings = Settings(COLUMNS, PARAMETERS, CALIBRATION)
         job, study = open_job(session, "simulated machine", series, settings, progress.on_step)
         found = findings(study)
@@ -76,20 +75,6 @@ def demo(
     report.say(lines, _NEXT)
     lines.print(f"    {_RUN}")
     report.say(lines, _CALIBRATION)
-
-
-def simulated() -> pa.Table:
-    """Return the series of the demo as a long table: asset, channel, time (step number), value."""
-    position = langevin.simulate(seed=0)
-    steps = len(position)
-    return pa.table(
-        {
-            "asset": pa.array(["simulated"] * steps),
-            "channel": pa.array(["position"] * steps),
-            "time": np.arange(steps),
-            "value": position,
-        }
-    )
 
 
 def _options() -> str:

@@ -29,6 +29,18 @@ def figures(job: Job, found: Sequence[Finding], written: Sequence[str], code: in
         written: files and tables that were written.
         code: the exit code.
     """
+    return {
+        **asked(job),
+        "channels": [_channel(one) for one in found],
+        "verdicts": dict(Counter(one.verdict for one in found)),
+        "needs_attention": need_attention(found),
+        "written": list(written),
+        "exit_code": code,
+    }
+
+
+def asked(job: Job) -> dict[str, Any]:
+    """Return what was asked: version, source, settings file, parameters and calibration."""
     source = job.guess.source
     columns = {"asset": source.asset, "time": source.time}
     if isinstance(source, Source):
@@ -46,12 +58,7 @@ def figures(job: Job, found: Sequence[Finding], written: Sequence[str], code: in
         },
         "settings_file": job.settings,
         "parameters": _parameters(job.parameters),
-        "calibration": _plain(_fields(job.calibration)),
-        "channels": [_channel(one) for one in found],
-        "verdicts": dict(Counter(one.verdict for one in found)),
-        "needs_attention": need_attention(found),
-        "written": list(written),
-        "exit_code": code,
+        "calibration": plain(_fields(job.calibration)),
     }
 
 
@@ -60,11 +67,11 @@ def _parameters(parameters: Parameters) -> dict[str, Any]:
     said["overrides"] = [
         {"asset": one.asset, "channel": one.channel, **one.changes()} for one in parameters.overrides
     ]
-    return {name: _plain(value) for name, value in said.items()}
+    return {name: plain(value) for name, value in said.items()}
 
 
 def _channel(one: Finding) -> dict[str, Any]:
-    return _plain(  # type: ignore[no-any-return]
+    return plain(  # type: ignore[no-any-return]
         {
             **one.support,
             "status": one.status,
@@ -84,12 +91,12 @@ def _fields(of: Any) -> dict[str, Any]:
     return {one.name: getattr(of, one.name) for one in dataclasses.fields(of)}
 
 
-def _plain(value: Any) -> Any:
+def plain(value: Any) -> Any:
     """Return a value in the types of JSON; NaN and infinity are null, times are ISO 8601."""
     if isinstance(value, Mapping):
-        return {str(name): _plain(one) for name, one in value.items()}
+        return {str(name): plain(one) for name, one in value.items()}
     if isinstance(value, (list, tuple)):
-        return [_plain(one) for one in value]
+        return [plain(one) for one in value]
     if isinstance(value, float):
         return value if math.isfinite(value) else None
     if value is None or isinstance(value, (bool, int, str)):
@@ -97,5 +104,5 @@ def _plain(value: Any) -> Any:
     if isinstance(value, (dt.date, dt.datetime)):
         return value.isoformat()
     if dataclasses.is_dataclass(value):
-        return _plain(_fields(value))
+        return plain(_fields(value))
     return str(value)

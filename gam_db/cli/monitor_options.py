@@ -38,6 +38,7 @@ PrefixOption = Annotated[
     str | None, typer.Option(help="Begins their names (default 'gam_').", rich_help_panel=_STATE)
 ]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print figures as JSON, for scripts.")]
+QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="Print nothing but errors.")]
 
 
 def said(

@@ -12,6 +12,9 @@ import typer
 from gam_db import config
 from gam_db.config import Settings
 from gam_db.errors import ConfigurationError
+from gam_db.source import FILE_ENDINGS, is_file
+
+DATABASE_ENDINGS = (".duckdb", ".db")
 
 _COLUMNS = "Columns, guessed where not named"
 _PARAMETERS = "Parameters of the method"
@@ -112,6 +115,16 @@ TargetFloorOption = Annotated[
     ),
 ]
 
+EstimatorOption = Annotated[
+    str,
+    typer.Option(
+        metavar="NAME",
+        help="What scores vectors: dse (the method itself), or centroid, gmm, forest, ocsvm, which have "
+        'no certificate and no limit. The last three need pip install "gam-db[benchmark]".',
+        rich_help_panel=_PARAMETERS,
+    ),
+]
+
 FractionOption = Annotated[
     float | None,
     typer.Option(help="The first share of each channel's samples.", rich_help_panel=_CALIBRATION),
@@ -184,8 +197,9 @@ def settings(
     exclude: Sequence[str] | None,
     score_from: str | None,
     pool: Sequence[str] | None,
+    fresh: bool = False,
 ) -> Settings:
-    """Return the settings of the file with the options of a command laid over them.
+    """Return the settings of the file with the options of a command laid over them; ``fresh``: no file.
 
     Raises:
         ConfigurationError: the file or an option cannot be used.
@@ -217,21 +231,46 @@ def settings(
         "bins": bins,
         "window": window,
         "stride": stride,
-        "max_gap": False if max_gap == "none" else _length(max_gap),
+        "max_gap": False if max_gap == "none" else length(max_gap),
         "target_floor": target_floor,
     }
     calibration = {
         "fraction": calibration_fraction,
-        "duration": _length(calibration_duration),
+        "duration": length(calibration_duration),
         "intervals": _intervals("--calibrate", calibrate),
         "exclude": _intervals("--exclude", exclude),
         "score_from": score_from,
         "pool": _pools(pool),
     }
-    return config.load(file).under(columns, parameters, calibration)
+    said = Settings() if fresh else config.load(file)
+    return said.under(columns, parameters, calibration)
 
 
-def _length(text: str | None) -> int | float | str | None:
+def named_relation(settings: Settings) -> str:
+    """Return the relation that was named: a file, or a table of the database.
+
+    Raises:
+        ConfigurationError: none was named, or it is neither.
+    """
+    relation, database = settings.source.relation, settings.source.database
+    if relation is None:
+        raise ConfigurationError(
+            "Name a SOURCE: a Parquet or CSV file, or a table with --database FILE.duckdb; or put "
+            "relation under [source] into gam.toml. `gam demo` needs none."
+        )
+    if database is None and not is_file(relation):
+        if Path(relation).suffix in DATABASE_ENDINGS:
+            raise ConfigurationError(
+                f"{relation} is a database; name the table: gam run TABLE --database {relation}."
+            )
+        raise ConfigurationError(
+            f"{relation!r} is no Parquet or CSV file ({', '.join(FILE_ENDINGS)}); if it is a table, say "
+            "which database holds it: --database FILE.duckdb."
+        )
+    return relation
+
+
+def length(text: str | None) -> int | float | str | None:
     """A plain number has no unit; anything else is left to the clock, which knows the units."""
     if text is None:
         return None

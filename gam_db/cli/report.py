@@ -6,7 +6,7 @@ This module owns how things look. What they mean is said by :mod:`gam_db.finding
 import datetime as dt
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,7 +17,7 @@ from rich.console import Console
 from rich.text import Text
 
 from gam_db.calibration import Calibration
-from gam_db.findings import STATUSES, Finding, need_attention, share
+from gam_db.findings import STATUSES, Finding, Row, need_attention, share
 from gam_db.guess import Guess
 from gam_db.parameters import Parameters
 from gam_db.source import Source
@@ -32,7 +32,7 @@ PLAIN_BLOCKS = "_.,-=+*#"
 _READABLE = 120
 """Columns beyond which a line of prose is hard to read."""
 _LEAST_COURSE, _MOST_COURSE = 12, 48
-_MARKS = {"high": ("!", "bold red"), "setup": ("?", "yellow"), "waiting": ("~", "cyan")}
+MARKS = {"high": ("!", "bold red"), "setup": ("?", "yellow"), "waiting": ("~", "cyan")}
 _MEANINGS = {
     "high": "above the limit",
     "setup": "without a good enough calibration",
@@ -60,6 +60,27 @@ class Job:
     settings: str | None = None
 
 
+@dataclass(frozen=True)
+class Line:
+    """A channel in the table of a report.
+
+    Attributes:
+        name: as it is shown; so is time.
+        status, verdict, floor, hi, course, remarks: see :class:`~gam_db.findings.Finding`.
+        trend: how much the indicator rose of late; None in reports that have no such column.
+    """
+
+    name: str
+    status: str
+    verdict: str
+    floor: float | None
+    hi: float | None
+    course: NDArray[np.float64]
+    time: str
+    remarks: Sequence[str]
+    trend: str | None = None
+
+
 def console(width: int | None = None) -> Console:
     """Return the console of reports: no markup, so that names mean nothing but themselves."""
     return Console(width=width, markup=False, highlight=False, emoji=False)
@@ -78,10 +99,12 @@ def show(out: Console, job: Job, found: Sequence[Finding], everything: bool = Fa
         say(out, line)
     out.print()
     shown = found if everything else found[:SHOWN]
-    for text in _table(out, shown):
+    one_asset = len({one.asset for one in shown}) == 1
+    for text in channel_lines(out, [_line(one, one_asset) for one in shown]):
         out.print(text, no_wrap=True, overflow="crop", crop=True)
     if len(found) > len(shown):
-        say(out, f"and {len(found) - len(shown)} more ({_statuses(found[len(shown) :])}); --all")
+        rest = counted(one.status for one in found[len(shown) :])
+        say(out, f"and {len(found) - len(shown)} more ({rest}); --all")
     out.print()
     for line in _summary(found):
         say(out, line)
@@ -120,12 +143,13 @@ def _heading(job: Job, found: Sequence[Finding]) -> list[str]:
     settings = f"; settings from {job.settings}" if job.settings else ""
     return [
         f"{printable(job.name)}: {channels} of {machines}, {samples:,} samples{settings}",
-        _columns(job.guess),
-        _method(job.parameters, job.calibration),
+        columns_line(job.guess),
+        method_line(job.parameters, job.calibration),
     ]
 
 
-def _columns(guess: Guess) -> str:
+def columns_line(guess: Guess) -> str:
+    """Return which columns are read, and which of them were guessed."""
     source = guess.source
     named = {"asset": source.asset, "time": source.time}
     if isinstance(source, Source):
@@ -139,18 +163,19 @@ def _columns(guess: Guess) -> str:
     line = "columns: " + " ".join(f"{role}={printable(column)}" for role, column in shown.items())
     if not isinstance(source, Source):
         names = [printable(name) for name in source.value_columns]
-        line += f"; wide table, signals: {_some(names)}"
+        line += f"; wide table, signals: {some(names)}"
     if guess.guessed:
         guessed = [role for role in guess.guessed if role != "layout"]
         line += f"; guessed: {'all' if len(guessed) == len(shown) else ', '.join(guessed)}"
     if "layout" in guess.guessed:
         line += f"; taken as {guess.guessed['layout']}"
     if guess.unused:
-        line += f"; not used: {_some([printable(name) for name in guess.unused])}"
+        line += f"; not used: {some([printable(name) for name in guess.unused])}"
     return line
 
 
-def _method(parameters: Parameters, calibration: Calibration) -> str:
+def method_line(parameters: Parameters, calibration: Calibration) -> str:
+    """Return the parameters and the calibration in one line."""
     said = [
         f"{name}={getattr(parameters, name)}"
         for name in ("m", "tau", "bins", "window", "stride", "max_gap", "target_floor")
@@ -158,6 +183,11 @@ def _method(parameters: Parameters, calibration: Calibration) -> str:
     ]
     if parameters.overrides:
         said.append(f"{len(parameters.overrides)} overrides")
+    return f"method: {' '.join(said)}; calibration: {healthy_part(calibration)}"
+
+
+def healthy_part(calibration: Calibration) -> str:
+    """Return what is calibration, in words."""
     if calibration.fraction is not None:
         healthy = f"the first {100 * calibration.fraction:.4g} % of each channel"
     elif calibration.duration is not None:
@@ -167,64 +197,65 @@ def _method(parameters: Parameters, calibration: Calibration) -> str:
         healthy = f"{pieces} interval{'s' * (pieces != 1)}"
     if calibration.pool is not None:
         healthy += ", pooled"
-    return f"method: {' '.join(said)}; calibration: {healthy}"
+    return healthy
 
 
-def _table(out: Console, found: Sequence[Finding]) -> list[Text]:
-    """Return a line per channel, and under it what is to be said of it."""
-    blocks = BLOCKS if _can_show(out, BLOCKS) else PLAIN_BLOCKS
-    one_asset = len({one.asset for one in found}) == 1
-    names = [_name(one, one_asset) for one in found]
-    times = [_time(one.time) for one in found]
-    verdict = max([7, *(len(one.verdict) for one in found)])
-    time_width = max([4, *map(len, times)])
-    free = out.width - (2 + 2 + verdict + 2 + 5 + 2 + 5 + 2 + 2 + time_width)
+def channel_lines(out: Console, channels: Sequence[Line]) -> list[Text]:
+    """Return a line per channel, and under it what is to be said of it; the first is the heading."""
+    blocks = BLOCKS if can_show(out, BLOCKS) else PLAIN_BLOCKS
+    names = [printable(one.name) for one in channels]
+    verdict = max([7, *(len(one.verdict) for one in channels)])
+    time_width = max([4, *(len(one.time) for one in channels)])
+    trend = f"{'trend':>5}  " if any(one.trend is not None for one in channels) else ""
+    free = out.width - (2 + 2 + verdict + 2 + 5 + 2 + 5 + 2 + len(trend) + 2 + time_width)
     name_width = min(max([7, *map(cell_len, names)]), max(12, free - _LEAST_COURSE))
     course = min(_MOST_COURSE, max(_LEAST_COURSE, free - name_width))
     lines = [
         Text(
-            f"  {_fit('channel', name_width)}  {'verdict':{verdict}}  floor     HI  "
-            f"{_fit('HI, 0 to 1', course)}  last",
+            f"  {fit('channel', name_width)}  {'verdict':{verdict}}  floor     HI  "
+            f"{trend}{fit('HI, 0 to 1', course)}  last",
             style="bold",
         )
     ]
-    for one, name, time in zip(found, names, times, strict=True):
-        mark, style = _MARKS.get(one.status, (" ", ""))
+    for one, name in zip(channels, names, strict=True):
+        mark, style = MARKS.get(one.status, (" ", ""))
         is_shown = one.status != "not assessed"
-        line = Text(f"{mark} {_fit(name, name_width)}  {one.verdict:{verdict}}  ", style)
-        line.append(f"{share(one.support['floor'] if is_shown else None):>5}  ")
+        line = Text(f"{mark} {fit(name, name_width)}  {one.verdict:{verdict}}  ", style)
+        line.append(f"{share(one.floor if is_shown else None):>5}  ")
         line.append(f"{share(one.hi if is_shown else None):>5}  ")
-        line.append(_fit(sparkline(one.course, course, blocks) if is_shown else "", course))
-        line.append(f"  {time}")
+        if trend:
+            line.append(f"{one.trend if is_shown else '-':>5}  ")
+        line.append(fit(sparkline(one.course, course, blocks) if is_shown else "", course))
+        line.append(f"  {one.time}")
         line.rstrip()
         lines.append(line)
-        for remark in _folded("; ".join(one.remarks), out.width - 4):
+        for remark in folded("; ".join(one.remarks), out.width - 4):
             lines.append(
                 Text(f"    {remark}", style="dim" if one.status in ("ok", "not assessed") else "")
             )
     return lines
 
 
-def _summary(found: Sequence[Finding]) -> list[str]:
-    verdicts = Counter(one.verdict for one in found)
-    order = ("ready", "too_fine", "needs_data", "constant", "no_data")
-    lines = [
-        "verdicts: " + ", ".join(f"{verdicts[name]} {name}" for name in order if verdicts[name]),
-        "channels: " + _statuses(found),
-    ]
-    if verdicts["no_data"]:
-        lines.append(
-            "no_data: say which part is healthy by --calibrate FROM/TO, --calibration-duration or "
-            "--calibration-fraction, where it holds data"
-        )
-    grids = sorted(
-        (one.support["finest_bins"] for one in found if one.verdict == "too_fine"), reverse=True
+def _line(one: Finding, one_asset: bool) -> Line:
+    return Line(
+        name=one.channel if one_asset else f"{one.asset} {one.channel}",
+        status=one.status,
+        verdict=one.verdict,
+        floor=one.support["floor"],
+        hi=one.hi,
+        course=one.course,
+        time=time_text(one.time),
+        remarks=one.remarks,
     )
-    if grids:
-        lines.append(
-            f"grid too fine: {_ladder(grids)} (--bins, or [[override]] in gam.toml); the coarser the "
-            "grid, the less it sees, so a longer calibration is better where it can be had"
-        )
+
+
+def _summary(found: Sequence[Finding]) -> list[str]:
+    supports = [one.support for one in found]
+    lines = [
+        "verdicts: " + verdicts(supports),
+        "channels: " + counted(one.status for one in found),
+        *advice(supports),
+    ]
     short = [
         one
         for one in found
@@ -238,16 +269,48 @@ def _summary(found: Sequence[Finding]) -> list[str]:
         )
     if not need_attention(found):
         lines.append("nothing needs attention")
-    return [*lines, " ".join(_legend(found))]
+    return [*lines, " ".join(legend(remark for one in found for remark in one.remarks))]
 
 
-def _legend(found: Sequence[Finding]) -> list[str]:
-    """Return what the words of this report mean, and no others."""
+def verdicts(supports: Sequence[Row]) -> str:
+    """Return how many calibrations have which verdict."""
+    count = Counter(row["verdict"] for row in supports)
+    order = ("ready", "too_fine", "needs_data", "constant", "no_data")
+    return ", ".join(f"{count[name]:,} {name}" for name in order if count[name])
+
+
+def advice(supports: Sequence[Row]) -> list[str]:
+    """Return what can be done for calibrations that are not good enough, a line each.
+
+    Args:
+        supports: a row per channel, with its verdict and finest_bins.
+    """
+    lines = []
+    if any(row["verdict"] == "no_data" for row in supports):
+        lines.append(
+            "no_data: say which part is healthy by --calibrate FROM/TO, --calibration-duration or "
+            "--calibration-fraction, where it holds data"
+        )
+    grids = [row["finest_bins"] for row in supports if row["verdict"] == "too_fine"]
+    if grids:
+        lines.append(
+            f"grid too fine: {_ladder(grids)} (--bins, or [[override]] in gam.toml); the coarser the "
+            "grid, the less it sees, so a longer calibration is better where it can be had"
+        )
+    return lines
+
+
+def legend(said: Iterable[str]) -> list[str]:
+    """Return what the words of a report mean, and no others.
+
+    Args:
+        said: its remarks.
+    """
     words = [
         "HI: share of the last window's vectors in states that calibration never visited.",
         "Floor: what a healthy machine would show, from calibration itself.",
     ]
-    remarks = " ".join(remark for one in found for remark in one.remarks)
+    remarks = " ".join(said)
     if "limit" in remarks:
         words.append(
             "Limit: twice the floor, the highest block of calibration or target_floor, whichever is "
@@ -270,9 +333,10 @@ def _ladder(grids: Sequence[int]) -> str:
     )
 
 
-def _statuses(found: Sequence[Finding]) -> str:
-    count = Counter(one.status for one in found)
-    return ", ".join(f"{count[status]} {_MEANINGS[status]}" for status in STATUSES if count[status])
+def counted(statuses: Iterable[str]) -> str:
+    """Return how many channels are what, in words, the most urgent first."""
+    count = Counter(statuses)
+    return ", ".join(f"{count[status]:,} {_MEANINGS[status]}" for status in STATUSES if count[status])
 
 
 def printable(name: str) -> str:
@@ -280,17 +344,14 @@ def printable(name: str) -> str:
     return "".join(sign if sign.isprintable() else "\N{REPLACEMENT CHARACTER}" for sign in name)
 
 
-def _name(one: Finding, one_asset: bool) -> str:
-    return printable(one.channel if one_asset else f"{one.asset} {one.channel}")
-
-
-def _time(time: Any) -> str:
+def time_text(time: Any) -> str:
+    """Return an instant to the minute, or a counter; a dash where there is none."""
     if time is None:
         return "-"
     return f"{time:%Y-%m-%d %H:%M}" if isinstance(time, dt.datetime) else f"{time:,}"
 
 
-def _fit(text: str, width: int) -> str:
+def fit(text: str, width: int) -> str:
     """Return a text of exactly so many cells; what is too long loses its middle."""
     if cell_len(text) > width:
         head, tail = text[: width - width // 2 - 1], text[-(width // 2) :]
@@ -300,21 +361,24 @@ def _fit(text: str, width: int) -> str:
     return text + " " * (width - cell_len(text))
 
 
-def _some(names: Sequence[str], most: int = 8) -> str:
+def some(names: Sequence[str], most: int = 8) -> str:
+    """Return the first names of a list, and how many more there are."""
     return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
 
 
-def _folded(text: str, width: int) -> list[str]:
+def folded(text: str, width: int) -> list[str]:
+    """Return a text as lines of at most so many cells."""
     return [str(line).rstrip() for line in Text(text).wrap(Console(), width)] if text else []
 
 
 def say(out: Console, line: str) -> None:
     """Print a line of prose, folded."""
-    for part in _folded(line, min(out.width, _READABLE)):
+    for part in folded(line, min(out.width, _READABLE)):
         out.print(Text(part))
 
 
-def _can_show(out: Console, text: str) -> bool:
+def can_show(out: Console, text: str) -> bool:
+    """Tell whether the terminal's alphabet has these characters."""
     try:
         text.encode(out.encoding)
     except (UnicodeEncodeError, LookupError):

@@ -7,6 +7,7 @@ import json
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -15,9 +16,11 @@ import typer
 from gam_db.cli import options, report
 from gam_db.cli.figures import figures
 from gam_db.cli.progress import Progress, interruptible
+from gam_db.cli.scores import score_figures, show_scores
 from gam_db.config import Settings
 from gam_db.engines.duckdb_session import Session
 from gam_db.errors import ConfigurationError
+from gam_db.estimators import DSE, add_estimator, estimator_named
 from gam_db.findings import findings, need_attention
 from gam_db.guess import guess
 from gam_db.source import FILE_ENDINGS, is_file
@@ -26,7 +29,6 @@ from gam_db.study import Study
 NEEDS_ATTENTION = 2
 
 _OUTPUT = "Output"
-_DATABASE_ENDINGS = (".duckdb", ".db")
 _PARQUET_ENDINGS = (".parquet", ".pq")
 
 Every = Literal["vector", "stride"]
@@ -91,6 +93,7 @@ def run(
     stride: options.StrideOption = None,
     max_gap: options.MaxGapOption = None,
     target_floor: options.TargetFloorOption = None,
+    estimator: options.EstimatorOption = DSE,
     calibration_fraction: options.FractionOption = None,
     calibration_duration: options.DurationOption = None,
     calibrate: options.CalibrateOption = None,
@@ -103,7 +106,8 @@ def run(
     A channel needs attention (exit code 2) if its indicator is above its limit, the largest of twice
     the floor, the highest block of calibration and --target-floor, or if its calibration is not good
     enough to be watched (too_fine, needs_data). Constant channels and channels without calibration
-    never raise an alarm; exit code 2 also says that no channel at all has a calibration.
+    never raise an alarm; exit code 2 also says that no channel at all has a calibration. By another
+    --estimator there is an indicator (written to SOURCE.NAME.parquet) but no verdict.
     """
     settings = options.settings(
         file=config,
@@ -131,23 +135,33 @@ def run(
         score_from=score_from,
         pool=pool,
     )
-    relation = _relation(settings)
-    results = [] if no_out else _results(relation, settings.source.database, out, every)
+    estimator_named(estimator)
+    relation = options.named_relation(settings)
+    results = [] if no_out else _results(relation, settings.source.database, out, every, estimator)
     with interruptible(), Session(settings.source.database, threads) as session:
+        lines = report.console()
         with Progress(session, quiet) as progress:
             job, study = open_job(session, relation, relation, settings, progress.on_step)
-            found = findings(study)
-        code = NEEDS_ATTENTION if need_attention(found) else 0
-        lines = report.console()
+            if estimator == DSE:
+                found = findings(study)
+                code = NEEDS_ATTENTION if need_attention(found) else 0
+                show = partial(report.show, lines, job, found, everything)
+                told = partial(figures, job, found, code=code)
+            else:
+                add_estimator(study, estimator)
+                last = study.table("last_scores").to_pylist()
+                code = 0
+                show = partial(show_scores, lines, job, estimator, last, everything)
+                told = partial(score_figures, job, estimator, last)
         if not (as_json or quiet):
-            report.show(lines, job, found, everything)
+            show()
         with Progress(session, quiet) as progress:
             for result in results:
                 progress.on_step(f"writing {result}")
                 study.write(result.step, result.path, result.table)
         if as_json:
             written = [str(result) for result in results]
-            print(json.dumps(figures(job, found, written, code), ensure_ascii=False, indent=1))
+            print(json.dumps(told(written), ensure_ascii=False, indent=1))
         elif not quiet:
             for result in results:
                 lines.print(f"written: {result}", soft_wrap=True)
@@ -194,30 +208,18 @@ class _Result:
         return f"{self.path} (table {self.table})" if _is_database(self.path) else str(self.path)
 
 
-def _relation(settings: Settings) -> str:
-    relation, database = settings.source.relation, settings.source.database
-    if relation is None:
-        raise ConfigurationError(
-            "Name a SOURCE: a Parquet or CSV file, or a table with --database FILE.duckdb; or put "
-            "relation under [source] into gam.toml. `gam demo` needs none."
-        )
-    if database is None and not is_file(relation):
-        if _is_database(Path(relation)):
-            raise ConfigurationError(
-                f"{relation} is a database; name the table: gam run TABLE --database {relation}."
-            )
-        raise ConfigurationError(
-            f"{relation!r} is no Parquet or CSV file ({', '.join(FILE_ENDINGS)}); if it is a table, say "
-            "which database holds it: --database FILE.duckdb."
-        )
-    return relation
-
-
-def _results(relation: str, database: str | None, out: Path | None, every: Every) -> list[_Result]:
+def _results(
+    relation: str, database: str | None, out: Path | None, every: Every, estimator: str
+) -> list[_Result]:
     """Return what is written where; refuse, before any work, what cannot be written."""
     health = ("bucket_health", "health_at_buckets") if every == "stride" else ("health_indicator",) * 2
     steps = {health[0]: health[1], "support_summary": "support", "certificate": "certificate"}
-    path = Path(f"{_stem(relation)}.health.parquet") if out is None else out
+    if estimator != DSE:
+        steps = {
+            f"score_{health[0]}" if every == "stride" else "score_health": f"{health[1]}_{estimator}"
+        }
+    ending = "health" if estimator == DSE else estimator
+    path = Path(f"{_stem(relation)}.{ending}.parquet") if out is None else out
     if _is_database(path):
         paths = [path] * 3
     elif path.suffix.lower() in _PARQUET_ENDINGS:
@@ -236,7 +238,7 @@ def _results(relation: str, database: str | None, out: Path | None, every: Every
             raise ConfigurationError(f"{one} would be overwritten while it is read; give another --out.")
     return [
         _Result(step, one, f"gam_{table}")
-        for (step, table), one in zip(steps.items(), paths, strict=True)
+        for (step, table), one in zip(steps.items(), paths[: len(steps)], strict=True)
     ]
 
 
@@ -251,4 +253,4 @@ def _stem(relation: str) -> str:
 
 
 def _is_database(path: Path) -> bool:
-    return path.suffix in _DATABASE_ENDINGS
+    return path.suffix in options.DATABASE_ENDINGS

@@ -1,17 +1,30 @@
 """Opening a DuckDB database, and what a connection must be like to be used."""
 
+import contextlib
 import os
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import duckdb
+from sqlglot import exp
 
-from gam_db.errors import EngineError
+from gam_db import template
+from gam_db.errors import EngineError, SourceError
 
 _UNITS = {"bytes": 1, "KiB": 2**10, "MiB": 2**20, "GiB": 2**30, "TiB": 2**40}
 
 #: What one reading takes while it is scored, in bytes: kept once, sorted in a window, joined.
 _PER_READING = 100
+
+
+#: What is said of a connection that refuses to write.
+READ_ONLY = "The database is open for reading only; it cannot be changed."
+OPEN = "The connection has a transaction open; commit it or roll it back first."
+CONFLICT = (
+    "Another connection changed the same rows at the same time; nothing of this run was written. "
+    "Run it again."
+)
 
 
 def rows_at_once(connection: duckdb.DuckDBPyConnection) -> int:
@@ -46,6 +59,34 @@ def opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:
         raise EngineError(
             f"{path} cannot be opened as a DuckDB file; is it one, and is its disk full?"
         ) from error
+
+
+@contextlib.contextmanager
+def attached(run: Callable[[exp.Expr], Any], name: str, path: Path) -> Iterator[exp.Identifier]:
+    """Open another database file for writing beside the one at hand, and give its catalogue.
+
+    Args:
+        run: runs a statement.
+        name: of the catalogue.
+        path: the file; it is made if it is not there.
+
+    Raises:
+        SourceError: it cannot be opened.
+    """
+    catalog = template.name(name)
+    attach = exp.Attach(
+        this=exp.alias_(template.text(str(path)), catalog, table=False),
+        # Said in full: a session that only reads would attach other files for reading, too.
+        expressions=[exp.AttachOption(this=exp.var("READ_WRITE"))],
+    )
+    try:
+        run(attach)
+    except (duckdb.IOException, duckdb.BinderException) as error:
+        raise SourceError(f"{path} cannot be opened as a DuckDB file for writing.") from error
+    try:
+        yield catalog
+    finally:
+        run(exp.Detach(this=catalog.copy()))
 
 
 def check_settings(connection: duckdb.DuckDBPyConnection) -> None:

@@ -12,9 +12,10 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db import template
+from gam_db.engines import duckdb_opening
 from gam_db.engines.duckdb import ENGINE, file_reader
-from gam_db.engines.duckdb_opening import check_settings, opened, rows_at_once
-from gam_db.engines.duckdb_types import check_columns, is_name, is_numeric, time_kind
+from gam_db.engines.duckdb_opening import attached, check_settings, opened, rows_at_once
+from gam_db.engines.duckdb_types import check_columns, is_name, is_numeric, is_text, time_kind
 from gam_db.errors import EngineError, SourceError, StatementError, nearest
 from gam_db.source import is_file, table_names
 
@@ -39,6 +40,7 @@ class Session:
     time_kind = staticmethod(time_kind)
     is_numeric = staticmethod(is_numeric)
     is_name = staticmethod(is_name)
+    is_text = staticmethod(is_text)
 
     def __init__(self, target: Any = None, threads: int | None = None, writable: bool = False) -> None:
         if tuple(int(part) for part in duckdb.__version__.split(".")[:2]) < OLDEST:
@@ -105,10 +107,21 @@ class Session:
             return node
         raise SourceError(
             f"There is no table or view {shown!r} in the database"
-            + (" in memory" if self.owned and self._in_memory() else "")
+            + (" in memory" if self.owned and not self.files() else "")
             + nearest(shown, sorted({name for _, _, name in known}))
             + ". A file must end in .parquet, .csv or .tsv."
         )
+
+    @contextlib.contextmanager
+    def lent(self, table: pa.Table) -> Iterator[exp.Table]:
+        """Register an Arrow table for a while; its memory is free again afterwards."""
+        node = self._register(table)
+        name = self._registered[-1]
+        try:
+            yield node
+        finally:
+            self.connection.unregister(name)
+            self._registered.remove(name)
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
         """Return the columns of a relation and their types, in order."""
@@ -137,6 +150,11 @@ class Session:
             [schema],
         )
         return {name.casefold(): tuple(columns) for name, columns in rows.fetchall()}
+
+    def files(self) -> frozenset[Path]:
+        """Return the database files that are open here, by their full paths."""
+        rows = self.connection.execute("SELECT path FROM duckdb_databases() WHERE NOT internal")
+        return frozenset(Path(path).resolve() for (path,) in rows.fetchall() if path is not None)
 
     def check_condition(self, relation: exp.Expr, condition: exp.Expr, shown: str) -> None:
         """Try a user's condition on no row.
@@ -168,9 +186,9 @@ class Session:
             ) from error
         except StatementError as error:
             if isinstance(error.__cause__, duckdb.TransactionException):
-                raise EngineError(_CONFLICT) from error
+                raise EngineError(duckdb_opening.CONFLICT) from error
             if "read-only" in str(error.__cause__):
-                raise EngineError(_READ_ONLY) from error
+                raise EngineError(duckdb_opening.READ_ONLY) from error
             raise
 
     @contextlib.contextmanager
@@ -181,7 +199,7 @@ class Session:
             EngineError: a transaction is open already, or the end of this one was refused.
         """
         if self._in_transaction():
-            raise EngineError(_OPEN)
+            raise EngineError(duckdb_opening.OPEN)
         self.execute(exp.Transaction())
         try:
             yield
@@ -264,23 +282,20 @@ class Session:
         finally:
             unfinished.unlink(missing_ok=True)
 
+    def attached(self, path: Path) -> contextlib.AbstractContextManager[exp.Identifier]:
+        """Open another DuckDB file for writing beside this one, and give its catalogue.
+
+        Raises:
+            SourceError: it cannot be opened.
+        """
+        return attached(self._run, f"{self._mark}_target", path)
+
     def _write_table(self, query: exp.Query, path: Path, table: str) -> None:
-        name = f"{self._mark}_target"
-        attach = exp.Attach(
-            this=exp.alias_(template.text(str(path)), template.name(name), table=False),
-            # Said in full: a session that only reads would attach other files for reading, too.
-            expressions=[exp.AttachOption(this=exp.var("READ_WRITE"))],
-        )
-        try:
-            self._run(attach)
-        except (duckdb.IOException, duckdb.BinderException) as error:
-            raise SourceError(f"{path} cannot be opened as a DuckDB file for writing.") from error
-        try:
-            target = exp.Table(this=template.name(table), db=template.name("main"))
-            target.set("catalog", template.name(name))
+        with self.attached(path) as catalog:
+            if (catalog.name, "main", "gam_migration") in self._known_tables():
+                raise SourceError(f"{path} holds the state of a monitor; write results to another file.")
+            target = exp.Table(this=template.name(table), db=template.name("main"), catalog=catalog)
             self._run(exp.Create(this=target, kind="TABLE", replace=True, expression=query))
-        finally:
-            self._run(exp.Detach(this=template.name(name)))
 
     def rows_at_once(self) -> int:
         """Return how many readings can be worked on at once within the memory limit."""
@@ -356,10 +371,6 @@ class Session:
             ) from error
         return node
 
-    def _in_memory(self) -> bool:
-        row = self.connection.execute("SELECT path FROM duckdb_databases() WHERE NOT internal")
-        return all(path is None for (path,) in row.fetchall())
-
     def _known_tables(self) -> list[tuple[str, str, str]]:
         # Looked up, not tried: a statement that fails would undo the user's open transaction, and
         # DuckDB would take the name for one of our Python variables.
@@ -380,11 +391,3 @@ def _is_among(table: exp.Expr, known: list[tuple[str, str, str]]) -> bool:
 
 def _temporary(name: str) -> exp.Table:
     return exp.Table(this=template.name(name))
-
-
-_READ_ONLY = "The database is open for reading only; it cannot be changed."
-_OPEN = "The connection has a transaction open; commit it or roll it back first."
-_CONFLICT = (
-    "Another connection changed the same rows at the same time; nothing of this run was written. "
-    "Run it again."
-)

@@ -35,6 +35,11 @@ def is_name(type_name: str) -> bool:
     return plain in _INTEGERS or plain in ("VARCHAR", "ENUM", "UUID")
 
 
+def is_text(type_name: str) -> bool:
+    """Tell whether a column of this type holds text."""
+    return type_name == "VARCHAR"
+
+
 def check_columns(table: pa.Table) -> None:
     """Refuse an Arrow table whose columns DuckDB cannot tell apart.
 

@@ -24,7 +24,7 @@ def add_calibration(steps: Pipeline, method: Method, number: int) -> None:
         add_short_vectors(steps, method, number, "calibration_")
         vectors, learnable = "vectors", "calibration/learnable_short"
     else:
-        add_vectors(steps, method, number, "calibration_", _until_calibration_end())
+        add_vectors(steps, method, number, "calibration_", until_calibration_end())
         vectors, learnable = "marked_vectors", "calibration/learnable"
     add_of_set(
         steps,
@@ -51,7 +51,8 @@ def add_breaks(steps: Pipeline, method: Method, number: int) -> None:
         )
 
 
-def _until_calibration_end() -> exp.Expr:
+def until_calibration_end() -> exp.Expr:
+    """Return the condition that a sample is not newer than its channel's calibration."""
     return exp.LTE(
         this=exp.column("time", table="sampled"),
         expression=exp.column("calibration_end", table="scale"),

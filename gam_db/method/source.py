@@ -46,7 +46,7 @@ def add_source(steps: Pipeline, method: Method) -> None:
         {
             "settings_no": _chosen(
                 [
-                    (_pattern("asset", override.asset), _pattern("channel", override.channel), n)
+                    (named_like("asset", override.asset), named_like("channel", override.channel), n)
                     for override, n in zip(
                         method.parameters.overrides,
                         (method.settings.index(variant) for variant in method.parameters.variants()[1:]),
@@ -56,13 +56,13 @@ def add_source(steps: Pipeline, method: Method) -> None:
             ),
             "calibration_no": _chosen(
                 [
-                    (_pattern("asset", asset), None, number)
+                    (named_like("asset", asset), None, number)
                     for number, asset in enumerate(method.calibration.overrides, start=1)
                 ]
             ),
             "pool_no": _chosen(
                 [
-                    (_pattern("asset", asset), None, number)
+                    (named_like("asset", asset), None, number)
                     for number, group in enumerate(method.calibration.pools, start=1)
                     for asset in group
                 ]
@@ -91,7 +91,7 @@ def _chosen(cases: Sequence[tuple[exp.Expr | None, exp.Expr | None, int]]) -> ex
     return chosen
 
 
-def _pattern(column: str, pattern: str) -> exp.Expr | None:
+def named_like(column: str, pattern: str) -> exp.Expr | None:
     """Return the condition that a name matches a pattern; None for one that matches all."""
     if not pattern.strip("*"):
         return None if pattern else exp.EQ(this=exp.column(column), expression=template.text(""))

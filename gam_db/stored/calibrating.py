@@ -52,8 +52,9 @@ def calibrate(
         limit: most readings to work on at once; None for what memory allows.
 
     Returns:
-        One row per new version, ordered: asset, channel, version_no, reason, verdict, floor, floor_sd,
-        floor_max, vectors (of calibration), cells, blocks, finest_bins, vectors_needed.
+        One row per new version, ordered: asset, channel, version_no, reason, m, tau, bins, lo and hi (of
+        calibration), verdict, floor, floor_sd, floor_max, vectors (of calibration), cells, blocks,
+        finest_bins, vectors_needed.
 
     Raises:
         UserError: the source or the calibration cannot be used, or the monitor watches a source that
@@ -253,13 +254,15 @@ def _write(
         for part, query in queries.items():
             state.append(part, query)
     verdicts = {row["channel_id"]: row for row in running.table("verdicts").to_pylist()}
+    ranges = {row["channel_id"]: row for row in running.table("bounds").to_pylist()}
     running.forget(but=("names", "readings"))
     del running.placed["numbering"]
     state.session.forget(loaded)
     return [
         {
             **{key: row[key] for key in ("asset", "channel", "reason")},
-            "version_no": numbered["version_no"],
+            **{key: numbered[key] for key in ("version_no", "m", "tau", "bins")},
+            **{key: ranges[numbered["channel_id"]][key] for key in ("lo", "hi")},
             **{key: verdicts[numbered["channel_id"]][key] for key in _TOLD},
         }
         for row, numbered in zip(group, numbering, strict=True)
@@ -291,7 +294,9 @@ _MONITOR = pa.schema(
 _RESULT = pa.schema(
     [
         *(("asset", pa.string()), ("channel", pa.string()), ("version_no", pa.int64())),
-        *(("reason", pa.string()), ("verdict", pa.string())),
+        ("reason", pa.string()),
+        *((name, pa.int64()) for name in ("m", "tau", "bins")),
+        *(("lo", pa.float64()), ("hi", pa.float64()), ("verdict", pa.string())),
         *((name, pa.float64()) for name in ("floor", "floor_sd", "floor_max")),
         *(
             (name, pa.int64())

@@ -7,25 +7,27 @@ from collections.abc import Callable
 from typing import Any, Literal
 
 import pyarrow as pa
+from sqlglot import exp
 
+from gam_db import template
 from gam_db.calibration import Calibration
-from gam_db.clock import Instant, Length, TimeKind, instant, length
+from gam_db.checking import look_at
+from gam_db.clock import Instant, Length, instant
 from gam_db.connect import connect
 from gam_db.engines.duckdb_session import Session
-from gam_db.errors import ParameterError
+from gam_db.method.source import named_like
 from gam_db.parameters import Parameters, pattern_matches
 from gam_db.running import Listener, unheard
 from gam_db.source import AnySource
-from gam_db.stored import migrations
+from gam_db.stored import lengths, migrations
 from gam_db.stored.calibrating import calibrate
+from gam_db.stored.checking import check_state
+from gam_db.stored.pruning import Retention, prune
 from gam_db.stored.scoring import Report, Wanted, score
 from gam_db.stored.state import State, kind_of
+from gam_db.stored.status import status
 from gam_db.stored.tables import StateTables
 from gam_db.study import Study
-
-#: Where the source has timestamps; a counter has no hours, so nothing is assumed of it.
-LOOKBACK = "1 h"
-PARK_AFTER = "1 d"
 
 
 class Monitor:
@@ -66,6 +68,7 @@ class Monitor:
         schema: str | None = None,
         prefix: str = "gam_",
     ) -> None:
+        self._is_ours = not isinstance(engine, Session)
         self.session = engine if isinstance(engine, Session) else connect(engine)
         self.source = source
         self.parameters = parameters or Parameters()
@@ -74,6 +77,31 @@ class Monitor:
         self.park_after = park_after
         self.name = name
         self.state = State(self.session, StateTables(schema, prefix))
+
+    def __enter__(self) -> "Monitor":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Close the database if this monitor opened it; a session that was given stays open."""
+        if self._is_ours:
+            self.session.close()
+
+    def check(self, on_step: Listener = unheard) -> pa.Table:
+        """Look at the source before anything is learnt of it; no state is needed.
+
+        Args:
+            on_step: called with the name of each step before it is run.
+
+        Returns:
+            One row per (asset, channel) pair; see :func:`gam_db.check`.
+
+        Raises:
+            UserError: the source, a parameter or the calibration cannot be used at all.
+        """
+        return look_at(self.session, self.source, self.parameters, self.calibration, on_step).table
 
     def migrate(self) -> list[str]:
         """Make or change the state tables; return the names of what was applied."""
@@ -138,8 +166,8 @@ class Monitor:
         migrations.require(self.session, self.state.tables)
         kind = kind_of(self.state.monitor(self.name))
         wanted = Wanted(
-            lookback=self._lookback(kind),
-            park_after=self._park_after(kind),
+            lookback=lengths.lookback(self.lookback, kind),
+            park_after=lengths.park_after(self.park_after, kind),
             repair_from=None if since is None else instant(since, kind, "since"),
             until=None if until is None else instant(until, kind, "until"),
             full=full,
@@ -149,19 +177,81 @@ class Monitor:
         )
         return score(self.state, self.source, self.name, wanted, dry_run, on_step)
 
-    def _lookback(self, kind: TimeKind) -> int:
-        if self.lookback is None:
-            return 0 if kind.is_counter else length(LOOKBACK, kind, "lookback")
-        return length(self.lookback, kind, "lookback")
+    def check_state(self, limit: int | None = None, on_step: Listener = unheard) -> pa.Table:
+        """Compare what is stored with the source; see :func:`gam_db.stored.checking.check_state`.
 
-    def _park_after(self, kind: TimeKind) -> int | None:
-        if self.park_after is None:
-            return None if kind.is_counter else length(PARK_AFTER, kind, "park_after")
-        if self.park_after is False:
-            return None
-        if self.park_after is True:
-            raise ParameterError("park_after is True; give a length of time, or False for never.")
-        return length(self.park_after, kind, "park_after")
+        Args:
+            limit: most readings to work on at once; None for what memory allows.
+            on_step: called with what is done next.
+
+        Returns:
+            One row per difference: what came too late, was corrected, or went; none if all is as one
+            run over the whole source would have it.
+
+        Raises:
+            UserError: there is no such monitor, or the source cannot be used.
+        """
+        migrations.require(self.session, self.state.tables)
+        kind = kind_of(self.state.monitor(self.name))
+        lookback = lengths.lookback(self.lookback, kind)
+        return check_state(self.state, self.source, self.name, lookback, limit, on_step)
+
+    def status(self) -> pa.Table:
+        """Return what the state says of each channel, the most urgent first; the source is not read.
+
+        Returns:
+            One row per channel; see :func:`gam_db.stored.status.status` for the columns.
+
+        Raises:
+            UserError: there is no such monitor, or no state.
+        """
+        return status(self.session, self.state.tables, self.name, self.park_after)
+
+    def prune(
+        self,
+        keep: Length | None = None,
+        keep_novel: Length | None = None,
+        keep_versions: int | None = None,
+        dry_run: bool = False,
+    ) -> pa.Table:
+        """Delete what is old, and return how much there was and is of each channel.
+
+        Args:
+            keep: age of the buckets that stay; None for all. See
+                :class:`gam_db.stored.pruning.Retention`.
+            keep_novel: age of the novel cells that stay; None for a bounded number of rows.
+            keep_versions: retired versions of each channel that stay; None for all.
+            dry_run: undo it all; the result is the same.
+
+        Raises:
+            UserError: there is no such monitor, a length is none, or the database cannot be written.
+        """
+        retention = Retention(keep, keep_novel, keep_versions, self.lookback)
+        return prune(self.session, self.state.tables, self.name, retention, dry_run)
+
+    def health(self, asset: str = "*", channel: str = "*") -> pa.Table:
+        """Return the stored health indicator; the source is not read.
+
+        Args:
+            asset: pattern of the assets (``*`` any text, ``?`` one character).
+            channel: pattern of the channels.
+
+        Returns:
+            One row per full bucket of the active versions, ordered: asset, channel, version_no, bucket,
+            first_time and last_time (UTC; NULL where the source counts time), first_tick and last_tick
+            (microseconds since 1970, or the counter), samples, novel, out_of_range, novel_in_window
+            (NULL until the window is full), window_length, hi (a share).
+
+        Raises:
+            UserError: there is no such monitor, or no state.
+        """
+        migrations.require(self.session, self.state.tables)
+        self.state.monitor(self.name)
+        conditions = [named_like("asset", asset), named_like("channel", channel)]
+        chosen = exp.and_(exp.true(), *(one for one in conditions if one is not None))
+        return self.state.fetch(
+            "stored/health_rows", {"monitor": template.text(self.name), "chosen": chosen}
+        )
 
 
 def _chosen(asset: str, channel: str) -> Callable[[str, str], bool]:

@@ -11,11 +11,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from gam_db.clock import LONG_AGO
-from gam_db.stored.steps import setting_of
+from gam_db.stored.steps import DAY, setting_of
 
 Row = dict[str, Any]
-
-DAY = 86_400_000_000
 
 #: With at most so many assets, a cohort's query names them.
 _FEW = 64

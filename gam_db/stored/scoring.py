@@ -5,22 +5,22 @@ in ``gam_run`` last: that is the commit. Where an engine has transactions, all o
 that are now hidden go in the same.
 """
 
-import dataclasses
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import pyarrow as pa
-from sqlglot import exp
 
-from gam_db import look, template
-from gam_db.clock import FAR_AHEAD, LONG_AGO
+from gam_db import template
+from gam_db.clock import FAR_AHEAD, shown_instant
+from gam_db.errors import ParameterError
 from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline
 from gam_db.running import Listener, Running, unheard
-from gam_db.source import AnySource, parsed_condition, readings
-from gam_db.stored.planning import DAY, Cohort, Row, assets_of, planned, portions, resumed
+from gam_db.source import AnySource
+from gam_db.stored.planning import Cohort, Row, assets_of, planned, portions, resumed
+from gam_db.stored.reading import Reader, cohort_of, last_times, plan_rows
 from gam_db.stored.state import State, kind_of, now
-from gam_db.stored.steps import PUBLISHED, plan_steps, reading_steps, scoring_steps, setting_of
+from gam_db.stored.steps import DAY, PUBLISHED, reading_steps, scoring_steps, setting_of
 
 
 @dataclass(frozen=True)
@@ -102,24 +102,21 @@ class _Run:
     ) -> None:
         self.state, self.session, self.wanted, self.on_step = state, state.session, wanted, on_step
         self.monitor = state.monitor(name)
-        self.relation = self.session.relation(source.relation)
-        columns = self.session.describe(self.relation)
-        if source.where is not None:
-            self.session.check_condition(
-                self.relation, parsed_condition(source.where), str(source.where)
-            )
-        self.source = look.resolved(source, columns, self.session)
-        self.kind = look.kind_of(self.source, columns, self.session)
-        look.check_kind(self.kind, kind_of(self.monitor), name)
+        self.reader = Reader(state.session, source, kind_of(self.monitor), name)
         self.started = now()
         self.report = Report()
 
     def go(self, dry_run: bool) -> Report:
         wanted = self.wanted
-        rows = [row for row in self._plan() if wanted.chosen(row["asset"], row["channel"])]
+        known = {(row["asset"], row["channel"]) for row in self._known()}
+        if known and not any(wanted.chosen(*channel) for channel in known):
+            raise ParameterError(
+                f"No channel of the monitor {self.monitor['name']!r} matches the patterns of asset and "
+                "channel; * stands for any text, ? for one character."
+            )
+        rows = self._plan()
         everything = wanted.everything or wanted.full or wanted.repair_from is not None
         plan = planned(rows, wanted.lookback, wanted.park_after, self.started, everything)
-        known = {(row["asset"], row["channel"]) for row in self._known()}
         parked = list(plan.parked)
         cohorts = list(plan.cohorts)
         while cohorts:
@@ -152,53 +149,43 @@ class _Run:
 
     def _plan(self) -> list[Row]:
         lookback = None if self.wanted.full else self.wanted.lookback
-        steps = plan_steps(self.monitor["monitor_id"], lookback, self.wanted.repair_from)
-        query = steps.query("plan", self.state.tables.placed())
-        rows: list[Row] = self.session.fetch(query).to_pylist()
-        return rows
+        monitor_id = self.monitor["monitor_id"]
+        rows = plan_rows(self.state, monitor_id, lookback, self.wanted.repair_from)
+        chosen = [row for row in rows if self.wanted.chosen(row["asset"], row["channel"])]
+        if self.wanted.repair_from is not None:
+            ends = last_times(self.state, monitor_id)
+            stored = [ends[row["version_id"]] for row in chosen if row["version_id"] in ends]
+            self._check_begin(self.wanted.repair_from, max(stored, default=None))
+        return chosen
+
+    def _check_begin(self, begin: int, newest: int | None) -> None:
+        """Refuse to score anew from an instant on where nothing is stored."""
+        kind, end = self.reader.kind, self.wanted.until
+        refused = f"Scoring anew cannot begin at {shown_instant(begin, kind)}"
+        if end is not None and begin > end:
+            raise ParameterError(f"{refused}: that is after its end, {shown_instant(end, kind)}.")
+        if newest is None:
+            raise ParameterError(f"{refused}: nothing of these channels is scored yet; leave it out.")
+        if begin > newest:
+            raise ParameterError(
+                f"{refused}: the newest stored bucket ends at {shown_instant(newest, kind)}; leave "
+                "it out to score what is new."
+            )
 
     def _known(self) -> list[Row]:
         slots: dict[str, template.Slot] = {"monitor_id": self.monitor["monitor_id"]}
         rows: list[Row] = self.state.fetch("stored/known_channels", slots).to_pylist()
         return rows
 
-    def _readings(self, conditions: Sequence[exp.Expr]) -> exp.Query:
-        condition = exp.and_(parsed_condition(self.source.where), *conditions)
-        source = dataclasses.replace(self.source, where=condition)
-        engine = self.session.engine
-        return readings(source, self.relation, lambda node: engine.micros_of(self.kind, node))
-
-    def _bounds(
-        self, assets: Sequence[str] | None, earliest: int, latest: int = FAR_AHEAD
-    ) -> list[exp.Expr]:
-        """Return conditions on the source's own columns, with literal bounds."""
-        conditions: list[exp.Expr] = []
-        time = template.column(self.source.time)
-        if earliest > LONG_AGO:
-            instant = self.session.engine.instant_of(self.kind, template.node_of(earliest))
-            conditions.append(exp.GTE(this=time, expression=instant))
-        if latest < FAR_AHEAD:
-            # The next one is excluded, so that nanoseconds after the last microsecond are not.
-            instant = self.session.engine.instant_of(self.kind, template.node_of(latest + 1))
-            conditions.append(exp.LT(this=time.copy(), expression=instant))
-        if assets is not None and self.source.asset is not None:
-            named = exp.cast(template.column(self.source.asset), "VARCHAR")
-            texts = [template.text(asset) for asset in assets]
-            conditions.append(exp.In(this=named, expressions=texts))
-        return conditions
-
     def _look(self, cohort: Cohort) -> list[Row]:
         self.on_step("looking at the source")
-        steps = Pipeline()
-        steps.add("readings", self._readings(self._bounds(cohort.assets, cohort.earliest)))
-        add(steps, "source/names")
+        steps = reading_steps(self.reader.readings(cohort.assets, cohort.earliest))
         rows: list[Row] = self.session.fetch(steps.query("names")).to_pylist()
         return rows
 
     def _undated(self) -> int:
         steps = Pipeline()
-        absent = exp.Is(this=template.column(self.source.time), expression=exp.null())
-        steps.add("readings", self._readings([absent]))
+        steps.add("readings", self.reader.undated())
         add(steps, "stored/undated")
         return int(self.session.fetch(steps.query("undated"))["undated"][0].as_py())
 
@@ -212,22 +199,25 @@ class _Run:
     def _score(self, group: Sequence[Row], cohort: Cohort) -> None:
         """Score a group of channels of one setting, and publish it."""
         due = [self.wanted.everything or self.started - row["counted_at"] >= DAY for row in group]
-        steps = scoring_steps(setting_of(group[0]), self.kind)
+        steps = scoring_steps(setting_of(group[0]), self.reader.kind)
         running = Running(self.session, steps, self.state.tables.placed(), self.on_step)
         earliest = min(row["read_from"] for row in group)
         try:
-            running.load("cohort", _control(group, due, self.wanted.until))
+            latest = FAR_AHEAD if self.wanted.until is None else self.wanted.until
+            running.load(
+                "cohort", cohort_of(group, read_until=latest, recounted=[int(one) for one in due])
+            )
             # A part of a cohort is found by name, or each part would read the rows of all.
             assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
-            rows = self._readings(self._bounds(assets, earliest))
-            running.put("identified", reading_steps(rows).query("identified", running.placed))
             calibration = running.table("calibration_range").to_pylist()[0]
             if any(due) and calibration["earliest"] is not None:
-                bounds = self._bounds(assets, calibration["earliest"], calibration["latest"])
-                counting = reading_steps(self._readings(bounds), is_ranged=False)
+                healthy = self.reader.readings(assets, calibration["earliest"], calibration["latest"])
+                counting = reading_steps(healthy, is_ranged=False)
                 running.put("recount", counting.query("recount", running.placed))
             else:
-                running.load("recount", _NO_RECOUNT)
+                running.load("recount", _NO_RECOUNT.empty_table())
+            rows = reading_steps(self.reader.readings(assets, earliest))
+            running.put("identified", rows.query("identified", running.placed))
             for part in PUBLISHED:
                 running.prepare(part)
             made = {row["channel_id"]: row for row in running.table("new_counts").to_pylist()}
@@ -261,29 +251,4 @@ class _Run:
             )
 
 
-_CONTROL = pa.schema(
-    [
-        *(
-            (name, pa.int64())
-            for name in (
-                *("channel_id", "version_id", "support_id", "first_bucket", "first_scored"),
-                *("read_from", "read_until", "context_expected", "recounted"),
-            )
-        ),
-        *((name, pa.string()) for name in ("asset", "channel")),
-        *((name, pa.float64()) for name in ("lo", "hi")),
-    ]
-)
-
-_NO_RECOUNT = pa.table(
-    {name: pa.array([], pa.int64()) for name in ("channel_id", "calibration_readings")}
-)
-
-
-def _control(group: Sequence[Row], recounted: Sequence[bool], until: int | None) -> pa.Table:
-    latest = FAR_AHEAD if until is None else until
-    rows = [
-        {**row, "recounted": int(due), "read_until": latest}
-        for row, due in zip(group, recounted, strict=True)
-    ]
-    return pa.Table.from_pylist(rows, schema=_CONTROL)
+_NO_RECOUNT = pa.schema([(name, pa.int64()) for name in ("channel_id", "calibration_readings")])

@@ -42,7 +42,7 @@ def source_of(monitor: Mapping[str, Any], channels: Sequence[str], relation: Any
 
     Args:
         monitor: its row.
-        channels: names of its channels, the columns of a wide source.
+        channels: names of its channels, the columns of a wide source; all numeric ones if it has none.
         relation: what to read instead of the relation that it was made from.
 
     Raises:
@@ -60,7 +60,7 @@ def source_of(monitor: Mapping[str, Any], channels: Sequence[str], relation: Any
         "where": monitor["condition"],
     }
     if monitor["layout"] == "wide":
-        return WideSource(relation, channels=sorted(set(channels)), **said)
+        return WideSource(relation, channels=sorted(set(channels)) or None, **said)
     return Source(relation, channel=monitor["channel_column"], value=monitor["value_column"], **said)
 
 

@@ -87,9 +87,8 @@ class State:
             if row["name"] == name:
                 return row
         raise ConfigurationError(
-            f"There is no monitor {name!r} yet in {self.tables.shown('monitor')}"
-            + nearest(name, [row["name"] for row in found])
-            + " `gam calibrate` makes it."
+            f"There is no monitor {name!r} yet in {self.tables.shown('monitor')} "
+            "(`gam calibrate` makes it)" + (nearest(name, [row["name"] for row in found]) or ".")
         )
 
     def last_numbers(self) -> dict[str, int]:

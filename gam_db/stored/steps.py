@@ -12,14 +12,19 @@ from typing import Any, NamedTuple
 
 from sqlglot import exp
 
+from gam_db import template
 from gam_db.calibration import Calibration
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.method import Method
-from gam_db.method.adding import add
-from gam_db.method.calibration import add_breaks
+from gam_db.method.adding import add, add_of_set
+from gam_db.method.calibration import add_breaks, until_calibration_end
 from gam_db.method.scoring import add_bucket_counts, add_buckets, add_numbered
+from gam_db.method.vectors import add_vectors
 from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline, union_of
+
+#: A day, in microseconds.
+DAY = 86_400_000_000
 
 #: What a run appends, in this order: the rows of *run* are its commit.
 PUBLISHED = ("bucket_rows", "novel_rows", "run_rows")
@@ -69,6 +74,7 @@ def plan_steps(monitor_id: int, lookback: int | None, repair_from: int | None) -
     slots = {
         "lookback": FAR_AHEAD if lookback is None else lookback,
         "repair_from": FAR_AHEAD if repair_from is None else repair_from,
+        "pruned_stay": 0 if lookback is None else 1,
     }
     add(steps, "stored/active", {"monitor_id": monitor_id})
     add(steps, "stored/newest")
@@ -86,7 +92,8 @@ def reading_steps(rows: exp.Query, is_ranged: bool = True) -> Pipeline:
         is_ranged: whether each channel is read in its own range only.
     """
     steps = Pipeline()
-    steps.add("readings", rows)
+    steps.add("readings", rows, template.load("source/readings").comment)
+    add(steps, "source/names")
     add(steps, "stored/channels")
     edges = [exp.column(name, table="named") for name in ("read_from", "read_until")]
     ranged = exp.Between(this=exp.column("time", table="reading"), low=edges[0], high=edges[1])
@@ -104,24 +111,10 @@ def scoring_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     committed), and *cohort*: the channels, from where on each is read and scored, and the number of its
     first bucket.
     """
-    method = _method(setting, kind)
-    span, buckets = method.settings[0].span, setting.window_length // setting.stride
-    steps = Pipeline(small=_KEPT)
-    for name in ("channels", "bounds", "calibration", "support"):
-        add(steps, f"stored/{name}")
-    add(steps, "stored/calibration_range")
-    add(steps, "stored/repeats", name="timeline")
-    for name in ("collapsed", "samples"):
-        add(steps, f"source/{name}")
-    add(steps, "stored/seen")
-    add(steps, "stored/run_up", {"span": span})
-    add_breaks(steps, method, 0)
-    if not method.is_short(0):
-        add_numbered(steps, method, 0)
-    add_buckets(steps, method, 0)
-    add(steps, "stored/new_buckets")
+    steps, method = _sampled(setting, kind)
+    _add_new_buckets(steps, method)
     add(steps, "stored/new_counts")
-    add(steps, "stored/past_buckets", {"buckets": buckets})
+    add(steps, "stored/past_buckets", {"buckets": setting.window_length // setting.stride})
     columns = ("channel_id", "bucket_no", "first_time", "last_time", "novel", "out_of_range")
     steps.add(
         "running_buckets",
@@ -132,6 +125,54 @@ def scoring_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     for part in PUBLISHED:
         add(steps, f"stored/{part}")
     return steps
+
+
+@cache
+def comparing_steps(setting: Setting, kind: TimeKind) -> Pipeline:
+    """Return the steps from *identified* to *compared*: where the stored buckets are no longer right."""
+    steps, method = _sampled(setting, kind)
+    _add_new_buckets(steps, method)
+    add(steps, "stored/compared", {"day": FAR_AHEAD if kind.is_counter else DAY})
+    return steps
+
+
+@cache
+def relearning_steps(setting: Setting, kind: TimeKind) -> Pipeline:
+    """Return the steps from *identified* to *relearnt*: whether calibration would teach other cells."""
+    steps, method = _sampled(setting, kind)
+    add_vectors(steps, method, 0, "calibration_", until_calibration_end())
+    add_of_set(
+        steps,
+        method,
+        0,
+        "calibration/learnable",
+        tables={"marked_vectors": "calibration_vectors"},
+    )
+    add(steps, "stored/relearnt")
+    return steps
+
+
+def _sampled(setting: Setting, kind: TimeKind) -> tuple[Pipeline, Method]:
+    """Return the steps from *identified* to the samples, and the method of the setting."""
+    method = _method(setting, kind)
+    steps = Pipeline(small=_KEPT)
+    for name in ("channels", "bounds", "calibration", "support"):
+        add(steps, f"stored/{name}")
+    add(steps, "stored/calibration_range")
+    add(steps, "stored/repeats", name="timeline")
+    for name in ("collapsed", "samples"):
+        add(steps, f"source/{name}")
+    add_breaks(steps, method, 0)
+    return steps, method
+
+
+def _add_new_buckets(steps: Pipeline, method: Method) -> None:
+    add(steps, "stored/seen")
+    add(steps, "stored/run_up", {"span": method.settings[0].span})
+    if not method.is_short(0):
+        add_numbered(steps, method, 0)
+    add_buckets(steps, method, 0)
+    add(steps, "stored/new_buckets")
 
 
 def _method(setting: Setting, kind: TimeKind) -> Method:

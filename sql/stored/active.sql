@@ -19,6 +19,7 @@ SELECT
   frozen.stride AS stride,
   frozen.max_gap AS max_gap,
   frozen.score_from AS score_from,
+  frozen.calibration_end AS calibration_end,
   frozen.first_scored AS first_scored,
   frozen.run_up_from AS run_up_from,
   frozen.calibration_readings AS calibration_readings,

@@ -7,5 +7,6 @@ SELECT
   member.support_id AS support_id,
   member.lo AS lo,
   member.hi AS hi,
+  member.calibration_end AS calibration_end,
   member.first_scored AS first_scored
 FROM cohort AS member

@@ -1,5 +1,6 @@
--- Hidden: rows of earlier runs that a committed run has replaced (state.md, publication).
--- Reads:  appended, the buckets or the novel cells; stored_run
+-- Hidden: rows of earlier runs that a committed run has replaced (state.md, publication), among those that
+-- were appended: the buckets, or the novel cells.
+-- Reads:  appended, stored_run
 -- A row:  one such row, by what names it.
 -- Slots:  :run_id
 --         :after   an instant before all that the run has replaced

@@ -42,6 +42,15 @@ def test_times_in_a_csv(files: Path) -> None:
     assert health(Source(path)) == expected(rows)
 
 
+def test_nan_in_a_parquet_file_is_missing(tmp_path: Path) -> None:
+    """The file's statistics do not speak of it: no value but NaN is outside of what is usable."""
+    values = [0.0, 1.0, float("nan"), *VALUES[3:]]
+    path = tmp_path / "nan.parquet"
+    pyarrow.parquet.write_table(table(value=values), path)
+    rows = [("a", "x", t, value) for t, value in enumerate(values)]
+    assert health(Source(path)) == expected(rows)
+
+
 def test_a_missing_file_is_named() -> None:
     for name in ("none.parquet", "none.csv", "no/such/folder/none.parquet", "none*.parquet"):
         refused("none.* cannot be read; is it there", lambda name=name: support(Source(name)))  # type: ignore[misc]

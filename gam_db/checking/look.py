@@ -1,0 +1,137 @@
+"""One look at a source: the figures of every channel, and which columns hold numbers as text."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import pyarrow as pa
+
+from gam_db import template
+from gam_db.calibration import Calibration
+from gam_db.checking.steps import SUMMARY, add_look
+from gam_db.clock import TimeKind
+from gam_db.engines.duckdb_session import Session
+from gam_db.method import Method
+from gam_db.parameters import Parameters
+from gam_db.running import Listener
+from gam_db.source import AnySource, parsed_condition, read_from
+from gam_db.study import Study
+
+#: A row of the summary by name; times and steps are integers: counter steps, or microseconds.
+Row = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Look:
+    """What was seen.
+
+    Attributes:
+        source: with its channels named.
+        method: the parameters and the calibration it was looked at with.
+        table: a row per (asset, channel) pair, as :func:`check` returns it.
+        channels: the rows of those that have a name and a time, in order.
+        nameless: rows of the source without asset, channel and time, by these words.
+        number_texts: text columns that are not read and hold numbers.
+    """
+
+    source: AnySource
+    method: Method
+    table: pa.Table
+    channels: tuple[Row, ...]
+    nameless: dict[str, int]
+    number_texts: tuple[str, ...]
+
+    @property
+    def kind(self) -> TimeKind:
+        """How the source tells time."""
+        return self.method.kind
+
+    def setting(self, row: Row) -> Parameters:
+        """Return the parameters of a channel."""
+        return self.method.settings[row["settings_no"]]
+
+    def gap(self, row: Row) -> int | None:
+        """Return max_gap of a channel as an integer; None for no limit."""
+        return self.method.gaps[row["settings_no"]]
+
+
+def check(
+    source: AnySource,
+    parameters: Parameters | None = None,
+    calibration: Calibration | None = None,
+    engine: Any = None,
+) -> pa.Table:
+    """Return what each channel looks like before anything is learnt of it.
+
+    Rows without asset, channel or time are counted, not refused.
+
+    Args:
+        source: where the telemetry lies.
+        parameters: of the method; default :class:`~gam_db.Parameters`.
+        calibration: the healthy part, of which the samples are counted; default the first fifth.
+        engine: None for DuckDB in memory, the path of a DuckDB file, or an open DuckDB connection.
+
+    Returns:
+        One row per (asset, channel) pair, ordered: asset, channel, readings (rows of the source),
+        without_time (of these), samples (distinct instants), repeated (further rows of an instant),
+        conflicts (instants with different values), missing (samples); first_tick, last_tick (integer
+        microseconds or counter), first_time, last_time (the same as the source tells time);
+        typical_step (lower median), short_step, long_step (5 and 95 %), typical_steps (how many are
+        just that), pauses (steps beyond five typical ones), longest_step (that is none),
+        shortest_pause, longest_pause, all in microseconds or counter steps; lowest, highest (of the
+        values); rises, falls, stills (samples above, below, equal to the one before), longest_still
+        (samples of one value in a row); values_seen and quantum (distinct values, and their smallest
+        difference, among at most 20,480 samples); cycle_length (samples) and cycle_strength (its
+        autocorrelation), NULL where no cycle was found in the first 163,840 samples;
+        calibration_samples, calibration_lowest, calibration_highest. What a row lacks is NULL.
+
+    Raises:
+        UserError: the source, a parameter or the calibration cannot be used at all.
+    """
+    with Session(engine) as session:
+        return look_at(session, source, parameters or Parameters(), calibration or Calibration()).table
+
+
+def look_at(
+    session: Session,
+    source: AnySource,
+    parameters: Parameters,
+    calibration: Calibration,
+    on_step: Listener = lambda _: None,
+) -> Look:
+    """Look at a source; arguments and errors as in :class:`~gam_db.study.Study`."""
+    study = Study(session, source, parameters, calibration, on_step, strict=False)
+    add_look(study.steps, study.method)
+    summary = study.table(SUMMARY)
+    table = summary.drop_columns(["settings_no"])
+    rows = summary.drop_columns(["first_time", "last_time"]).to_pylist()
+    nameless = {
+        role: sum(row["readings"] for row in rows if row[role] is None) for role in ("asset", "channel")
+    }
+    nameless["time"] = sum(row["without_time"] for row in rows)
+    return Look(
+        source=study.source,
+        method=study.method,
+        table=table,
+        channels=tuple(row for row in rows if row["samples"] is not None),
+        nameless=nameless,
+        number_texts=_number_texts(study),
+    )
+
+
+def _number_texts(study: Study) -> tuple[str, ...]:
+    """Return the text columns that nothing reads, although all their texts are numbers."""
+    source, session = study.source, study.session
+    read = set(source.columns.values())
+    found = []
+    for column, type_name in study.columns.items():
+        if column in read or not session.is_text(type_name):
+            continue
+        query = template.fill(
+            "check/number_texts",
+            {"words": template.column(column), "condition": parsed_condition(source.where)},
+        )
+        read_from(study.relation, query)
+        (row,) = session.fetch(query).to_pylist()
+        if row["texts"] and row["texts"] == row["numbers"]:
+            found.append(column)
+    return tuple(found)

@@ -1,0 +1,119 @@
+"""What to set: max_gap and the window, each with its reason.
+
+Only what follows from the look is proposed. The embedding and the grid do not: the certificate judges
+them.
+"""
+
+import math
+import statistics
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from gam_db.checking.look import Look, Row
+from gam_db.checking.sampling import is_irregular
+from gam_db.checking.steps import PAUSE
+from gam_db.checking.words import roundest, setting, spoken
+from gam_db.clock import TimeKind
+from gam_db.parameters import Parameters
+
+CYCLES = 5
+"""A window holds at least so many cycles; the paper asks for several complete ones."""
+BLOCKS = 8
+"""Calibration is at least so many windows long, or the certificate has to take shorter blocks."""
+_SHORTEST_WINDOW = 10
+
+
+@dataclass(frozen=True)
+class Gap:
+    """A max_gap.
+
+    Attributes:
+        length: counter steps, or microseconds.
+        value: the same as a setting takes it.
+        reason: why this one, in plain words.
+    """
+
+    length: int
+    value: int | str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Proposal:
+    """What to set.
+
+    Attributes:
+        max_gap: None where no channel pauses, or where no one length suits all channels.
+        gaps: channel -> max_gap, where one length does not suit all.
+        window: W, in vectors.
+        window_reason: why.
+    """
+
+    max_gap: Gap | None
+    gaps: dict[str, Gap]
+    window: int
+    window_reason: str
+
+
+def propose(look: Look) -> Proposal:
+    """Return what to set for a source."""
+    spaced = [row for row in look.channels if row["typical_step"] is not None]
+    one = _gap(spaced, look.kind)
+    gaps: dict[str, Gap] = {}
+    if one is None:
+        for channel in dict.fromkeys(row["channel"] for row in spaced):
+            own = _gap([row for row in spaced if row["channel"] == channel], look.kind)
+            if own is not None:
+                gaps[channel] = own
+    window, reason = _window(look)
+    return Proposal(one, gaps, window, reason)
+
+
+def _gap(rows: Sequence[Row], kind: TimeKind) -> Gap | None:
+    """Return a length that tells the pauses of these channels from their steps, if there is one.
+
+    Irregular sampling has no pauses: a length that breaks none of its steps will do.
+    """
+    pauses = [row["shortest_pause"] for row in rows if row["pauses"] and not is_irregular(row)]
+    if not pauses:
+        return None
+    below = min(pauses)
+    least = max(
+        (row["longest_pause"] if is_irregular(row) else None) or row["longest_step"] for row in rows
+    )
+    if least >= below:
+        return None
+    wanted = PAUSE * max(row["typical_step"] for row in rows)
+    length = roundest(least, below, wanted, kind)
+    reason = (
+        f"between steps of at most {spoken(least, kind)} and pauses of at least {spoken(below, kind)}"
+    )
+    return Gap(length, setting(length, kind), reason)
+
+
+def _window(look: Look) -> tuple[int, str]:
+    said = look.method.parameters.window
+    as_said = "the default" if said == Parameters().window else "as it is set"
+    moving = [row for row in look.channels if row["rises"] or row["falls"]]
+    if not moving:
+        return said, as_said
+    healthy = int(statistics.median_low(row["calibration_samples"] for row in moving))
+    cycles = [row["cycle_length"] for row in moving if row["cycle_length"] is not None]
+    cycle = statistics.median_high(cycles) if cycles else 0
+    room = healthy // BLOCKS
+    window, reason = said, as_said
+    if _SHORTEST_WINDOW <= room < said:
+        window = _rounded_down(room)
+        reason = f"an eighth of the calibration, {healthy:,} samples, so that it has {BLOCKS} blocks"
+    if cycle * CYCLES > window:
+        window = 100 * math.ceil(cycle * CYCLES / 100)
+        reason = f"{CYCLES} cycles of about {cycle:,} samples"
+        if window > room:
+            reason += f"; calibrate on {BLOCKS * window:,} samples or more, for {BLOCKS} blocks"
+    return window, reason
+
+
+def _rounded_down(number: int) -> int:
+    """Return the largest number of two digits and zeros that is not above."""
+    unit = 10 ** max(len(str(number)) - 2, 1) if number >= 100 else 10
+    return number // unit * unit

@@ -1,0 +1,71 @@
+"""Lengths of time, instants and counts as an engineer reads them, and as settings want them."""
+
+import datetime as dt
+from collections.abc import Sequence
+
+from gam_db.clock import SECOND, TimeKind
+
+_EPOCH = dt.datetime(1970, 1, 1, tzinfo=dt.UTC)
+_READ = ((SECOND * 86_400, "d", 2), (SECOND * 3_600, "h", 2), (SECOND * 60, "min", 2))
+_EXACT = (("d", 86_400_000_000), ("h", 3_600_000_000), ("min", 60_000_000), ("s", SECOND), ("ms", 1_000))
+_ROUND_SECONDS = (60, 120, 300, 600, 900, 1_800, 3_600, 7_200, 21_600, 43_200, 86_400)
+
+
+def spoken(length: int, kind: TimeKind) -> str:
+    """Return a length of time in few digits and the unit that suits it; counter steps as they are."""
+    if kind.is_counter:
+        return f"{length:,}"
+    for unit, name, most in _READ:
+        if length >= most * unit:
+            count = length / unit
+            return f"{count:.3g} {name}" if count < 1000 else f"{count:,.0f} {name}"
+    if length >= SECOND:
+        return f"{length / SECOND:.4g} s"
+    return f"{length / 1000:.4g} ms" if length >= 1000 else f"{length} us"
+
+
+def instant(tick: int, kind: TimeKind) -> str:
+    """Return an instant as it is read; years that no calendar has are given in microseconds."""
+    if kind.is_counter:
+        return f"{tick:,}"
+    try:
+        return f"{_EPOCH + dt.timedelta(microseconds=tick):%Y-%m-%d %H:%M:%S}"
+    except OverflowError:
+        return f"{tick:,} us since 1970"
+
+
+def setting(length: int, kind: TimeKind) -> int | str:
+    """Return a length exactly, as a setting: a number of counter steps, or a text such as '5 s'."""
+    if kind.is_counter:
+        return length
+    for unit, micros in _EXACT:
+        if length % micros == 0:
+            return f"{length // micros} {unit}"
+    return f"{length} us"
+
+
+def roundest(least: int, below: int, wanted: int, kind: TimeKind) -> int:
+    """Return the round length in [least, below) that is nearest to the wanted one; else ``least``."""
+    steps = [factor * 10**power for power in range(19) for factor in (1, 2, 5)]
+    if not kind.is_counter:
+        steps = [step for step in steps if step < 60 * SECOND]
+        steps += [SECOND * seconds for seconds in _ROUND_SECONDS]
+    inside = [step for step in steps if least <= step < below]
+    return min(inside, key=lambda step: max(step / wanted, wanted / step), default=least)
+
+
+def number_of(count: int, thing: str) -> str:
+    """Return a count with its noun: 1 pause, 12 pauses."""
+    return f"{count:,} {thing}{'s' * (count != 1)}"
+
+
+def extent(values: Sequence[int]) -> str:
+    """Return the least and the greatest of some counts: '3', or '3 to 17'."""
+    least, most = min(values), max(values)
+    return f"{least:,}" if least == most else f"{least:,} to {most:,}"
+
+
+def percent(share: float) -> str:
+    """Return a share in percent, with enough digits to be seen."""
+    hundred = 100 * share
+    return f"{hundred:.0f} %" if hundred >= 10 or not hundred else f"{hundred:.2g} %"

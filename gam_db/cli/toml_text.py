@@ -1,0 +1,62 @@
+"""Values and comments as TOML, which Python's library reads but does not write.
+
+This module owns quoting: any name that a column or a file can have comes back as it was.
+"""
+
+import json
+import textwrap
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from gam_db.errors import ConfigurationError
+
+_WIDTH = 100
+
+
+def value(of: Any) -> str:
+    """Return a text, a number, a truth value or a list of these as TOML.
+
+    Raises:
+        ConfigurationError: a text that no file can hold (half of a UTF-16 pair).
+    """
+    if isinstance(of, bool):
+        return "true" if of else "false"
+    if isinstance(of, (int, float)):
+        return repr(of)
+    if isinstance(of, str):
+        try:
+            of.encode("utf-8")
+        except UnicodeEncodeError as error:
+            raise ConfigurationError(f"{of!r} cannot be written as text; rename it.") from error
+        # JSON's escapes are TOML's, but TOML wants DEL escaped, too.
+        return json.dumps(of, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(of, Sequence):
+        return f"[{', '.join(value(one) for one in of)}]"
+    raise TypeError(f"{type(of).__name__} has no form in TOML.")
+
+
+def comment(text: str) -> list[str]:
+    """Return a text as comment lines; what is not printable becomes a mark."""
+    shown = "".join(sign if sign.isprintable() else "\N{REPLACEMENT CHARACTER}" for sign in text)
+    return [f"# {line}" for line in textwrap.wrap(shown, _WIDTH - 2, break_on_hyphens=False)]
+
+
+def entries(said: Mapping[str, tuple[Any, str]]) -> list[str]:
+    """Return lines of ``key = value  # comment`` with the comments under one another.
+
+    Args:
+        said: key -> (value, comment); a long comment goes before its line.
+    """
+    written = {key: f"{key} = {value(of)}" for key, (of, _) in said.items()}
+    column = max((len(line) for line in written.values() if len(line) <= 40), default=0)
+    lines = []
+    for key, line in written.items():
+        (_, remark) = said[key]
+        beside = f"{line:{column}}  {' '.join(comment(remark))}"
+        if not remark:
+            lines.append(line)
+        elif len(beside) <= _WIDTH and len(comment(remark)) == 1:
+            lines.append(beside)
+        else:
+            lines += [*comment(remark), line]
+    return lines

@@ -1,0 +1,89 @@
+"""Steps that ask the certificate: which m and B can the calibration at hand fill, and the last tables.
+
+This module makes trees; it runs nothing.
+"""
+
+import dataclasses
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.method import Method
+from gam_db.method.adding import add
+from gam_db.method.certificate import add_certificate
+from gam_db.parameters import LARGEST_KEY, Override, Parameters
+from gam_db.pipeline import Pipeline, filled
+from gam_db.selection.search import Search
+
+_OWN = 1
+"""The set whose certificate is this one; number 0 is that of the study."""
+
+
+def add_budget(steps: Pipeline, method: Method, search: Search) -> None:
+    """Add the certificate of every dimension, and the dimension and grid that go together.
+
+    The cell of a vector of m coordinates has zeros for the others, so that one certificate, made for
+    the largest m, serves all of them.
+
+    Args:
+        steps: with the embedding and the choice of m.
+        method: of the study; it has one set of parameters.
+        search: the options.
+    """
+    general = method.settings[0]
+    fitting = [m for m in range(1, search.m_max + 1) if general.radix**m <= LARGEST_KEY]
+    sets = dataclasses.replace(method, parameters=_beside(general, fitting[-1]))
+    steps.small |= sets.small() | {"learners", "budget", "joint"}
+    learners = [filled("selection/learners", {"m": m, "window": general.window}) for m in fitting]
+    taught = [
+        filled("selection/teachable", {"m": m, "cell_key": _cell_key(general, m)}) for m in fitting
+    ]
+    for name, path, rows in (
+        ("learners", "selection/learners", learners),
+        (sets.named("learnable", _OWN), "selection/teachable", taught),
+    ):
+        query = rows[0] if len(rows) == 1 else exp.union(*rows, distinct=False)
+        steps.add(name, query, template.load(path).comment)
+    steps.add(
+        sets.named("bounds", _OWN),
+        exp.select("channel_id", "support_id").from_(exp.to_table("learners")),
+        "Bounds, as far as the certificate needs them: which support a learner fills.",
+    )
+    add_certificate(steps, sets, _OWN)
+    own = ("spread", "cells", "finest", "ladder", "outlook")
+    add(
+        steps,
+        "selection/budget",
+        {"bins": general.bins},
+        tables={name: sets.named(name, _OWN) for name in own},
+    )
+    add(steps, "selection/joint", {"m": min(general.m, fitting[-1])})
+
+
+def add_results(steps: Pipeline, method: Method) -> None:
+    """Add the last steps: names instead of integers."""
+    general = method.settings[0]
+    add(steps, "selection/choices", {"bins": general.bins, "window": general.window})
+    for name in ("lag_curve", "dimension_curve", "cycle_curve", "budget_curve"):
+        add(steps, f"selection/{name}")
+
+
+def _beside(general: Parameters, m: int) -> Parameters:
+    """Return parameters of two sets, the general one and one of dimension m with a name of its own."""
+    return dataclasses.replace(general, overrides=[Override(m=m, tau=general.tau + 1)])
+
+
+def _cell_key(setting: Parameters, m: int) -> exp.Expr:
+    return template.added(
+        [
+            template.fill(
+                "selection/bin_term",
+                {
+                    "coordinate": exp.column(f"u_{k}"),
+                    "bins": setting.bins,
+                    "weight": setting.radix**k,
+                },
+            )
+            for k in range(m)
+        ]
+    )

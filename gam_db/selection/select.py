@@ -1,0 +1,115 @@
+"""The public call: a source in, curves and choices out."""
+
+import dataclasses
+from dataclasses import dataclass
+from typing import Any
+
+import pyarrow as pa
+
+from gam_db.calibration import Calibration
+from gam_db.engines.duckdb_session import Session
+from gam_db.parameters import Parameters
+from gam_db.selection.budget import add_budget, add_results
+from gam_db.selection.lags import add_delays, add_samples
+from gam_db.selection.neighbours import add_dimensions, add_embedding
+from gam_db.selection.search import Search
+from gam_db.source import AnySource
+from gam_db.study import Study
+
+
+@dataclass(frozen=True)
+class Selection:
+    """What was found for each channel (method, section 8). Tables are Arrow, ordered by channel.
+
+    Attributes:
+        choices: one row per channel: asset, channel, samples and usable (of calibration); tau, in
+            samples, with tau_rule (given, first_minimum, acf_1e, acf_zero, none) and the lags
+            ami_minimum, acf_1e, acf_zero of each rule; m_fnn with fnn_status (fnn, noise_floor,
+            none), m_cao with cao_status (saturated, no_saturation, stochastic, none); cycle_length
+            in samples with window_status (enough, short, no_cycle) and recommended_window in
+            vectors; together for this calibration recommended_m and recommended_bins, with the
+            certificate's verdict and floor at the bins asked for, recommended_floor at the
+            recommended ones, and vectors_needed for those asked for.
+        lags: one row per delay from 0: n_pairs, occupied (pairs of bins), ami and ami_corrected in
+            nats, acf, informative (1 if the information is more than chance).
+        dimensions: one row per embedding dimension m: reference_vectors, neighbours, skipped (found
+            beyond others at distance zero), false_neighbours, false_share, Cao's e1 and e2.
+        cycles: one row per delay of each scale of the autocorrelation: scale and delay in
+            samples, n_pairs, acf.
+        budget: one row per embedding dimension m: vectors, cells, floor, verdict, finest_bins (the
+            finest grid that passes) with finest_floor, vectors_needed.
+    """
+
+    choices: pa.Table
+    lags: pa.Table
+    dimensions: pa.Table
+    cycles: pa.Table
+    budget: pa.Table
+
+
+def select(
+    source: AnySource,
+    parameters: Parameters | None = None,
+    calibration: Calibration | None = None,
+    engine: Any = None,
+    **search: Any,
+) -> Selection:
+    """Choose tau, m, B and W for every channel from its calibration (method, section 8).
+
+    Average mutual information (Fraser and Swinney 1986) and autocorrelation give tau, false nearest
+    neighbours (Kennel, Brown and Abarbanel 1992) and Cao (1997) give m, the autocorrelation at long
+    lags gives the cycle, and the certificate says which m and B the calibration can fill.
+
+    Args:
+        source: where the telemetry lies.
+        parameters: bins, window, max_gap and target_floor are those asked for; m counts where no rule
+            finds one, tau not at all. Overrides are left out.
+        calibration: the healthy part; default the first fifth of each channel, ``Calibration(
+            fraction=1.0)`` for all of it. Pools are left out: each channel speaks for itself.
+        engine: None for DuckDB in memory, the path of a DuckDB file, or an open DuckDB connection.
+        **search: the fields of :class:`gam_db.selection.Search`: tau, tau_by, tau_max, m_max,
+            theiler, references, seed, ami_bins.
+
+    Returns:
+        Curves and choices. A channel for which nothing can be chosen has a status that says so.
+
+    Raises:
+        UserError: see its subclasses; the message says what to mend.
+        TypeError: an option that :class:`gam_db.selection.Search` does not have.
+    """
+    options = Search(**search)
+    with Session(engine) as session:
+        study = Study(session, source, *alone(parameters or Parameters(), calibration or Calibration()))
+        return selected(study, options)
+
+
+def alone(parameters: Parameters, calibration: Calibration) -> tuple[Parameters, Calibration]:
+    """Return the method for channels that each speak for themselves: no overrides, no pools."""
+    return (
+        dataclasses.replace(parameters, overrides=()),
+        dataclasses.replace(calibration, pool=None),
+    )
+
+
+def selected(study: Study, search: Search) -> Selection:
+    """Run a selection on a study whose method is one of :func:`alone`; its steps are added to it."""
+    steps = study.steps
+    add_samples(steps, search)
+    extents = study.table("extents").to_pylist()
+    usable = max((one["usable"] for one in extents), default=0)
+    add_delays(
+        steps,
+        search,
+        samples=max((one["samples"] for one in extents), default=0),
+    )
+    add_embedding(steps, search)
+    add_dimensions(steps, search, usable, lambda step: bool(study.table(step)["vectors"][0].as_py()))
+    add_budget(steps, study.method, search)
+    add_results(steps, study.method)
+    return Selection(
+        choices=study.table("choices"),
+        lags=study.table("lag_curve"),
+        dimensions=study.table("dimension_curve"),
+        cycles=study.table("cycle_curve"),
+        budget=study.table("budget_curve"),
+    )

@@ -1,0 +1,77 @@
+"""Copying: the state alone in another DuckDB file, for those who read while scoring goes on.
+
+While one process writes a DuckDB file, no other can open it. A copy is as it was at one instant, and
+holds nothing but the state: no telemetry, and no room left by rows that are gone.
+"""
+
+import secrets
+from pathlib import Path
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.engines.duckdb_session import Session
+from gam_db.errors import SourceError
+from gam_db.stored import migrations
+from gam_db.stored.tables import TABLES, StateTables
+
+
+def copy(session: Session, tables: StateTables, path: Path) -> None:
+    """Write all state tables and views into a DuckDB file of their own.
+
+    It is written beside and renamed, so that a reader finds the old copy or the new one, whole; who has
+    the old one open keeps reading that.
+
+    Args:
+        session: on the database that holds the state.
+        tables: where it lies, and will lie in the copy.
+        path: the file, replaced if it is there.
+
+    Raises:
+        StateError: there is no state, or it is not of this gam-db.
+        SourceError: the file cannot be written, or would not be this copy alone.
+        EngineError: a transaction is open.
+    """
+    migrations.require(session, tables)
+    if path.resolve() in session.files():
+        raise SourceError(f"{path} is open in this session; give the copy a name of its own.")
+    log = path.with_name(f"{path.name}.wal")
+    if log.exists():
+        raise SourceError(
+            f"{path} is open in a process that changes it, or was left by one ({log.name} is there); "
+            "give the copy a name of its own."
+        )
+    if not path.parent.is_dir():
+        raise SourceError(f"{path} cannot be written; the folder {path.parent} is not there.")
+    if tables.schema is not None and path.stem.casefold() == tables.schema.casefold():
+        raise SourceError(
+            f"{path} is called like the schema of the state, and DuckDB could not tell them apart; give "
+            "the copy another name."
+        )
+    unfinished = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
+    try:
+        with Session(unfinished, writable=True) as target:
+            migrations.migrate(target, tables)
+        with session.attached(unfinished) as catalog, session.transaction():
+            for name in TABLES:
+                if name != "migration":
+                    _fill(session, tables, name, catalog)
+        unfinished.replace(path)
+    except OSError as error:
+        raise SourceError(f"{path} cannot be written: {error.strerror}.") from error
+    finally:
+        unfinished.unlink(missing_ok=True)
+
+
+def _fill(session: Session, tables: StateTables, name: str, catalog: exp.Identifier) -> None:
+    source = tables.table(name)
+    columns = [template.name(column) for column in session.describe(source)]
+    target = source.copy()
+    target.set("db", target.args.get("db") or template.name("main"))
+    target.set("catalog", catalog.copy())
+    session.execute(
+        exp.Insert(
+            this=exp.Schema(this=target, expressions=columns),
+            expression=exp.select(*(exp.Column(this=one.copy()) for one in columns)).from_(source),
+        )
+    )

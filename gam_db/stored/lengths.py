@@ -1,0 +1,38 @@
+"""Lengths of time that scoring, status and pruning read alike, and their values if nothing is said.
+
+This module owns the defaults. A counter has no hours, so nothing is assumed of it.
+"""
+
+from typing import Literal
+
+from gam_db.clock import Length, TimeKind, length
+from gam_db.errors import ParameterError
+
+LOOKBACK = "1 h"
+PARK_AFTER = "1 d"
+
+
+def lookback(given: Length | None, kind: TimeKind) -> int:
+    """Return how late a row may come, in microseconds or steps; by default an hour, or no step.
+
+    Raises:
+        ParameterError: it is no length of time of that kind.
+    """
+    if given is None:
+        return 0 if kind.is_counter else length(LOOKBACK, kind, "lookback")
+    return length(given, kind, "lookback")
+
+
+def park_after(given: Length | Literal[False] | None, kind: TimeKind) -> int | None:
+    """Return after how long a channel is silent; by default a day, or never. None is never.
+
+    Raises:
+        ParameterError: it is no length of time of that kind.
+    """
+    if given is None:
+        return None if kind.is_counter else length(PARK_AFTER, kind, "park_after")
+    if given is False:
+        return None
+    if given is True:
+        raise ParameterError("park_after is True; give a length of time, or False for never.")
+    return length(given, kind, "park_after")

@@ -1,0 +1,165 @@
+"""Pruning: old rows of the state go, so that no channel grows without bound.
+
+This module owns how long what is kept. What a restart needs stays whatever its age, so that pruning
+changes nothing that a later run computes.
+"""
+
+import contextlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.clock import FAR_AHEAD, Length, TimeKind, length
+from gam_db.engines.duckdb_session import Session
+from gam_db.errors import ParameterError
+from gam_db.pipeline import Pipeline, filled, place
+from gam_db.stored import lengths, migrations
+from gam_db.stored.state import State, kind_of
+from gam_db.stored.tables import StateTables
+
+NOVEL_ROWS = 100_000
+"""Rows of novel cells that a version keeps where nothing is said: those of 100,000 vectors if each is
+novel and in a cell of its own, of ten million if one in a hundred is."""
+
+COUNTED = ("bucket_rows", "novel_rows", "run_rows", "support_rows")
+"""The columns of sizes that count rows."""
+
+
+@dataclass(frozen=True)
+class Retention:
+    """How long what is kept, behind the newest bucket of each channel.
+
+    Attributes:
+        keep: buckets of the health indicator; None for ever.
+        keep_novel: novel cells; None for as many of the newest buckets as hold :data:`NOVEL_ROWS` rows
+            of them together. They never outlast their buckets.
+        keep_versions: retired versions of each channel; None for all.
+        lookback: how late rows may come, as in scoring: the buckets that it reaches stay. Default one
+            hour, for counters 0.
+    """
+
+    keep: Length | None = None
+    keep_novel: Length | None = None
+    keep_versions: int | None = None
+    lookback: Length | None = None
+
+
+#: The steps that find what goes, in order; all are read before anything is deleted.
+_STEPS = (
+    *("pruned_versions", "aged_buckets", "horizons"),
+    *("doomed_buckets", "doomed_novel", "doomed_runs", "doomed_versions", "doomed_supports"),
+)
+
+#: What is deleted: the state table, and the step that lists the keys of its rows.
+_DOOMED = {
+    "bucket": "doomed_buckets",
+    "novel": "doomed_novel",
+    "run": "doomed_runs",
+    "calibration": "doomed_versions",
+    "version": "doomed_versions",
+    "support": "doomed_supports",
+    "bounds": "doomed_supports",
+    "block": "doomed_supports",
+}
+
+
+class _UndoneError(Exception):
+    """Ends a dry run, and undoes it."""
+
+
+def prune(
+    session: Session,
+    tables: StateTables,
+    monitor: str = "default",
+    retention: Retention | None = None,
+    dry_run: bool = False,
+) -> pa.Table:
+    """Delete what is too old and what is hidden, in one transaction, and return what there was and is.
+
+    Rows go that are hidden by a later run, or left by one that never finished; buckets and novel cells
+    beyond their age; versions beyond their number, with what only they had learnt; records of runs of
+    which nothing else is left. Of an active version stay the buckets that ``lookback`` reaches and a
+    window of buckets before them.
+
+    A row of the result is one channel, the largest first: ``asset``, ``channel``, ``versions``,
+    ``bucket_rows``, ``novel_rows``, ``run_rows`` and ``support_rows`` before, and each again as
+    ``..._after``. A support that a pool shares counts for each of its channels.
+
+    Args:
+        session: on a database that can be written, also for a dry run.
+        tables: where the state lies.
+        monitor: its name; other monitors are left alone.
+        retention: how long what is kept; None is Retention().
+        dry_run: undo it all; the result is the same.
+
+    Raises:
+        StateError: there is no state of this gam-db.
+        ConfigurationError: there is no such monitor.
+        ParameterError: a length of time or a number is none.
+        EngineError: the database cannot be written, or a transaction is open.
+    """
+    migrations.require(session, tables)
+    kind = kind_of(State(session, tables).monitor(monitor))
+    slots = {"monitor": template.text(monitor), **_slots(retention or Retention(), kind)}
+    steps = _steps(tables, slots)
+    sizes = filled("stored/state_sizes", {"monitor": slots["monitor"]})
+    place(sizes, tables.placed())
+    with contextlib.suppress(_UndoneError), session.transaction():
+        before = session.fetch(sizes)
+        kept: dict[str, exp.Table] = {}
+        for step in _STEPS:
+            if step in steps.small:
+                kept[step] = session.keep(step, steps.query(step, kept))
+        for table, step in _DOOMED.items():
+            keys = [template.column(key) for key in steps.steps[step].query.named_selects]
+            found = exp.In(this=exp.Tuple(expressions=keys), query=_all_of(keys, kept[step]))
+            session.execute(exp.Delete(this=tables.table(table), where=exp.Where(this=found)))
+        after = session.fetch(sizes)
+        for made in kept.values():
+            session.forget(made)
+        if dry_run:
+            raise _UndoneError
+    return _compared(before, after)
+
+
+def _slots(retention: Retention, kind: TimeKind) -> dict[str, template.Slot]:
+    """Return the retention in integers; 2^62 is for ever."""
+    slots: dict[str, template.Slot] = {
+        role: FAR_AHEAD if given is None else length(given, kind, role)
+        for role, given in (("keep", retention.keep), ("keep_novel", retention.keep_novel))
+    }
+    slots["lookback"] = lengths.lookback(retention.lookback, kind)
+    slots["novel_rows"] = NOVEL_ROWS if retention.keep_novel is None else FAR_AHEAD
+    versions = FAR_AHEAD if retention.keep_versions is None else retention.keep_versions
+    if isinstance(versions, bool) or not isinstance(versions, int) or versions < 0:
+        raise ParameterError(f"keep_versions is {versions!r}; it is a number of versions, 0 or more.")
+    slots["keep_versions"] = versions
+    return slots
+
+
+def _steps(tables: StateTables, slots: Mapping[str, template.Slot]) -> Pipeline:
+    steps = Pipeline(small=frozenset(_STEPS) - {"aged_buckets"})  # that one has a row per bucket
+    for step in _STEPS:
+        path = f"stored/{step}"
+        query = filled(path, {slot: slots[slot] for slot in template.load(path).slots})
+        place(query, tables.placed())
+        steps.add(step, query)
+    return steps
+
+
+def _all_of(keys: list[exp.Column], kept: exp.Table) -> exp.Subquery:
+    return exp.Subquery(this=exp.select(*(key.copy() for key in keys)).from_(kept.copy()))
+
+
+def _compared(before: pa.Table, after: pa.Table) -> pa.Table:
+    """Put the sizes beside one another; both have a row per channel, in the same order."""
+    counted = ("versions", *COUNTED)
+    rows = before
+    for column in counted:
+        rows = rows.append_column(f"{column}_after", after[column])
+    sizes = [sum(row[column] for column in COUNTED) for row in before.to_pylist()]
+    order = sorted(range(len(sizes)), key=lambda number: -sizes[number])
+    return rows.take(pa.array(order, pa.int64()))

@@ -1,0 +1,132 @@
+"""Reading the source for the stored form: in the range of a cohort, and no further.
+
+This module owns the conditions on the source's own columns, and the table that tells the steps of a run
+which channels are read from where on.
+"""
+
+import dataclasses
+from collections.abc import Sequence
+from typing import Any
+
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db import look, template
+from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
+from gam_db.engines.duckdb_session import Session
+from gam_db.source import AnySource, parsed_condition, readings
+from gam_db.stored.planning import Row
+from gam_db.stored.state import State
+from gam_db.stored.steps import plan_steps
+
+
+class Reader:
+    """The source of a monitor, checked.
+
+    Args:
+        session: an open session.
+        source: where the telemetry lies.
+        expected: how the source of the monitor tells time.
+        name: of the monitor, for messages.
+
+    Raises:
+        SourceError: there is no such relation, a column is missing or of another type, or time is told
+            otherwise than when the monitor was made.
+    """
+
+    def __init__(self, session: Session, source: AnySource, expected: TimeKind, name: str) -> None:
+        self._engine = session.engine
+        self._relation = session.relation(source.relation)
+        columns = session.describe(self._relation)
+        if source.where is not None:
+            session.check_condition(self._relation, parsed_condition(source.where), str(source.where))
+        self._source = look.resolved(source, columns, session)
+        self.kind = look.kind_of(self._source, columns, session)
+        look.check_kind(self.kind, expected, name)
+
+    def readings(
+        self,
+        assets: Sequence[str] | None = None,
+        earliest: int = LONG_AGO,
+        latest: int = FAR_AHEAD,
+    ) -> exp.Query:
+        """Return the step *readings*, with literal bounds where there are any.
+
+        Args:
+            assets: to be read; None for all.
+            earliest: nothing older is read.
+            latest: nothing newer is read.
+        """
+        conditions: list[exp.Expr] = []
+        time = template.column(self._source.time)
+        if earliest > LONG_AGO:
+            conditions.append(exp.GTE(this=time, expression=self._instant(earliest)))
+        if latest < FAR_AHEAD:
+            # The next one is excluded, so that nanoseconds after the last microsecond are not.
+            conditions.append(exp.LT(this=time.copy(), expression=self._instant(latest + 1)))
+        if assets is not None and self._source.asset is not None:
+            named = exp.cast(template.column(self._source.asset), "VARCHAR")
+            texts = [template.text(asset) for asset in assets]
+            conditions.append(exp.In(this=named, expressions=texts))
+        return self._under(conditions)
+
+    def _instant(self, time: int) -> exp.Expr:
+        return self._engine.instant_of(self.kind, template.node_of(time))
+
+    def undated(self) -> exp.Query:
+        """Return the readings without a time."""
+        return self._under([exp.Is(this=template.column(self._source.time), expression=exp.null())])
+
+    def _under(self, conditions: Sequence[exp.Expr]) -> exp.Query:
+        condition = exp.and_(parsed_condition(self._source.where), *conditions)
+        source = dataclasses.replace(self._source, where=condition)
+        return readings(source, self._relation, lambda node: self._engine.micros_of(self.kind, node))
+
+
+def plan_rows(
+    state: State, monitor_id: int, lookback: int | None, repair_from: int | None = None
+) -> list[Row]:
+    """Return from where on each version must be read; see :func:`gam_db.stored.steps.plan_steps`."""
+    steps = plan_steps(monitor_id, lookback, repair_from)
+    rows: list[Row] = state.session.fetch(steps.query("plan", state.tables.placed())).to_pylist()
+    return rows
+
+
+def last_times(state: State, monitor_id: int) -> dict[int, int]:
+    """Return the end of what is stored of each version that has a bucket."""
+    steps = plan_steps(monitor_id, None, None)
+    rows = state.session.fetch(steps.query("newest", state.tables.placed())).to_pylist()
+    return {row["version_id"]: row["newest_time"] for row in rows}
+
+
+def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
+    """Return the step *cohort*: the channels of a group, by their rows of the plan.
+
+    Args:
+        rows: of the plan.
+        columns: read_until, recounted, settled and what else differs from the plan: one value for all,
+            or one for each row.
+    """
+    made = []
+    for number, row in enumerate(rows):
+        said = {
+            name: value[number] if isinstance(value, list) else value for name, value in columns.items()
+        }
+        made.append({**row, "recounted": 0, "settled": 0, **said})
+    return pa.Table.from_pylist(made, schema=_COHORT)
+
+
+_COHORT = pa.schema(
+    [
+        *(
+            (name, pa.int64())
+            for name in (
+                *("channel_id", "version_id", "support_id", "first_bucket", "first_scored"),
+                *("read_from", "read_until", "context_expected", "calibration_end"),
+                *("oldest_bucket", "recounted", "settled"),
+            )
+        ),
+        *((name, pa.string()) for name in ("asset", "channel")),
+        *((name, pa.float64()) for name in ("lo", "hi")),
+    ]
+)

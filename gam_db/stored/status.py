@@ -1,0 +1,289 @@
+"""Status: what the state says of every channel, without a look at the source.
+
+This module owns the table that ``gam status`` prints. What deserves attention, and in which order, is
+said by :mod:`gam_db.findings`.
+"""
+
+import dataclasses
+import datetime as dt
+import itertools
+from collections.abc import Mapping, Sequence
+from functools import cache
+from typing import Literal
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.compute as pc
+from numpy.typing import NDArray
+from sqlglot import exp
+
+from gam_db.clock import SECOND, Length, TimeKind, shown_instant
+from gam_db.engines.duckdb_session import Session
+from gam_db.findings import Course, Finding, Row, finding, urgency
+from gam_db.parameters import Parameters
+from gam_db.pipeline import filled, place
+from gam_db.stored import lengths, migrations
+from gam_db.stored.state import State, kind_of
+from gam_db.stored.tables import StateTables
+from gam_db.template import Slot, text
+
+_UNITS = (("d", 86_400 * SECOND), ("h", 3_600 * SECOND), ("min", 60 * SECOND), ("s", SECOND))
+
+
+def status(
+    session: Session,
+    tables: StateTables,
+    monitor: str = "default",
+    park_after: Length | Literal[False] | None = None,
+) -> pa.Table:
+    """Return what the state says of each channel of a monitor, the most urgent first.
+
+    A row is one channel under its active version:
+
+    * ``asset``, ``channel``, ``version``: its names, and which calibration it is (1, 2, ...)
+    * ``status``: high, setup, waiting, ok or not assessed (see :mod:`gam_db.findings`);
+      ``needs_attention``: high or setup
+    * ``verdict``, ``floor``, ``limit``: of the certificate
+    * ``hi``: the latest health indicator, ``novel_in_window`` / ``window``; NULL before a full window
+    * ``trend``: ``hi`` less the one a window earlier, (``novel_in_window`` - ``novel_window_before``) /
+      ``window``, so that no vector is in both; NULL until two windows are scored
+    * ``course``: the indicator of late, oldest first, in at most 64 stretches of buckets that hold 64
+      buckets or 8 windows, whichever is more; the highest of each; NULL until a window is scored
+    * ``scored``: vectors in full buckets; ``last_time``: when the last of them ends
+    * ``last_data``: the newest time read of the channel; ``silent``: that is more than ``park_after``
+      behind the newest of the whole monitor, or no run has found any yet; ``looked_at``: when the last
+      run looked (UTC)
+    * ``differing_contexts``: runs that found other samples than were scored, since rows came later than
+      lookback allows or were taken away; ``repair_from``: scoring again from there mends it
+    * ``calibration_rows``: rows inside calibration when it was learnt; ``calibration_rows_added``: how
+      many more there are since (less than 0: fewer); NULL if they were not counted again
+    * ``settings_hash``, ``method_hash``: what the version was made under
+    * ``remarks``: what is to be known, in plain words
+
+    Times are timestamps as in the source, or integers where it counts.
+
+    Args:
+        session: on the database that holds the state; it is only read.
+        tables: where the state lies.
+        monitor: its name.
+        park_after: how far a channel may lag behind the others before it is called silent; False for
+            ever. Default one day, for counters for ever.
+
+    Raises:
+        StateError: there is no state of this gam-db.
+        ConfigurationError: there is no such monitor.
+        ParameterError: ``park_after`` is no length of time of this monitor.
+    """
+    migrations.require(session, tables)
+    kind = kind_of(State(session, tables).monitor(monitor))
+    longest = lengths.park_after(park_after, kind)
+    stored = _fetched(session, tables, "stored/status_rows", {"monitor": text(monitor)})
+    loaded = session.load(stored)
+    courses = _courses(_fetched(session, tables, "stored/course", {}, {"status_rows": loaded}))
+    session.forget(loaded)
+    rows = stored.to_pylist()
+    newest = max((row["data_tick"] for row in rows if row["data_tick"] is not None), default=None)
+    found = []
+    for row in rows:
+        row["behind"] = _behind(row["data_tick"], newest)
+        row["silent"] = _is_silent(row, longest)
+        one = finding(row, _setting(row), _course(row, courses.get(row["version_id"])))
+        found.append(dataclasses.replace(one, remarks=(*one.remarks, *_remarks(row, kind))))
+    return _table(sorted(found, key=urgency), kind)
+
+
+def by_asset(channels: pa.Table) -> pa.Table:
+    """Return a row per asset, the most urgent first, each with its worst channel.
+
+    Columns: ``asset``; ``channel``, ``status``, ``hi``, ``limit`` and ``trend`` of its worst channel;
+    ``channels``, how many it has; ``need_attention`` and ``silent``, how many of them do and are.
+
+    Args:
+        channels: what :func:`status` returned, or some of its rows in their order.
+    """
+    worst: dict[str, int] = {}
+    counts: dict[str, list[int]] = {}
+    flags = zip(
+        *(channels[name].to_pylist() for name in ("asset", "needs_attention", "silent")), strict=True
+    )
+    for place_of, (asset, needs_attention, silent) in enumerate(flags):
+        worst.setdefault(asset, place_of)
+        count = counts.setdefault(asset, [0, 0, 0])
+        count[0] += 1
+        count[1] += needs_attention
+        count[2] += silent
+    rows = channels.select(["asset", "channel", "status", "hi", "limit", "trend"]).take(
+        pa.array(worst.values(), pa.int64())
+    )
+    for number, name in enumerate(("channels", "need_attention", "silent")):
+        rows = rows.append_column(name, pa.array([one[number] for one in counts.values()], pa.int64()))
+    return rows
+
+
+def unheard_for(
+    channels: pa.Table, park_after: Length | Literal[False] | None, now: dt.datetime
+) -> dt.timedelta | None:
+    """Return for how long no channel at all had data, where that is longer than ``park_after``.
+
+    It says that the source is not filled any more, or that nobody scores it. None where the source
+    counts time, since a counter tells no hour.
+
+    Args:
+        channels: what :func:`status` returned.
+        park_after: as given there.
+        now: this instant, with a time zone.
+    """
+    told = channels["last_data"]
+    if pa.types.is_integer(told.type) or told.null_count == len(told):
+        return None
+    longest = lengths.park_after(park_after, TimeKind.TIMESTAMP)
+    newest = pc.max(told.cast(pa.int64())).as_py()
+    behind = (now - dt.datetime(1970, 1, 1, tzinfo=dt.UTC)) - dt.timedelta(microseconds=newest)
+    return behind if longest is not None and behind > dt.timedelta(microseconds=longest) else None
+
+
+def shown_length(steps: int, kind: TimeKind) -> str:
+    """Return a length of time in words, in its largest unit that is not below 1."""
+    if kind.is_counter:
+        return f"{steps:,} steps"
+    for unit, size in _UNITS:
+        if steps >= size:
+            return f"{steps / size:.3g} {unit}"
+    return "less than 1 s"
+
+
+def _fetched(
+    session: Session,
+    tables: StateTables,
+    name: str,
+    slots: Mapping[str, Slot],
+    given: Mapping[str, exp.Table] | None = None,
+) -> pa.Table:
+    query = filled(name, slots)
+    place(query, {**tables.placed(), **(given or {})})
+    return session.fetch(query)
+
+
+def _courses(stretches: pa.Table) -> dict[int, NDArray[np.float64]]:
+    """Cut the stretches, which come in order, into one course per version."""
+    versions = stretches["version_id"].to_numpy()
+    hi = stretches["hi"].to_numpy()
+    edges = [0, *(np.flatnonzero(np.diff(versions)) + 1).tolist(), len(versions)]
+    return {
+        int(versions[start]): hi[start:end] for start, end in itertools.pairwise(edges) if end > start
+    }
+
+
+def _course(row: Row, hi: NDArray[np.float64] | None) -> Course | None:
+    if row["bucket"] is None or hi is None:
+        return None
+    return Course(
+        hi=hi,
+        now=row["hi"],
+        highest=row["hi_highest"],
+        vectors=(row["bucket"] + 1) * row["stride"],
+        novel=row["novel_in_window"] or 0,
+        out_of_range=row["out_of_range_in_window"],
+        has_moved=row["novel_in_buckets"] > 0,
+        time=row["last_tick"],
+    )
+
+
+def _setting(row: Row) -> Parameters:
+    return _parameters(
+        row["m"], row["tau"], row["bins"], row["window_length"], row["stride"], row["target_floor"]
+    )
+
+
+@cache
+def _parameters(m: int, tau: int, bins: int, window: int, stride: int, target: float) -> Parameters:
+    return Parameters(m=m, tau=tau, bins=bins, window=window, stride=stride, target_floor=target)
+
+
+def _behind(tick: int | None, newest: int | None) -> int | None:
+    return None if tick is None or newest is None else newest - tick
+
+
+def _is_silent(row: Row, longest: int | None) -> bool:
+    if longest is None or row["looked_at"] is None:
+        return False
+    return row["behind"] is None or row["behind"] > longest
+
+
+def _remarks(row: Row, kind: TimeKind) -> list[str]:
+    """Return what only the state can tell."""
+    remarks = []
+    if row["silent"] and row["behind"] is None:
+        remarks.append("silent: no data was ever found")
+    elif row["silent"]:
+        remarks.append(f"silent: {shown_length(row['behind'], kind)} behind the newest data")
+    runs = row["differing_contexts"]
+    if runs:
+        since = shown_instant(row["repair_from_tick"], kind)
+        remarks.append(
+            f"{runs:,} run{'s' * (runs != 1)} found other samples than were scored, so rows came later "
+            f"than lookback or were taken away: gam score --from {since}"
+        )
+    added = _added(row)
+    if added:
+        remarks.append(
+            f"calibration data changed: {added:+,} rows since version {row['version_no']} was made"
+        )
+    return remarks
+
+
+def _added(row: Row) -> int | None:
+    now = row["calibration_readings_now"]
+    return None if now is None else now - row["calibration_readings"]
+
+
+def _table(found: Sequence[Finding], kind: TimeKind) -> pa.Table:
+    """Return the findings as a table, in their order."""
+    time = pa.int64()
+    if not kind.is_counter:
+        time = pa.timestamp("us", "UTC" if kind.has_zone else None)
+    rows: list[Row] = [one.support for one in found]
+
+    def stored(name: str, of: pa.DataType) -> pa.Array:
+        return pa.array([row[name] for row in rows], of)
+
+    def ticks(name: str) -> pa.Array:
+        return stored(name, pa.int64()).cast(time)
+
+    count, share, word = pa.int64(), pa.float64(), pa.string()
+    return pa.table(
+        {
+            "asset": stored("asset", word),
+            "channel": stored("channel", word),
+            "version": stored("version_no", count),
+            "status": pa.array([one.status for one in found], word),
+            "needs_attention": pa.array([one.needs_attention for one in found], pa.bool_()),
+            "verdict": stored("verdict", word),
+            "floor": stored("floor", share),
+            "limit": pa.array([one.limit for one in found], share),
+            "hi": stored("hi", share),
+            "trend": pa.array([_trend(row) for row in rows], share),
+            "novel_in_window": stored("novel_in_window", count),
+            "novel_window_before": stored("novel_window_before", count),
+            "window": stored("window_length", count),
+            "course": pa.array([one.course for one in found], pa.list_(share), from_pandas=True),
+            "scored": pa.array([one.scored for one in found], count),
+            "last_time": ticks("last_tick"),
+            "last_data": ticks("data_tick"),
+            "silent": stored("silent", pa.bool_()),
+            "looked_at": stored("looked_at", pa.timestamp("us")),
+            "differing_contexts": stored("differing_contexts", count),
+            "repair_from": ticks("repair_from_tick"),
+            "calibration_rows": stored("calibration_readings", count),
+            "calibration_rows_added": pa.array([_added(row) for row in rows], count),
+            "settings_hash": stored("settings_hash", word),
+            "method_hash": stored("method_hash", word),
+            "remarks": pa.array([one.remarks for one in found], pa.list_(word)),
+        }
+    )
+
+
+def _trend(row: Row) -> float | None:
+    """Return by how much the indicator rose since the window before."""
+    now, before = row["novel_in_window"], row["novel_window_before"]
+    return None if now is None or before is None else (now - before) / row["window_length"]

@@ -1,0 +1,2 @@
+-- Ends amplitude: the last value less the first.
+last_hi - first_hi

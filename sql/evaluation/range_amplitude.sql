@@ -1,0 +1,2 @@
+-- Range amplitude: the highest value less the lowest.
+highest_hi - lowest_hi

@@ -1,0 +1,20 @@
+-- Dimensions: false nearest neighbours and Cao's quantities by dimension.
+-- Reads:  false_neighbours, cao
+-- A row:  one dimension of one channel.
+-- Slots:  :m_max  the largest dimension
+SELECT
+  fate.channel_id AS channel_id,
+  fate.m AS m,
+  fate.reference_vectors AS reference_vectors,
+  fate.neighbours AS neighbours,
+  fate.skipped AS skipped,
+  fate.false_neighbours AS false_neighbours,
+  CASE WHEN grown.hit = 1 THEN grown.e1 END AS e1,
+  CASE WHEN grown.hit = 1 THEN grown.e2 END AS e2,
+  CASE WHEN grown.hit = 1 THEN grown.e1_next END AS e1_next
+FROM false_neighbours AS fate
+LEFT JOIN (
+  SELECT channel_id, m, e1, e2, e1_next, 1 AS hit
+  FROM cao
+) AS grown ON grown.channel_id = fate.channel_id AND grown.m = fate.m
+WHERE fate.m <= :m_max

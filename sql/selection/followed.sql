@@ -1,0 +1,13 @@
+-- Followed: how far each reference vector and its neighbour part in the next coordinate.
+-- Reads:  found, probes, embedded
+-- A row:  one reference vector that has a neighbour.
+-- Slots:  :next_coordinate, :next_of_neighbour  u_d of both
+SELECT
+  pair.channel_id AS channel_id,
+  pair.place AS place,
+  pair.distance AS distance,
+  pair.twin AS twin,
+  ABS(:next_coordinate - :next_of_neighbour) AS parting
+FROM found AS pair
+JOIN probes AS probe ON probe.channel_id = pair.channel_id AND probe.place = pair.place
+JOIN embedded AS other ON other.channel_id = pair.channel_id AND other.place = pair.neighbour

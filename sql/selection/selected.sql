@@ -1,0 +1,63 @@
+-- Selected: the samples from which parameters are chosen: those of calibration, in order, in runs that
+-- neither a break nor a sample outside calibration interrupts (method, section 8).
+-- Reads:  samples, bounds, calibration, breaks
+-- A row:  one calibration sample; place counts them, run_no counts the runs, both from 1. scaled is
+--         (x - lo) / (hi - lo), NULL where the sample is missing or the channel constant; level is the
+--         same as an integer of 14 bits, 1 to 16384, and 0 where the sample is missing.
+SELECT
+  channel_id,
+  place,
+  CAST(
+    SUM(
+      CASE
+        WHEN place = 1 OR breaking = 1 OR position - previous_position > 1 THEN 1
+        ELSE 0
+      END
+    ) OVER (
+      PARTITION BY channel_id ORDER BY place ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
+    ) AS BIGINT
+  ) AS run_no,
+  scaled,
+  CAST(
+    CASE
+      WHEN scaled >= CAST(1 AS DOUBLE) THEN 16384
+      WHEN scaled >= CAST(0 AS DOUBLE) THEN 1 + FLOOR(scaled * CAST(16384 AS DOUBLE))
+      WHEN known = 1 THEN 1
+      ELSE 0
+    END AS SMALLINT
+  ) AS level
+FROM (
+  SELECT
+    channel_id,
+    position,
+    breaking,
+    scaled,
+    known,
+    CAST(ROW_NUMBER() OVER (PARTITION BY channel_id ORDER BY position) AS BIGINT) AS place,
+    LAG(position, 1) OVER (PARTITION BY channel_id ORDER BY position) AS previous_position
+  FROM (
+    SELECT
+      sampled.channel_id AS channel_id,
+      CAST(
+        ROW_NUMBER() OVER (PARTITION BY sampled.channel_id ORDER BY sampled.time) AS BIGINT
+      ) AS position,
+      CASE WHEN piece.hit = 1 THEN 1 ELSE 0 END AS calibrating,
+      CASE WHEN pause.hit = 1 THEN 1 ELSE 0 END AS breaking,
+      (sampled.value - scale.lo) / NULLIF(scale.hi - scale.lo, CAST(0 AS DOUBLE)) AS scaled,
+      CASE WHEN sampled.value IS NULL THEN 0 ELSE 1 END AS known
+    FROM samples AS sampled
+    JOIN bounds AS scale ON scale.channel_id = sampled.channel_id
+    LEFT JOIN (
+      SELECT channel_id, time_from, time_to, 1 AS hit
+      FROM calibration
+    ) AS piece
+      ON piece.channel_id = sampled.channel_id
+      AND sampled.time BETWEEN piece.time_from AND piece.time_to
+    LEFT JOIN (
+      SELECT channel_id, time, 1 AS hit
+      FROM breaks
+    ) AS pause ON pause.channel_id = sampled.channel_id AND pause.time = sampled.time
+    WHERE sampled.time <= scale.calibration_end
+  ) AS numbered
+  WHERE calibrating = 1
+) AS placed

@@ -1,0 +1,68 @@
+-- Compared: the buckets that are settled, as they are stored and as the source gives them now. A row that came
+-- too late, was corrected or went changes the bucket that holds it, or moves all that follow.
+-- Reads:  new_buckets, stored_visible_bucket, cohort
+-- A row:  one channel and day (of the last vector of a bucket) on which they differ; since is the beginning of
+--         the first bucket that does.
+-- Slots:  :day  a day, in the unit of time
+SELECT
+  channel_id,
+  day_no,
+  samples_then,
+  samples_now,
+  CASE WHEN only_stored > only_found THEN only_stored ELSE only_found END AS differing,
+  since
+FROM (
+  SELECT
+    channel_id,
+    day_no,
+    CAST(SUM(CASE WHEN stored_rows > 0 THEN samples ELSE 0 END) AS BIGINT) AS samples_then,
+    CAST(SUM(CASE WHEN source_rows > 0 THEN samples ELSE 0 END) AS BIGINT) AS samples_now,
+    CAST(SUM(CASE WHEN source_rows = 0 THEN 1 ELSE 0 END) AS BIGINT) AS only_stored,
+    CAST(SUM(CASE WHEN stored_rows = 0 THEN 1 ELSE 0 END) AS BIGINT) AS only_found,
+    MIN(CASE WHEN stored_rows <> source_rows THEN first_time END) AS since
+  FROM (
+    SELECT
+      channel_id,
+      CAST(
+        FLOOR((CAST(last_time AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(:day AS DOUBLE)) AS BIGINT
+      ) AS day_no,
+      bucket_no,
+      first_time,
+      last_time,
+      samples,
+      novel,
+      out_of_range,
+      CAST(SUM(is_stored) AS BIGINT) AS stored_rows,
+      CAST(SUM(1 - is_stored) AS BIGINT) AS source_rows
+    FROM (
+      SELECT
+        member.channel_id AS channel_id,
+        bucket.bucket_no AS bucket_no,
+        bucket.first_time AS first_time,
+        bucket.last_time AS last_time,
+        bucket.samples AS samples,
+        bucket.novel AS novel,
+        bucket.out_of_range AS out_of_range,
+        1 AS is_stored
+      FROM stored_visible_bucket AS bucket
+      JOIN cohort AS member ON member.version_id = bucket.version_id
+      WHERE bucket.bucket_no BETWEEN member.oldest_bucket AND member.settled - 1
+      UNION ALL
+      SELECT
+        made.channel_id AS channel_id,
+        made.bucket_no AS bucket_no,
+        made.first_time AS first_time,
+        made.last_time AS last_time,
+        made.samples AS samples,
+        made.novel AS novel,
+        made.out_of_range AS out_of_range,
+        0 AS is_stored
+      FROM new_buckets AS made
+      JOIN cohort AS member ON member.channel_id = made.channel_id
+      WHERE made.bucket_no BETWEEN member.oldest_bucket AND member.settled - 1
+    ) AS both_sides
+    GROUP BY channel_id, bucket_no, first_time, last_time, samples, novel, out_of_range
+  ) AS matched
+  GROUP BY channel_id, day_no
+) AS summed
+WHERE only_stored > 0 OR only_found > 0

@@ -1,0 +1,26 @@
+-- Doomed novel: novel cells that go, by the same rule as buckets, but with a horizon of their own.
+-- Reads:  pruned_versions, horizons, stored_novel, stored_visible_novel
+-- A row:  all novel cells of one bucket that one run wrote, by their key.
+SELECT
+  written.version_id AS version_id,
+  written.bucket_no AS bucket_no,
+  written.run_id AS run_id
+FROM (
+  SELECT DISTINCT version_id, bucket_no, run_id
+  FROM stored_novel
+) AS written
+JOIN pruned_versions AS pruned ON pruned.version_id = written.version_id
+LEFT JOIN (
+  SELECT DISTINCT
+    visible.version_id AS version_id,
+    visible.bucket_no AS bucket_no,
+    visible.run_id AS run_id,
+    1 AS hit
+  FROM stored_visible_novel AS visible
+  JOIN horizons AS horizon ON horizon.version_id = visible.version_id
+  WHERE visible.bucket_no >= horizon.first_novel
+) AS staying
+  ON staying.version_id = written.version_id
+  AND staying.bucket_no = written.bucket_no
+  AND staying.run_id = written.run_id
+WHERE CASE WHEN staying.hit = 1 THEN 0 ELSE 1 END = 1

@@ -1,0 +1,271 @@
+"""The notes of the look before calibration, each on a series made for it."""
+
+import datetime as dt
+import math
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import pytest
+
+import gam_db
+from gam_db import Calibration, Parameters, Source
+from gam_db.checking import look_at, must_be_fixed, propose
+from gam_db.engines.duckdb_session import Session
+from looks import HALF, SECOND, SHORT, figures, said, table, wave
+
+
+def test_a_clean_source_has_no_notes() -> None:
+    assert said(table(wave(2000))) == {}
+
+
+def test_rows_that_belong_nowhere_are_counted() -> None:
+    values = wave(500)
+    rows = table(values, asset=["a"] * 498 + [None] * 2, times=[None] * 3 + list(range(497)))
+    notes_of = said(rows)
+    assert "3 without time" in notes_of["nameless"].text
+    assert "2 without asset" in notes_of["nameless"].text
+    assert "channel," not in notes_of["nameless"].text
+    assert notes_of["nameless"].must
+    found = gam_db.check(Source(rows)).to_pylist()
+    assert {(row["asset"], row["readings"], row["without_time"]) for row in found} == {
+        ("a", 498, 3),
+        (None, 2, 0),
+    }
+
+
+@pytest.mark.parametrize("where", [None, "value > 100"])
+def test_a_source_without_usable_rows(where: str | None) -> None:
+    rows = table([1.0, 2.0], times=pa.array([None, None], pa.int64()))
+    found = said(Source(rows, where=where))
+    assert found["nothing"].must
+    assert ("condition" in found["nothing"].text) == (where is not None)
+
+
+def test_one_instant_for_all_rows() -> None:
+    found = said(table(wave(300), times=[7] * 300))
+    assert found["one_instant"].must
+    assert must_be_fixed(list(found.values()))
+
+
+def test_conflicts_everywhere_are_several_signals_under_one_name() -> None:
+    twice = table(np.r_[wave(500), wave(500) + 9], times=np.tile(np.arange(500), 2))
+    found = said(twice)
+    assert found["conflicts"].must
+    assert found["conflicts"].text.startswith("100 % of the instants")
+    assert figures(twice)["conflicts"] == 500
+    few = table(np.r_[wave(500), [9.0] * 7], times=np.r_[np.arange(500), np.arange(7)])
+    assert not said(few)["few_conflicts"].must
+    assert said(few)["few_conflicts"].text.startswith("7 instants")
+
+
+def test_repeated_rows() -> None:
+    values = wave(500)
+    found = said(table(np.r_[values, values[:9]], times=np.r_[np.arange(500), np.arange(9)]))
+    assert set(found) == {"repeated"}
+    assert found["repeated"].text.startswith("9 rows repeat")
+
+
+@pytest.mark.parametrize("unit", ["us", "ns"])
+def test_the_hour_that_local_time_repeats(unit: str) -> None:
+    start = np.datetime64("2026-10-25T00:00", "us")
+    minutes = np.r_[np.arange(180), np.arange(120, 940)] * np.timedelta64(1, "m")
+    times = (start + minutes).astype(f"datetime64[{unit}]")
+    found = said(table(wave(1000), times=times))
+    assert "clocks go back" in found["few_conflicts"].text
+
+
+def test_pauses_and_the_max_gap_that_tells_them_apart() -> None:
+    times = (1_770_000_000 + np.arange(1000)) * SECOND
+    times[300:] += 45 * SECOND
+    times[600:] += 3_600 * SECOND
+    dated = times.astype("datetime64[us]")
+    found = said(table(wave(1000), times=dated))
+    assert set(found) == {"pauses"}
+    assert "2 pauses of 46 s to 60 min" in found["pauses"].text
+    assert '--max-gap "5 s"' in found["pauses"].text
+    row = figures(table(wave(1000), times=dated))
+    assert (row["typical_step"], row["pauses"], row["longest_step"]) == (SECOND, 2, SECOND)
+    assert (row["shortest_pause"], row["longest_pause"]) == (46 * SECOND, 3_601 * SECOND)
+    assert row["first_time"] == dt.datetime(2026, 2, 2, 2, 40)
+    heeded = said(table(wave(1000), times=dated), Parameters(window=25, max_gap="20 s"))
+    assert "max_gap sees to it" in heeded["pauses"].text
+
+
+def test_a_max_gap_below_the_step_leaves_no_vector() -> None:
+    found = said(table(wave(500), times=np.arange(500) * 10), Parameters(window=25, max_gap=5))
+    assert found["short_gap"].must
+    assert "step of 10" in found["short_gap"].text
+
+
+def test_channels_whose_pauses_no_one_length_tells_apart() -> None:
+    fast, slow = np.arange(1000), np.arange(1000) * 50
+    fast[500:] += 20
+    slow[500:] += 5000
+    both = pa.concat_tables(
+        [
+            table(wave(1000), times=fast, channel=["fast"] * 1000),
+            table(wave(1000), times=slow, channel=["slow"] * 1000),
+        ]
+    )
+    with Session() as session:
+        proposal = propose(look_at(session, Source(both), SHORT, Calibration()))
+    assert proposal.max_gap is None
+    assert {name: gap.value for name, gap in proposal.gaps.items()} == {"fast": 5, "slow": 200}
+    found = said(both)
+    assert "one for each channel" in found["pauses"].text
+    assert "1 (1 channel), 50 (1 channel)" in found["rates"].text
+
+
+def test_data_written_on_change() -> None:
+    random = np.random.default_rng(1)
+    times = np.cumsum(1 + random.geometric(0.05, 2000))
+    values = np.cumsum(random.choice([-1.0, 1.0], 2000))
+    found = said(table(values, times=times))
+    assert "on_change" in found
+    assert "resample" in found["on_change"].text
+    assert "pauses" not in found
+    with Session() as session:
+        assert propose(look_at(session, Source(table(values, times=times)), SHORT, HALF)).max_gap is None
+    held = said(table(np.repeat(values[:1000], 2), times=times))
+    assert "irregular" in held
+    assert "on_change" not in held
+
+
+def test_bursts_are_regular() -> None:
+    times = (np.arange(100)[:, None] * 5000 + np.arange(10)).ravel()
+    found = said(table(wave(1000), times=times))
+    assert set(found) == {"pauses"}
+    assert found["pauses"].text.startswith("99 pauses of 4,991 (usual step 1)")
+
+
+@pytest.mark.parametrize(
+    ("unit", "ticks", "maker"),
+    [
+        ("seconds", 1, 'make_timestamp("time" * 1000000)'),
+        ("milliseconds", 10**3, 'make_timestamp("time" * 1000)'),
+        ("microseconds", 10**6, 'make_timestamp("time")'),
+        ("nanoseconds", 10**9, 'make_timestamp_ns("time")'),
+    ],
+)
+def test_a_counter_that_counts_from_1970(unit: str, ticks: int, maker: str) -> None:
+    times = (1_770_000_000 + np.arange(500)) * ticks
+    found = said(table(wave(500), times=times))
+    assert set(found) == {"epoch"}
+    assert f"looks like {unit} since 1970 (from 2026-02-02 02:40:00)" in found["epoch"].text
+    assert maker in found["epoch"].text
+
+
+def test_timestamps_in_a_wrong_unit() -> None:
+    times = (1_770_000_000_000 + np.arange(500) * 1000).astype("datetime64[us]")
+    found = said(table(wave(500), times=times))
+    assert set(found) == {"calendar"}
+    assert "from 1970-01-21" in found["calendar"].text
+
+
+def test_values_that_are_missing() -> None:
+    values = wave(400)
+    values[[5, 6, 90]] = [math.nan, math.inf, 2e300]
+    found = said(table(values))
+    assert set(found) == {"missing"}
+    assert found["missing"].text.startswith("3 samples missing (0.75 %")
+    assert figures(table(values))["highest"] < 2
+
+
+def test_constant_channels() -> None:
+    alone = said(table(np.full(500, 4.5)))
+    assert alone["constant"].must
+    moving = table(wave(500), channel=["y"] * 500)
+    beside = said(pa.concat_tables([table(np.full(500, 4.5)), moving]))
+    assert not beside["constant"].must
+    assert beside["constant"].channels == (("a", "x"),)
+
+
+def test_a_channel_that_moves_only_after_calibration() -> None:
+    found = said(table(np.r_[np.full(300, 4.5), wave(700)]), SHORT, Calibration())
+    assert "not assessable" in found["constant_in_calibration"].text
+    assert found["still"].text.startswith("one and the same value for 30 %")
+    assert figures(table(np.r_[np.full(300, 4.5), wave(700)]))["longest_still"] == 300
+
+
+def test_a_channel_without_any_value() -> None:
+    nothing = table(pa.array([None] * 300, pa.float64()))
+    assert said(nothing)["empty"].must
+    beside = pa.concat_tables([nothing, table(wave(300), channel=["y"] * 300)])
+    assert not said(beside)["empty"].must
+
+
+def test_counters_with_and_without_resets() -> None:
+    assert said(table(np.arange(600.0)))["counter"].text.startswith("only ever rises: a counter")
+    reset = said(table(np.arange(600.0) % 290))["counter"]
+    assert reset.text.startswith("only ever rises, but for 2 falls (resets)")
+    assert "counter" not in said(table(wave(600)))
+
+
+def test_states_and_coarse_resolution() -> None:
+    switch = said(table(np.random.default_rng(0).integers(0, 2, 600).astype(float)))
+    assert switch["states"].text.startswith("only 2 different values")
+    coarse = said(table(np.random.default_rng(0).integers(0, 40, 600) * 0.1))
+    assert "(40 levels): --bins 40 loses nothing" in coarse["coarse"].text
+    fine = said(
+        table(np.random.default_rng(0).integers(0, 40, 600) * 0.1), Parameters(window=25, bins=20)
+    )
+    assert "coarse" not in fine
+
+
+def test_text_columns_that_hold_numbers() -> None:
+    texts = {"speed": ["1.5"] * 400, "mode": ["1"] * 399 + ["auto"], "empty": [None] * 400}
+    found = said(table(wave(400), **{name: pa.array(of, pa.string()) for name, of in texts.items()}))
+    assert set(found) == {"number_texts"}
+    assert "'speed'" in found["number_texts"].text
+    assert "mode" not in found["number_texts"].text
+
+
+def test_too_few_samples_for_a_window() -> None:
+    found = said(table(wave(100)), Parameters(window=81), Calibration())
+    assert found["short"].must
+    assert "(100 in all, 20 of calibration)" in found["short"].text
+    assert "short" not in said(table(wave(100)), Parameters(window=80), Calibration())
+
+
+def test_channels_that_begin_late_or_end_early() -> None:
+    parts = [
+        table(wave(1000)[part], times=np.arange(1000)[part], channel=[name] * len(wave(1000)[part]))
+        for name, part in (
+            ("whole", slice(None)),
+            ("late", slice(101, None)),
+            ("early", slice(None, 899)),
+        )
+    ]
+    found = said(pa.concat_tables(parts))
+    assert found["begins_late"].channels == (("a", "late"),)
+    assert "(101 at the earliest)" in found["begins_late"].text
+    assert found["ends_early"].channels == (("a", "early"),)
+    assert "(898 at the earliest)" in found["ends_early"].text
+
+
+def test_calibration_that_holds_nothing() -> None:
+    nowhere = said(table(wave(500)), SHORT, Calibration(intervals=[(900, 999)]))
+    assert nowhere["no_calibration"].must
+    pooled = Calibration(intervals=[(900, 999)], pool="channel")
+    assert "no_calibration" not in said(table(wave(500)), SHORT, pooled)
+    short = said(table(wave(500)), Parameters(window=32))["short_calibration"]
+    assert "(250 samples)" in short.text
+    assert "short_calibration" not in said(table(wave(500)), Parameters(window=31))
+
+
+def test_a_window_shorter_than_the_cycle() -> None:
+    found = said(table(wave(4000, 100)), Parameters(window=400))
+    assert "5 cycles of about 100 samples; take --window 500" in found["short_window"].text
+    assert "short_window" not in said(table(wave(4000, 100)), Parameters(window=500))
+
+
+def test_the_proposed_window() -> None:
+    def proposed(values: Any, parameters: Parameters) -> int:
+        with Session() as session:
+            return propose(look_at(session, Source(table(values)), parameters, Calibration())).window
+
+    assert proposed(wave(4000, 50), Parameters()) == 300  # five cycles, and more than an eighth of 800
+    assert proposed(np.random.default_rng(0).standard_normal(4000), Parameters()) == 100
+    assert proposed(np.random.default_rng(0).standard_normal(4000), Parameters(window=77)) == 77
+    assert proposed(np.zeros(4000), Parameters()) == 5000

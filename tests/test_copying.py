@@ -1,0 +1,90 @@
+"""Copying: a file of its own, whole or not at all, for those who read while scoring goes on."""
+
+from pathlib import Path
+
+import duckdb
+import pytest
+
+from gam_db.engines.duckdb_session import Session
+from gam_db.errors import EngineError, SourceError, StateError
+from gam_db.stored.copying import copy
+from gam_db.stored.tables import TABLES as ALL
+from gam_db.stored.tables import VIEWS, StateTables
+from stored_rows import Plant
+
+TABLES = StateTables(schema="factory")
+
+
+def filled(session: Session, tables: StateTables = TABLES) -> Session:
+    """A session on the state of a channel."""
+    plant = Plant()
+    learnt = plant.support(cells=[1, 2])
+    version = plant.version(plant.channel(plant.monitor(), "it's", "j1"), learnt)
+    plant.run(version, [{7: 1}, {8: 2}])
+    plant.run(version, [{9: 2}], from_bucket=1, committed=False)
+    plant.add(
+        "block", support_id=learnt, block=0, channel_id=1, first_time=0, last_time=0, vectors=1, novel=0
+    )
+    plant.write(session, tables)
+    session.connection.execute("CREATE TABLE telemetry AS SELECT 1 AS reading")
+    return session
+
+
+def test_a_copy_holds_the_state_and_nothing_else(tmp_path: Path) -> None:
+    path = tmp_path / "it's a copy.duckdb"
+    with filled(Session(tmp_path / "plant.duckdb", writable=True)) as session:
+        for _ in range(2):  # the second replaces the first
+            copy(session, TABLES, path)
+        assert sorted(file.name for file in tmp_path.iterdir() if "copy" in file.name) == [path.name]
+        with duckdb.connect(path, read_only=True) as reader:
+            for name in (*ALL, *VIEWS):
+                query = f"SELECT * FROM factory.gam_{name} ORDER BY ALL"
+                if name != "migration":
+                    expected = session.connection.execute(query).fetchall()
+                    assert reader.execute(query).fetchall() == expected
+                    assert expected
+            made = reader.execute("SELECT table_name FROM information_schema.tables").fetchall()
+            assert sorted(name for (name,) in made) == sorted(f"gam_{name}" for name in (*ALL, *VIEWS))
+            said = "SELECT comment FROM duckdb_views() WHERE view_name = 'gam_health'"
+            assert "Health indicator" in reader.execute(said).fetchall()[0][0]
+
+
+def test_a_state_in_memory_can_be_copied(tmp_path: Path) -> None:
+    path = tmp_path / "copy.duckdb"
+    with filled(Session(), StateTables()) as session:
+        copy(session, StateTables(), path)
+    with duckdb.connect(path, read_only=True) as reader:
+        assert reader.execute("SELECT COUNT(*) FROM gam_health").fetchall() == [(2,)]
+
+
+def test_the_copy_before_stays_where_a_new_one_fails(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "copy.duckdb"
+    path.write_text("the copy before")
+    with filled(Session()) as session, monkeypatch.context() as patch:
+        patch.setattr(Session, "transaction", lambda _: 1 / 0)
+        with pytest.raises(ZeroDivisionError):
+            copy(session, TABLES, path)
+    assert path.read_text() == "the copy before"
+    assert [file.name for file in tmp_path.iterdir()] == [path.name]
+
+
+def test_what_cannot_be_copied_is_refused(tmp_path: Path) -> None:
+    own, open_elsewhere = tmp_path / "plant.duckdb", tmp_path / "open.duckdb"
+    (tmp_path / "open.duckdb.wal").touch()
+    with filled(Session(own, writable=True)) as session:
+        for path, message in (
+            (own, "open in this session"),
+            (tmp_path / "x" / ".." / "plant.duckdb", "open in this session"),
+            (open_elsewhere, "open in a process that changes it"),
+            (tmp_path / "Factory.duckdb", "called like the schema"),
+            (tmp_path / "nowhere" / "copy.duckdb", "nowhere is not there"),
+        ):
+            with pytest.raises(SourceError, match=message):
+                copy(session, TABLES, path)
+        with pytest.raises(StateError, match="no state tables"):
+            copy(session, StateTables(), tmp_path / "copy.duckdb")
+        with session.transaction(), pytest.raises(EngineError, match="transaction open"):
+            copy(session, TABLES, tmp_path / "copy.duckdb")
+    assert not list(tmp_path.glob(".*"))

@@ -1,0 +1,82 @@
+"""The steps of the stored form pass the lint once their slots are filled and every kind is known."""
+
+import pytest
+from sqlglot import exp
+
+import sql_lint
+from gam_db.clock import TimeKind
+from gam_db.pipeline import Pipeline
+from gam_db.source import Source, readings
+from gam_db.stored.migration_files import files
+from gam_db.stored.reading import cohort_of
+from gam_db.stored.steps import (
+    Setting,
+    comparing_steps,
+    plan_steps,
+    reading_steps,
+    relearning_steps,
+    scoring_steps,
+)
+from sql_lint import Kind
+
+TYPES = {"BIGINT": Kind.INTEGER, "DOUBLE": Kind.DOUBLE, "VARCHAR": Kind.OTHER, "TEXT": Kind.OTHER}
+TEXTS = ("asset", "channel")
+SETTINGS = [
+    Setting(3, 1, 100, 5000, 100, None, False),
+    Setting(1, 2, 2**31, 7, 7, 3, False),
+    Setting(4, 5, 50_000, 300, 10, None, True),
+]
+
+
+def given() -> dict[str, sql_lint.Columns]:
+    """The kinds of the state tables, by their migrations, and of what each run puts beside them."""
+    known: dict[str, sql_lint.Columns] = {}
+    for migration in files():
+        made = migration.definition.create
+        if isinstance(made.this, exp.Schema):
+            known[f"stored_{migration.name}"] = {
+                column.name: TYPES[column.args["kind"].sql("duckdb")]
+                for column in made.this.expressions
+                if isinstance(column, exp.ColumnDef)
+            }
+        else:
+            known[f"stored_{migration.name}"] = sql_lint.kinds(made.expression, known).columns
+    cohort = cohort_of([])
+    known["cohort"] = {
+        field.name: TYPES[{"int64": "BIGINT", "double": "DOUBLE", "string": "VARCHAR"}[str(field.type)]]
+        for field in cohort.schema
+    }
+    known["stamp"] = dict.fromkeys(("run_id", "started", "committed"), Kind.INTEGER)
+    telemetry = {"time": Kind.INTEGER, "value": Kind.DOUBLE}
+    known["telemetry"] = telemetry | dict.fromkeys(TEXTS, Kind.OTHER)
+    return known
+
+
+def broken(steps: Pipeline, known: dict[str, sql_lint.Columns]) -> list[str]:
+    """What breaks a rule in the steps, in their order."""
+    found = []
+    for name, step in steps.steps.items():
+        checked = sql_lint.kinds(step.query, known)
+        known[name] = checked.columns
+        found += [f"{name}: {finding}" for finding in sql_lint.findings(checked, filled=True)]
+    return found
+
+
+@pytest.mark.parametrize("setting", SETTINGS)
+def test_filled_steps_break_no_rule(setting: Setting) -> None:
+    source = Source("telemetry")
+    rows = readings(source, exp.to_table("telemetry"), lambda node: node)
+    for kind in (TimeKind.COUNTER, TimeKind.TIMESTAMP):
+        known = given()
+        assert broken(reading_steps(rows), known) == []
+        for steps in (scoring_steps, comparing_steps, relearning_steps):
+            assert broken(steps(setting, kind), dict(known)) == []
+    assert broken(plan_steps(1, None, 5), given()) == []
+
+
+def test_the_check_sees_a_double_that_is_summed() -> None:
+    known = given()
+    steps = Pipeline()
+    query = exp.select(exp.Sum(this=exp.column("lo")).as_("all_lo")).from_("cohort")
+    steps.add("wrong", query)
+    assert broken(steps, known) != []
