@@ -78,8 +78,8 @@ def calibrate(
     names = running.placed["names"]
     groups = list(_groups(due, limit or state.session.rows_at_once()))
     if len(groups) > 1 or not study.method.kind.is_counter:
-        # Five steps read a group's rows. Unless the engine can leave out what they do not need (all other
-        # groups, or all after calibration, which it cannot tell by timestamps), they are copied once.
+        # Five steps read a group's rows. Unless the engine can leave out what they do not need (other
+        # groups, or what follows calibration, which it cannot tell by timestamps), they are copied once.
         steps.small |= {"identified"}
     for group in groups:
         running.forget(but=("names", "readings"))
