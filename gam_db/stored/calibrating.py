@@ -77,7 +77,12 @@ def calibrate(
     due = _due(found, versions, again)
     made: list[Row] = []
     names = running.placed["names"]
-    for group in _groups(due, limit or state.session.rows_at_once()):
+    groups = list(_groups(due, limit or state.session.rows_at_once()))
+    if len(groups) > 1 or not study.method.kind.is_counter:
+        # Five steps read a group's rows. Unless the engine can leave out what they do not need (other
+        # groups, or what follows calibration, which it cannot tell by timestamps), they are copied once.
+        steps.small |= {"identified"}
+    for group in groups:
         running.forget(but=("names", "readings"))
         wanted = state.session.load(
             pa.table({role: [row[role] for row in group] for role in ("asset", "channel")})

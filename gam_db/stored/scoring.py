@@ -211,9 +211,9 @@ class _Run:
             )
             # A part of a cohort is found by name, or each part would read the rows of all.
             assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
-            calibration = running.table("calibration_range").to_pylist()[0]
-            if any(due) and calibration["earliest"] is not None:
-                healthy = self.reader.readings(assets, calibration["earliest"], calibration["latest"])
+            edges = running.table("calibration_range").to_pylist()[0] if any(due) else {}
+            if edges.get("earliest") is not None:
+                healthy = self.reader.readings(assets, edges["earliest"], edges["latest"])
                 counting = reading_steps(healthy, is_ranged=False)
                 running.put("recount", counting.query("recount", running.placed))
             else:
