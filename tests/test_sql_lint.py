@@ -460,7 +460,7 @@ ROUGH_SCORES = {"scores": ("ocsvm",), "score_units": ("gmm", "forest")}
 EXEMPT_IN_SELECTION = {
     ("information", "rough_decisions"),
     ("outlook", "rough_decisions"),
-    ("budget", "rough_decisions"),
+    ("verdicts", "rough_decisions"),
 }
 
 #: Not an estimator: what a neural forecast reads.

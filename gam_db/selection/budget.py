@@ -9,7 +9,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.method import Method
-from gam_db.method.adding import add
+from gam_db.method.adding import add, add_of_set
 from gam_db.method.certificate import add_certificate
 from gam_db.parameters import LARGEST_KEY, Override, Parameters
 from gam_db.pipeline import Pipeline, filled
@@ -17,6 +17,9 @@ from gam_db.selection.search import Search
 
 _OWN = 1
 """The set whose certificate is this one; number 0 is that of the study."""
+
+#: What the certificate must know of a learner.
+_BOUNDS = ("channel_id", "support_id", "lo", "hi", "bins", "window_length")
 
 
 def add_budget(steps: Pipeline, method: Method, search: Search) -> None:
@@ -46,17 +49,13 @@ def add_budget(steps: Pipeline, method: Method, search: Search) -> None:
         steps.add(name, query, template.load(path).comment)
     steps.add(
         sets.named("bounds", _OWN),
-        exp.select("channel_id", "support_id").from_(exp.to_table("learners")),
+        exp.select(*_BOUNDS).from_(exp.to_table("learners")),
         "Bounds, as far as the certificate needs them: which support a learner fills.",
     )
     add_certificate(steps, sets, _OWN)
-    own = ("spread", "cells", "finest", "ladder", "outlook")
-    add(
-        steps,
-        "selection/budget",
-        {"bins": general.bins},
-        tables={name: sets.named(name, _OWN) for name in own},
-    )
+    add_of_set(steps, sets, _OWN, "certificate/verdicts")
+    own = {name: sets.named(name, _OWN) for name in ("verdicts", "ladder")}
+    add(steps, "selection/budget", tables=own)
     add(steps, "selection/joint", {"m": min(general.m, fitting[-1])})
 
 

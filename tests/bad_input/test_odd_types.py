@@ -101,7 +101,7 @@ def test_arrow_containers() -> None:
         {"value": pa.array([int(v) for v in VALUES], pa.int8())},
         {"time": pa.array(range(LENGTH), pa.uint16())},
     ],
-    ids=str,
+    ids=lambda changed: "-".join(f"{name} as {values.type}" for name, values in changed.items()),
 )
 def test_arrow_types(changed: dict[str, pa.Array]) -> None:
     assert health(Source(table(**{**changed}))) == expected(ROWS)
