@@ -102,8 +102,8 @@ def test_the_truth_names_every_joint_and_what_happened(joints: list[Joint]) -> N
     assert len(faulty) == 5
     for joint in faulty:
         truth, times = joint.truth, joint.readings["time"].cast(pa.int64()).to_numpy()
-        begin, life = times.min(), truth["failure"] - times.min()
-        assert truth["failure"] >= times.max()
+        begin, life = times.min(), truth["failed_at"] - times.min()
+        assert truth["failed_at"] >= times.max()
         assert 0.4 <= (truth["onset"] - begin) / life <= 0.7
         assert 0.02 <= truth["amplitude"] <= 0.08
     assert len(with_event(joints, "reprogrammed")) == len(with_event(joints, "payload")) == 6
@@ -213,7 +213,7 @@ def test_the_langevin_system_with_its_truth(tmp_path: Path) -> None:
     assert invoked("langevin", "--out", str(out), "--samples", "1000").exit_code == 0
     assert parquet.read_table(out).num_rows == 1000
     (truth,) = parquet.read_table(tmp_path / "system.truth.parquet").to_pylist()
-    assert (truth["onset"], truth["failure"]) == (400, 999)
+    assert (truth["onset"], truth["failed_at"]) == (400, 999)
 
 
 def test_what_cannot_be_made_is_refused(tmp_path: Path) -> None:

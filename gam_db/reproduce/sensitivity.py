@@ -229,7 +229,7 @@ def _fleet(quick: bool) -> tuple[pa.Table, pa.Table]:
     for number in range(1, ROBOTS + 1):
         for joint in fleet.robot(number):
             truth = joint.truth
-            failed = truth["failure"] is not None
+            failed = truth["failed_at"] is not None
             if not failed and truth["kind"] != "healthy":
                 continue  # the other joints of a robot that failed count neither way
             if not failed and joint.truth["channel"] not in _HEALTHY:
@@ -238,7 +238,7 @@ def _fleet(quick: bool) -> tuple[pa.Table, pa.Table]:
             outcomes[truth["asset"]] = {
                 "asset": truth["asset"],
                 "channel": truth["channel"] if failed else None,
-                "failed_at": truth["failure"],
+                "failed_at": truth["failed_at"],
                 "healthy": not failed,
             }
     schema = pa.schema(

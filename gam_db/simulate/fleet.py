@@ -51,7 +51,7 @@ TRUTH = pa.schema(
         "growth": pa.string(),
         "amplitude": pa.float64(),
         "onset": pa.timestamp("us", "UTC"),
-        "failure": pa.timestamp("us", "UTC"),
+        "failed_at": pa.timestamp("us", "UTC"),
         "null_rows": pa.int64(),
         "nan_rows": pa.int64(),
         "repeated_rows": pa.int64(),
@@ -173,7 +173,7 @@ class _Robot:
         if truth["event"] not in (None, "constant"):
             truth["onset"] = FIRST_TIME + int(onset * 1e6)
         if truth["event"] == role.fault and role.fault is not None:
-            truth["failure"] = int(times[-1])
+            truth["failed_at"] = int(times[-1])
         return Joint(_readings(self.name, f"joint_{joint}", rows), truth | _dirt_of(rows))
 
     def _worked(self) -> tuple[list[Program], Timeline]:
@@ -218,7 +218,7 @@ class _Robot:
             "growth": role.growth if event is not None and event == role.fault else None,
             "amplitude": amplitude,
             "onset": None,
-            "failure": None,
+            "failed_at": None,
         }
 
     def _changed(

@@ -37,6 +37,6 @@ def langevin_truth(samples: int = langevin.SAMPLES) -> pa.Table:
             "event": pa.array(["wells drift"]),
             "growth": pa.array(["linear"]),
             "onset": pa.array([math.floor(langevin.CALIBRATION * (samples - 1)) + 1]),
-            "failure": pa.array([samples - 1]),
+            "failed_at": pa.array([samples - 1]),
         }
     )
