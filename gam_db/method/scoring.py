@@ -1,6 +1,6 @@
 """Novelty (Eq. 4) and its running counts (Eq. 2) of one set: per vector, and in buckets."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from sqlglot import exp
 
@@ -29,28 +29,27 @@ def add_run_up(steps: Pipeline, method: Method, number: int) -> None:
     add_of_set(steps, method, number, "score/run_up", {"span": method.settings[number].span})
 
 
-def add_buckets(steps: Pipeline, method: Method, number: int) -> None:
+def add_buckets(steps: Pipeline, method: Method, number: int, carried: Sequence[str] = ()) -> None:
     """Add Eq. 4 of one set in full buckets, and the novel cells of each.
 
     Where no segment ends and every channel is scored from the end of its calibration on, the short
-    form of the vectors gives the same buckets from half the columns; else *numbered* is read.
+    form of the vectors gives the same buckets from half the columns; else *numbered* is read. Columns of
+    vectors that are to be ``carried`` along to *kept* cost time, so there are none unless asked for.
     """
     if method.is_short(number):
         add_short_scoring(steps, method, number)
         parts = ["complete_novelty", "incomplete_numbered"]
     else:
         parts = ["numbered"]
-    columns = (
-        *("channel_id", "time", "number", "cell_key", "novel", "out_of_range"),
-        *("position", "context_time"),
-    )
+    columns = ("channel_id", "time", "number", "cell_key", "novel", "out_of_range", *carried)
     steps.add(
         method.named("placed", number),
         union_of(steps, [method.named(part, number) for part in parts], columns),
         "Placed: every scored vector with its number.",
     )
     stride = method.settings[number].bucket_length
-    add_of_set(steps, method, number, "health/kept", {"stride": stride})
+    along = [exp.column(name) for name in carried]
+    add_of_set(steps, method, number, "health/kept", {"stride": stride, "carried": along})
     add_of_set(steps, method, number, "health/buckets")
     add_of_set(steps, method, number, "health/novel_cells")
 

@@ -171,7 +171,8 @@ def _add_new_buckets(steps: Pipeline, method: Method) -> None:
     add(steps, "stored/run_up", {"span": method.settings[0].span})
     if not method.is_short(0):
         add_numbered(steps, method, 0)
-    add_buckets(steps, method, 0)
+    add_buckets(steps, method, 0, ("position", "context_time"))
+    add(steps, "stored/bucket_ends")
     add(steps, "stored/new_buckets")
 
 

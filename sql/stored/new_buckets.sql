@@ -1,5 +1,5 @@
 -- New buckets: the full buckets of this run, numbered on from those that stay.
--- Reads:  buckets, cohort, seen
+-- Reads:  buckets, bucket_ends, cohort, seen
 -- A row:  one bucket; samples counts those after the end of the bucket before.
 SELECT
   full_bucket.channel_id AS channel_id,
@@ -15,16 +15,19 @@ SELECT
   full_bucket.out_of_range AS out_of_range
 FROM (
   SELECT
-    channel_id,
-    bucket_no,
-    first_time,
-    last_time,
-    context_time,
-    end_position,
-    novel,
-    out_of_range,
-    LAG(end_position, 1) OVER (PARTITION BY channel_id ORDER BY bucket_no) AS previous_end
-  FROM buckets
+    counted.channel_id AS channel_id,
+    counted.bucket_no AS bucket_no,
+    counted.first_time AS first_time,
+    counted.last_time AS last_time,
+    ending.context_time AS context_time,
+    ending.end_position AS end_position,
+    counted.novel AS novel,
+    counted.out_of_range AS out_of_range,
+    LAG(ending.end_position, 1) OVER (PARTITION BY counted.channel_id ORDER BY counted.bucket_no)
+      AS previous_end
+  FROM buckets AS counted
+  JOIN bucket_ends AS ending
+    ON ending.channel_id = counted.channel_id AND ending.bucket_no = counted.bucket_no
 ) AS full_bucket
 JOIN cohort AS member ON member.channel_id = full_bucket.channel_id
 JOIN seen AS ranged ON ranged.channel_id = full_bucket.channel_id
