@@ -11,7 +11,7 @@ import pyarrow as pa
 
 import gam_db
 import reference
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.study import Study
 
 Row = tuple[str, str, int, float | None]
@@ -64,7 +64,7 @@ def all_by_duckdb(
     rows: list[Row], parameters: gam_db.Parameters, calibration: gam_db.Calibration
 ) -> dict[str, Answer]:
     """Answer every question by the exact form on DuckDB, from one study."""
-    with Session() as session:
+    with DuckSession() as session:
         study = Study(session, gam_db.Source(arrow(rows)), parameters, calibration)
         return {question: study.table(step).to_pylist() for question, step in STEPS.items()}
 

@@ -30,6 +30,7 @@ class Engine:
 
     Attributes:
         name: what users call it.
+        title: what it calls itself.
         dialect: sqlglot's name of its SQL.
         evidence: "executed" if the test suite runs on it, else "rendered".
         micros_of: the integer time of a column of a kind of time.
@@ -44,6 +45,7 @@ class Engine:
     """
 
     name: str
+    title: str
     dialect: str
     evidence: str
     micros_of: TimeRewrite
@@ -113,6 +115,13 @@ def escape_by_backslash(tree: exp.Expr) -> exp.Expr:
 def counter(column: exp.Expr) -> exp.Expr:
     """Return an integer counter as it is; the product is refused by engines if it is a timestamp."""
     return exp.cast(exp.Mul(this=column, expression=exp.Literal.number(1)), "BIGINT")
+
+
+def deletion(table: exp.Table, keys: Sequence[str], found: exp.Query) -> exp.Delete:
+    """Return what deletes the rows of a table whose keys are among the rows of a query."""
+    key = exp.Tuple(expressions=[exp.column(exp.to_identifier(name)) for name in keys])
+    among = exp.In(this=key, query=exp.Subquery(this=found))
+    return exp.Delete(this=table.copy(), where=exp.Where(this=among))
 
 
 def called(function: str, *arguments: exp.Expr) -> exp.Expr:

@@ -77,6 +77,7 @@ def define(definition: Definition) -> list[exp.Expr]:
 
 ENGINE = Engine(
     name="sqlite",
+    title="SQLite",
     dialect="sqlite",
     evidence="executed",
     micros_of=micros_of,

@@ -14,7 +14,7 @@ from gam_db.calibration import Calibration
 from gam_db.checking import look_at
 from gam_db.clock import Instant, Length, instant
 from gam_db.connect import connect
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.session import Session
 from gam_db.method.source import named_like
 from gam_db.parameters import Parameters, pattern_matches
 from gam_db.running import Listener, unheard

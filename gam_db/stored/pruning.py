@@ -13,7 +13,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import FAR_AHEAD, Length, TimeKind, length
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.session import Session
 from gam_db.errors import ParameterError
 from gam_db.pipeline import Pipeline, filled, place
 from gam_db.stored import lengths, migrations
@@ -53,16 +53,18 @@ _STEPS = (
     *("doomed_buckets", "doomed_novel", "doomed_runs", "doomed_versions", "doomed_supports"),
 )
 
-#: What is deleted: the state table, and the step that lists the keys of its rows.
+#: What is deleted: the state table, and the step that lists the keys of its rows. Versions come last: as
+#: long as one is there, what is left of it is found again, should the work be cut short on an engine
+#: without transactions.
 _DOOMED = {
     "bucket": "doomed_buckets",
     "novel": "doomed_novel",
     "run": "doomed_runs",
     "calibration": "doomed_versions",
-    "version": "doomed_versions",
     "support": "doomed_supports",
-    "bounds": "doomed_supports",
     "block": "doomed_supports",
+    "bounds": "doomed_supports",
+    "version": "doomed_versions",
 }
 
 
@@ -114,9 +116,9 @@ def prune(
             if step in steps.small:
                 kept[step] = session.keep(step, steps.query(step, kept))
         for table, step in _DOOMED.items():
-            keys = [template.column(key) for key in steps.steps[step].query.named_selects]
-            found = exp.In(this=exp.Tuple(expressions=keys), query=_all_of(keys, kept[step]))
-            session.execute(exp.Delete(this=tables.table(table), where=exp.Where(this=found)))
+            keys = steps.steps[step].query.named_selects
+            found = exp.select(*(template.column(key) for key in keys)).from_(kept[step].copy())
+            session.delete(tables.table(table), keys, found)
         after = session.fetch(sizes)
         for made in kept.values():
             session.forget(made)
@@ -148,10 +150,6 @@ def _steps(tables: StateTables, slots: Mapping[str, template.Slot]) -> Pipeline:
         place(query, tables.placed())
         steps.add(step, query)
     return steps
-
-
-def _all_of(keys: list[exp.Column], kept: exp.Table) -> exp.Subquery:
-    return exp.Subquery(this=exp.select(*(key.copy() for key in keys)).from_(kept.copy()))
 
 
 def _compared(before: pa.Table, after: pa.Table) -> pa.Table:

@@ -13,7 +13,7 @@ from sqlglot import exp
 
 from gam_db import look, template
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.session import Session
 from gam_db.source import AnySource, parsed_condition, readings
 from gam_db.stored.planning import Row
 from gam_db.stored.state import State
