@@ -1,0 +1,175 @@
+"""Spark by pyspark: a session in this process or on a cluster."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.engines import spark_types
+from gam_db.engines.base import Engine
+from gam_db.engines.session import READ_ONLY
+from gam_db.engines.spark import ENGINE
+from gam_db.engines.spark_folder import Folder
+from gam_db.engines.spark_opening import address_of, beside, quiet, started
+from gam_db.engines.spark_problems import problem
+from gam_db.engines.spark_tables import FolderTables, Tables
+from gam_db.errors import EngineError, SourceError, UserError
+from gam_db.extras import needed
+
+#: Steps with at most so many rows are handed back to Spark as rows: its plans then end there.
+_FEW = 20_000
+
+#: Spark spills what does not fit, and a group of channels costs it a round of jobs: all at once.
+_ALL = 2**40
+
+
+def connected(target: Any, writable: bool) -> "SparkDriver":
+    """Return a driver on an address, or on the user's open session.
+
+    Raises:
+        EngineError: Spark cannot be started, is too old, or the folder cannot be used.
+    """
+    if isinstance(target, str):
+        address = address_of(target)
+        folder = Folder(address.folder, writable)
+        return SparkDriver(started(address), ENGINE, writable, folder)
+    raise EngineError("not yet")
+
+
+class SparkDriver:
+    """See :class:`gam_db.engines.warehouse.Driver`.
+
+    Args:
+        session: of Spark, for this driver alone.
+        engine: how trees become text.
+        writable: whether statements that change something are let through.
+        folder: of the tables.
+    """
+
+    transactions = False
+    time_kind = staticmethod(spark_types.time_kind)
+    is_numeric = staticmethod(spark_types.is_numeric)
+    is_name = staticmethod(spark_types.is_name)
+    is_text = staticmethod(spark_types.is_text)
+    problem = staticmethod(problem)
+
+    def __init__(self, session: Any, engine: Engine, writable: bool, folder: Folder) -> None:
+        self.engine = engine
+        self._session, self._writable = session, writable
+        self.errors = (
+            needed("pyspark.errors", "spark").PySparkException,
+            needed("py4j.protocol", "spark").Py4JError,
+            ConnectionError,
+        )
+        self._tables: Tables = FolderTables(session, self._run, engine, folder)
+        self._cached: dict[str, Any] = {}
+
+    def execute(self, statement: str) -> None:
+        """Run one statement."""
+        if not self._writable:
+            raise EngineError(READ_ONLY)
+        self._tables.execute(statement)
+
+    def fetch(self, query: str) -> pa.Table:
+        """Return the rows of a query."""
+        self._tables.ready(query)
+        return self._arrow(self._run(query))
+
+    def begin(self) -> None:
+        """Do nothing: there are no transactions."""
+
+    commit = rollback = begin
+
+    def in_transaction(self) -> bool:
+        """Tell that none is open."""
+        return False
+
+    def keep(self, table: exp.Table, query: exp.Query) -> None:
+        """Make a view of the rows of a query, computed once."""
+        text = self.engine.text(query)
+        self._tables.ready(text)
+        frame = self._run(text).persist()
+        self._cached[table.name] = frame
+        frame.createOrReplaceTempView(_quoted(table))
+        if frame.count() <= _FEW:
+            rows = self._arrow(frame)
+            self.drop(table)
+            self.ingest(table, rows)
+
+    def ingest(self, table: exp.Table, rows: pa.Table) -> None:
+        """Make a view of the rows of an Arrow table."""
+        with quiet():
+            self._session.createDataFrame(rows).createOrReplaceTempView(_quoted(table))
+
+    def drop(self, table: exp.Table) -> None:
+        """Drop a view made by :meth:`keep` or :meth:`ingest`, and what Spark holds for it."""
+        if table.name in self._cached:
+            self._cached.pop(table.name).unpersist()
+        self._session.catalog.dropTempView(table.name)
+
+    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+        """Delete the rows of a table whose keys are among the rows of a query."""
+        if not self._writable:
+            raise EngineError(READ_ONLY)
+        self._tables.delete(table, keys, found)
+
+    def tables(self) -> list[tuple[str, ...]]:
+        """Return what can be read, tables and views."""
+        return self._tables.names()
+
+    def describe(self, relation: exp.Expr) -> dict[str, str]:
+        """Return the columns of a relation and the names of their types."""
+        text = self.engine.text(exp.select("*").from_(relation.copy()))
+        self._tables.ready(text)
+        return dict(self._run(text).dtypes)
+
+    def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
+        """Return the tables and views of a schema with their columns."""
+        return dict(self._tables.relations(schema))
+
+    def file(self, path: str) -> exp.Expr:
+        """Return the node that reads a file, a folder of files, or what a pattern matches.
+
+        Raises:
+            SourceError: there is none, or Spark cannot read it.
+        """
+        reader = self._session.read
+        with quiet():
+            if path.lower().endswith((".parquet", ".pq")):
+                frame = reader.parquet(path)
+            else:
+                tabs = ".tsv" in path.lower()
+                options = {"header": True, "inferSchema": True, "sep": "\t" if tabs else ","}
+                frame = reader.options(**options).csv(path)
+        view = exp.Table(this=template.name(f"gam_file_{abs(hash(path)):x}"))
+        frame.createOrReplaceTempView(_quoted(view))
+        return view
+
+    def rows_at_once(self) -> int:
+        """Return how many readings can be worked on at once: Spark takes them in parts itself."""
+        return _ALL
+
+    def close(self) -> None:
+        """Forget the tables; Spark itself goes on until the process ends."""
+        self._tables.close()
+
+    def _run(self, text: str) -> Any:
+        with quiet():
+            return self._session.sql(text)
+
+    def _arrow(self, frame: Any) -> pa.Table:
+        with quiet():
+            rows: pa.Table = frame.toArrow()
+        return rows.cast(pa.schema([(field.name, _wide(field.type)) for field in rows.schema]))
+
+
+def _quoted(table: exp.Table) -> str:
+    return table.this.sql(dialect="spark")
+
+
+def _wide(kind: pa.DataType) -> pa.DataType:
+    if pa.types.is_integer(kind):
+        return pa.int64()
+    return pa.float64() if pa.types.is_floating(kind) else kind
