@@ -91,12 +91,13 @@ class SparkDriver:
         text = self.engine.text(query)
         self._tables.ready(text)
         frame = self._run(text).persist()
-        self._cached[table.name] = frame
-        frame.createOrReplaceTempView(_quoted(table))
-        if frame.count() <= _FEW:
-            rows = self._arrow(frame)
-            self.drop(table)
+        rows = self._arrow(frame.limit(_FEW + 1))
+        if rows.num_rows <= _FEW:
+            frame.unpersist()
             self.ingest(table, rows)
+        else:
+            self._cached[table.name] = frame
+            frame.createOrReplaceTempView(_quoted(table))
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
         """Make a view of the rows of an Arrow table."""
