@@ -4,7 +4,11 @@
 executed, and ``NAME,...`` on those named. One that is asked for and cannot be started is a failure.
 """
 
+import atexit
 import itertools
+import os
+import shutil
+import tempfile
 from collections.abc import Callable
 from functools import cache
 
@@ -16,14 +20,26 @@ from gam_db.engines.session import Session
 
 FAST = ("duckdb", "sqlite")
 
+
+def spark() -> Session:
+    """Open Spark in this process, small and quick to start; its tables go with the process."""
+    os.environ.setdefault("SPARK_MASTER", "local[2]")
+    os.environ.setdefault("SPARK_DRIVER_MEMORY", "1g")
+    os.environ.setdefault("JDK_JAVA_OPTIONS", "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC")
+    folder = tempfile.mkdtemp(prefix="gam-tests-")
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return connect(f"spark://{folder}")
+
+
 #: engine -> what opens a session on it, once in every process of the tests
 OPENERS: dict[str, Callable[[], Session]] = {
     "duckdb": lambda: connect(),
     "sqlite": lambda: connect("sqlite://"),
+    "spark": spark,
 }
 
 #: engine -> random cases of the agreement tests, about as many as take the same time on each
-EXAMPLES = {"duckdb": 100, "sqlite": 60}
+EXAMPLES = {"duckdb": 100, "sqlite": 60, "spark": 4}
 
 
 def examples(name: str) -> int:

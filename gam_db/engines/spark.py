@@ -12,8 +12,8 @@ from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter, table_as
 from gam_db.engines.storage import Definition, clustered, with_notes
 
-#: Groups of channels, by hash, that the large tables are stored in: a look at one machine opens the files
-#: of one group, in which rows are ordered. Every run writes a file for each, so they are few.
+#: Groups of channels, by hash, that the large tables are stored in: a look at one machine opens the
+#: files of one group, in which rows are ordered. Every run writes a file for each, so they are few.
 GROUPS = 4
 
 #: What the large tables are ordered by within a version or support.

@@ -10,12 +10,13 @@ from gam_db import template
 from gam_db.engines import spark_types
 from gam_db.engines.base import Engine
 from gam_db.engines.session import READ_ONLY
-from gam_db.engines.spark import ENGINE
+from gam_db.engines.spark import ENGINE, OVER
 from gam_db.engines.spark_folder import Folder
+from gam_db.engines.spark_metastore import MetastoreTables, format_of
 from gam_db.engines.spark_opening import address_of, beside, quiet, started
 from gam_db.engines.spark_problems import problem
 from gam_db.engines.spark_tables import FolderTables, Tables
-from gam_db.errors import EngineError, SourceError, UserError
+from gam_db.errors import EngineError
 from gam_db.extras import needed
 
 #: Steps with at most so many rows are handed back to Spark as rows: its plans then end there.
@@ -35,7 +36,10 @@ def connected(target: Any, writable: bool) -> "SparkDriver":
         address = address_of(target)
         folder = Folder(address.folder, writable)
         return SparkDriver(started(address), ENGINE, writable, folder)
-    raise EngineError("not yet")
+    needed("pyspark", "spark")
+    session = beside(target)
+    form = format_of(session)
+    return SparkDriver(session, OVER[form], writable, form)
 
 
 class SparkDriver:
@@ -45,7 +49,8 @@ class SparkDriver:
         session: of Spark, for this driver alone.
         engine: how trees become text.
         writable: whether statements that change something are let through.
-        folder: of the tables.
+        kept: where the tables are: a folder, or in the metastore in a form (see
+            :func:`gam_db.engines.spark_metastore.format_of`).
     """
 
     transactions = False
@@ -55,7 +60,7 @@ class SparkDriver:
     is_text = staticmethod(spark_types.is_text)
     problem = staticmethod(problem)
 
-    def __init__(self, session: Any, engine: Engine, writable: bool, folder: Folder) -> None:
+    def __init__(self, session: Any, engine: Engine, writable: bool, kept: Folder | str) -> None:
         self.engine = engine
         self._session, self._writable = session, writable
         self.errors = (
@@ -63,8 +68,12 @@ class SparkDriver:
             needed("py4j.protocol", "spark").Py4JError,
             ConnectionError,
         )
-        self._tables: Tables = FolderTables(session, self._run, engine, folder)
-        self._cached: dict[str, Any] = {}
+        self._tables: Tables = (
+            FolderTables(session, self._run, engine, kept)
+            if isinstance(kept, Folder)
+            else MetastoreTables(session, self._run, engine, kept)
+        )
+        self._views: dict[str, Any] = {}
 
     def execute(self, statement: str) -> None:
         """Run one statement."""
@@ -96,18 +105,18 @@ class SparkDriver:
             frame.unpersist()
             self.ingest(table, rows)
         else:
-            self._cached[table.name] = frame
-            frame.createOrReplaceTempView(_quoted(table))
+            self._name(table, frame, is_cached=True)
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
         """Make a view of the rows of an Arrow table."""
         with quiet():
-            self._session.createDataFrame(rows).createOrReplaceTempView(_quoted(table))
+            self._name(table, self._session.createDataFrame(rows))
 
     def drop(self, table: exp.Table) -> None:
         """Drop a view made by :meth:`keep` or :meth:`ingest`, and what Spark holds for it."""
-        if table.name in self._cached:
-            self._cached.pop(table.name).unpersist()
+        cached = self._views.pop(table.name)
+        if cached is not None:
+            cached.unpersist()
         self._session.catalog.dropTempView(table.name)
 
     def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
@@ -118,7 +127,7 @@ class SparkDriver:
 
     def tables(self) -> list[tuple[str, ...]]:
         """Return what can be read, tables and views."""
-        return self._tables.names()
+        return [*self._tables.names(), *((name,) for name in self._views)]
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
         """Return the columns of a relation and the names of their types."""
@@ -145,7 +154,7 @@ class SparkDriver:
                 options = {"header": True, "inferSchema": True, "sep": "\t" if tabs else ","}
                 frame = reader.options(**options).csv(path)
         view = exp.Table(this=template.name(f"gam_file_{abs(hash(path)):x}"))
-        frame.createOrReplaceTempView(_quoted(view))
+        self._name(view, frame)
         return view
 
     def rows_at_once(self) -> int:
@@ -154,7 +163,13 @@ class SparkDriver:
 
     def close(self) -> None:
         """Forget the tables; Spark itself goes on until the process ends."""
+        for name in list(self._views):
+            self.drop(exp.Table(this=template.name(name)))
         self._tables.close()
+
+    def _name(self, view: exp.Table, frame: Any, is_cached: bool = False) -> None:
+        frame.createOrReplaceTempView(view.this.sql(dialect="spark"))
+        self._views[view.name] = frame if is_cached else None
 
     def _run(self, text: str) -> Any:
         with quiet():
@@ -164,10 +179,6 @@ class SparkDriver:
         with quiet():
             rows: pa.Table = frame.toArrow()
         return rows.cast(pa.schema([(field.name, _wide(field.type)) for field in rows.schema]))
-
-
-def _quoted(table: exp.Table) -> str:
-    return table.this.sql(dialect="spark")
 
 
 def _wide(kind: pa.DataType) -> pa.DataType:

@@ -138,7 +138,9 @@ def _entry(path: Path) -> Entry:
         said = json.loads(path.read_text(encoding="utf-8"))
         return Entry(**{**said, "columns": tuple(said["columns"])})
     except (ValueError, TypeError, KeyError) as error:
-        raise EngineError(f"{path} is no table of gam-db; put it back from a copy, or remove it.") from error
+        raise EngineError(
+            f"{path} is no table of gam-db; put it back from a copy, or remove it."
+        ) from error
 
 
 def _file_name(schema: str | None, name: str) -> str:
@@ -148,6 +150,6 @@ def _file_name(schema: str | None, name: str) -> str:
 
 def _coded(part: str) -> str:
     return "".join(
-        sign if sign.isalnum() and sign.isascii() or sign == "_" else f"%{ord(sign):x}%"
+        sign if (sign.isalnum() and sign.isascii()) or sign == "_" else f"%{ord(sign):x}%"
         for sign in part.casefold()
     )

@@ -1,7 +1,7 @@
 """Opening Spark: a session in this process, one on a cluster, or a copy of the user's own.
 
-Ours is always a session beside the others of the process, with settings of its own (UTC, ANSI mode): what
-the user set stays as it is.
+Ours is always a session beside the others of the process, with settings of its own (UTC, ANSI mode):
+what the user set stays as it is.
 """
 
 import atexit
@@ -94,8 +94,8 @@ def beside(session: Any) -> Any:
     """
     if not hasattr(session, "_jsparkSession"):
         raise EngineError(
-            "This is a session of Spark Connect; gam-db needs a SparkSession that runs in this process's "
-            "own Java (a job on the cluster has one)."
+            "This is a session of Spark Connect; gam-db needs a SparkSession whose Java runs in this "
+            "process (a job on the cluster has one)."
         )
     if session.sparkContext._jsc is None or session.sparkContext._jsc.sc().isStopped():
         raise EngineError("This SparkSession is stopped; start one and give that.")
@@ -167,8 +167,8 @@ def _refusal(error: Exception, said: Path, master: str | None) -> str:
     if "All masters are unresponsive" in text or "Master removed our application" in text:
         return f"The Spark master {master} does not answer; is it running, and is this its address?"
     if "UnsupportedClassVersionError" in text:
-        return "The Java found is too old for this Spark; Spark 4 needs Java 17 or 21 (JAVA_HOME says which)."
-    if "JAVA_HOME is not set" in text or "JAVA_GATEWAY_EXITED" in text and shutil.which("java") is None:
+        return "The Java that JAVA_HOME or PATH names is too old; Spark 4 needs Java 17 or 21."
+    if "JAVA_HOME is not set" in text or shutil.which("java") is None:
         return "Spark needs Java 17 or 21, and none is found; install one, or let JAVA_HOME name it."
     if "Could not parse Master URL" in text or "Invalid master URL" in text:
         return f"{master} is no address of a Spark master; it looks like spark://HOST:7077."

@@ -10,8 +10,8 @@ _MEMORY = (
     "on a cluster), or more and smaller partitions (spark.sql.shuffle.partitions)."
 )
 _LOST = (
-    "Spark lost its executors or its connection to the cluster; what was written before is as it was. Run "
-    "it again; if it happens again, look at the logs of the workers (memory, disk)."
+    "Spark lost its executors or its connection to the cluster; what was written before is as it was. "
+    "Run it again; if it happens again, look at the logs of the workers (memory, disk)."
 )
 _GONE = "The Java process of Spark has ended; what was written before is as it was. Run it again."
 _CONFLICT = (
@@ -35,7 +35,9 @@ _BY_CONDITION: dict[str, UserError] = {
     "NUMERIC_VALUE_OUT_OF_RANGE": SourceError(_VALUE),
     "MALFORMED_RECORD_IN_PARSING": SourceError(_VALUE),
     "ARITHMETIC_OVERFLOW": SourceError(_OVERFLOW),
-    "PATH_NOT_FOUND": SourceError("There is no such file or folder, or Spark's workers cannot reach it."),
+    "PATH_NOT_FOUND": SourceError(
+        "There is no such file or folder, or Spark's workers cannot reach it."
+    ),
     "UNABLE_TO_INFER_SCHEMA": SourceError("There is no file to read in that folder."),
     "PARQUET_TYPE_ILLEGAL": SourceError(_NANOSECONDS),
     "PARQUET_TYPE_NOT_SUPPORTED": SourceError(_NANOSECONDS),

@@ -7,7 +7,7 @@ statement.
 import dataclasses
 import os
 import secrets
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -19,9 +19,8 @@ from gam_db.engines.base import Engine
 from gam_db.engines.session import CONFLICT
 from gam_db.engines.spark_folder import Entry, Folder
 from gam_db.engines.spark_opening import scratch
+from gam_db.engines.spark_rewriting import Run, rewritten
 from gam_db.errors import EngineError
-
-Run = Callable[[str], Any]
 
 
 class Tables(Protocol):
@@ -65,6 +64,7 @@ class FolderTables:
         run(f"USE {self._database}")
 
     def ready(self, text: str) -> None:
+        """Let the session know, as they are now, the tables that a statement may name."""
         folded = text.casefold()
         entries = self._folder.entries()
         for key in [key for key in self._known if key not in entries]:
@@ -74,6 +74,7 @@ class FolderTables:
                 self._tell(key, entry)
 
     def execute(self, text: str) -> None:
+        """Run a statement that changes something, and keep what it makes."""
         tree = sqlglot.parse_one(text, dialect="spark")
         if isinstance(tree, exp.Create) and str(tree.kind) in ("SCHEMA", "DATABASE"):
             self._make_schema(tree.this.db or tree.this.name)
@@ -91,6 +92,7 @@ class FolderTables:
             self._note()
 
     def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+        """Write the rows that stay to another folder, and let the table be that."""
         self.ready(f"{table.name} {self._engine.text(found)}")
         entry = self._folder.entries()[_key(table)]
         before = _files(self._folder.place(entry))
@@ -106,12 +108,14 @@ class FolderTables:
         self._folder.sweep(entry.schema, entry.name, [data])
 
     def names(self) -> list[tuple[str, ...]]:
+        """Return what can be read: (schema, name) or (name,)."""
         return [
             (entry.name,) if entry.schema is None else (entry.schema, entry.name)
             for entry in self._folder.entries().values()
         ]
 
     def relations(self, schema: str | None) -> Mapping[str, tuple[str, ...]]:
+        """Return the tables and views of a schema with their columns, names in lower case."""
         wanted = None if schema is None else schema.casefold()
         return {
             entry.name.casefold(): entry.columns
@@ -120,6 +124,7 @@ class FolderTables:
         }
 
     def close(self) -> None:
+        """Let the session forget them."""
         for key in list(self._known):
             self._forget(key)
         for schema in self._schemas:
@@ -167,9 +172,7 @@ class FolderTables:
         if schema is not None:
             self._make_schema(schema)
         columns = tuple(column.name for column in tree.find_all(exp.ColumnDef))
-        entry = Entry(
-            schema, target.name, "", columns, self._folder.new_data(schema, target.name)
-        )
+        entry = Entry(schema, target.name, "", columns, self._folder.new_data(schema, target.name))
         if tree.expression is None:
             self._folder.put(dataclasses.replace(entry, statement=tree.sql(dialect="spark")))
             return
@@ -217,60 +220,6 @@ class FolderTables:
     def _shown(self, name: str, schema: str | None = None) -> str:
         db = None if schema is None else template.name(schema)
         return exp.Table(this=template.name(name), db=db).sql(dialect="spark")
-
-
-def rewritten(
-    run: Run,
-    engine: Engine,
-    table: exp.Table,
-    columns: Sequence[str],
-    keys: Sequence[str],
-    found: exp.Query,
-    place: str,
-) -> bool:
-    """Write the rows of a table that stay to another place; tell whether any are to go.
-
-    Args:
-        run: runs a statement.
-        engine: how trees become text.
-        table: with the rows.
-        columns: of the table.
-        keys: its columns whose values are looked for.
-        found: the keys of the rows that go.
-        place: a folder that is not there yet.
-    """
-    same = exp.and_(
-        *(
-            exp.column(template.name(key), table="staying").eq(
-                exp.column(template.name(key), table="gone")
-            )
-            for key in keys
-        )
-    )
-    rows = exp.select(*(exp.column(template.name(name), table="staying") for name in columns))
-    rows = rows.from_(table.copy().as_("staying"))
-    doomed = exp.Subquery(this=found.copy(), alias=exp.TableAlias(this=exp.to_identifier("gone")))
-    any_row = rows.join(doomed.copy(), on=same.copy(), join_type="left semi").limit(1)
-    if run(engine.text(any_row)).isEmpty():
-        return False
-    beside = table.copy()
-    beside.set("this", template.name(f"{table.name}_{secrets.token_hex(4)}"))
-    like = exp.Create(
-        this=beside,
-        kind="TABLE",
-        properties=exp.Properties(
-            expressions=[
-                exp.LikeProperty(this=table.copy()),
-                exp.LocationProperty(this=template.text(place)),
-            ]
-        ),
-    )
-    names = [template.name(name) for name in columns]
-    stay = rows.join(doomed, on=same, join_type="left anti")
-    run(engine.text(like))
-    run(engine.text(exp.Insert(this=exp.Schema(this=beside.copy(), expressions=names), expression=stay)))
-    run(engine.text(exp.Drop(tables=[beside.copy()], kind="TABLE")))
-    return True
 
 
 def _key(table: exp.Table) -> str:
