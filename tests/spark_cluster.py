@@ -1,4 +1,4 @@
-"""A standalone cluster of Spark on this machine, from the wheel of pyspark: a master and some workers."""
+"""A standalone cluster of Spark on this machine, from the wheel of pyspark: a master and workers."""
 
 import contextlib
 import json
@@ -99,7 +99,7 @@ def _free_port() -> str:
 def _until(ready: Any) -> None:
     end = time.monotonic() + PATIENCE
     while time.monotonic() < end:
-        with contextlib.suppress(OSError):
+        with contextlib.suppress(OSError, ValueError):  # it says so before it can answer
             if ready():
                 return
         time.sleep(0.2)

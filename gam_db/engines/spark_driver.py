@@ -1,9 +1,13 @@
 """Spark by pyspark: a session in this process or on a cluster."""
 
+import shutil
+import tempfile
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import pyarrow as pa
+import pyarrow.parquet as pq
 from sqlglot import exp
 
 from gam_db import template
@@ -13,7 +17,7 @@ from gam_db.engines.session import READ_ONLY
 from gam_db.engines.spark import ENGINE, OVER
 from gam_db.engines.spark_folder import Folder
 from gam_db.engines.spark_metastore import MetastoreTables, format_of
-from gam_db.engines.spark_opening import address_of, beside, quiet, started
+from gam_db.engines.spark_opening import address_of, as_before, beside, quiet, scratch, started
 from gam_db.engines.spark_problems import problem
 from gam_db.engines.spark_tables import FolderTables, Tables
 from gam_db.errors import EngineError
@@ -73,7 +77,8 @@ class SparkDriver:
             if isinstance(kept, Folder)
             else MetastoreTables(session, self._run, engine, kept)
         )
-        self._views: dict[str, Any] = {}
+        self._scratch = self._shared_place(kept)
+        self._views: list[str] = []
 
     def execute(self, statement: str) -> None:
         """Run one statement."""
@@ -99,25 +104,30 @@ class SparkDriver:
         """Make a view of the rows of a query, computed once."""
         text = self.engine.text(query)
         self._tables.ready(text)
-        frame = self._run(text).persist()
-        rows = self._arrow(frame.limit(_FEW + 1))
-        if rows.num_rows <= _FEW:
-            frame.unpersist()
-            self.ingest(table, rows)
+        frame = self._run(text)
+        if self._scratch is None:
+            self._name(table, _checkpointed(frame))
+            return
+        place = self._scratch / table.name
+        frame.write.parquet(str(place))
+        files = [pq.ParquetFile(path) for path in sorted(place.glob("*.parquet"))]
+        if sum(one.metadata.num_rows for one in files) <= _FEW:
+            self.ingest(table, pa.concat_tables([one.read() for one in files]))
+            shutil.rmtree(place)
         else:
-            self._name(table, frame, is_cached=True)
+            self._name(table, self._session.read.parquet(str(place)))
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
         """Make a view of the rows of an Arrow table."""
-        with quiet():
+        with quiet(), as_before(self._session):
             self._name(table, self._session.createDataFrame(rows))
 
     def drop(self, table: exp.Table) -> None:
         """Drop a view made by :meth:`keep` or :meth:`ingest`, and what Spark holds for it."""
-        cached = self._views.pop(table.name)
-        if cached is not None:
-            cached.unpersist()
+        self._views.remove(table.name)
         self._session.catalog.dropTempView(table.name)
+        if self._scratch is not None:
+            shutil.rmtree(self._scratch / table.name, ignore_errors=True)
 
     def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
         """Delete the rows of a table whose keys are among the rows of a query."""
@@ -165,11 +175,22 @@ class SparkDriver:
         """Forget the tables; Spark itself goes on until the process ends."""
         for name in list(self._views):
             self.drop(exp.Table(this=template.name(name)))
+        if self._scratch is not None:
+            shutil.rmtree(self._scratch, ignore_errors=True)
         self._tables.close()
 
-    def _name(self, view: exp.Table, frame: Any, is_cached: bool = False) -> None:
+    def _shared_place(self, kept: Folder | str) -> Path | None:
+        """Return a folder for steps that Spark's workers reach; None where none is known."""
+        if isinstance(kept, Folder) and self._writable:
+            return kept.scratch()
+        if self._session.sparkContext.master.startswith("local"):
+            return Path(tempfile.mkdtemp(dir=scratch()))
+        return None
+
+    def _name(self, view: exp.Table, frame: Any) -> None:
         frame.createOrReplaceTempView(view.this.sql(dialect="spark"))
-        self._views[view.name] = frame if is_cached else None
+        if view.name not in self._views:
+            self._views.append(view.name)
 
     def _run(self, text: str) -> Any:
         with quiet():
@@ -179,6 +200,13 @@ class SparkDriver:
         with quiet():
             rows: pa.Table = frame.toArrow()
         return rows.cast(pa.schema([(field.name, _wide(field.type)) for field in rows.schema]))
+
+
+def _checkpointed(frame: Any) -> Any:
+    """Return the rows, kept in files if the user set a folder for them, else at the workers."""
+    if frame.sparkSession.sparkContext._jsc.sc().getCheckpointDir().isDefined():
+        return frame.checkpoint()
+    return frame.localCheckpoint()
 
 
 def _wide(kind: pa.DataType) -> pa.DataType:

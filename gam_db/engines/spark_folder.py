@@ -6,10 +6,12 @@ renamed: what it says changes in one step. The rows of a table lie in a folder w
 so a table is exchanged for another in one step, too.
 """
 
+import contextlib
 import json
 import os
 import secrets
 import shutil
+import time
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,6 +20,10 @@ from gam_db.engines.session import FULL, READ_ONLY
 from gam_db.errors import EngineError
 
 _CATALOGUE = "gam_catalogue"
+_SCRATCH = "gam_scratch"
+
+#: Seconds after which the steps of a process that was killed are removed.
+_FORGOTTEN = 7 * 86_400
 
 
 @dataclass(frozen=True)
@@ -117,6 +123,16 @@ class Folder:
         for path in self.path.glob(f"{prefix}*"):
             if path.name not in kept and len(path.name) == len(prefix) + 8:
                 shutil.rmtree(path, ignore_errors=True)
+
+    def scratch(self) -> Path:
+        """Return a new folder for the steps of one process, and remove those of processes long gone."""
+        for left in (self.path / _SCRATCH).glob("*"):
+            with contextlib.suppress(FileNotFoundError):
+                if time.time() - left.stat().st_mtime > _FORGOTTEN:
+                    shutil.rmtree(left, ignore_errors=True)
+        made = self.path / _SCRATCH / secrets.token_hex(4)
+        made.mkdir(parents=True)
+        return made
 
     def _file(self, entry: Entry) -> Path:
         return self._catalogue / f"{_file_name(entry.schema, entry.name)}.json"

@@ -29,6 +29,7 @@ _SETTINGS = {
     "spark.sql.session.timeZone": "UTC",
     "spark.sql.ansi.enabled": "true",
     "spark.sql.storeAssignmentPolicy": "ANSI",
+    "spark.sql.parquet.outputTimestampType": "TIMESTAMP_MICROS",
     # Asset 007 of a folder asset=007 is a name, not the number 7.
     "spark.sql.sources.partitionColumnTypeInference.enabled": "false",
 }
@@ -122,6 +123,18 @@ def quiet() -> Iterator[None]:
             yield
     finally:
         log.disabled = before
+
+
+@contextlib.contextmanager
+def as_before(session: Any) -> Iterator[None]:
+    """Let the active session be what it was: making a table of rows would let it be ours."""
+    before = type(session).getActiveSession()
+    try:
+        yield
+    finally:
+        if before is not None:
+            type(session)._activeSession = before
+            session._jvm.SparkSession.setActiveSession(before._jsparkSession)
 
 
 def _set(session: Any, base: Any) -> Any:

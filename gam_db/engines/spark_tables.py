@@ -65,13 +65,10 @@ class FolderTables:
 
     def ready(self, text: str) -> None:
         """Let the session know, as they are now, the tables that a statement may name."""
-        folded = text.casefold()
         entries = self._folder.entries()
         for key in [key for key in self._known if key not in entries]:
             self._forget(key)
-        for key, entry in entries.items():
-            if entry.name.casefold() in folded:
-                self._tell(key, entry)
+        self._tell_named(text, entries, set())
 
     def execute(self, text: str) -> None:
         """Run a statement that changes something, and keep what it makes."""
@@ -130,6 +127,16 @@ class FolderTables:
         for schema in self._schemas:
             self._run(f"DROP SCHEMA IF EXISTS {self._shown(schema)} CASCADE")
 
+    def _tell_named(self, text: str, entries: Mapping[str, Entry], told: set[str]) -> None:
+        """Let Spark know what a statement names, and before a view all that it reads."""
+        folded = text.casefold()
+        for key, entry in entries.items():
+            if key not in told and entry.name.casefold() in folded:
+                told.add(key)
+                if entry.data is None:
+                    self._tell_named(entry.statement, entries, told)
+                self._tell(key, entry)
+
     def _tell(self, key: str, entry: Entry) -> None:
         known = self._known.get(key)
         changed = _changed(self._folder.place(entry)) if entry.data else 0
@@ -142,11 +149,7 @@ class FolderTables:
             self._forget(key)
         if entry.schema is not None:
             self._make_schema(entry.schema)
-        if entry.data is None:
-            self.ready(entry.statement.replace(entry.name, ""))
-            self._run(entry.statement)
-        else:
-            self._run(self._placed(entry))
+        self._run(entry.statement if entry.data is None else self._placed(entry))
         self._known[key] = entry, changed
 
     def _forget(self, key: str) -> None:
