@@ -26,6 +26,9 @@ from gam_db.extras import needed
 #: Steps with at most so many rows are handed back to Spark as rows: its plans then end there.
 _FEW = 20_000
 
+#: What Spark estimates to be at most so many bytes is not written to files first.
+_SMALL = 2**20
+
 #: Spark spills what does not fit, and a group of channels costs it a round of jobs: all at once.
 _ALL = 2**40
 
@@ -105,6 +108,9 @@ class SparkDriver:
         text = self.engine.text(query)
         self._tables.ready(text)
         frame = self._run(text)
+        if _estimated(frame) <= _SMALL:
+            self.ingest(table, self._arrow(frame))
+            return
         if self._scratch is None:
             self._name(table, _checkpointed(frame))
             return
@@ -200,6 +206,11 @@ class SparkDriver:
         with quiet():
             rows: pa.Table = frame.toArrow()
         return rows.cast(pa.schema([(field.name, _wide(field.type)) for field in rows.schema]))
+
+
+def _estimated(frame: Any) -> int:
+    """Return the bytes that Spark expects: after joins far too many, of compressed files a few too few."""
+    return int(str(frame._jdf.queryExecution().optimizedPlan().stats().sizeInBytes()))
 
 
 def _checkpointed(frame: Any) -> Any:
