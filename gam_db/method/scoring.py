@@ -42,8 +42,8 @@ def add_buckets(
     Where no segment ends and every channel is scored from the end of its calibration on, the short
     form of the vectors gives the same buckets from half the columns; else *numbered* is read. Columns of
     vectors that are to be ``carried`` along to *kept* cost time, so there are none unless asked for.
-    In a ``trusting`` run, that is for short forms only, no sample is missing and no instant occurs twice;
-    *kept* holds every vector with ``doubled`` = 1 as well, the proof to the contrary.
+    A ``trusting`` run, for short forms only, serves channels of which no sample is missing, and takes it
+    that no instant occurs twice; *kept* holds what is ``doubled`` as well, the proof to the contrary.
     """
     needed: exp.Expr = exp.false()
     if trusting:
@@ -98,18 +98,17 @@ def add_short_scoring(steps: Pipeline, method: Method, number: int) -> None:
 def add_complete_scoring(
     steps: Pipeline, method: Method, number: int, marks: Sequence[str] = ()
 ) -> None:
-    """Add the short form of Eq. 1 and Eq. 4 for channels without missing samples, marks carried along."""
+    """Add the short form of Eq. 1 and Eq. 4 for channels without missing samples, with their marks."""
     prefix = "complete_"
     _add_short_vectors(steps, method, number, prefix, "doubled" in marks)
     renamed = {name: f"{prefix}{name}" for name in ("vectors", "monitored")}
-    slots = {"span": method.settings[number].span, "carried": [_carried(mark) for mark in marks]}
-    add_of_set(
-        steps, method, number, "score/monitored_complete", slots, f"{prefix}monitored", renamed
-    )
+    slots: dict[str, template.Slot] = {
+        "span": method.settings[number].span,
+        "carried": [_carried(mark) for mark in marks],
+    }
+    add_of_set(steps, method, number, "score/monitored_complete", slots, f"{prefix}monitored", renamed)
     carried = [_carried(name) for name in ("number", *marks)]
-    add_of_set(
-        steps, method, number, "score/novelty", {"carried": carried}, f"{prefix}novelty", renamed
-    )
+    add_of_set(steps, method, number, "score/novelty", {"carried": carried}, f"{prefix}novelty", renamed)
 
 
 def _add_short_vectors(

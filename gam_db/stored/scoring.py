@@ -29,7 +29,7 @@ from gam_db.stored.steps import (
     setting_of,
 )
 
-#: With fewer rows to read, looking for repeated instants first is cheaper than scoring some channels twice.
+#: With fewer rows, looking for repeated instants first is cheaper than scoring some channels twice.
 TRUSTED_FROM = 2_000_000
 
 
@@ -217,7 +217,7 @@ class _Run:
         counts: Mapping[tuple[str, str], int],
         whole: Collection[tuple[str, str]],
     ) -> tuple[list[Row], list[Row]]:
-        """Part the channels of a group by whether they are scored on trust first: many rows, none missing."""
+        """Part the channels of a group: to be scored on trust are many rows, none of them missing."""
         if not can_trust(setting_of(group[0]), self.reader.kind):
             return [], group
         trusted = [row for row in group if (row["asset"], row["channel"]) in whole]

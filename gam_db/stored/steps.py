@@ -107,9 +107,9 @@ def reading_steps(rows: exp.Query, is_ranged: bool = True) -> Pipeline:
 def scoring_steps(setting: Setting, kind: TimeKind, trusting: bool = False) -> Pipeline:
     """Return the steps from *identified* to the rows that are appended.
 
-    Looking whether an instant occurs twice takes a pass over all times. A ``trusting`` run takes on trust
-    that none does, and finds out on the way: *doubtful* holds the channels that deserved no trust, whose
-    rows must not be appended.
+    Looking whether an instant occurs twice takes a pass over all times. A ``trusting`` run takes it that
+    none does, and finds out on the way: *doubtful* holds the channels that deserved no trust, whose rows
+    must not be appended.
 
     Given by the caller are the state tables, *identified*, *recount*, *stamp* (run_id, started,
     committed), and *cohort*: the channels, from where on each is read and scored, and the number of its
@@ -159,7 +159,7 @@ def relearning_steps(setting: Setting, kind: TimeKind) -> Pipeline:
 
 
 def can_trust(setting: Setting, kind: TimeKind) -> bool:
-    """Tell whether there is a trusting form of the steps: where no segment ends and nothing straddles."""
+    """Tell whether there is a trusting form of the steps: where no segment ends."""
     return _method(setting, kind).is_short(0)
 
 
