@@ -20,6 +20,9 @@ Rewrite = Callable[[exp.Expr], exp.Expr]
 TimeRewrite = Callable[[TimeKind, exp.Expr], exp.Expr]
 RangeRewrite = Callable[[TimeKind, exp.Expr, int | None, int | None], list[exp.Expr]]
 
+#: Engine and hash of a tree -> its text.
+_LATELY: dict[tuple[str, int], str] = {}
+
 
 def table_as(table: exp.Table, query: exp.Query) -> exp.Create:
     """Return CREATE TABLE ... AS, with nothing said of its storage."""
@@ -91,16 +94,31 @@ class Engine:
     def text(self, tree: exp.Expr, pretty: bool = False) -> str:
         """Return a tree as SQL of this engine.
 
+        What was written lately is not written again: a run puts the same queries to work for each group
+        of channels, and writing one takes longer than running it over few rows.
+
         Raises:
             EngineError: the engine has no form for part of it.
         """
+        if pretty:  # for people, who get the comments, too; equal trees may differ in them
+            return self._written(tree, pretty)
+        key = self.name, hash(tree)  # trees are equal where their hashes are, by sqlglot's own rule
+        if key not in _LATELY:
+            if len(_LATELY) >= 500:
+                _LATELY.clear()
+            _LATELY[key] = self._written(tree, pretty)
+        return _LATELY[key]
+
+    def _written(self, tree: exp.Expr, pretty: bool) -> str:
         rewritten = strip_null_order(tree.copy(), self.dialect)
         if not self.flow_hint:
             rewritten = drop_flow_hint(rewritten)
         for rewrite in self.rewrites:
             rewritten = rewrite(rewritten)
         try:
-            return rewritten.sql(dialect=self.dialect, pretty=pretty, unsupported_level=ErrorLevel.RAISE)
+            return rewritten.sql(
+                dialect=self.dialect, pretty=pretty, unsupported_level=ErrorLevel.RAISE, copy=False
+            )
         except UnsupportedError as error:
             raise EngineError(f"{self.name} has no form for part of this query: {error}") from error
 
