@@ -33,6 +33,27 @@ def _described(said: exp.Expr) -> exp.Expr:
     return exp.Property(this=exp.var("description"), value=said)
 
 
+def name_rows_apart(tree: exp.Expr) -> exp.Expr:
+    """Give relations another alias where a column is called like them.
+
+    Cause: a name alone means the relation, as a whole row, before it means a column. Symptom: no
+    matching signature, found STRUCT<...>, wherever a step has a column of its own name.
+    """
+    for select in tree.find_all(exp.Select):
+        own = list(select.walk(prune=lambda node: isinstance(node, exp.Query) and node is not select))
+        columns = [node for node in own if isinstance(node, exp.Column)]
+        alone = {column.name for column in columns if not column.table}
+        for relation in own:
+            name = relation.alias_or_name
+            if isinstance(relation, (exp.Table, exp.Subquery)) and name in alone:
+                apart = exp.to_identifier(f"{name}_rows")
+                relation.set("alias", exp.TableAlias(this=apart))
+                for column in columns:
+                    if column.table == name:
+                        column.set("table", apart.copy())
+    return tree
+
+
 ENGINE = Engine(
     name="bigquery",
     title="BigQuery",
@@ -41,5 +62,5 @@ ENGINE = Engine(
     micros_of=micros_of,
     instant_of=instant_of,
     define=define,
-    rewrites=(escape_by_backslash,),
+    rewrites=(escape_by_backslash, name_rows_apart),
 )
