@@ -7,6 +7,7 @@ quarter of a second.
 """
 
 import ctypes
+import datetime as dt
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -48,7 +49,11 @@ _FEATURES = (
     "FEATURE_DISALLOW_GROUP_BY_FLOAT",
 )
 
-_MADE = re.compile(r"CREATE (?:OR REPLACE )?(TABLE|VIEW) (?:IF NOT EXISTS )?`?(\w+)`?(.*)", re.DOTALL)
+_STATEMENT = re.compile(
+    r"(?P<doing>CREATE|DROP|INSERT INTO|DELETE FROM|UPDATE) (?:OR REPLACE )?(?:(?P<kind>TABLE|VIEW) )?"
+    r"(?:IF (?:NOT )?EXISTS )?`?(?P<name>\w+)`?(?P<rest>.*)",
+    re.DOTALL,
+)
 
 
 class GoogleSqlError(Exception):
@@ -159,6 +164,53 @@ def run(query: str, tables: Mapping[str, Table]) -> Table:
     """
     request = wire.EvaluateQueryRequest(sql=query, options=_options())
     _catalog(request, tables)
+    _fill(request, tables)
+    answer = _service().ask("EvaluateQuery", request, wire.EvaluateQueryResponse)
+    columns = {one.name: NAMES[one.type.type_kind] for one in answer.prepared.columns}
+    rows = [[_value(cell) for cell in row.cell] for row in answer.content.table_data.row]
+    return Table(columns, rows)
+
+
+def inserted(statement: str, name: str, tables: Mapping[str, Table]) -> Table:
+    """Return a table after a statement that inserts into it.
+
+    Raises:
+        GoogleSqlError: it cannot be analysed, or fails on these rows.
+    """
+    rows = [[_value(cell) for cell in row.cell] for row in _modified(statement, tables)]
+    return Table(tables[name].columns, [*tables[name].rows, *rows])
+
+
+def deleted(statement: str, name: str, tables: Mapping[str, Table]) -> Table:
+    """Return a table after a statement that deletes from it.
+
+    Raises:
+        GoogleSqlError: it cannot be analysed, or fails on these rows.
+    """
+    rows = [list(row) for row in tables[name].rows]
+    for gone in _modified(statement, tables, name):
+        rows.remove([_value(cell) for cell in gone.old_primary_key])
+    return Table(tables[name].columns, rows)
+
+
+def _modified(statement: str, tables: Mapping[str, Table], keyed: str | None = None) -> Any:
+    """Return the rows that a statement inserts, or the keys of those that it deletes.
+
+    Args:
+        statement: INSERT or DELETE.
+        tables: what it reads.
+        keyed: the table that has a key, its whole row; an insert into such a one ends the module.
+    """
+    request = wire.EvaluateModifyRequest(sql=statement, options=_options())
+    _catalog(request, tables)
+    for described in request.simple_catalog.table:
+        if described.name == keyed:
+            described.primary_key_column_index.extend(range(len(described.column)))
+    _fill(request, tables)
+    return _service().ask("EvaluateModify", request, wire.EvaluateModifyResponse).content
+
+
+def _fill(request: Any, tables: Mapping[str, Table]) -> None:
     for name, table in tables.items():
         kinds = list(table.columns.values())
         content = request.table_content[name].table_data
@@ -167,16 +219,16 @@ def run(query: str, tables: Mapping[str, Table]) -> Table:
             made = content.row.add()
             for value, kind in zip(row, kinds, strict=True):
                 cell = made.cell.add()
-                if value is not None:
+                if isinstance(value, dt.datetime):
+                    cell.timestamp_value.FromDatetime(value)
+                elif value is not None:
                     setattr(cell, _CELLS[kind], value)
-    answer = _service().ask("EvaluateQuery", request, wire.EvaluateQueryResponse)
-    columns = {one.name: NAMES[one.type.type_kind] for one in answer.prepared.columns}
-    rows = [[_value(cell) for cell in row.cell] for row in answer.content.table_data.row]
-    return Table(columns, rows)
 
 
 def _value(cell: Any) -> Any:
     kind = cell.WhichOneof("value")
+    if kind == "timestamp_value":
+        return cell.timestamp_value.ToDatetime(dt.UTC)
     return None if kind is None else getattr(cell, kind)
 
 
@@ -186,20 +238,68 @@ def statements(script: str) -> list[str]:
     return [part for part in parts if part]
 
 
-def ran(script: str, tables: Mapping[str, Table]) -> dict[str, Table]:
-    """Return the tables after a script: each statement is analysed, what it makes is filled by its query.
+class Plant:
+    """Tables that statements of ours work on: each is analysed, then run; an UPDATE is only analysed.
 
-    Statements that drop are analysed, too; a table without a query is empty, an INSERT is left out.
-
-    Raises:
-        GoogleSqlError: a statement has no resolved form, or its query fails.
+    Attributes:
+        tables: by name; views are filled when they are read.
     """
-    there = dict(tables)
-    for statement in statements(script):
-        analyzed(statement, there)
-        made = _MADE.match(statement)
-        if made:
-            query = re.search(r"\bAS\n(.*)", made[3], re.DOTALL)
-            assert query, statement[:200]
-            there[made[2]] = run(query[1], there)
-    return there
+
+    def __init__(self, tables: Mapping[str, Table]) -> None:
+        self.tables = dict(tables)
+        self._views: dict[str, str] = {}
+        self._columns: dict[str, Mapping[str, str]] = {}
+
+    def execute(self, statement: str) -> None:
+        """Run a statement that makes, drops or changes a table or view.
+
+        Raises:
+            GoogleSqlError: it cannot be analysed, or fails on these rows.
+        """
+        match = _STATEMENT.match(statement)
+        assert match, statement[:200]
+        doing, kind, name, rest = match["doing"], match["kind"], match["name"], match["rest"]
+        seen = self._seen(statement)
+        if doing == "INSERT INTO":
+            self.tables[name] = inserted(statement, name, seen)
+            return
+        if doing == "DELETE FROM":
+            self.tables[name] = deleted(statement, name, seen)
+            return
+        resolved = analyzed(statement, seen)
+        if doing == "UPDATE":
+            return
+        if doing == "DROP":
+            self.tables.pop(name, None)
+            self._views.pop(name, None)
+            self._columns.pop(name, None)
+            return
+        query = re.search(r"(?:\A|\s)AS\s+((?:SELECT|WITH)\b.*)", rest, re.DOTALL)
+        if kind == "VIEW":
+            assert query
+            self._views[name] = query[1]
+            self._columns[name] = run(query[1], seen).columns
+        elif query:
+            self.tables[name] = run(query[1], seen)
+        elif name not in self.tables:
+            create = resolved.resolved_create_statement_node.resolved_create_table_stmt_base_node
+            columns = create.resolved_create_table_stmt_node.parent.column_definition_list
+            self.tables[name] = Table({one.name: NAMES[one.type.type_kind] for one in columns})
+
+    def run(self, query: str) -> Table:
+        """Return the rows of a query.
+
+        Raises:
+            GoogleSqlError: it cannot be analysed, or fails on these rows.
+        """
+        return run(query, self._seen(query))
+
+    def relations(self) -> dict[str, Mapping[str, str]]:
+        """Return the columns of all tables and views."""
+        return {name: table.columns for name, table in self.tables.items()} | self._columns
+
+    def _seen(self, statement: str) -> dict[str, Table]:
+        """Return the tables that a statement names, views among them."""
+        named = set(re.findall(r"\w+", statement))
+        found = {name: table for name, table in self.tables.items() if name in named}
+        return found | {name: self.run(query) for name, query in self._views.items() if name in named}

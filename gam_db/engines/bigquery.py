@@ -54,6 +54,20 @@ def name_rows_apart(tree: exp.Expr) -> exp.Expr:
     return tree
 
 
+def find_keys_as_structs(tree: exp.Expr) -> exp.Expr:
+    """Look keys of several columns up among structs.
+
+    Cause: what stands after IN has one column. Symptom: subquery of type IN must have only one output
+    column, in every DELETE by a key.
+    """
+    for among in tree.find_all(exp.In):
+        found = among.args.get("query")
+        key = among.this
+        if found is not None and isinstance(key, exp.Tuple) and len(key.expressions) > 1:
+            found.unnest().set("kind", "STRUCT")
+    return tree
+
+
 ENGINE = Engine(
     name="bigquery",
     title="BigQuery",
@@ -62,5 +76,5 @@ ENGINE = Engine(
     micros_of=micros_of,
     instant_of=instant_of,
     define=define,
-    rewrites=(escape_by_backslash, name_rows_apart),
+    rewrites=(escape_by_backslash, name_rows_apart, find_keys_as_structs),
 )
