@@ -148,7 +148,7 @@ def differing(found: pa.Table, expected: pa.Table) -> list[str]:
 
 
 def test_the_stored_form_gives_what_duckdb_gives() -> None:
-    """Migrated, calibrated, scored twice, looked at, pruned and dropped, with the same rows throughout."""
+    """Migrated, calibrated, scored twice, looked at, pruned and dropped, with the same rows."""
     made = plant(telemetry(120))
     there = monitor(WarehouseSession(GoogleSqlDriver(made)))
     with duckdb.connect() as connection:

@@ -40,7 +40,7 @@ def name_rows_apart(tree: exp.Expr) -> exp.Expr:
     matching signature, found STRUCT<...>, wherever a step has a column of its own name.
     """
     for select in tree.find_all(exp.Select):
-        own = list(select.walk(prune=lambda node: isinstance(node, exp.Query) and node is not select))
+        own = _without_queries_inside(select)
         columns = [node for node in own if isinstance(node, exp.Column)]
         alone = {column.name for column in columns if not column.table}
         for relation in own:
@@ -52,6 +52,10 @@ def name_rows_apart(tree: exp.Expr) -> exp.Expr:
                     if column.table == name:
                         column.set("table", apart.copy())
     return tree
+
+
+def _without_queries_inside(select: exp.Select) -> list[exp.Expr]:
+    return list(select.walk(prune=lambda node: isinstance(node, exp.Query) and node is not select))
 
 
 def find_keys_as_structs(tree: exp.Expr) -> exp.Expr:
@@ -72,7 +76,8 @@ ENGINE = Engine(
     name="bigquery",
     title="BigQuery",
     dialect="bigquery",
-    evidence="rendered",
+    limits="gam-db does not connect to it; it prints the SQL. Storage, quotas and transactions of the "
+    "service were not seen at work.",
     micros_of=micros_of,
     instant_of=instant_of,
     define=define,
