@@ -6,18 +6,18 @@ from gam_db.engines.evidence import CLASSES, evidence
 HEAD = """\
 # Engines
 
-What `gam engines` prints. gam-db's SQL is written once and rendered for each engine; how much is known of
-it at work differs. Version and date are those of the last run of the tests.
+What `gam engines` prints. gam-db's SQL is written once and rendered for each engine; how much is
+known of it at work differs. Version and date are those of the last run of the tests.
 """
 
 LIMITS = """\
 ## What the weaker kinds of evidence show
 
-A relative knows the same words, but not what only the engine itself has; what was left out is in the file
-of its tests. A grammar sees that a statement can be parsed, and little else: of 39 mistakes planted in
-statements like these, the strictest grammar tried (sqlfluff) refused 17, and sqlglot's own 4. A name, type
-or function that the engine has not goes unseen. GoogleSQL's reference implementation resolves every name
-and type as BigQuery does and runs the statements, but it is not the service.
+A relative knows the same words, but not what only the engine itself has; what was left out is in the
+file of its tests. A grammar sees that a statement can be parsed, and little else: of 39 mistakes planted
+in statements like these, the strictest grammar tried (sqlfluff) refused 17, and sqlglot's own 4. A name,
+type or function that the engine has not goes unseen. GoogleSQL's reference implementation resolves
+every name and type as BigQuery does and runs the statements, but it is not the service.
 """
 
 
