@@ -24,7 +24,7 @@ class GoogleSqlDriver:
 
     engine = engine_named("bigquery")
     transactions = True
-    errors = (GoogleSqlError,)
+    errors: tuple[type[Exception], ...] = (GoogleSqlError,)
 
     def __init__(self, plant: Plant) -> None:
         self.plant = plant

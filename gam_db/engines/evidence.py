@@ -53,5 +53,5 @@ class Evidence:
 def evidence() -> dict[str, Evidence]:
     """Return the rows of the table, by engine, in its order."""
     table = resources.files("gam_db.engines") / "evidence.csv"
-    with table.open(encoding="utf-8", newline="") as lines:
-        return {row["engine"]: Evidence(**row) for row in csv.DictReader(lines)}
+    lines = table.read_text(encoding="utf-8").splitlines()
+    return {row["engine"]: Evidence(**row) for row in csv.DictReader(lines)}
