@@ -1,6 +1,7 @@
 """What is said of the engines is what the tests run: no more, and in the same versions."""
 
 import datetime as dt
+import importlib
 import json
 from pathlib import Path
 
@@ -8,6 +9,7 @@ import pytest
 from typer.testing import CliRunner
 
 import engine_page
+import engines
 from evidence import version_of
 from gam_db.cli import app
 from gam_db.engines import NAMES, engine_named
@@ -31,10 +33,17 @@ def test_the_version_is_the_one_that_the_tests_run(name: str) -> None:
     assert row.version.split(".")[:2] == version_of(row)().split(".")[:2], "run tests/evidence.py"
 
 
-def test_executed_means_on_the_engine_itself() -> None:
+def test_executed_is_what_the_tests_run_on() -> None:
     executed = [row for row in evidence().values() if row.evidence == "executed"]
+    assert {row.engine for row in executed} == set(engines.OPENERS) == set(engines.VERSIONS)
     assert [row.by for row in executed] == [engine_named(row.engine).title for row in executed]
-    assert {"DuckDB", "SQLite"} <= {row.by for row in executed}
+
+
+@pytest.mark.parametrize("name", engines.OPENERS)
+def test_an_older_version_is_refused_where_the_table_says_so(name: str) -> None:
+    module = "duckdb_session" if name == "duckdb" else f"{name}_driver"
+    oldest = importlib.import_module(f"gam_db.engines.{module}").OLDEST
+    assert engine_named(name).oldest == ".".join(map(str, oldest))
 
 
 def test_the_command_says_what_the_table_says() -> None:

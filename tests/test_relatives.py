@@ -45,7 +45,7 @@ Answers = dict[str, harness.Answer]
 
 def postgres_version() -> str:
     with psycopg.connect(postgres_server.server().url) as connection:
-        return str(connection.execute("SHOW server_version").fetchone()[0]).split()[0]  # type: ignore[index]
+        return str(connection.info.server_version // 10_000)
 
 
 def first_of_each_file() -> Iterator[Worked]:
@@ -86,7 +86,7 @@ def on_postgres(
     for statement in statements(texts[1]):
         connection.execute(statement.encode())
     for question, (relation, order) in scripts.RELATIONS.items():
-        answer = connection.execute(f"SELECT * FROM {relation} ORDER BY {order}".encode())
+        answer = connection.execute(f"SELECT * FROM gam_{relation} ORDER BY {', '.join(order)}".encode())
         found[question] = answer.fetchall()
     return found
 
