@@ -129,10 +129,10 @@ def test_redshift_keeps_its_state_on_postgresql(postgres: psycopg.Connection[dic
 def script_of(engine: str) -> str:
     """Return the exact form, the view form and the migrations, with times and patterns in them."""
     source = gam_db.Source("telemetry", time_kind="timestamp")
-    parameters = gam_db.Parameters(m=2, overrides=[gam_db.Override(asset="r_*%", tau=2)])
+    calibration = gam_db.Calibration(overrides={"r_*%": None})
     return "\n".join(
         (
-            gam_db.render("exact", engine, source, parameters),
+            gam_db.render("exact", engine, source, gam_db.Parameters(m=2), calibration),
             gam_db.render("view", engine, SOURCE, gam_db.Parameters(m=2)),
             rendered(engine_named(engine), StateTables("plant")),
         )
