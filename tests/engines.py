@@ -5,9 +5,11 @@ executed, and ``NAME,...`` on those named. One that is asked for and cannot be s
 """
 
 import itertools
+import sqlite3
 from collections.abc import Callable
 from functools import cache
 
+import duckdb
 import pytest
 from hypothesis import settings
 
@@ -20,6 +22,12 @@ FAST = ("duckdb", "sqlite")
 OPENERS: dict[str, Callable[[], Session]] = {
     "duckdb": lambda: connect(),
     "sqlite": lambda: connect("sqlite://"),
+}
+
+#: engine -> the version that the tests see
+VERSIONS: dict[str, Callable[[], str]] = {
+    "duckdb": lambda: duckdb.__version__,
+    "sqlite": lambda: sqlite3.sqlite_version,
 }
 
 #: engine -> random cases of the agreement tests, about as many as take the same time on each

@@ -1,6 +1,7 @@
 """Scripts: complete, commented, for every engine; what cannot be rendered says so."""
 
 import sqlite3
+from importlib.metadata import version
 from pathlib import Path
 
 import duckdb
@@ -17,6 +18,8 @@ from gam_db.script import FORMS
 
 PARAMETERS = gam_db.Parameters(max_gap=7, overrides=[gam_db.Override(asset="r_*%", m=2)])
 CALIBRATION = gam_db.Calibration(fraction=0.25, exclude=[(3, 5)])
+#: What this file parses again, and by what; see test_engines.py.
+RUNS = dict.fromkeys(NAMES, lambda: version("sqlglot"))
 SOURCE = gam_db.Source("plant.telemetry", time="t", where="quality = 1")
 
 
