@@ -105,7 +105,7 @@ def test_the_view_form_equals_the_reference() -> None:
         made.execute(statement)
     for question, (relation, order) in scripts.RELATIONS.items():
         expected = harness.by_reference(question, rows, parameters, calibration)
-        found = dicts(made.run(f"SELECT * FROM gam_{relation} ORDER BY {', '.join(order)}"))
+        found = dicts(made.run(f"SELECT * FROM gam_live_{relation} ORDER BY {', '.join(order)}"))
         assert expected
         harness.assert_same(expected, found, question)
 

@@ -76,7 +76,7 @@ def on_postgres(
     connection: psycopg.Connection[dict[str, Any]], rows: list[harness.Row], *method: Any
 ) -> Answers:
     """Answer by Redshift's scripts on PostgreSQL."""
-    connection.execute("DROP VIEW IF EXISTS gam_health")
+    connection.execute("DROP VIEW IF EXISTS gam_live_health")
     connection.execute("DROP TABLE IF EXISTS telemetry")
     connection.execute("CREATE TABLE telemetry (asset TEXT, channel TEXT, time BIGINT, value FLOAT8)")
     with connection.cursor() as cursor:
@@ -86,7 +86,9 @@ def on_postgres(
     for statement in statements(texts[1]):
         connection.execute(statement.encode())
     for question, (relation, order) in scripts.RELATIONS.items():
-        answer = connection.execute(f"SELECT * FROM gam_{relation} ORDER BY {', '.join(order)}".encode())
+        answer = connection.execute(
+            f"SELECT * FROM gam_live_{relation} ORDER BY {', '.join(order)}".encode()
+        )
         found[question] = answer.fetchall()
     return found
 

@@ -102,11 +102,11 @@ def test_the_view_sees_rows_that_came_later_and_keeps_its_calibration() -> None:
             "SELECT 'a' AS asset, 'c' AS channel, i AS time, i % 2 + 0.5 AS value FROM range(8) t(i)"
         )
         connection.execute(script)
-        assert connection.sql("SELECT max(hi), count(*) FROM gam_health").fetchall() == [(0.0, 4)]
+        assert connection.sql("SELECT max(hi), count(*) FROM gam_live_health").fetchall() == [(0.0, 4)]
         connection.execute("INSERT INTO telemetry VALUES ('a', 'c', 8, 99), ('a', 'c', 9, 99)")
-        assert connection.sql("SELECT max(hi), count(*) FROM gam_health").fetchall() == [(1.0, 6)]
+        assert connection.sql("SELECT max(hi), count(*) FROM gam_live_health").fetchall() == [(1.0, 6)]
         connection.execute("INSERT INTO telemetry VALUES ('a', 'c', 9, 1.5)")
-        assert connection.sql("SELECT max(hi), count(*) FROM gam_health").fetchall() == [(0.5, 6)]
+        assert connection.sql("SELECT max(hi), count(*) FROM gam_live_health").fetchall() == [(0.5, 6)]
 
 
 def test_a_table_may_be_called_as_a_step_of_ours() -> None:
