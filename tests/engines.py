@@ -62,7 +62,7 @@ def chosen(asked: str) -> list[str]:
 
 
 def is_left_out(file: str, asked: str) -> bool:
-    """Tell whether a file, ``test_NAME.py`` or ``test_NAME_....py``, is of a NAME that nobody asked for."""
+    """Tell whether a file, ``test_NAME.py`` or ``test_NAME_....py``, is of a NAME not asked for."""
     names = [name for name in (*OPENERS, *STAND_INS) if f"{file[:-3]}_".startswith(f"test_{name}_")]
     return bool(names) and names[0] not in asked_for(asked)
 
