@@ -246,7 +246,7 @@ def _exact_whole(job: StoredJob) -> dict[str, Any]:
     result = Path(job.state).with_name("exact_whole.duckdb")
     result.unlink(missing_ok=True)
     source = gam_db.Source("readings", time="t")
-    with opened(Path(job.source), job.threads) as connection, Session(connection) as session:
+    with opened(Path(job.source), job.threads) as connection, DuckSession(connection) as session:
         study = Study(session, source, PARAMETERS, CALIBRATION)
         for step in WHOLE:
             study.write(step, result, step)
