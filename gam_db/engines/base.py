@@ -37,7 +37,6 @@ class Engine:
         name: what users call it.
         title: what it calls itself.
         dialect: sqlglot's name of its SQL.
-        evidence: "executed" if the test suite runs on it, else "rendered".
         micros_of: the integer time of a column of a kind of time.
         instant_of: the way back, for the last step of a query.
         range_of: conditions on a column of times, where its own order is not that of the instants.
@@ -48,12 +47,15 @@ class Engine:
         flow_hint: whether a WITH entry can be marked NOT MATERIALIZED.
         reads_files: whether a Parquet or CSV path can stand in FROM.
         macros: whether a script may define table macros.
+        oldest: the oldest version that is accepted; None where gam-db does not connect.
+        extra: of this package, that installs its driver; None for none.
+        transactions: whether statements can be undone together.
+        limits: what it cannot promise, and what a user has to know.
     """
 
     name: str
     title: str
     dialect: str
-    evidence: str
     micros_of: TimeRewrite
     instant_of: TimeRewrite
     range_of: RangeRewrite | None = None
@@ -64,6 +66,10 @@ class Engine:
     flow_hint: bool = False
     reads_files: bool = False
     macros: bool = False
+    oldest: str | None = None
+    extra: str | None = None
+    transactions: bool = True
+    limits: str = ""
 
     def in_range(
         self, kind: TimeKind, column: exp.Expr, earliest: int | None, latest: int | None
