@@ -312,7 +312,7 @@ class PostgresDriver:
         return found
 
     def _analyze(self, table: exp.Table) -> None:
-        self.execute(self.engine.text(exp.Analyze(this=table.copy())))
+        self.execute(self.engine.text(exp.Analyze(tables=[table.copy()])))
 
 
 def _temporary(target: exp.Expr, query: exp.Query | None = None) -> exp.Create:
