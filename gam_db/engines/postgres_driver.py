@@ -7,6 +7,7 @@ connection of its own, which sees neither our temporary tables nor our transacti
 import contextlib
 import io
 import os
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 from urllib.parse import urlsplit
@@ -32,6 +33,8 @@ _SETTINGS = {"TimeZone": "UTC", "standard_conforming_strings": "on"}
 #: Further settings of connections of ours: translating long queries to machine code takes longer than
 #: running them.
 _OWN_SETTINGS = {"jit": "off"}
+
+_SCHEMA = re.compile(r'CREATE SCHEMA IF NOT EXISTS "([^"]+)"')
 
 #: Seconds to wait for a server, where neither the address nor the environment says.
 _PATIENCE = 15
@@ -99,6 +102,7 @@ class PostgresDriver:
         self._transaction: Any = None
         self._statement = ""
         self._settings: dict[str, str] = {}
+        self._kept: set[str] = set()
         self._check()
         try:
             self._set(_SETTINGS | (_OWN_SETTINGS if owned else {}))
@@ -106,15 +110,20 @@ class PostgresDriver:
             raise self.problem(error) or EngineError(REFUSED_TRANSACTION) from error
 
     def execute(self, statement: str) -> None:
-        """Run one statement."""
+        """Run one statement; a schema that is there is not made, which would take a right of its own."""
         self._statement = statement
+        schema = _SCHEMA.fullmatch(statement)
+        if schema and self._asked("SELECT 1 FROM pg_namespace WHERE nspname = %s", (schema[1],)):
+            return
         with self._safely(), self._cursor() as cursor:
             cursor.execute(statement, prepare=False)
 
     def fetch(self, query: str) -> pa.Table:
         """Return the rows of a query."""
         self._statement = query
-        with self._safely(), self._cursor(binary=True) as cursor:
+        reads_kept = any(name in query for name in self._kept)
+        nested = contextlib.nullcontext() if not reads_kept else self._without_nested_loops()
+        with nested, self._safely(), self._cursor(binary=True) as cursor:
             cursor.execute(query, prepare=False)
             names = [column.name for column in cursor.description]
             types = [column.type_code for column in cursor.description]
@@ -127,7 +136,7 @@ class PostgresDriver:
                     for column, number in zip(columns, types, strict=True)
                 ]
                 chunks.append(pa.Table.from_arrays(arrays, names=names))
-        return pa.concat_tables(chunks) if chunks else schema.empty_table()
+        return pa.concat_tables(chunks, promote_options="permissive") if chunks else schema.empty_table()
 
     def begin(self) -> None:
         """Begin a transaction.
@@ -158,8 +167,9 @@ class PostgresDriver:
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
         """Make a temporary table of the rows of a query, and count what is in it for the planner."""
-        self.execute(self.engine.text(_temporary(table, query)))
-        self._analyze(table)
+        with self._without_nested_loops():
+            self.execute(self.engine.text(_temporary(table, query)))
+        self._count(table)
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
         """Make a temporary table of the rows of an Arrow table."""
@@ -179,10 +189,11 @@ class PostgresDriver:
         copy = sql.SQL("COPY {} FROM STDIN (FORMAT CSV)").format(sql.Identifier(table.name))
         with self._safely(), self._cursor() as cursor, cursor.copy(copy) as target:
             target.write(written.getbuffer())
-        self._analyze(table)
+        self._count(table)
 
     def drop(self, table: exp.Table) -> None:
         """Drop a table made by :meth:`keep` or :meth:`ingest`."""
+        self._kept.discard(table.name)
         self.execute(self.engine.text(exp.Drop(tables=[table.copy()], kind="TABLE", exists=True)))
 
     def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
@@ -301,6 +312,22 @@ class PostgresDriver:
         with self._connection.transaction():
             yield
 
+    @contextlib.contextmanager
+    def _without_nested_loops(self) -> Iterator[None]:
+        """Join by sorting or hashing.
+
+        Cause: of a window's output the planner guesses that one row in a thousand fulfils a condition.
+        Symptom: for each of a million vectors it walks through the whole support. Steps have no index
+        for which a nested loop would be right; the state tables have, and are asked outside of this.
+        """
+        self._set({"enable_nestloop": "off"})
+        try:
+            yield
+        finally:
+            # In a transaction that has failed it cannot be said, and is undone with the rest.
+            with contextlib.suppress(self._psycopg.Error):
+                self._set({"enable_nestloop": self._settings["enable_nestloop"]})
+
     def _cursor(self, binary: bool = False) -> Any:
         # A factory of the user's would make something else than tuples of the rows.
         return self._connection.cursor(binary=binary, row_factory=self._psycopg.rows.tuple_row)
@@ -311,7 +338,9 @@ class PostgresDriver:
             found: list[tuple[Any, ...]] = cursor.execute(query, values, prepare=False).fetchall()
         return found
 
-    def _analyze(self, table: exp.Table) -> None:
+    def _count(self, table: exp.Table) -> None:
+        """Let the planner know what is in a table that was made."""
+        self._kept.add(table.name)
         self.execute(self.engine.text(exp.Analyze(tables=[table.copy()])))
 
 
