@@ -104,15 +104,21 @@ def reading_steps(rows: exp.Query, is_ranged: bool = True) -> Pipeline:
 
 
 @cache
-def scoring_steps(setting: Setting, kind: TimeKind) -> Pipeline:
+def scoring_steps(setting: Setting, kind: TimeKind, trusting: bool = False) -> Pipeline:
     """Return the steps from *identified* to the rows that are appended.
+
+    Looking whether an instant occurs twice takes a pass over all times. A ``trusting`` run takes it that
+    none does, and finds out on the way: *doubtful* holds the channels that deserved no trust, whose rows
+    must not be appended.
 
     Given by the caller are the state tables, *identified*, *recount*, *stamp* (run_id, started,
     committed), and *cohort*: the channels, from where on each is read and scored, and the number of its
     first bucket.
     """
-    steps, method = _sampled(setting, kind)
-    _add_new_buckets(steps, method)
+    steps, method = _sampled(setting, kind, trusting)
+    _add_new_buckets(steps, method, trusting)
+    if trusting:
+        add(steps, "stored/doubtful")
     add(steps, "stored/new_counts")
     add(steps, "stored/past_buckets", {"buckets": setting.window_length // setting.stride})
     columns = ("channel_id", "bucket_no", "first_time", "last_time", "novel", "out_of_range")
@@ -152,26 +158,31 @@ def relearning_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     return steps
 
 
-def _sampled(setting: Setting, kind: TimeKind) -> tuple[Pipeline, Method]:
+def can_trust(setting: Setting, kind: TimeKind) -> bool:
+    """Tell whether there is a trusting form of the steps: where no segment ends."""
+    return _method(setting, kind).is_short(0)
+
+
+def _sampled(setting: Setting, kind: TimeKind, trusting: bool = False) -> tuple[Pipeline, Method]:
     """Return the steps from *identified* to the samples, and the method of the setting."""
     method = _method(setting, kind)
     steps = Pipeline(small=_KEPT)
     for name in ("channels", "bounds", "calibration", "support"):
         add(steps, f"stored/{name}")
     add(steps, "stored/calibration_range")
-    add(steps, "stored/repeats", name="timeline")
+    add(steps, "stored/unrepeated" if trusting else "stored/repeats", name="timeline")
     for name in ("collapsed", "samples"):
         add(steps, f"source/{name}")
     add_breaks(steps, method, 0)
     return steps, method
 
 
-def _add_new_buckets(steps: Pipeline, method: Method) -> None:
+def _add_new_buckets(steps: Pipeline, method: Method, trusting: bool = False) -> None:
     add(steps, "stored/seen")
     add(steps, "stored/run_up", {"span": method.settings[0].span})
     if not method.is_short(0):
         add_numbered(steps, method, 0)
-    add_buckets(steps, method, 0, ("position", "context_time"))
+    add_buckets(steps, method, 0, ("position", "context_time"), trusting)
     add(steps, "stored/bucket_ends")
     add(steps, "stored/new_buckets")
 

@@ -23,6 +23,6 @@ FROM (
   FROM stored_visible_bucket AS bucket
   JOIN active AS frozen ON frozen.version_id = bucket.version_id
   JOIN tails AS ending ON ending.version_id = bucket.version_id
-  WHERE bucket.bucket_no >= ending.tail_from
+  WHERE bucket.bucket_no BETWEEN ending.tail_from AND 4611686018427387904
   GROUP BY bucket.version_id
 ) AS ended

@@ -24,7 +24,7 @@ FROM (
       MIN(bucket.bucket_no) - 1 AS before_first
     FROM stored_visible_bucket AS bucket
     JOIN newest AS ending ON ending.version_id = bucket.version_id
-    WHERE bucket.last_time >= ending.restart_time
+    WHERE bucket.last_time BETWEEN ending.restart_time AND ending.newest_time
     GROUP BY bucket.version_id
   ) AS reached
   JOIN stored_visible_bucket AS earlier ON earlier.version_id = reached.version_id
