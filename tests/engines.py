@@ -14,6 +14,7 @@ import duckdb
 import pytest
 from hypothesis import settings
 
+import postgres_server
 from gam_db.connect import connect
 from gam_db.engines.session import Session
 
@@ -23,6 +24,7 @@ FAST = ("duckdb", "sqlite")
 OPENERS: dict[str, Callable[[], Session]] = {
     "duckdb": lambda: connect(),
     "sqlite": lambda: connect("sqlite://"),
+    "postgres": lambda: connect(postgres_server.server().url),
 }
 
 #: engine -> the version that the tests see
@@ -32,7 +34,7 @@ VERSIONS: dict[str, Callable[[], str]] = {
 }
 
 #: engine -> random cases of the agreement tests, about as many as take the same time on each
-EXAMPLES = {"duckdb": 100, "sqlite": 60}
+EXAMPLES = {"duckdb": 100, "sqlite": 60, "postgres": 20}
 
 
 def examples(name: str) -> int:
