@@ -25,6 +25,7 @@ from gam_db.cli.compile import compile_script
 from gam_db.cli.demo import demo
 from gam_db.cli.drop import drop
 from gam_db.cli.evaluate import evaluate
+from gam_db.cli.export import export
 from gam_db.cli.init import init
 from gam_db.cli.migrate import migrate
 from gam_db.cli.prune import prune
@@ -109,6 +110,7 @@ app.command()(migrate)
 app.command()(drop)
 app.command()(status)
 app.command()(prune)
+app.add_typer(export, name="export")
 app.add_typer(simulate, name="simulate")
 app.add_typer(reproduce, name="reproduce")
 

@@ -32,8 +32,8 @@ class Package:
     """A dbt package for one source.
 
     Attributes:
-        source: the table with the telemetry; a name with dots says where it is. Its ``time_kind`` says how
-            it tells time; an integer counter if it is None.
+        source: the table with the telemetry; a name with dots says where it is. Its ``time_kind`` says
+            how it tells time; an integer counter if it is None.
         parameters: one set for all channels.
         calibration: closed intervals; overrides and pools are taken as well.
         engine: name of the engine that dbt runs on.
@@ -41,8 +41,8 @@ class Package:
         prefix: begins the names of the models: letters, digits and underscores.
         lookback: how far behind the newest bucket of its channel a row may come; None for an hour, or no
             step of a counter.
-        silent_after: after how long without a row dbt warns (source freshness); None for a day. A counter
-            has no such warning.
+        silent_after: after how long without a row dbt warns (source freshness); None for a day. A
+            counter has no such warning.
 
     Raises:
         UserError: any of it cannot be used.
@@ -98,7 +98,7 @@ class Package:
         catalog, schema, table = [None] * (3 - len(parts)) + parts
         if schema and self.schema and schema != self.schema:
             raise ConfigurationError(
-                f"The source says schema {schema!r}, and --schema says {self.schema!r}; give one of them."
+                f"The source lies in the schema {schema!r}, and --schema says {self.schema!r}; give one."
             )
         return catalog, schema or self.schema, table
 

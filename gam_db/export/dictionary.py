@@ -12,7 +12,9 @@ from gam_db import template
 from gam_db.stored.migration_files import Migration, files
 
 #: Columns that a package has and the state tables have not.
-_OWN = {"calibration_no": "Which rule of calibration applies: 0 the general one, 1, 2, ... the overrides"}
+_OWN = {
+    "calibration_no": "Which rule of calibration applies: 0 the general one, 1, 2, ... the overrides"
+}
 
 #: Where a column is looked for that the table of the same name has not.
 _ELSEWHERE = ("channel", "version", "fleet", "health")

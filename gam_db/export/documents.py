@@ -1,4 +1,4 @@
-"""The files of a package that are no models: the project, the source, the schema, and what to read first.
+"""The files of a package that are no models: project, source, schema, and what to read first.
 
 This module owns the words that dbt users know; it makes no SQL.
 """
@@ -9,7 +9,7 @@ from typing import Any
 from gam_db import template
 from gam_db.export import dictionary, yaml_text
 from gam_db.export.adapters import BUILT
-from gam_db.export.models import SOURCE, TABLE, Model, Modelled
+from gam_db.export.models import CALIBRATED, SOURCE, TABLE, Model, Modelled
 from gam_db.version import __version__
 
 #: The test that no two rows share their keys, which dbt itself has not.
@@ -52,7 +52,8 @@ def sources(
     Args:
         of: what the models are made from.
         table: its name in the warehouse.
-        schema, database: where it is; None for those of the target.
+        schema: where it is; None for that of the target.
+        database: where that is; None for that of the target.
         silent_after: microseconds after which no new row is worth a warning; None for a counter.
     """
     roles = {
@@ -76,9 +77,7 @@ def sources(
     place = {"database": database} if database else {}
     place["schema"] = schema or "{{ target.schema }}"
     described["columns"] = columns
-    return yaml_text.text(
-        {"version": 2, "sources": [{"name": SOURCE, **place, "tables": [described]}]}
-    )
+    return yaml_text.text({"version": 2, "sources": [{"name": SOURCE, **place, "tables": [described]}]})
 
 
 def schema(of: Modelled, models: Sequence[Model]) -> str:
@@ -115,11 +114,13 @@ def readme(of: Modelled, table: str) -> str:
         if of.engine.name in BUILT
         else "rendered for this engine, never yet built on it"
     )
+    taught = ", ".join(f"{prefix}{model}" for model in CALIBRATED)
     unit = "steps of the counter" if of.kind.is_counter else "microseconds"
     return f"""\
 # {name}: a health indicator for every machine channel
 
-Written by gam-db {__version__} for {of.engine.name} ({adapter}); {built}. It needs no Python but dbt's own.
+Written by gam-db {__version__} for {of.engine.name} ({adapter}); {built}.
+It needs no Python but dbt's own.
 
     dbt build --profiles-dir .         # with a profile called {name}, or as a package of your project
     dbt docs generate
@@ -129,17 +130,17 @@ Written by gam-db {__version__} for {of.engine.name} ({adapter}); {built}. It ne
 | {prefix}health | the indicator `hi`, at the end of every bucket of {of.setting.stride} scored vectors |
 | {prefix}fleet | one row per channel: verdict, limit, latest indicator |
 | {prefix}bucket | incremental: the integers behind them |
-| {prefix}channel, {prefix}calibration, {prefix}bounds, {prefix}support, {prefix}block | what calibration taught |
+| {taught} | what calibration taught |
 
-`hi` is the share of the last {of.setting.window_length} scored vectors whose cell healthy operation never
-visited. A channel is above its limit where `verdict = 'ready'` and `hi > hi_limit` ({prefix}fleet).
+`hi` is the share of the last {of.setting.window_length} scored vectors whose cell healthy operation
+never visited. In {prefix}fleet a channel is above its limit where `verdict = 'ready'` and `hi > hi_limit`.
 
 ## What holds
 
-- Calibration is learnt in the first build and then frozen, from fixed intervals. Later builds read only what
-  is new. A new calibration, a new channel or other settings take `dbt build --full-refresh`; a package
-  with other settings that finds tables of the old ones fails at the test of `settings_hash`, before
-  anything is scored.
+- Calibration is learnt in the first build and then frozen, from fixed intervals. Later builds read only
+  what is new. A new calibration, a new channel or other settings take `dbt build --full-refresh`; a
+  package with other settings that finds tables of the old ones fails at the test of `settings_hash`,
+  before anything is scored.
 - A build after new rows, late ones included, gives what a full refresh gives, as long as no row comes
   more than {of.lookback} {unit} behind the newest bucket of its channel. Rows later than that, rows that
   were corrected or deleted, and late rows inside calibration are not seen; `dbt build --full-refresh`

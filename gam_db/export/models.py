@@ -33,6 +33,9 @@ from gam_db.stored.steps import DAY, KEPT, Setting, add_counting
 
 SOURCE, TABLE = "gam_source", "telemetry"
 
+#: The models that are built once.
+CALIBRATED = ("channel", "calibration", "bounds", "support", "block")
+
 #: The first microsecond of the year 1: no warehouse knows an earlier one.
 _FIRST = -62_135_596_800_000_000
 
@@ -178,7 +181,7 @@ def models(of: Modelled) -> list[Model]:
 
 
 def checks(of: Modelled) -> list[Model]:
-    """Return the tests of a package that are queries of their own: each finds rows only if all is not well."""
+    """Return the tests of a package that are queries of their own; a row is something amiss."""
     steps = _learning(of)
     add(steps, "stored/recount")
     add(steps, "export/changed_calibration")
@@ -247,9 +250,7 @@ def _learning(of: Modelled) -> Pipeline:
         for edge, sign in zip(edges, (-1, 1), strict=True)
     )
     time = template.column(of.source.time)
-    rows = of.readings(
-        exp.GTE(this=time, expression=low), exp.LT(this=time.copy(), expression=high)
-    )
+    rows = of.readings(exp.GTE(this=time, expression=low), exp.LT(this=time.copy(), expression=high))
     add(steps, "export/channels")
     limits = union_of(steps, ["channels"], ["channel_id", "calibration_end", "first_scored"])
     steps.add("limits", limits, "Limits: when calibration ends, and from when on is scored.")
@@ -326,7 +327,8 @@ def _views(of: Modelled) -> list[Model]:
     """Return what is for whoever reads on."""
     placed = {f"stored_{name}": of.reference(name) for name in ("channel", "bounds", "bucket")}
     target = float(of.method.settings[0].target_floor)
-    fleet: dict[str, template.Slot] = {"target_floor": target, "stride": of.setting.stride}
+    lengths = {"window": of.setting.window_length, "stride": of.setting.stride}
+    fleet: dict[str, template.Slot] = {"target_floor": target, **lengths}
     made = []
     for name, names, slots, keys in (
         ("health", ("first_time", "last_time"), {}, ("asset", "channel", "bucket")),

@@ -3,6 +3,7 @@
 -- Reads:  stored_channel, stored_bounds, stored_bucket
 -- A row:  one channel.
 -- Slots:  :times         last_time as the source tells time; nothing where it counts
+--         :window        W, in vectors
 --         :stride        vectors per bucket
 --         :target_floor  indicator that a healthy machine may show
 SELECT
@@ -31,7 +32,7 @@ SELECT
   CASE WHEN made.hit = 1 THEN made.novel_in_window END AS novel_in_window,
   CASE WHEN made.hit = 1 THEN made.novel_window_before END AS novel_window_before,
   CASE WHEN made.hit = 1 THEN made.out_of_range END AS out_of_range_in_window,
-  CASE WHEN made.hit = 1 THEN made.window_length END AS window_length,
+  CAST(:window AS BIGINT) AS window_length,
   CASE WHEN made.hit = 1 THEN made.newest_no END AS bucket,
   CASE WHEN made.hit = 1 THEN made.buckets ELSE 0 END AS buckets,
   CASE WHEN made.hit = 1 THEN made.novel ELSE 0 END AS novel_in_buckets,
