@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 import duckdb
+import pyarrow as pa
 import pytest
 
 import postgres_server
@@ -51,14 +52,21 @@ class InDuckDB:
         """Let rows arrive."""
         with duckdb.connect(str(self.path)) as connection:
             connection.execute(_TABLE.replace("TABLE", "TABLE IF NOT EXISTS"))
-            connection.execute("BEGIN")
-            connection.executemany("INSERT INTO telemetry VALUES (?, ?, ?, ?)", rows)
-            connection.execute("COMMIT")
+            connection.register("arriving", arrow(rows))
+            connection.execute("INSERT INTO telemetry SELECT * FROM arriving")
 
     def rows(self, query: str) -> list[tuple[Any, ...]]:
         """The rows of a query."""
         with duckdb.connect(str(self.path), read_only=True) as connection:
             return connection.sql(query).fetchall()
+
+
+def arrow(rows: ROWS) -> pa.Table:
+    """Rows as an Arrow table: DuckDB takes a thousand times longer over single ones."""
+    types = (pa.string(), pa.string(), pa.timestamp("us"), pa.float64())
+    columns = zip(*rows, strict=True)
+    arrays = [pa.array(column, kind) for column, kind in zip(columns, types, strict=True)]
+    return pa.table(arrays, names=["asset", "channel", "ts", "value"])
 
 
 class InPostgres:

@@ -40,11 +40,7 @@ def recording(recordings: Path) -> Rows:
 def scored(rows: Rows, calibration: gam_db.Calibration) -> tuple[Rows, Rows]:
     """What gam score makes of the same rows, in one run."""
     with duckdb.connect() as connection:
-        connection.execute(
-            "CREATE TABLE telemetry (asset VARCHAR, channel VARCHAR, ts TIMESTAMP, value DOUBLE)"
-        )
-        connection.executemany("INSERT INTO telemetry VALUES (?, ?, ?, ?)", rows)
-        source = gam_db.Source("telemetry", time="ts")
+        source = gam_db.Source(dbt_runs.arrow(rows), time="ts")
         monitor = Monitor(connection, source, PARAMETERS, calibration, park_after=False)
         monitor.migrate()
         monitor.calibrate()

@@ -133,7 +133,8 @@ It needs no Python but dbt's own.
 | {taught} | what calibration taught |
 
 `hi` is the share of the last {of.setting.window_length} scored vectors whose cell healthy operation
-never visited. In {prefix}fleet a channel is above its limit where `verdict = 'ready'` and `hi > hi_limit`.
+never visited. In {prefix}fleet, a channel is above its limit
+where `verdict = 'ready'` and `hi > hi_limit`.
 
 ## What holds
 
