@@ -7,7 +7,7 @@ All of it is optional. Columns that are not named are guessed from the source::
 
     [source]
     relation = "telemetry.parquet"   # a file, relative to this one, or a table of the database
-    # database = "plant.duckdb"      # a DuckDB file that holds the table
+    # database = "plant.duckdb"      # or postgresql://HOST/DATABASE and others; no password here
     asset = "machine"                # false: there is no such column, it is one machine
     channel = "signal"               # false: there is no such column, it is one signal
     time = "ts"
@@ -61,6 +61,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
+from gam_db.address import has_password, is_url, shown
 from gam_db.calibration import Calibration
 from gam_db.clock import Length
 from gam_db.errors import ConfigurationError, nearest
@@ -80,7 +81,7 @@ class SourceSettings:
 
     Attributes:
         relation: a table name or the path of a file.
-        database: the DuckDB file that holds the table.
+        database: address of the database that holds the table; see :func:`gam_db.connect`.
         asset, channel: columns; False where there is no such column.
         time, value: columns.
         where: a condition in SQL.
@@ -99,6 +100,11 @@ class SourceSettings:
     layout: str | None = None
     channels: tuple[str, ...] | None = None
     time_kind: str | None = None
+
+    @property
+    def shown_database(self) -> str | None:
+        """The address of the database without its password."""
+        return None if self.database is None else shown(self.database)
 
 
 @dataclass(frozen=True)
@@ -272,7 +278,13 @@ def _source(section: dict[str, Any], folder: Path) -> SourceSettings:
     if "channels" in said:
         said["channels"] = tuple(said["channels"])
     if "database" in said:
-        said["database"] = str(folder / said["database"])
+        if has_password(said["database"]):
+            raise ConfigurationError(
+                f"database in [source] is {shown(said['database'])}; a password does not belong into a "
+                "file: leave it out, and put it into the environment (PGPASSWORD, CLICKHOUSE_PASSWORD)."
+            )
+        if not is_url(said["database"]):
+            said["database"] = str(folder / said["database"])
     if is_file(said.get("relation")) and "://" not in said["relation"]:
         said["relation"] = str(folder / said["relation"])
     return SourceSettings(**said)

@@ -1,49 +1,111 @@
-"""Connecting to the database that holds the state.
+"""Connecting to the database that holds the telemetry and the state.
 
-This module owns what the address of a database looks like.
+This module owns which driver an address or an open connection belongs to.
 """
 
+import contextlib
+import importlib
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
-import duckdb
-
-from gam_db.engines.duckdb_session import Session
-from gam_db.errors import EngineError
+from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.session import Session
+from gam_db.engines.warehouse import WarehouseSession
+from gam_db.errors import EngineError, nearest
 
 _IN_MEMORY = ("duckdb://", "duckdb:///:memory:", ":memory:")
 _FILE = "duckdb:///"
 
+#: scheme of an address -> the module of gam_db.engines whose ``connected`` opens it
+_DRIVERS = {
+    "sqlite": "sqlite_driver",
+    "postgresql": "postgres_driver",
+    "postgres": "postgres_driver",
+    "clickhouse": "clickhouse_driver",
+    "clickhouses": "clickhouse_driver",
+    "chdb": "clickhouse_driver",
+    "spark": "spark_driver",
+}
 
-def connect(
-    target: str | Path | duckdb.DuckDBPyConnection | None = None, threads: int | None = None
-) -> Session:
-    """Open a database for reading and writing; use it in a ``with`` statement, or close it.
+#: package of an open connection -> the same
+_PACKAGES = {
+    "sqlite3": "sqlite_driver",
+    "psycopg": "postgres_driver",
+    "clickhouse_connect": "clickhouse_driver",
+    "pyspark": "spark_driver",
+}
+
+ADDRESSES = (
+    "the path of a DuckDB file, duckdb:///PATH, sqlite:///PATH, postgresql://HOST/DATABASE, "
+    "clickhouse://HOST/DATABASE, chdb:///FOLDER, spark:///FOLDER or spark://MASTER"
+)
+
+
+def connect(target: Any = None, threads: int | None = None, writable: bool = True) -> Session:
+    """Open a database; use it in a ``with`` statement, or close it.
 
     Args:
-        target: ``duckdb:///plant.duckdb`` or the path of a DuckDB file, which is made if it is not
-            there; None or ``duckdb://`` for a database in memory; or an open DuckDB connection, which
-            stays open.
-        threads: processor threads; None leaves DuckDB's own choice.
+        target: an address, or an open connection, which stays open. Addresses are the path of a DuckDB
+            file or ``duckdb:///plant.duckdb`` (None or ``duckdb://``: in memory), ``sqlite:///plant.db``,
+            ``postgresql://user@host:5432/plant``, ``clickhouse://user@host:8123/plant``
+            (``clickhouses`` with TLS), ``chdb:///folder`` (ClickHouse inside this process),
+            ``spark:///folder`` (Spark inside this process, tables as Parquet in the folder). Passwords
+            are best left to the environment, in the words of each engine (PGPASSWORD,
+            CLICKHOUSE_PASSWORD). Open connections are those of duckdb, sqlite3, psycopg and
+            clickhouse_connect, and a SparkSession.
+        threads: processor threads of DuckDB; None leaves its own choice.
+        writable: open files for writing, and make them if they are not there; else they are only read.
 
     Raises:
-        EngineError: the address is of another engine, or the database cannot be opened.
+        EngineError: there is no such engine, its driver is not installed (the message names the
+            extra), or the database cannot be opened.
     """
-    if target is None or isinstance(target, duckdb.DuckDBPyConnection):
-        return Session(target, threads, writable=True)
-    if not isinstance(target, (str, Path)) or not str(target):
-        raise EngineError(
-            f"The database is {target!r}; it takes the path of a DuckDB file, duckdb:///PATH, or an "
-            "open DuckDB connection."
-        )
-    address = str(target)
+    if isinstance(target, (DuckSession, WarehouseSession)):
+        raise EngineError("This session is open already; use it as it is.")
+    address = str(target) if isinstance(target, (str, Path)) else None
+    if address is None:
+        package = type(target).__module__.partition(".")[0].lstrip("_")
+        if target is None or package == "duckdb":
+            return DuckSession(target, threads, writable)
+        if package not in _PACKAGES:
+            raise EngineError(f"The database is a {type(target).__name__}; it takes {ADDRESSES}.")
+        return _opened(_PACKAGES[package], target, writable)
     if address in _IN_MEMORY:
-        return Session(None, threads, writable=True)
+        return DuckSession(None, threads, writable)
     scheme, separator, _ = address.partition("://")
-    if separator and scheme != "duckdb":
-        raise EngineError(
-            f"{scheme}:// cannot be opened: gam-db works in DuckDB only so far (duckdb:///PATH). For "
-            "another engine `gam compile` and `gam migrate --sql` print the SQL to run there."
-        )
-    if separator and not address.startswith(_FILE):
+    if not separator or address.startswith(_FILE):
+        if not address:
+            raise EngineError(f"The database is empty; it takes {ADDRESSES}.")
+        return DuckSession(address.removeprefix(_FILE), threads, writable)
+    if scheme == "duckdb":
         raise EngineError(f"{address} names a server; a DuckDB file is duckdb:///PATH, three slashes.")
-    return Session(address.removeprefix(_FILE), threads, writable=True)
+    if scheme not in _DRIVERS:
+        raise EngineError(
+            f"gam-db knows no database {scheme}://{nearest(scheme, _DRIVERS)} For another engine `gam "
+            "compile` and `gam migrate --sql` print the SQL to run there."
+        )
+    return _opened(_DRIVERS[scheme], address, writable)
+
+
+@contextlib.contextmanager
+def borrowed(engine: Any, threads: int | None = None) -> Iterator[Session]:
+    """Give a session for reading: the one given, which stays open, or one that is closed afterwards.
+
+    Args:
+        engine: a session, or what :func:`connect` takes.
+        threads: see there.
+
+    Raises:
+        EngineError: see there.
+    """
+    if isinstance(engine, (DuckSession, WarehouseSession)):
+        yield engine
+        return
+    with connect(engine, threads, writable=False) as session:
+        yield session
+
+
+def _opened(module: str, target: Any, writable: bool) -> WarehouseSession:
+    driver = importlib.import_module(f"gam_db.engines.{module}").connected(target, writable)
+    return WarehouseSession(driver)

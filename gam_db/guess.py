@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from gam_db.config import SourceSettings
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.session import Session
 from gam_db.errors import SourceError, nearest
 from gam_db.source import AnySource, Source, WideSource
 

@@ -8,7 +8,7 @@ from typing import Any
 import pyarrow as pa
 
 from gam_db.calibration import Calibration
-from gam_db.engines.duckdb_session import Session
+from gam_db.connect import borrowed
 from gam_db.parameters import Parameters
 from gam_db.source import AnySource
 from gam_db.study import Study
@@ -102,6 +102,6 @@ def _table(
     calibration: Calibration | None,
     engine: Any,
 ) -> pa.Table:
-    with Session(engine) as session:
+    with borrowed(engine) as session:
         study = Study(session, source, parameters or Parameters(), calibration or Calibration())
         return study.table(step)

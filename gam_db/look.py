@@ -9,7 +9,7 @@ from typing import Any
 import pyarrow as pa
 
 from gam_db.clock import FAR_AHEAD, TimeKind
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.session import Session
 from gam_db.errors import SourceError, nearest
 from gam_db.source import AnySource, WideSource, declared_kind
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.session import Session
 from gam_db.pipeline import Pipeline
 
 Listener = Callable[[str], None]

@@ -199,9 +199,9 @@ def _looked_at(
     """Return the source with its channels named, its kind of time, and whether that is known."""
     declared = declared_kind(source)
     if is_file(source.relation) and engine.reads_files:
-        from gam_db.engines.duckdb_session import Session
+        from gam_db.engines.duckdb_session import DuckSession
 
-        with Session() as session:
+        with DuckSession() as session:
             columns = session.describe(session.relation(source.relation))
             source = look.resolved(source, columns, session)
             return source, look.kind_of(source, columns, session), True

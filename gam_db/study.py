@@ -10,7 +10,7 @@ from sqlglot import exp
 
 from gam_db import look, template
 from gam_db.calibration import Calibration
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.session import Session
 from gam_db.method import Method, pipeline
 from gam_db.parameters import Parameters
 from gam_db.running import Listener, Running, unheard

@@ -9,7 +9,7 @@ import pyarrow as pa
 import gam_db
 from gam_db import Calibration, Parameters, Source, WideSource
 from gam_db.checking import Note, look_at, notes, propose
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 
 SHORT = Parameters(window=25)
 HALF = Calibration(0.5)
@@ -29,7 +29,7 @@ def said(
 ) -> dict[str, Note]:
     """The notes on a source, by subject."""
     source = source if isinstance(source, (Source, WideSource)) else Source(source)
-    with Session() as session:
+    with DuckSession() as session:
         look = look_at(session, source, parameters, calibration)
     found = notes(look, propose(look))
     assert len({note.subject for note in found}) == len(found)

@@ -11,7 +11,7 @@ from typing import Any
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.stored import migrations
 from gam_db.stored.tables import TABLES, StateTables
 
@@ -23,7 +23,7 @@ STEP = 1_000_000
 NEVER = -(2**62)
 
 
-def emptied(session: Session, tables: StateTables) -> Session:
+def emptied(session: DuckSession, tables: StateTables) -> DuckSession:
     """Take all rows out of the state tables, but the record of how they were made."""
     migrations.migrate(session, tables)
     for name in TABLES:
@@ -213,7 +213,7 @@ class Plant:
         )
         return run
 
-    def write(self, session: Session, tables: StateTables) -> None:
+    def write(self, session: DuckSession, tables: StateTables) -> None:
         """Append the rows to the tables, which are made if they are not there."""
         migrations.migrate(session, tables)
         for name, rows in self.tables.items():

@@ -9,7 +9,7 @@ import pytest
 import gam_db
 from gam_db.baselines import BASELINES, Effort, add_baseline
 from gam_db.baselines.baseline import add_forecast_points
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import ParameterError
 from gam_db.estimators.points import add_points
 from gam_db.study import Study
@@ -40,7 +40,7 @@ def scored(
     name: str, seed: int = 0, epochs: int = 3, table: pa.Table | None = None
 ) -> tuple[pa.Table, list[float]]:
     losses: list[float] = []
-    with Session() as session:
+    with DuckSession() as session:
         source = gam_db.Source(series() if table is None else table)
         study = Study(session, source, PARAMETERS, CALIBRATION)
         add_baseline(study, name, seed, Effort(epochs), lambda epoch, loss: losses.append(loss))
@@ -84,7 +84,7 @@ def test_every_row_of_a_vector_with_a_missing_sample_is_left_out() -> None:
 
 
 def test_a_forecast_is_made_from_the_vector_a_sample_earlier() -> None:
-    with Session() as session:
+    with DuckSession() as session:
         study = Study(session, gam_db.Source(series(broken=False)), PARAMETERS, CALIBRATION)
         add_points(study.steps, study.method, 0)
         columns = add_forecast_points(study, 0)
@@ -99,7 +99,7 @@ def test_a_forecast_is_made_from_the_vector_a_sample_earlier() -> None:
 
 
 def test_an_unknown_baseline_is_refused() -> None:
-    with Session() as session:
+    with DuckSession() as session:
         study = Study(session, gam_db.Source(series()), PARAMETERS, CALIBRATION)
         with pytest.raises(ParameterError, match="did you mean 'lstm'"):
             add_baseline(study, "lsmt")

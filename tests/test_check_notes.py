@@ -11,7 +11,7 @@ import pytest
 import gam_db
 from gam_db import Calibration, Parameters, Source
 from gam_db.checking import look_at, must_be_fixed, propose
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from looks import HALF, SECOND, SHORT, figures, said, table, wave
 
 
@@ -108,7 +108,7 @@ def test_channels_whose_pauses_no_one_length_tells_apart() -> None:
             table(wave(1000), times=slow, channel=["slow"] * 1000),
         ]
     )
-    with Session() as session:
+    with DuckSession() as session:
         proposal = propose(look_at(session, Source(both), SHORT, Calibration()))
     assert proposal.max_gap is None
     assert {name: gap.value for name, gap in proposal.gaps.items()} == {"fast": 5, "slow": 200}
@@ -125,7 +125,7 @@ def test_data_written_on_change() -> None:
     assert "on_change" in found
     assert "resample" in found["on_change"].text
     assert "pauses" not in found
-    with Session() as session:
+    with DuckSession() as session:
         assert propose(look_at(session, Source(table(values, times=times)), SHORT, HALF)).max_gap is None
     held = said(table(np.repeat(values[:1000], 2), times=times))
     assert "irregular" in held
@@ -262,7 +262,7 @@ def test_a_window_shorter_than_the_cycle() -> None:
 
 def test_the_proposed_window() -> None:
     def proposed(values: Any, parameters: Parameters) -> int:
-        with Session() as session:
+        with DuckSession() as session:
             return propose(look_at(session, Source(table(values)), parameters, Calibration())).window
 
     assert proposed(wave(4000, 50), Parameters()) == 300  # five cycles, and more than an eighth of 800

@@ -20,7 +20,7 @@ from typer.testing import CliRunner, Result
 import gam_db
 from gam_db.cli import app, report
 from gam_db.cli.progress import Progress, interruptible
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import StatementError
 from gam_db.study import Study
 
@@ -238,7 +238,7 @@ def test_an_interruption_ends_cleanly(monkeypatch: pytest.MonkeyPatch) -> None:
     def interrupted(*_: object) -> None:
         os.kill(os.getpid(), signal.SIGINT)
 
-    monkeypatch.setattr(Session, "write", interrupted)
+    monkeypatch.setattr(DuckSession, "write", interrupted)
     result = gam("run", saved({("R1", "j1"): healthy(100)}), *SMALL)
     assert result.exit_code == 130
     assert "interrupted" in result.stderr
@@ -561,7 +561,7 @@ def test_every_command_has_help() -> None:
 def test_progress_shows_the_step_only_at_a_terminal(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    with Session() as session:
+    with DuckSession() as session:
         monkeypatch.setattr(session, "progress", lambda: 42.0)
         with Progress(session) as progress:
             progress.on_step("bounds")

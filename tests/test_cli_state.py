@@ -11,7 +11,7 @@ from rich.cells import cell_len
 from typer.testing import CliRunner, Result
 
 from gam_db.cli import app
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.stored import migrations
 from gam_db.stored.tables import StateTables
 from stored_rows import STEP, Plant
@@ -39,7 +39,7 @@ def gam(*words: str) -> Result:
 def migrated() -> bytes:
     """A database file with state tables and no rows; making them takes longer than a test."""
     path = Path("empty.duckdb")
-    with Session(path, writable=True) as session:
+    with DuckSession(path, writable=True) as session:
         migrations.migrate(session, StateTables())
     return path.read_bytes()
 
@@ -47,7 +47,7 @@ def migrated() -> bytes:
 def saved(plant: Plant, tables: StateTables | None = None) -> None:
     """A plant as plant.duckdb."""
     Path("plant.duckdb").write_bytes(migrated())
-    with Session("plant.duckdb", writable=True) as session:
+    with DuckSession("plant.duckdb", writable=True) as session:
         plant.write(session, tables or StateTables())
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import duckdb
 import pytest
 
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import EngineError, SourceError, StateError
 from gam_db.stored.copying import copy
 from gam_db.stored.tables import TABLES as ALL
@@ -15,7 +15,7 @@ from stored_rows import Plant
 TABLES = StateTables(schema="factory")
 
 
-def filled(session: Session, tables: StateTables = TABLES) -> Session:
+def filled(session: DuckSession, tables: StateTables = TABLES) -> DuckSession:
     """A session on the state of a channel."""
     plant = Plant()
     learnt = plant.support(cells=[1, 2])
@@ -32,7 +32,7 @@ def filled(session: Session, tables: StateTables = TABLES) -> Session:
 
 def test_a_copy_holds_the_state_and_nothing_else(tmp_path: Path) -> None:
     path = tmp_path / "it's a copy.duckdb"
-    with filled(Session(tmp_path / "plant.duckdb", writable=True)) as session:
+    with filled(DuckSession(tmp_path / "plant.duckdb", writable=True)) as session:
         for _ in range(2):  # the second replaces the first
             copy(session, TABLES, path)
         assert sorted(file.name for file in tmp_path.iterdir() if "copy" in file.name) == [path.name]
@@ -51,7 +51,7 @@ def test_a_copy_holds_the_state_and_nothing_else(tmp_path: Path) -> None:
 
 def test_a_state_in_memory_can_be_copied(tmp_path: Path) -> None:
     path = tmp_path / "copy.duckdb"
-    with filled(Session(), StateTables()) as session:
+    with filled(DuckSession(), StateTables()) as session:
         copy(session, StateTables(), path)
     with duckdb.connect(path, read_only=True) as reader:
         assert reader.execute("SELECT COUNT(*) FROM gam_health").fetchall() == [(2,)]
@@ -62,8 +62,8 @@ def test_the_copy_before_stays_where_a_new_one_fails(
 ) -> None:
     path = tmp_path / "copy.duckdb"
     path.write_text("the copy before")
-    with filled(Session()) as session, monkeypatch.context() as patch:
-        patch.setattr(Session, "transaction", lambda _: 1 / 0)
+    with filled(DuckSession()) as session, monkeypatch.context() as patch:
+        patch.setattr(DuckSession, "transaction", lambda _: 1 / 0)
         with pytest.raises(ZeroDivisionError):
             copy(session, TABLES, path)
     assert path.read_text() == "the copy before"
@@ -73,7 +73,7 @@ def test_the_copy_before_stays_where_a_new_one_fails(
 def test_what_cannot_be_copied_is_refused(tmp_path: Path) -> None:
     own, open_elsewhere = tmp_path / "plant.duckdb", tmp_path / "open.duckdb"
     (tmp_path / "open.duckdb.wal").touch()
-    with filled(Session(own, writable=True)) as session:
+    with filled(DuckSession(own, writable=True)) as session:
         for path, message in (
             (own, "open in this session"),
             (tmp_path / "x" / ".." / "plant.duckdb", "open in this session"),

@@ -12,7 +12,7 @@ from sqlglot import exp
 import gam_db
 import sql_lint
 from gam_db.engines import engine_named
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.evaluation import sampling
 from gam_db.evaluation.members import Member, as_table
 from gam_db.evaluation.steps import chance_steps, evaluation_steps
@@ -78,14 +78,14 @@ def test_filled_steps_break_no_rule(steps: Pipeline, given: dict[str, dict[str, 
 
 
 def on_duckdb(steps: Pipeline, target: str, given: dict[str, pa.Table]) -> list[tuple[Any, ...]]:
-    with Session() as session:
+    with DuckSession() as session:
         placed = {
             name: session.keep(name, session_rows(session, table)) for name, table in given.items()
         }
         return [tuple(row.values()) for row in session.fetch(steps.query(target, placed)).to_pylist()]
 
 
-def session_rows(session: Session, table: pa.Table) -> Any:
+def session_rows(session: DuckSession, table: pa.Table) -> Any:
     return exp.select(*table.column_names).from_(session.relation(table))
 
 

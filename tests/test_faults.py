@@ -17,7 +17,7 @@ import duckdb
 import pytest
 
 import gam_db
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import EngineError, UserError
 from gam_db.running import Listener
 from gam_db.stored import migrations
@@ -185,11 +185,11 @@ def small_disk(tmp_path: Path) -> Iterator[Path]:
 def endure(folder: Path, tightness: Callable[[Path, int], Any], expected: list[Any]) -> None:
     """Run every command with more and more room on the disk, until it has enough."""
     path, failures = folder / "plant.duckdb", dict.fromkeys(("migrate", "calibrate", "score"), 0)
-    with gam_db.connect(path) as session:
+    with DuckSession(path, writable=True) as session:
         source(session.connection, readings(0, FIRST))
     for command in failures:
         for room in (0, 3_000, 9_000, 30_000, 100_000, 300_000, 2**22, 2**23):
-            with gam_db.connect(path) as session:
+            with DuckSession(path, writable=True) as session:
                 before = stored(session.connection)
             refused: list[EngineError] = []
             with tightness(folder, room):
@@ -202,16 +202,16 @@ def endure(folder: Path, tightness: Callable[[Path, int], Any], expected: list[A
                 break
             failures[command] += 1
             assert re.fullmatch(r".*is its disk full\?.*", str(refused[0]))
-            with gam_db.connect(path) as session:
+            with DuckSession(path, writable=True) as session:
                 after = stored(session.connection)
             grown = [table for table in after if after[table] != before.get(table, [])]
             # What is a transaction of its own stays: each migration, and the row of a new monitor.
             assert set(grown) <= {"migrate": {"migration"}, "calibrate": {"monitor"}}.get(command, set())
-        with gam_db.connect(path) as session:
+        with DuckSession(path, writable=True) as session:
             getattr(monitor(session), command)()
             if command == "calibrate":
                 put(session.connection, readings(FIRST, LENGTH))
-    with gam_db.connect(path) as session:
+    with DuckSession(path, writable=True) as session:
         assert seen(session.connection) == expected
     assert all(failures.values()), failures
 
@@ -241,7 +241,7 @@ def test_a_file_that_may_only_be_read(plant: Path, expected: list[Any]) -> None:
     # Not below tmp_path, where nobody but its owner may look.
     with tempfile.TemporaryDirectory() as folder:
         path = Path(shutil.copy(plant, folder))
-        with gam_db.connect(path) as session:
+        with DuckSession(path, writable=True) as session:
             before = stored(session.connection)
         path.chmod(0o444)
         Path(folder).chmod(0o555)
@@ -249,7 +249,7 @@ def test_a_file_that_may_only_be_read(plant: Path, expected: list[Any]) -> None:
             gam_db.connect(path)
         Path(folder).chmod(0o755)
         path.chmod(0o644)
-        with Session(path) as session:
+        with DuckSession(path) as session:
             for command in ("migrate", "calibrate"):
                 getattr(monitor(session), command)()  # nothing is to be done
             with pytest.raises(EngineError, match="open for reading only"):
@@ -257,13 +257,13 @@ def test_a_file_that_may_only_be_read(plant: Path, expected: list[Any]) -> None:
             with pytest.raises(EngineError, match="open for reading only"):
                 monitor(session).calibrate(again=True)
             assert stored(session.connection) == before
-        with gam_db.connect(path) as session:
+        with DuckSession(path, writable=True) as session:
             monitor(session).score()
             assert seen(session.connection) == expected
 
 
 def test_a_file_that_another_process_holds(plant: Path, expected: list[Any]) -> None:
-    with gam_db.connect(plant) as session:
+    with DuckSession(plant, writable=True) as session:
         before = stored(session.connection)
     holding = "import duckdb, sys; held = duckdb.connect(sys.argv[1]); print(); sys.stdin.read()"
     with subprocess.Popen(
@@ -274,7 +274,7 @@ def test_a_file_that_another_process_holds(plant: Path, expected: list[Any]) -> 
         with pytest.raises(EngineError, match=r"is open in another process; .* Wait for it to end"):
             Monitor(plant, gam_db.Source("telemetry"))
         holder.communicate()
-    with gam_db.connect(plant) as session:
+    with DuckSession(plant, writable=True) as session:
         assert stored(session.connection) == before
         monitor(session).score()
         assert seen(session.connection) == expected
@@ -352,14 +352,14 @@ def test_two_calibrations_at_once_do_not_double_versions(expected: list[Any]) ->
 
 
 def test_two_migrations_at_once_leave_one_record() -> None:
-    with duckdb.connect() as connection, Session(connection.cursor(), writable=True) as other:
+    with duckdb.connect() as connection, DuckSession(connection.cursor(), writable=True) as other:
 
         def meanwhile(step: str) -> None:
             if step == files()[6].name:
                 migrations.migrate(other, StateTables())
 
         with (
-            Session(connection, writable=True) as session,
+            DuckSession(connection, writable=True) as session,
             pytest.raises(EngineError, match=CONFLICT),
         ):
             migrations.migrate(session, StateTables(), meanwhile)

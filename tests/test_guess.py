@@ -5,7 +5,7 @@ import pytest
 
 from gam_db import Source, WideSource
 from gam_db.config import SourceSettings
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import SourceError
 from gam_db.guess import Guess, guess
 
@@ -14,7 +14,7 @@ STAMP, WHOLE, REAL, TEXT = "TIMESTAMP", "BIGINT", "DOUBLE", "VARCHAR"
 
 def guessed(columns: dict[str, str], said: SourceSettings | None = None) -> Guess:
     """The guess for a table of these columns."""
-    with Session() as session:
+    with DuckSession() as session:
         return guess("r", columns, said or SourceSettings(), session)
 
 
@@ -118,7 +118,7 @@ def test_a_mistyped_column_is_suggested(said: SourceSettings) -> None:
 def test_guessing_takes_the_types_of_the_session() -> None:
     """What DuckDB says of a real table is understood."""
     table = pa.table({"robot": pa.array(["a"]).dictionary_encode(), "tick": [1], "level": [0.5]})
-    with Session() as session:
+    with DuckSession() as session:
         columns = session.describe(session.relation(table))
         found = guess(table, columns, SourceSettings(), session)
     assert found.source == Source(table, "robot", None, "tick", "level")

@@ -20,7 +20,7 @@ import frozen
 import gam_db
 import harness
 from batches import Arrivals
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import StateError
 from gam_db.stored.migration_files import files
 from gam_db.stored.monitor import Monitor
@@ -65,7 +65,7 @@ SIZES = "SELECT table_name, estimated_size FROM duckdb_tables() WHERE NOT tempor
 STAMPS = ("run_id", "created", "started", "committed", "applied_at")
 
 State = dict[str, list[tuple[Any, ...]]]
-Look = Callable[[Session], Any]
+Look = Callable[[DuckSession], Any]
 
 
 @pytest.fixture(scope="module")
@@ -121,12 +121,12 @@ def plant() -> Plant:
 
 
 @contextmanager
-def opened(path: Path) -> Iterator[Session]:
-    with gam_db.connect(path, threads=1) as session:
+def opened(path: Path) -> Iterator[DuckSession]:
+    with DuckSession(path, threads=1, writable=True) as session:
         yield session
 
 
-def monitor(session: Session) -> Monitor:
+def monitor(session: DuckSession) -> Monitor:
     parameters, calibration = harness.made(PARAMETERS, CALIBRATION)
     return Monitor(session, gam_db.Source("telemetry"), parameters, calibration, lookback=LOOKBACK)
 
@@ -141,7 +141,7 @@ def founded(path: Path, rows: list[Row]) -> Path:
     return path
 
 
-def stored(session: Session) -> State:
+def stored(session: DuckSession) -> State:
     """Return all rows of the state tables, hidden or not, but for what differs from run to run."""
     there = session.relations()
     state: State = {}
@@ -152,7 +152,7 @@ def stored(session: Session) -> State:
     return state
 
 
-def results(session: Session) -> list[Any]:
+def results(session: DuckSession) -> list[Any]:
     """Return what is seen and what was learnt, names in the place of numbers."""
     connection = session.connection
     found: list[Any] = [rows_of(connection, BUCKETS), rows_of(connection, NOVEL)]
@@ -170,7 +170,7 @@ def results(session: Session) -> list[Any]:
     return found
 
 
-def by_channel(session: Session) -> dict[tuple[str, str], list[Any]]:
+def by_channel(session: DuckSession) -> dict[tuple[str, str], list[Any]]:
     """Return what is seen of each channel; that nothing else is there is checked."""
     seen: dict[tuple[str, str], list[Any]] = {}
     for table, query in (("bucket", BUCKETS), ("novel", NOVEL)):
@@ -252,7 +252,7 @@ def test_killed_while_migrating(tmp_path: Path, victims: Victims) -> None:
     empty = founded(tmp_path / "empty.duckdb", plant().first[:50])
     path = tmp_path / "plant.duckdb"
 
-    def look(session: Session) -> Any:
+    def look(session: DuckSession) -> Any:
         there = "gam_migration" in session.relations()
         query = "SELECT number, name, checksum FROM gam_migration ORDER BY number"
         return catalog(session), session.connection.execute(query).fetchall() if there else []

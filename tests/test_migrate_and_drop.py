@@ -10,7 +10,7 @@ from typer.testing import CliRunner, Result
 
 from gam_db.cli import app
 from gam_db.engines import engine_named
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import EngineError, StateError
 from gam_db.stored import dropping
 from gam_db.stored.migration_files import files
@@ -193,7 +193,7 @@ def test_one_monitor_goes_and_the_others_stay() -> None:
 
 
 def test_other_states_stay() -> None:
-    with Session(writable=True) as session:
+    with DuckSession(writable=True) as session:
         others = [StateTables(prefix="gam_x_"), StateTables("plant")]
         for tables in (STATE, *others):
             migrate(session, tables)
@@ -204,14 +204,14 @@ def test_other_states_stay() -> None:
 
 
 def test_tables_without_a_record_are_not_ours_to_drop() -> None:
-    with Session(writable=True) as session:
+    with DuckSession(writable=True) as session:
         session.connection.execute("CREATE TABLE gam_support AS SELECT 1 AS a")
         with pytest.raises(StateError, match=r"no state tables gam_\*"):
             dropping.removals(session, STATE)
 
 
 def test_a_newer_state_is_not_dropped_and_a_broken_one_is() -> None:
-    with Session(writable=True) as session:
+    with DuckSession(writable=True) as session:
         migrate(session, STATE)
         session.connection.execute("DROP TABLE gam_support")
         session.connection.execute("UPDATE gam_migration SET checksum = 'x' WHERE number = 1")
@@ -224,7 +224,7 @@ def test_a_newer_state_is_not_dropped_and_a_broken_one_is() -> None:
 
 
 def test_all_is_removed_or_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    with Session(writable=True) as session:
+    with DuckSession(writable=True) as session:
         migrate(session, STATE)
         before = session.relations()
         found = dropping.removals(session, STATE)

@@ -10,7 +10,7 @@ from sqlglot import exp
 import dictionary
 import sql_lint
 from gam_db.engines.duckdb import ENGINE
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import ConfigurationError, EngineError, InternalError, StateError, TemplateError
 from gam_db.stored import migration_files, migrations
 from gam_db.stored.migration_files import Migration, files
@@ -22,18 +22,18 @@ ALL = [migration.name for migration in files()]
 
 
 @pytest.fixture
-def session() -> Iterator[Session]:
+def session() -> Iterator[DuckSession]:
     """A database in memory."""
-    with Session(writable=True) as opened:
+    with DuckSession(writable=True) as opened:
         yield opened
 
 
-def rows(session: Session, query: str) -> list[tuple[object, ...]]:
+def rows(session: DuckSession, query: str) -> list[tuple[object, ...]]:
     found: list[tuple[object, ...]] = session.connection.execute(query).fetchall()
     return found
 
 
-def catalog(session: Session) -> list[tuple[object, ...]]:
+def catalog(session: DuckSession) -> list[tuple[object, ...]]:
     """Everything that a database says of its tables, views, columns and comments."""
     return [
         *rows(session, "SELECT schema_name, table_name, sql, comment FROM duckdb_tables() ORDER BY ALL"),
@@ -58,7 +58,7 @@ def test_the_names_are_those_of_the_files() -> None:
 # Applying
 
 
-def test_a_fresh_database_gets_every_table_with_its_comments(session: Session) -> None:
+def test_a_fresh_database_gets_every_table_with_its_comments(session: DuckSession) -> None:
     assert [migration.name for migration in migrate(session, STATE)] == ALL
     require(session, STATE)
     said = {
@@ -76,7 +76,7 @@ def test_a_fresh_database_gets_every_table_with_its_comments(session: Session) -
     assert recorded == [(one.number, one.name, one.checksum) for one in files()]
 
 
-def test_a_second_time_nothing_is_done(session: Session) -> None:
+def test_a_second_time_nothing_is_done(session: DuckSession) -> None:
     migrate(session, STATE)
     rows(session, "INSERT INTO gam_channel VALUES (1, 2, 'a', 'c')")
     before = catalog(session), rows(session, "FROM gam_migration")
@@ -86,7 +86,7 @@ def test_a_second_time_nothing_is_done(session: Session) -> None:
 
 
 @pytest.mark.parametrize("number", [1, 5, 12])
-def test_from_an_older_state(session: Session, monkeypatch: pytest.MonkeyPatch, number: int) -> None:
+def test_from_an_older_state(session: DuckSession, monkeypatch: pytest.MonkeyPatch, number: int) -> None:
     """What is missing is applied; rows that were there stay."""
     with monkeypatch.context() as older:
         older.setattr(migrations, "files", lambda: files()[:number])
@@ -106,7 +106,7 @@ def test_from_an_older_state(session: Session, monkeypatch: pytest.MonkeyPatch, 
 
 
 @pytest.mark.parametrize("migration", files(), ids=ALL)
-def test_cut_short_before_the_record(session: Session, migration: Migration) -> None:
+def test_cut_short_before_the_record(session: DuckSession, migration: Migration) -> None:
     """An engine without transactions: the statement was executed, the record was not written."""
     with pytest.MonkeyPatch.context() as older:
         older.setattr(migrations, "files", lambda: files()[: migration.number - 1])
@@ -115,13 +115,13 @@ def test_cut_short_before_the_record(session: Session, migration: Migration) -> 
         session.execute(statement)
     migrate(session, STATE)
     require(session, STATE)
-    with Session(writable=True) as other:
+    with DuckSession(writable=True) as other:
         migrate(other, STATE)
         assert catalog(session) == catalog(other)
 
 
 def test_on_duckdb_a_migration_and_its_record_are_one(
-    session: Session, monkeypatch: pytest.MonkeyPatch
+    session: DuckSession, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     execute = session.execute
 
@@ -137,7 +137,7 @@ def test_on_duckdb_a_migration_and_its_record_are_one(
     assert "gam_run" not in session.relations()
 
 
-def test_several_states_share_a_database(session: Session) -> None:
+def test_several_states_share_a_database(session: DuckSession) -> None:
     places = [
         STATE,
         StateTables(prefix="press_"),
@@ -158,13 +158,13 @@ def test_several_states_share_a_database(session: Session) -> None:
 
 
 @pytest.mark.parametrize("tables", [STATE, StateTables("plant", "x_")], ids=str)
-def test_the_script_is_what_migrate_does(session: Session, tables: StateTables) -> None:
+def test_the_script_is_what_migrate_does(session: DuckSession, tables: StateTables) -> None:
     """Run twice by hand on DuckDB it leaves what ``gam migrate`` would, and is known to be applied."""
     script = rendered(ENGINE, tables)
     session.connection.execute(script)
     session.connection.execute(script)
     require(session, tables)
-    with Session(writable=True) as other:
+    with DuckSession(writable=True) as other:
         migrate(other, tables)
         assert catalog(session) == catalog(other)
 
@@ -172,7 +172,7 @@ def test_the_script_is_what_migrate_does(session: Session, tables: StateTables) 
 # What is refused
 
 
-def test_without_any_state(session: Session) -> None:
+def test_without_any_state(session: DuckSession) -> None:
     assert status(session, STATE).applied == ()
     with pytest.raises(StateError, match=r"There are no state tables gam_\*.*gam migrate"):
         require(session, STATE)
@@ -190,7 +190,7 @@ def test_without_any_state(session: Session) -> None:
         ("ALTER TABLE gam_migration RENAME name TO title", "a gam_migration .* no state table"),
     ],
 )
-def test_a_state_that_was_changed_is_refused(session: Session, change: str, message: str) -> None:
+def test_a_state_that_was_changed_is_refused(session: DuckSession, change: str, message: str) -> None:
     migrate(session, STATE)
     rows(session, change)
     before = catalog(session)
@@ -207,7 +207,7 @@ def test_a_state_that_was_changed_is_refused(session: Session, change: str, mess
         "CREATE VIEW GAM_visible_bucket AS SELECT 1 AS asset",
     ],
 )
-def test_tables_of_others_under_our_names_are_left_alone(session: Session, taken: str) -> None:
+def test_tables_of_others_under_our_names_are_left_alone(session: DuckSession, taken: str) -> None:
     """``gam run --out`` and the view form of ``gam compile`` make a gam_support, too."""
     rows(session, taken)
     before = catalog(session)
@@ -220,11 +220,11 @@ def test_tables_of_others_under_our_names_are_left_alone(session: Session, taken
 @pytest.mark.parametrize("number", [0, 5, len(ALL)])
 def test_a_status_writes_nothing(tmp_path: Path, number: int, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "plant.duckdb"
-    with monkeypatch.context() as older, Session(path, writable=True) as opened:
+    with monkeypatch.context() as older, DuckSession(path, writable=True) as opened:
         older.setattr(migrations, "files", lambda: files()[:number])
         migrate(opened, STATE)
     before = hashlib.sha256(path.read_bytes()).hexdigest()
-    with Session(path) as reading:
+    with DuckSession(path) as reading:
         found = status(reading, STATE)
         assert [len(found.applied), len(found.pending)] == [number, len(ALL) - number]
         if found.pending:
@@ -234,7 +234,7 @@ def test_a_status_writes_nothing(tmp_path: Path, number: int, monkeypatch: pytes
     assert hashlib.sha256(path.read_bytes()).hexdigest() == before
 
 
-def test_an_open_transaction_of_the_user_is_refused_and_left(session: Session) -> None:
+def test_an_open_transaction_of_the_user_is_refused_and_left(session: DuckSession) -> None:
     rows(session, "BEGIN")
     rows(session, "CREATE TABLE mine (a INTEGER)")
     with pytest.raises(EngineError, match="transaction open"):

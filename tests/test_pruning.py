@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import ConfigurationError, EngineError, ParameterError
 from gam_db.stored import pruning
 from gam_db.stored.pruning import COUNTED, Retention, prune
@@ -20,20 +20,20 @@ TABLES = StateTables()
 
 
 @pytest.fixture(scope="module")
-def session() -> Iterator[Session]:
+def session() -> Iterator[DuckSession]:
     """A database with state tables; each test takes out the rows of the one before."""
-    with Session() as opened:
+    with DuckSession() as opened:
         yield opened
 
 
-def rows(session: Session, table: str, columns: str = "*") -> list[tuple[Any, ...]]:
+def rows(session: DuckSession, table: str, columns: str = "*") -> list[tuple[Any, ...]]:
     """All rows of a state table or view, in an order."""
     query = f"SELECT {columns} FROM gam_{table} ORDER BY ALL"
     found: list[tuple[Any, ...]] = session.connection.execute(query).fetchall()
     return found
 
 
-def everything(session: Session) -> dict[str, list[tuple[Any, ...]]]:
+def everything(session: DuckSession) -> dict[str, list[tuple[Any, ...]]]:
     """All that is stored."""
     return {table: rows(session, table) for table in ALL if table != "migration"}
 
@@ -92,7 +92,9 @@ def staying(versions: list[Version], retention: dict[str, Any], most: int) -> St
 
 @given(data=st.data())
 @settings(max_examples=12)
-def test_what_is_young_or_needed_stays_and_nothing_else(session: Session, data: st.DataObject) -> None:
+def test_what_is_young_or_needed_stays_and_nothing_else(
+    session: DuckSession, data: st.DataObject
+) -> None:
     plant = Plant()
     mine, other = plant.monitor("default", "counter"), plant.monitor("other", "counter")
     drawn = [data.draw(channels(plant, mine, name)) for name in ("j1", "j2")]
@@ -157,7 +159,7 @@ def test_what_is_young_or_needed_stays_and_nothing_else(session: Session, data: 
 
 
 def test_a_saturated_channel_is_bounded_where_nothing_is_said(
-    session: Session, monkeypatch: pytest.MonkeyPatch
+    session: DuckSession, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Every vector is novel and in a cell of its own, the worst that a channel can do."""
     monkeypatch.setattr(pruning, "NOVEL_ROWS", 25)
@@ -178,7 +180,7 @@ def test_a_saturated_channel_is_bounded_where_nothing_is_said(
     assert {row[1] for row in rows(session, "novel") if row[0] == version.version_id} == {48, 49}
 
 
-def test_a_version_goes_with_what_only_it_had_learnt(session: Session) -> None:
+def test_a_version_goes_with_what_only_it_had_learnt(session: DuckSession) -> None:
     plant = Plant()
     monitor, pooled = plant.monitor(), plant.support(cells=[1])
     first, second = plant.channel(monitor, "R1", "j1"), plant.channel(monitor, "R2", "j1")
@@ -205,7 +207,7 @@ def test_a_version_goes_with_what_only_it_had_learnt(session: Session) -> None:
         assert {row[0] for row in rows(session, table)} == {pooled, old[2]}
 
 
-def test_records_of_runs_go_unless_they_still_tell_something(session: Session) -> None:
+def test_records_of_runs_go_unless_they_still_tell_something(session: DuckSession) -> None:
     plant = Plant()
     version = plant.version(plant.channel(plant.monitor(), "R1", "j1"), plant.support())
     first = plant.run(version, [{}] * 6, read_to=3 * STEP)
@@ -226,7 +228,7 @@ def test_records_of_runs_go_unless_they_still_tell_something(session: Session) -
     assert differing not in [row[0] for row in rows(session, "run", "run_id")]
 
 
-def test_what_cannot_be_pruned_is_refused(session: Session) -> None:
+def test_what_cannot_be_pruned_is_refused(session: DuckSession) -> None:
     plant = Plant()
     plant.monitor()
     plant.write(emptied(session, TABLES), TABLES)

@@ -13,7 +13,7 @@ import duckdb
 import pytest
 
 import gam_db
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.study import Study
 
 DATASETS = ("production_plant", "femto_bearings", "hydraulic_rig", "hydraulic_actuators", "ur3_cobot")
@@ -64,7 +64,7 @@ def test_reference_counts(recordings: Path, dataset: str, setting: tuple[str, ..
         ],
     )
     calibration = gam_db.Calibration(fraction=float(expected[0]["cal"]))
-    with Session() as session:
+    with DuckSession() as session:
         study = Study(session, series(recordings, dataset), parameters, calibration)
         learnt = {
             (row["asset"], row["channel"]): row for row in study.table("support_summary").to_pylist()

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 import gam_db
 import reference
 from gam_db import langevin
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import ParameterError
 from gam_db.selection import Search, neighbours
 from gam_db.selection.lags import add_delays, add_samples
@@ -219,7 +219,7 @@ def test_false_neighbours_of_lorenz() -> None:
 
 @pytest.mark.parametrize("ami_bins", [16, 32, 64])
 def test_the_first_minimum_of_the_langevin_system_does_not_depend_on_the_bins(ami_bins: int) -> None:
-    with Session() as session:
+    with DuckSession() as session:
         source = table({"value": list(langevin.simulate(0))})
         healthy = gam_db.Calibration(fraction=langevin.CALIBRATION)
         study = Study(session, source, gam_db.Parameters(), healthy)

@@ -16,7 +16,7 @@ from gam_db.baselines.baseline import add_forecast_points
 from gam_db.checking.steps import add_look
 from gam_db.clock import TimeKind
 from gam_db.engines.duckdb import ENGINE
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.estimators import ESTIMATORS, add_estimator
 from gam_db.estimators.points import add_points
 from gam_db.method import Method, pipeline
@@ -574,7 +574,7 @@ def test_filled_queries_break_no_rule(number: int) -> None:
 def watch_once() -> None:
     """Take every path of the stored form once, over a few rows."""
     rows: list[Row] = [("a", "x", time, float(time % 3)) for time in range(40)]
-    with Session() as session:
+    with DuckSession() as session:
         for gap in (None, 5):
             parameters = gam_db.Parameters(m=2, window=4, max_gap=gap)
             source = gam_db.Source(arrow(rows))
@@ -593,7 +593,7 @@ def estimated(name: str, rows: int) -> tuple[list[tuple[str, exp.Query]], dict[s
     values = [float(time * time % 7) for time in range(rows)]
     series = arrow([("a", "x", time, value) for time, value in enumerate(values)])
     kinds = {"BIGINT": Kind.INTEGER, "DOUBLE": Kind.DOUBLE, "VARCHAR": Kind.OTHER}
-    with Session() as session:
+    with DuckSession() as session:
         study = Study(session, Source(series), PARAMETERS[0], gam_db.Calibration(fraction=0.8))
         if name == FORECAST:
             add_points(study.steps, study.method, 0)

@@ -7,7 +7,7 @@ from typing import Any
 import pyarrow as pa
 import pytest
 
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import ConfigurationError, ParameterError, StateError
 from gam_db.stored import status as stored_status
 from gam_db.stored.status import by_asset
@@ -22,19 +22,19 @@ QUIET: dict[int, int] = {}
 
 
 @pytest.fixture(scope="module")
-def session() -> Iterator[Session]:
+def session() -> Iterator[DuckSession]:
     """A database with state tables; each test takes out the rows of the one before."""
-    with Session() as opened:
+    with DuckSession() as opened:
         yield opened
 
 
-def status(session: Session, plant: Plant, monitor: str = "default", **more: Any) -> pa.Table:
+def status(session: DuckSession, plant: Plant, monitor: str = "default", **more: Any) -> pa.Table:
     """The status of a plant."""
     plant.write(emptied(session, TABLES), TABLES)
     return stored_status.status(session, TABLES, monitor, **more)
 
 
-def test_the_most_urgent_channel_comes_first_and_says_why(session: Session) -> None:
+def test_the_most_urgent_channel_comes_first_and_says_why(session: DuckSession) -> None:
     plant = Plant()
     monitor = plant.monitor()
     learnt = plant.support()
@@ -83,7 +83,7 @@ def test_the_most_urgent_channel_comes_first_and_says_why(session: Session) -> N
     ]
 
 
-def test_a_long_course_keeps_its_peaks(session: Session) -> None:
+def test_a_long_course_keeps_its_peaks(session: DuckSession) -> None:
     """64 stretches at most, the newest bucket the end of the last one, the highest of each."""
     plant = Plant()
     monitor, learnt = plant.monitor(), plant.support()
@@ -101,7 +101,7 @@ def test_a_long_course_keeps_its_peaks(session: Session) -> None:
     assert rows["coarse"]["course"] == expected
 
 
-def test_only_the_active_version_counts(session: Session) -> None:
+def test_only_the_active_version_counts(session: DuckSession) -> None:
     plant = Plant()
     channel = plant.channel(plant.monitor(), "R1", "j1")
     plant.run(plant.version(channel, plant.support()), [FULL, FULL, FULL])
@@ -110,7 +110,7 @@ def test_only_the_active_version_counts(session: Session) -> None:
     assert (row["version"], row["status"], row["hi"], row["limit"]) == (2, "ok", 0.0, 0.1)
 
 
-def test_a_channel_that_lags_behind_is_silent(session: Session) -> None:
+def test_a_channel_that_lags_behind_is_silent(session: DuckSession) -> None:
     plant = Plant()
     monitor, learnt = plant.monitor(), plant.support()
     for name, read_to in (("now", 9 * DAY), ("late", 8 * DAY), ("gone", 6 * DAY), ("none", None)):
@@ -131,7 +131,7 @@ def test_a_channel_that_lags_behind_is_silent(session: Session) -> None:
         stored_status.status(session, TABLES, park_after="soon")
 
 
-def test_what_lies_outside_the_contract_is_told(session: Session) -> None:
+def test_what_lies_outside_the_contract_is_told(session: DuckSession) -> None:
     plant = Plant()
     version = plant.version(plant.channel(plant.monitor(), "R1", "j1"), plant.support())
     plant.run(version, [QUIET] * 4, calibration_readings=1012)
@@ -146,7 +146,7 @@ def test_what_lies_outside_the_contract_is_told(session: Session) -> None:
     assert row["repair_from"] == dt.datetime(1970, 1, 4, 0, 0, 0, 1)
 
 
-def test_a_counter_stays_a_counter(session: Session) -> None:
+def test_a_counter_stays_a_counter(session: DuckSession) -> None:
     plant = Plant()
     monitor, learnt = plant.monitor("default", "counter"), plant.support()
     version = plant.version(plant.channel(monitor, "R1", "j1"), learnt)
@@ -166,7 +166,7 @@ def test_a_counter_stays_a_counter(session: Session) -> None:
     assert f"{2**61 - 5:,} steps behind" in found[0]["remarks"][-1]
 
 
-def test_times_have_a_zone_where_the_source_has_one(session: Session) -> None:
+def test_times_have_a_zone_where_the_source_has_one(session: DuckSession) -> None:
     plant = Plant()
     monitor = plant.monitor("default", "timestamp with time zone")
     plant.run(plant.version(plant.channel(monitor, "R1", "j1"), plant.support()), [QUIET])
@@ -174,7 +174,7 @@ def test_times_have_a_zone_where_the_source_has_one(session: Session) -> None:
     assert row["last_time"] == dt.datetime(1970, 1, 1, 0, 0, 9, tzinfo=dt.UTC)
 
 
-def test_monitors_are_kept_apart(session: Session) -> None:
+def test_monitors_are_kept_apart(session: DuckSession) -> None:
     plant = Plant()
     for name, asset in (("default", "R1"), ("it's \\another", "R2")):
         version = plant.version(plant.channel(plant.monitor(name), asset, "j1"), plant.support())
@@ -185,7 +185,7 @@ def test_monitors_are_kept_apart(session: Session) -> None:
         stored_status.status(session, TABLES, "defualt")
 
 
-def test_state_that_is_not_there_is_named(session: Session) -> None:
+def test_state_that_is_not_there_is_named(session: DuckSession) -> None:
     emptied(session, TABLES)
     with pytest.raises(ConfigurationError, match="`gam calibrate` makes it"):
         stored_status.status(session, TABLES)
@@ -193,7 +193,7 @@ def test_state_that_is_not_there_is_named(session: Session) -> None:
         stored_status.status(session, StateTables(prefix="other_"))
 
 
-def test_a_monitor_without_channels_has_none(session: Session) -> None:
+def test_a_monitor_without_channels_has_none(session: DuckSession) -> None:
     plant = Plant()
     plant.monitor()
     table = status(session, plant)
@@ -201,7 +201,7 @@ def test_a_monitor_without_channels_has_none(session: Session) -> None:
     assert by_asset(table).num_rows == 0
 
 
-def test_an_asset_is_as_urgent_as_its_worst_channel(session: Session) -> None:
+def test_an_asset_is_as_urgent_as_its_worst_channel(session: DuckSession) -> None:
     plant = Plant()
     monitor, learnt = plant.monitor(), plant.support()
     for asset, channel, cells in (

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gam_db.engines import engine_named
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.findings import limit_of
 from gam_db.stored.migrations import rendered
 from gam_db.stored.tables import TABLES as ALL
@@ -26,13 +26,13 @@ NAMES = ("R1", "r1", "it's", 'a "quoted" name', "Ünï %_\n", "")
 
 
 @pytest.fixture(scope="module")
-def session() -> Iterator[Session]:
+def session() -> Iterator[DuckSession]:
     """A database with state tables; each test takes out the rows of the one before."""
-    with Session() as opened:
+    with DuckSession() as opened:
         yield opened
 
 
-def shown(session: Session, view: str) -> list[dict[str, Any]]:
+def shown(session: DuckSession, view: str) -> list[dict[str, Any]]:
     """The rows of a view."""
     query = f"SELECT * FROM {STATE}{view} ORDER BY ALL"
     rows: list[dict[str, Any]] = session.connection.sql(query).to_arrow_table().to_pylist()
@@ -82,7 +82,7 @@ def instant(tick: int, monitor: str) -> dt.datetime | None:
 @given(drawn=plants())
 @settings(max_examples=20)
 def test_the_views_show_what_finished_runs_left(
-    session: Session, drawn: tuple[Plant, list[tuple[str, str, str, int, Version]]]
+    session: DuckSession, drawn: tuple[Plant, list[tuple[str, str, str, int, Version]]]
 ) -> None:
     plant, active = drawn
     health, quarantine, fleet = [], [], []
@@ -158,7 +158,7 @@ def test_the_views_show_what_finished_runs_left(
     assert [{key: row[key] for key in fleet[0]} for row in found] == ordered(fleet)
 
 
-def test_the_limit_is_that_of_the_findings(session: Session) -> None:
+def test_the_limit_is_that_of_the_findings(session: DuckSession) -> None:
     """It stands in a view, for those who read no Python, and in Python for the rest."""
     plant = Plant()
     monitor = plant.monitor()
@@ -173,13 +173,13 @@ def test_the_limit_is_that_of_the_findings(session: Session) -> None:
     assert {row["asset"]: row["hi_limit"] for row in shown(session, "fleet")} == expected
 
 
-def fleet_row(session: Session, *columns: str) -> list[Any]:
+def fleet_row(session: DuckSession, *columns: str) -> list[Any]:
     """Some columns of the only channel."""
     (row,) = shown(session, "fleet")
     return [row[column] for column in columns]
 
 
-def test_contexts_that_differ_are_told_until_a_run_begins_as_early(session: Session) -> None:
+def test_contexts_that_differ_are_told_until_a_run_begins_as_early(session: DuckSession) -> None:
     """A later run speaks for an earlier one only if it began to read no later, and read something."""
     told = ("differing_contexts", "repair_from_tick")
     plant = Plant()
@@ -201,7 +201,7 @@ def test_contexts_that_differ_are_told_until_a_run_begins_as_early(session: Sess
     assert fleet_row(session, *told) == [0, None]
 
 
-def test_the_newest_count_of_calibration_and_the_furthest_look_are_shown(session: Session) -> None:
+def test_the_newest_count_of_calibration_and_the_furthest_look_are_shown(session: DuckSession) -> None:
     plant = Plant()
     version = plant.version(plant.channel(plant.monitor(), "R1", "j1"), plant.support())
     plant.run(version, [{}] * 3, calibration_readings=1000, read_to=70)
@@ -212,7 +212,7 @@ def test_the_newest_count_of_calibration_and_the_furthest_look_are_shown(session
     assert fleet_row(session, "data_time") == [dt.datetime(1970, 1, 1, 0, 0, 0, 90)]
 
 
-def test_sqlite_shows_the_same(session: Session) -> None:
+def test_sqlite_shows_the_same(session: DuckSession) -> None:
     """The views are for every engine; here is another one, with the same rows."""
     plant = Plant()
     for name, kind in (("default", "timestamp"), ("counting", "counter")):
@@ -239,7 +239,7 @@ def test_sqlite_shows_the_same(session: Session) -> None:
             assert sorted(found_rows, key=repr) == sorted(wanted, key=repr)
 
 
-def test_a_look_at_one_machine_reads_only_its_stored_rows(session: Session) -> None:
+def test_a_look_at_one_machine_reads_only_its_stored_rows(session: DuckSession) -> None:
     """The names become a filter of the stored rows; DuckDB says how many rows come out of the scan."""
     plant = Plant()
     monitor, support = plant.monitor(), plant.support()

@@ -11,7 +11,7 @@ from sqlglot import exp
 
 import gam_db
 from gam_db.benchmark.database import opened
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.study import Study
 
 PARAMETERS = gam_db.Parameters(m=3, tau=1, bins=100, window=5000, stride=100)
@@ -37,7 +37,7 @@ class Steps:
         self.now, self._since = step, now
 
 
-class ProfiledSession(Session):
+class ProfiledSession(DuckSession):
     """A session that keeps DuckDB's profile (EXPLAIN ANALYZE) of every statement it runs."""
 
     def __init__(self, target: Any, steps: Steps) -> None:
@@ -57,7 +57,7 @@ class ProfiledSession(Session):
 def run(source: Path, result: Path, threads: int) -> dict[str, float]:
     """Compute both results and write each as a table; return the seconds of every step."""
     steps = Steps()
-    with opened(source, threads) as connection, Session(connection) as session:
+    with opened(source, threads) as connection, DuckSession(connection) as session:
         _write(session, result, steps)
         steps.begin("close")
     steps.begin("")
@@ -80,7 +80,7 @@ def explain(source: Path, result: Path, threads: int) -> list[dict[str, Any]]:
     ]
 
 
-def _write(session: Session, result: Path, steps: Steps) -> None:
+def _write(session: DuckSession, result: Path, steps: Steps) -> None:
     table = gam_db.Source("readings", time="t")
     study = Study(session, table, PARAMETERS, CALIBRATION, on_step=steps.begin)
     for step in RESULTS:

@@ -51,6 +51,25 @@ def memory_lines(figures: dict[str, Any]) -> Iterator[str]:
         yield f"  {name} {figures[name]:.1f} s by step: {_steps(figures[f'{name}_steps'])}"
 
 
+def engines_lines(figures: dict[str, Any]) -> Iterator[str]:
+    """Yield the lines of a report on what ``measure_engines`` returned."""
+    work = figures["workload"]
+    yield (
+        f"{work['channels']} channels x {work['samples']:,} samples, simulated; calibration "
+        f"{work['calibration']:.0%}, {_method(work)}"
+    )
+    yield from _circumstances(figures)
+    for case in figures["cases"]:
+        yield ""
+        yield _title(case["engine"])
+        for program, seconds in case["seconds"].items():
+            yield _row(program, seconds, case["peak_memory"][program])
+        for name in ("gam_over_floor", "extract_over_gam"):
+            yield f"  {name:26}{case[name]:9.3f}"
+        for program, steps in case["steps"].items():
+            yield f"  seconds by step, {program}: {_steps(steps)}"
+
+
 def stored_lines(figures: dict[str, Any]) -> Iterator[str]:
     """Yield the lines of a report on what ``measure_stored`` returned."""
     work = figures["workload"]

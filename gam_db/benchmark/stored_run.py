@@ -19,7 +19,7 @@ from gam_db import template
 from gam_db.benchmark import alone
 from gam_db.benchmark.database import opened, statement
 from gam_db.benchmark.inside import CALIBRATION, PARAMETERS, ProfiledSession, Steps
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import InternalError
 from gam_db.stored.monitor import Monitor
 
@@ -101,17 +101,17 @@ def _telemetry(job: StoredJob) -> dict[str, Any]:
 
 
 @contextmanager
-def _session(job: StoredJob, steps: Steps | None = None) -> Iterator[Session]:
+def _session(job: StoredJob, steps: Steps | None = None) -> Iterator[DuckSession]:
     """Open the state, with the telemetry beside it; profiled where steps are given."""
     with opened(Path(job.state), job.threads) as connection:
         if job.memory_limit is not None:
             connection.execute(statement("limited", {"limit": template.text(job.memory_limit)}))
         connection.execute(statement("attached", {"path": template.text(job.source)}))
-        with Session(connection) if steps is None else ProfiledSession(connection, steps) as session:
+        with DuckSession(connection) if steps is None else ProfiledSession(connection, steps) as session:
             yield session
 
 
-def _monitor(job: StoredJob, session: Session) -> Monitor:
+def _monitor(job: StoredJob, session: DuckSession) -> Monitor:
     calibration = CALIBRATION
     if job.calibration is not None:
         calibration = gam_db.Calibration(duration=dt.timedelta(seconds=job.calibration))

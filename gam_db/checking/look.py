@@ -9,7 +9,8 @@ from gam_db import template
 from gam_db.calibration import Calibration
 from gam_db.checking.steps import SUMMARY, add_look
 from gam_db.clock import TimeKind
-from gam_db.engines.duckdb_session import Session
+from gam_db.connect import borrowed
+from gam_db.engines.session import Session
 from gam_db.method import Method
 from gam_db.parameters import Parameters
 from gam_db.running import Listener
@@ -87,7 +88,7 @@ def check(
     Raises:
         UserError: the source, a parameter or the calibration cannot be used at all.
     """
-    with Session(engine) as session:
+    with borrowed(engine) as session:
         return look_at(session, source, parameters or Parameters(), calibration or Calibration()).table
 
 

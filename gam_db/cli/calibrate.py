@@ -19,7 +19,7 @@ from gam_db.cli import monitor_options, options, report
 from gam_db.cli.figures import asked, plain
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.config import Settings, SourceSettings
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError
 from gam_db.findings import any_needs_attention, share, shortcomings, status_of
 from gam_db.guess import guess
@@ -119,7 +119,7 @@ def calibrate(
         threads=threads,
         must_exist=not is_file(said.source.relation),
     )
-    where_to = f"{settings.source.database}, monitor {settings.monitor.name}"
+    where_to = f"{settings.source.shown_database}, monitor {settings.monitor.name}"
     with interruptible(), session, Progress(session, quiet) as progress:
         is_new = not migrations.status(session, tables).applied
         job = _job(session, tables, said, settings.monitor.name, is_new)
@@ -138,7 +138,7 @@ def calibrate(
     if as_json:
         figures = {
             **asked(job),
-            "database": settings.source.database,
+            "database": settings.source.shown_database,
             "monitor": settings.monitor.name,
             "migrations_applied": applied,
             "new_versions": plain(rows),
@@ -150,7 +150,7 @@ def calibrate(
     elif not quiet:
         out = report.console()
         if applied:
-            report.say(out, f"state tables {tables}* were made in {settings.source.database}")
+            report.say(out, f"state tables {tables}* were made in {settings.source.shown_database}")
         _show(out, where_to, job, rows, everything)
     if code:
         raise typer.Exit(code)

@@ -15,7 +15,8 @@ from gam_db.cli import look_report, monitor_options, options, report
 from gam_db.cli.check_state import check_state
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.config import Settings
-from gam_db.engines.duckdb_session import Session
+from gam_db.connect import connect
+from gam_db.engines.session import Session
 from gam_db.guess import guess
 
 MUST_BE_FIXED = 2
@@ -129,7 +130,7 @@ def check(
     relation = options.named_relation(settings)
     with (
         interruptible(),
-        Session(settings.source.database, threads) as session,
+        connect(settings.source.database, threads, writable=False) as session,
         Progress(session, quiet) as progress,
     ):
         seen = looked(session, relation, settings, progress.on_step)

@@ -29,7 +29,7 @@ Row = dict[str, Any]
 def check_state(
     *,
     source: str | None,
-    database: Path | None,
+    database: str | None,
     config: Path | None,
     name: str | None,
     schema: str | None,
@@ -43,7 +43,7 @@ def check_state(
 
     Args:
         source: what to read instead of the relation that the monitor was made from.
-        database: the DuckDB file, as given; so the next four.
+        database: its address, as given; so the next four.
         config: the settings file.
         name: of the monitor.
         schema: of the state tables.

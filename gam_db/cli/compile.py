@@ -12,8 +12,8 @@ import typer
 from gam_db import look
 from gam_db.cli import options
 from gam_db.config import Settings, SourceSettings
+from gam_db.connect import connect
 from gam_db.engines import NAMES
-from gam_db.engines.duckdb_session import Session
 from gam_db.errors import ConfigurationError, SourceError
 from gam_db.guess import guess
 from gam_db.script import render
@@ -116,7 +116,7 @@ def described(settings: Settings) -> AnySource:
         raise ConfigurationError("Name a SOURCE: the table that the engine holds, or a file.")
     if database is None and not is_file(relation):
         return _as_named(relation, settings.source)
-    with Session(database) as session:
+    with connect(database, writable=False) as session:
         columns = session.describe(session.relation(relation))
         source = guess(relation, columns, settings.source, session).source
         kind = look.kind_of(source, columns, session)

@@ -15,7 +15,7 @@ from gam_db.cli import report
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.cli.run import open_job
 from gam_db.config import Settings, SourceSettings
-from gam_db.engines.duckdb_session import Session
+from gam_db.connect import connect
 from gam_db.errors import ConfigurationError
 from gam_db.findings import findings
 from gam_db.simulate.single import langevin_series
@@ -58,7 +58,7 @@ def demo(
             f"--keep is {keep}; give a name in .parquet, in a folder that is there."
         )
     lines = report.console()
-    with interruptible(), Session() as session, Progress(session) as progress:
+    with interruptible(), connect() as session, Progress(session) as progress:
         progress.on_step("simulating")
         series = langevin_series()
         settings = Settings(COLUMNS, PARAMETERS, CALIBRATION)

@@ -7,7 +7,6 @@ import dataclasses
 import json
 from collections import Counter
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Annotated, Any
 
 import typer
@@ -18,7 +17,7 @@ from rich.text import Text
 import gam_db
 from gam_db.cli import options, report
 from gam_db.cli.progress import Progress, interruptible
-from gam_db.engines.duckdb_session import Session
+from gam_db.connect import connect
 from gam_db.errors import ConfigurationError
 from gam_db.evaluation import Conventions, Evaluation
 from gam_db.evaluation.conventions import Amplitude, Monotonicity
@@ -72,7 +71,10 @@ def evaluate(
         ),
     ] = None,
     database: Annotated[
-        Path | None, typer.Option(help="DuckDB file that holds the tables; it is only read.")
+        str | None,
+        typer.Option(
+            metavar="ADDRESS", help="Database that holds the tables (DuckDB); it is only read."
+        ),
     ] = None,
     everything: Annotated[
         bool, typer.Option("--all", help=f"Print every channel, not only {report.SHOWN}.")
@@ -138,8 +140,11 @@ def evaluate(
         seed=seed,
         values_per_window=values_per_window,
     )
-    target = None if database is None else str(database)
-    with interruptible(), Session(target, threads) as session, Progress(session) as progress:
+    with (
+        interruptible(),
+        connect(database, threads, writable=False) as session,
+        Progress(session) as progress,
+    ):
         found = evaluated(session, health, outcomes, conventions, progress.on_step)
     if as_json:
         told = {
@@ -185,7 +190,7 @@ def show(
     report.say(out, _legend(rows, conventions))
 
 
-def _check_relation(relation: str | None, what: str, database: Path | None) -> None:
+def _check_relation(relation: str | None, what: str, database: str | None) -> None:
     if relation is not None and database is None and not is_file(relation):
         raise ConfigurationError(
             f"{what} is {relation!r}, which is no Parquet or CSV file ({', '.join(FILE_ENDINGS)}); if "

@@ -11,13 +11,14 @@ from typing import Annotated, Any
 
 import typer
 
+from gam_db.address import shown
 from gam_db.checking import must_be_fixed, notes
 from gam_db.checking.words import spoken
 from gam_db.cli import look_report, options, report, toml_text
 from gam_db.cli.check import Seen, looked
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.config import DEFAULT_FILE, Settings
-from gam_db.engines.duckdb_session import Session
+from gam_db.connect import connect
 from gam_db.errors import ConfigurationError
 from gam_db.source import Source, is_file
 
@@ -110,7 +111,7 @@ def init(
         raise ConfigurationError(f"--out is {out}; the folder {out.parent} is not there.")
     with (
         interruptible(),
-        Session(settings.source.database, threads) as session,
+        connect(settings.source.database, threads, writable=False) as session,
         Progress(session, quiet) as progress,
     ):
         seen = _settled(looked(session, relation, settings, progress.on_step), settings)
@@ -187,7 +188,8 @@ def _source(seen: Seen, settings: Settings, folder: Path) -> dict[str, tuple[Any
         "relation": (_from(folder, relation) if is_file(relation) else relation, "the telemetry")
     }
     if database is not None and not is_file(relation):
-        said["database"] = (_from(folder, database), "the DuckDB file that holds the table")
+        address = _from(folder, shown(database))
+        said["database"] = (address, "the database that holds the table")
     columns: dict[str, Any] = {"asset": source.asset, "time": source.time}
     if isinstance(source, Source):
         columns |= {"channel": source.channel, "value": source.value}

@@ -9,20 +9,23 @@ from typing import Annotated
 import typer
 
 from gam_db import config
+from gam_db.address import VARIABLE, is_url
 from gam_db.config import Settings
 from gam_db.connect import connect
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, EngineError
 from gam_db.stored.tables import StateTables
 
 _STATE = "Where the state lies"
 
 DatabaseOption = Annotated[
-    Path | None,
+    str | None,
     typer.Option(
-        metavar="FILE",
-        help="DuckDB file that holds the state, and the source if that is a table; it is made if it is "
-        "not there. Default: what gam.toml says.",
+        metavar="ADDRESS",
+        envvar=VARIABLE,
+        help="Database that holds the state, and the source if that is a table: a DuckDB file, which is "
+        "made if it is not there, or a URL such as postgresql://HOST/DATABASE. Default: what gam.toml "
+        "says.",
         rich_help_panel=_STATE,
     ),
 ]
@@ -44,7 +47,7 @@ QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="Print nothing 
 def said(
     *,
     file: Path | None,
-    database: Path | None = None,
+    database: str | None = None,
     name: str | None = None,
     schema: str | None = None,
     prefix: str | None = None,
@@ -55,7 +58,7 @@ def said(
         ConfigurationError: the file or an option cannot be used.
     """
     return config.load(file).under(
-        {"database": None if database is None else str(database)},
+        {"database": database},
         {},
         {},
         {"name": name, "schema": schema, "prefix": prefix},
@@ -65,7 +68,7 @@ def said(
 def opened(
     *,
     file: Path | None,
-    database: Path | None,
+    database: str | None,
     name: str | None = None,
     schema: str | None = None,
     prefix: str | None = None,
@@ -77,7 +80,7 @@ def opened(
 
     Args:
         file: the settings file, as given.
-        database: the DuckDB file, as given; so the next four.
+        database: its address, as given; so the next four.
         name: of the monitor.
         schema: of the state tables.
         prefix: of their names.
@@ -92,14 +95,13 @@ def opened(
         UserError: no database was named, it cannot be opened, or an option cannot be used.
     """
     settings = said(file=file, database=database, name=name, schema=schema, prefix=prefix)
-    path = settings.source.database
-    if path is None:
+    address = settings.source.database
+    if address is None:
         raise ConfigurationError(
-            "Say which database holds the state: --database FILE.duckdb, or database under [source] in "
-            "gam.toml."
+            "Say which database holds the state: --database FILE.duckdb, or a URL such as "
+            "postgresql://HOST/DATABASE; or put database under [source] into gam.toml."
         )
     tables = settings.monitor.tables
-    if must_exist and not Path(path).exists():
-        raise EngineError(f"There is no database file {path}.")
-    session = connect(path, threads) if writable else Session(path, threads)
-    return session, tables, settings
+    if must_exist and not is_url(address) and not Path(address).exists():
+        raise EngineError(f"There is no database file {address}.")
+    return connect(address, threads, writable), tables, settings

@@ -3,6 +3,7 @@
 This module owns the words of the command line; :mod:`gam_db.config` owns what they are laid over.
 """
 
+import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Any
@@ -10,6 +11,7 @@ from typing import Annotated, Any
 import typer
 
 from gam_db import config
+from gam_db.address import VARIABLE
 from gam_db.config import Settings
 from gam_db.errors import ConfigurationError
 from gam_db.source import FILE_ENDINGS, is_file
@@ -30,7 +32,12 @@ SourceArgument = Annotated[
     ),
 ]
 DatabaseOption = Annotated[
-    Path | None, typer.Option(help="DuckDB file that holds the table; it is only read.")
+    str | None,
+    typer.Option(
+        metavar="ADDRESS",
+        help="Database that holds the table, a DuckDB file or a URL such as postgresql://HOST/DATABASE; "
+        f"it is only read. Default: the environment variable {VARIABLE}.",
+    ),
 ]
 ConfigOption = Annotated[
     Path | None, typer.Option(help="Settings file; default ./gam.toml if it is there.")
@@ -175,7 +182,7 @@ def settings(
     *,
     file: Path | None,
     relation: str | None,
-    database: Path | None,
+    database: str | None,
     asset: str | None,
     no_asset: bool,
     channel: Sequence[str] | None,
@@ -216,7 +223,7 @@ def settings(
         raise ConfigurationError("Several --channel are columns of a wide table; add --wide.")
     columns = {
         "relation": relation,
-        "database": None if database is None else str(database),
+        "database": database or (None if is_file(relation) else os.environ.get(VARIABLE)),
         "asset": False if no_asset else asset,
         "time": time,
         "value": value,

@@ -13,7 +13,7 @@ from types import FrameType
 from rich.console import Console, RenderableType
 from rich.status import Status
 
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.session import Session
 
 
 class Progress:

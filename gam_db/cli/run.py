@@ -18,7 +18,8 @@ from gam_db.cli.figures import figures
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.cli.scores import score_figures, show_scores
 from gam_db.config import Settings
-from gam_db.engines.duckdb_session import Session
+from gam_db.connect import connect
+from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError
 from gam_db.estimators import DSE, add_estimator, estimator_named
 from gam_db.findings import findings, need_attention
@@ -138,7 +139,7 @@ def run(
     estimator_named(estimator)
     relation = options.named_relation(settings)
     results = [] if no_out else _results(relation, settings.source.database, out, every, estimator)
-    with interruptible(), Session(settings.source.database, threads) as session:
+    with interruptible(), connect(settings.source.database, threads, writable=False) as session:
         lines = report.console()
         with Progress(session, quiet) as progress:
             job, study = open_job(session, relation, relation, settings, progress.on_step)

@@ -178,7 +178,7 @@ def score(
         told = zip(status["status"].to_pylist(), status["verdict"].to_pylist(), strict=True)
         code = NEEDS_ATTENTION if any_needs_attention(told) else 0
     outcome = Outcome(
-        database=str(settings.source.database),
+        database=str(settings.source.shown_database),
         monitor=said.name,
         source=known["source"] if source is None else source,
         kind=kind,

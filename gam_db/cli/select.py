@@ -12,7 +12,7 @@ from gam_db.cli import options, report
 from gam_db.cli.options import named_relation
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.cli.selection_report import figures, show
-from gam_db.engines.duckdb_session import Session
+from gam_db.connect import connect
 from gam_db.guess import guess
 from gam_db.selection import Search, alone, selected
 from gam_db.study import Study
@@ -130,7 +130,7 @@ def select(
     parameters, calibration = alone(*settings.method())
     with (
         interruptible(),
-        Session(settings.source.database, threads) as session,
+        connect(settings.source.database, threads, writable=False) as session,
         Progress(session) as progress,
     ):
         columns = session.describe(session.relation(relation))

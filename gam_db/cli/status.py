@@ -81,7 +81,7 @@ def status(
     if as_json:
         figures = {
             "version": gam_db.__version__,
-            "database": settings.source.database,
+            "database": settings.source.shown_database,
             "monitor": monitor,
             "no_data_for_seconds": None if unheard is None else unheard.total_seconds(),
             "channels": plain(channels.to_pylist()),
@@ -92,7 +92,7 @@ def status(
         print(json.dumps(figures, ensure_ascii=False, indent=1))
     else:
         out = report.console()
-        report.say(out, _heading(channels, f"{settings.source.database}, monitor {monitor}"))
+        report.say(out, _heading(channels, f"{settings.source.shown_database}, monitor {monitor}"))
         if unheard is not None:
             report.say(out, _silence(unheard))
         out.print()

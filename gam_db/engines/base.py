@@ -11,12 +11,14 @@ from sqlglot import exp
 from sqlglot.dialects.dialect import Dialect
 from sqlglot.errors import ErrorLevel, UnsupportedError
 
+from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.engines.storage import Definition, with_statements
 from gam_db.errors import EngineError
 
 Rewrite = Callable[[exp.Expr], exp.Expr]
 TimeRewrite = Callable[[TimeKind, exp.Expr], exp.Expr]
+RangeRewrite = Callable[[TimeKind, exp.Expr, int | None, int | None], list[exp.Expr]]
 
 
 def table_as(table: exp.Table, query: exp.Query) -> exp.Create:
@@ -30,10 +32,12 @@ class Engine:
 
     Attributes:
         name: what users call it.
+        title: what it calls itself.
         dialect: sqlglot's name of its SQL.
         evidence: "executed" if the test suite runs on it, else "rendered".
         micros_of: the integer time of a column of a kind of time.
         instant_of: the way back, for the last step of a query.
+        range_of: conditions on a column of times, where its own order is not that of the instants.
         rewrites: from tree to tree, each with its reason in its docstring.
         create_table: CREATE TABLE ... AS with what the engine wants to know of storage.
         define: a table or view of the state, with keys, formats and comments as the engine has them.
@@ -44,10 +48,12 @@ class Engine:
     """
 
     name: str
+    title: str
     dialect: str
     evidence: str
     micros_of: TimeRewrite
     instant_of: TimeRewrite
+    range_of: RangeRewrite | None = None
     rewrites: Sequence[Rewrite] = ()
     create_table: Callable[[exp.Table, exp.Query], exp.Create] = table_as
     define: Callable[[Definition], list[exp.Expr]] = with_statements
@@ -55,6 +61,32 @@ class Engine:
     flow_hint: bool = False
     reads_files: bool = False
     macros: bool = False
+
+    def in_range(
+        self, kind: TimeKind, column: exp.Expr, earliest: int | None, latest: int | None
+    ) -> list[exp.Expr]:
+        """Return the conditions that a time of the source lies in a range, both ends included.
+
+        They are on the column itself, so that an index or the statistics of a file serve.
+
+        Args:
+            kind: how the column tells time.
+            column: the node.
+            earliest: integer time; None for no limit.
+            latest: the same.
+        """
+        if self.range_of is not None and not kind.is_counter:
+            return self.range_of(kind, column, earliest, latest)
+        conditions: list[exp.Expr] = []
+        if earliest is not None:
+            conditions.append(exp.GTE(this=column.copy(), expression=self._instant(kind, earliest)))
+        if latest is not None:
+            # The next one is excluded, so that nanoseconds after the last microsecond are not.
+            conditions.append(exp.LT(this=column.copy(), expression=self._instant(kind, latest + 1)))
+        return conditions
+
+    def _instant(self, kind: TimeKind, time: int) -> exp.Expr:
+        return self.instant_of(kind, template.node_of(time))
 
     def text(self, tree: exp.Expr, pretty: bool = False) -> str:
         """Return a tree as SQL of this engine.
@@ -113,6 +145,13 @@ def escape_by_backslash(tree: exp.Expr) -> exp.Expr:
 def counter(column: exp.Expr) -> exp.Expr:
     """Return an integer counter as it is; the product is refused by engines if it is a timestamp."""
     return exp.cast(exp.Mul(this=column, expression=exp.Literal.number(1)), "BIGINT")
+
+
+def deletion(table: exp.Table, keys: Sequence[str], found: exp.Query) -> exp.Delete:
+    """Return what deletes the rows of a table whose keys are among the rows of a query."""
+    key = exp.Tuple(expressions=[exp.column(exp.to_identifier(name)) for name in keys])
+    among = exp.In(this=key, query=exp.Subquery(this=found))
+    return exp.Delete(this=table.copy(), where=exp.Where(this=among))
 
 
 def called(function: str, *arguments: exp.Expr) -> exp.Expr:

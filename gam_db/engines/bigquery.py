@@ -35,6 +35,7 @@ def _described(said: exp.Expr) -> exp.Expr:
 
 ENGINE = Engine(
     name="bigquery",
+    title="BigQuery",
     dialect="bigquery",
     evidence="rendered",
     micros_of=micros_of,

@@ -73,6 +73,7 @@ def allow_long_plans(tree: exp.Expr) -> exp.Expr:
 
 ENGINE = Engine(
     name="clickhouse",
+    title="ClickHouse",
     dialect="clickhouse",
     evidence="rendered",
     micros_of=micros_of,

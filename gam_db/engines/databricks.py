@@ -14,6 +14,7 @@ def define(definition: Definition) -> list[exp.Expr]:
 
 ENGINE = Engine(
     name="databricks",
+    title="Databricks",
     dialect="databricks",
     evidence="rendered",
     micros_of=micros_of,

@@ -45,6 +45,7 @@ def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
 
 ENGINE = Engine(
     name="duckdb",
+    title="DuckDB",
     dialect="duckdb",
     evidence="executed",
     micros_of=micros_of,

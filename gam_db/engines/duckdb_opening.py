@@ -18,16 +18,6 @@ _UNITS = {"bytes": 1, "KiB": 2**10, "MiB": 2**20, "GiB": 2**30, "TiB": 2**40}
 _PER_READING = 100
 
 
-#: What is said of a connection that refuses to write.
-READ_ONLY = "The database is open for reading only; it cannot be changed."
-OPEN = "The connection has a transaction open; commit it or roll it back first."
-FULL = "The database cannot be written; is its disk full? What was there before is as it was."
-CONFLICT = (
-    "Another connection changed the same tables at the same time; what was to be written here was not. "
-    "Run it again."
-)
-
-
 def rows_at_once(connection: duckdb.DuckDBPyConnection) -> int:
     """Return how many readings can be worked on at once within the connection's memory limit."""
     row = connection.execute("SELECT current_setting('memory_limit')").fetchall()[0]

@@ -3,7 +3,7 @@
 import contextlib
 import itertools
 import secrets
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,17 +12,18 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.engines import duckdb_opening
+from gam_db.engines.base import deletion
 from gam_db.engines.duckdb import ENGINE, file_reader
 from gam_db.engines.duckdb_opening import attached, check_settings, opened, rows_at_once
 from gam_db.engines.duckdb_types import check_columns, is_name, is_numeric, is_text, time_kind
+from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY
 from gam_db.errors import EngineError, SourceError, StatementError, nearest
 from gam_db.source import is_file, table_names
 
 OLDEST = (2, 0)
 
 
-class Session:
+class DuckSession:
     """DuckDB at work: describes relations, keeps temporary tables, runs trees.
 
     Args:
@@ -37,6 +38,7 @@ class Session:
     """
 
     engine = ENGINE
+    transactions = True
     time_kind = staticmethod(time_kind)
     is_numeric = staticmethod(is_numeric)
     is_name = staticmethod(is_name)
@@ -65,7 +67,7 @@ class Session:
         self._made: list[str] = []
         self._registered: list[str] = []
 
-    def __enter__(self) -> "Session":
+    def __enter__(self) -> "DuckSession":
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -181,16 +183,20 @@ class Session:
         try:
             self._run(statement)
         except duckdb.IOException as error:
-            raise EngineError(duckdb_opening.FULL) from error
+            raise EngineError(FULL) from error
         except StatementError as error:
             # Of a commit that the disk had no room for, DuckDB says that the transaction failed.
             if "Could not write file" in str(error.__cause__):
-                raise EngineError(duckdb_opening.FULL) from error
+                raise EngineError(FULL) from error
             if isinstance(error.__cause__, duckdb.TransactionException):
-                raise EngineError(duckdb_opening.CONFLICT) from error
+                raise EngineError(CONFLICT) from error
             if "read-only" in str(error.__cause__):
-                raise EngineError(duckdb_opening.READ_ONLY) from error
+                raise EngineError(READ_ONLY) from error
             raise
+
+    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+        """Delete the rows of a table whose keys are among the rows of a query; errors as above."""
+        self.execute(deletion(table, keys, found))
 
     @contextlib.contextmanager
     def transaction(self) -> Iterator[None]:
@@ -200,7 +206,7 @@ class Session:
             EngineError: a transaction is open already, or the end of this one was refused.
         """
         if self._in_transaction():
-            raise EngineError(duckdb_opening.OPEN)
+            raise EngineError(OPEN)
         self.execute(exp.Transaction())
         try:
             yield

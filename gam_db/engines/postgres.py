@@ -60,6 +60,7 @@ def keep_small_steps(tree: exp.Expr) -> exp.Expr:
 
 ENGINE = Engine(
     name="postgres",
+    title="PostgreSQL",
     dialect="postgres",
     evidence="rendered",
     micros_of=micros_of,

@@ -28,6 +28,7 @@ def define(definition: Definition) -> list[exp.Expr]:
 
 ENGINE = Engine(
     name="redshift",
+    title="Redshift",
     dialect="redshift",
     evidence="rendered",
     micros_of=micros_of,

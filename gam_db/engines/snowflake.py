@@ -30,6 +30,7 @@ def define(definition: Definition) -> list[exp.Expr]:
 
 ENGINE = Engine(
     name="snowflake",
+    title="Snowflake",
     dialect="snowflake",
     evidence="rendered",
     micros_of=micros_of,

@@ -37,6 +37,7 @@ def _parquet() -> exp.Expr:
 
 ENGINE = Engine(
     name="spark",
+    title="Spark",
     dialect="spark",
     evidence="rendered",
     micros_of=micros_of,

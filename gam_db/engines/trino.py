@@ -26,6 +26,7 @@ def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
 
 ENGINE = Engine(
     name="trino",
+    title="Trino",
     dialect="trino",
     evidence="rendered",
     micros_of=micros_of,

@@ -11,7 +11,7 @@ import numpy as np
 import pyarrow as pa
 
 from gam_db.calibration import Calibration
-from gam_db.engines.duckdb_session import Session
+from gam_db.connect import borrowed
 from gam_db.errors import ParameterError, nearest
 from gam_db.estimators import centroid, dse, forest, gmm, ocsvm
 from gam_db.estimators.base import Estimator, Fit, Points
@@ -70,7 +70,7 @@ def scores(
     Raises:
         UserError: see its subclasses; also where scikit-learn is needed and not installed.
     """
-    with Session(engine) as session:
+    with borrowed(engine) as session:
         study = Study(session, source, parameters or Parameters(), calibration or Calibration())
         add_estimator(study, estimator, seed, sample)
         return study.table("score_health")
@@ -93,7 +93,7 @@ def scores_at_buckets(
     Returns:
         One row per bucket, ordered: asset, channel, bucket (from 0), last_time, hi.
     """
-    with Session(engine) as session:
+    with borrowed(engine) as session:
         study = Study(session, source, parameters or Parameters(), calibration or Calibration())
         add_estimator(study, estimator, seed, sample)
         return study.table("score_bucket_health")

@@ -11,7 +11,7 @@ import pyarrow as pa
 
 from gam_db import template
 from gam_db.clock import FAR_AHEAD, TimeKind
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.session import Session
 from gam_db.errors import SourceError, nearest
 from gam_db.evaluation.capacity import check_counts, steps
 from gam_db.evaluation.table import HealthTable, read_from

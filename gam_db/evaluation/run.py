@@ -12,7 +12,8 @@ import numpy as np
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db.engines.duckdb_session import Session
+from gam_db.connect import borrowed
+from gam_db.engines.session import Session
 from gam_db.errors import SourceError
 from gam_db.evaluation import sampling
 from gam_db.evaluation.capacity import POINTS
@@ -94,7 +95,7 @@ def evaluate(
     Raises:
         UserError: see its subclasses; the message says what to mend.
     """
-    with Session(engine, threads) as session:
+    with borrowed(engine, threads) as session:
         return evaluated(session, health, outcomes, conventions or Conventions())
 
 

@@ -10,7 +10,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import TimeKind
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.session import Session
 from gam_db.errors import SourceError, nearest
 from gam_db.pipeline import filled
 

@@ -19,7 +19,7 @@ class Adapter:
     Attributes:
         package: what pip installs.
         strategy: incremental strategy that replaces the rows with the same key, and keeps all others.
-        config: what an incremental model must say besides.
+        config: what the models that are tables must say besides.
     """
 
     package: str
@@ -29,7 +29,9 @@ class Adapter:
 
 ADAPTERS = {
     "duckdb": Adapter("dbt-duckdb"),
-    "postgres": Adapter("dbt-postgres"),
+    # Its planner expects few rows of any WITH entry and joins two of them by nested loops: 4,408 buckets
+    # then take 44 s instead of 4 s, twice as many four times that.
+    "postgres": Adapter("dbt-postgres", config={"pre_hook": "SET LOCAL enable_nestloop = off"}),
     "clickhouse": Adapter("dbt-clickhouse"),
     "spark": Adapter("dbt-spark", "merge", {"file_format": "delta"}),
     "databricks": Adapter("dbt-databricks", "merge"),

@@ -201,6 +201,7 @@ def _calibration(of: Modelled) -> list[Model]:
     add(steps, "export/channel_rows", slots)
     made = [
         _frozen(
+            of,
             "channel",
             "export/channel_rows",
             steps.query("channel_rows", commented=True),
@@ -222,11 +223,12 @@ def _calibration(of: Modelled) -> list[Model]:
     ):
         query = learning.query(f"{name}_rows", placed, commented=True)
         query.set("order", None)
-        made.append(_frozen(name, about, query, keys, values))
+        made.append(_frozen(of, name, about, query, keys, values))
     return made
 
 
 def _frozen(
+    of: Modelled,
     name: str,
     about: str,
     query: exp.Query,
@@ -236,7 +238,7 @@ def _frozen(
     columns = [exp.column(exp.to_identifier(column)) for column in query.named_selects]
     never = exp.EQ(this=exp.Literal.number(1), expression=exp.Literal.number(0))
     nothing = exp.select(*columns).from_(jinja.THIS.copy()).where(never)
-    config = {"materialized": "incremental", "incremental_strategy": "append"}
+    config = {"materialized": "incremental", "incremental_strategy": "append", **of.adapter.config}
     return Model(name, "models/calibration", about, query, nothing, config, keys, values)
 
 

@@ -10,7 +10,7 @@ import pyarrow as pa
 from gam_db.baselines import BASELINES, FULL, QUICK, Effort, add_baseline
 from gam_db.baselines.training import OnEpoch
 from gam_db.calibration import Calibration
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import ConfigurationError, nearest
 from gam_db.estimators import SAMPLE, add_estimator
 from gam_db.extras import needed
@@ -106,7 +106,7 @@ def health(
     method = METHODS[name]
     check_libraries([name])
     begin = time.perf_counter()
-    with Session() as session:
+    with DuckSession() as session:
         study = Study(session, source, parameters, calibration, on_step)
         table = method.series(study, task)
     seconds = time.perf_counter() - begin

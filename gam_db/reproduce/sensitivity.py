@@ -17,7 +17,7 @@ import pyarrow.compute as pc
 
 from gam_db import langevin
 from gam_db.calibration import Calibration
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.parameters import Parameters
 from gam_db.reproduce.evaluated import summary
 from gam_db.reproduce.results import Figures, Results
@@ -188,7 +188,7 @@ def _run(settings: dict[str, Any], loaded: Callable[[], tuple[pa.Table, pa.Table
     series, outcomes = loaded()
     parameters = Parameters(**{name: settings[name] for name in ("m", "tau", "bins", "window")})
     calibration = Calibration(fraction=settings["calibration_fraction"])
-    with Session() as session:
+    with DuckSession() as session:
         study = Study(session, Source(series), parameters, calibration)
         health = study.table("bucket_health")
         support = study.table("support_summary")

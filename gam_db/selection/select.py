@@ -7,7 +7,7 @@ from typing import Any
 import pyarrow as pa
 
 from gam_db.calibration import Calibration
-from gam_db.engines.duckdb_session import Session
+from gam_db.connect import borrowed
 from gam_db.parameters import Parameters
 from gam_db.selection.budget import add_budget, add_results
 from gam_db.selection.lags import add_delays, add_samples
@@ -78,7 +78,7 @@ def select(
         TypeError: an option that :class:`gam_db.selection.Search` does not have.
     """
     options = Search(**search)
-    with Session(engine) as session:
+    with borrowed(engine) as session:
         study = Study(session, source, *alone(parameters or Parameters(), calibration or Calibration()))
         return selected(study, options)
 

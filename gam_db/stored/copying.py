@@ -10,8 +10,9 @@ from pathlib import Path
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.engines.duckdb_session import Session
-from gam_db.errors import SourceError
+from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.session import Session
+from gam_db.errors import EngineError, SourceError
 from gam_db.stored import migrations
 from gam_db.stored.tables import TABLES, StateTables
 
@@ -30,8 +31,12 @@ def copy(session: Session, tables: StateTables, path: Path) -> None:
     Raises:
         StateError: there is no state, or it is not of this gam-db.
         SourceError: the file cannot be written, or would not be this copy alone.
-        EngineError: a transaction is open.
+        EngineError: a transaction is open, or the database is no DuckDB file.
     """
+    if not isinstance(session, DuckSession):
+        raise EngineError(
+            f"{session.engine.title} can be read while it is written: it needs no copy, and has none."
+        )
     migrations.require(session, tables)
     if path.resolve() in session.files():
         raise SourceError(f"{path} is open in this session; give the copy a name of its own.")
@@ -50,7 +55,7 @@ def copy(session: Session, tables: StateTables, path: Path) -> None:
         )
     unfinished = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
     try:
-        with Session(unfinished, writable=True) as target:
+        with DuckSession(unfinished, writable=True) as target:
             migrations.migrate(target, tables)
         with session.attached(unfinished) as catalog, session.transaction():
             for name in TABLES:
@@ -63,7 +68,7 @@ def copy(session: Session, tables: StateTables, path: Path) -> None:
         unfinished.unlink(missing_ok=True)
 
 
-def _fill(session: Session, tables: StateTables, name: str, catalog: exp.Identifier) -> None:
+def _fill(session: DuckSession, tables: StateTables, name: str, catalog: exp.Identifier) -> None:
     source = tables.table(name)
     columns = [template.name(column) for column in session.describe(source)]
     target = source.copy()

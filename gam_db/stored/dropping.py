@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from sqlglot import exp
 
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.session import Session
 from gam_db.errors import StateError, nearest
 from gam_db.stored.migrations import recorded
 from gam_db.stored.tables import TABLES, VIEWS, StateTables

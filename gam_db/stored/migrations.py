@@ -13,8 +13,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.base import Engine
-from gam_db.engines.duckdb_opening import CONFLICT
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.session import CONFLICT, Session
 from gam_db.errors import EngineError, StateError
 from gam_db.stored.migration_files import RECORD, Migration, files
 from gam_db.stored.tables import StateTables

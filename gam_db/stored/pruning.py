@@ -13,11 +13,12 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import FAR_AHEAD, Length, TimeKind, length
-from gam_db.engines.duckdb_session import Session
-from gam_db.errors import ParameterError
+from gam_db.engines.session import Session
+from gam_db.errors import EngineError, ParameterError
 from gam_db.pipeline import Pipeline, filled, place
 from gam_db.stored import lengths, migrations
-from gam_db.stored.state import State, kind_of
+from gam_db.stored.state import State, first_run_at, kind_of, now
+from gam_db.stored.steps import DAY
 from gam_db.stored.tables import StateTables
 
 NOVEL_ROWS = 100_000
@@ -53,17 +54,22 @@ _STEPS = (
     *("doomed_buckets", "doomed_novel", "doomed_runs", "doomed_versions", "doomed_supports"),
 )
 
-#: What is deleted: the state table, and the step that lists the keys of its rows.
+#: What is deleted: the state table, and the step that lists the keys of its rows. Versions come last: as
+#: long as one is there, what is left of it is found again, should the work be cut short on an engine
+#: without transactions.
 _DOOMED = {
     "bucket": "doomed_buckets",
     "novel": "doomed_novel",
     "run": "doomed_runs",
     "calibration": "doomed_versions",
-    "version": "doomed_versions",
     "support": "doomed_supports",
-    "bounds": "doomed_supports",
     "block": "doomed_supports",
+    "bounds": "doomed_supports",
+    "version": "doomed_versions",
 }
+
+
+_LIMITS = ("keep", "keep_novel", "novel_rows", "keep_versions")
 
 
 class _UndoneError(Exception):
@@ -77,7 +83,9 @@ def prune(
     retention: Retention | None = None,
     dry_run: bool = False,
 ) -> pa.Table:
-    """Delete what is too old and what is hidden, in one transaction, and return what there was and is.
+    """Delete what is too old and what is hidden, and return what there was and is.
+
+    It is one transaction where there are any; else what is cut short is mended by the next call.
 
     Rows go that are hidden by a later run, or left by one that never finished; buckets and novel cells
     beyond their age; versions beyond their number, with what only they had learnt; records of runs of
@@ -99,11 +107,40 @@ def prune(
         StateError: there is no state of this gam-db.
         ConfigurationError: there is no such monitor.
         ParameterError: a length of time or a number is none.
-        EngineError: the database cannot be written, or a transaction is open.
+        EngineError: the database cannot be written, a transaction is open, or there is none to undo.
     """
     migrations.require(session, tables)
+    if dry_run and not session.transactions:
+        raise EngineError(
+            f"{session.engine.title} has no transaction that could be undone; leave out the dry run."
+        )
     kind = kind_of(State(session, tables).monitor(monitor))
-    slots = {"monitor": template.text(monitor), **_slots(retention or Retention(), kind)}
+    return _deleted(session, tables, monitor, _slots(retention or Retention(), kind), dry_run)
+
+
+def compact(session: Session, tables: StateTables, monitor: str = "default") -> pa.Table:
+    """Delete the rows that a later run hides or that a run left unfinished; nothing visible changes.
+
+    Where there are transactions, scoring does so itself, and there is little left to do. Without them,
+    rows of a run without end are taken for those of one at work until a day has passed.
+
+    Arguments, errors and the result are those of :func:`prune`.
+    """
+    migrations.require(session, tables)
+    State(session, tables).monitor(monitor)
+    return _deleted(session, tables, monitor, {**dict.fromkeys(_LIMITS, FAR_AHEAD), "lookback": 0})
+
+
+def _deleted(
+    session: Session,
+    tables: StateTables,
+    monitor: str,
+    limits: Mapping[str, template.Slot],
+    dry_run: bool = False,
+) -> pa.Table:
+    # A run that is seen without its end, where there are transactions, was cut short; else it may go on.
+    unfinished = FAR_AHEAD if session.transactions else first_run_at(now() - DAY)
+    slots = {"monitor": template.text(monitor), "unfinished_from": unfinished, **limits}
     steps = _steps(tables, slots)
     sizes = filled("stored/state_sizes", {"monitor": slots["monitor"]})
     place(sizes, tables.placed())
@@ -114,9 +151,9 @@ def prune(
             if step in steps.small:
                 kept[step] = session.keep(step, steps.query(step, kept))
         for table, step in _DOOMED.items():
-            keys = [template.column(key) for key in steps.steps[step].query.named_selects]
-            found = exp.In(this=exp.Tuple(expressions=keys), query=_all_of(keys, kept[step]))
-            session.execute(exp.Delete(this=tables.table(table), where=exp.Where(this=found)))
+            keys = steps.steps[step].query.named_selects
+            found = exp.select(*(template.column(key) for key in keys)).from_(kept[step].copy())
+            session.delete(tables.table(table), keys, found)
         after = session.fetch(sizes)
         for made in kept.values():
             session.forget(made)
@@ -148,10 +185,6 @@ def _steps(tables: StateTables, slots: Mapping[str, template.Slot]) -> Pipeline:
         place(query, tables.placed())
         steps.add(step, query)
     return steps
-
-
-def _all_of(keys: list[exp.Column], kept: exp.Table) -> exp.Subquery:
-    return exp.Subquery(this=exp.select(*(key.copy() for key in keys)).from_(kept.copy()))
 
 
 def _compared(before: pa.Table, after: pa.Table) -> pa.Table:

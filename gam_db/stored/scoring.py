@@ -232,8 +232,9 @@ class _Run:
             with self.session.transaction():
                 for part in PUBLISHED:
                     self.state.append(part.removesuffix("_rows"), running.query(part))
-                for table in ("bucket", "novel"):
-                    self.state.delete_hidden(table, run_id, after)
+                if self.session.transactions:  # else `gam compact` does it now and then
+                    for table in ("bucket", "novel"):
+                        self.state.delete_hidden(table, run_id, after)
         finally:
             running.forget()
         self._note(group, made, seen)

@@ -15,8 +15,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import TimeKind
-from gam_db.engines.duckdb_opening import CONFLICT
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.session import CONFLICT, Session
 from gam_db.errors import ConfigurationError, EngineError, nearest
 from gam_db.pipeline import filled, place
 from gam_db.stored.tables import StateTables
@@ -28,6 +27,11 @@ _RANDOM_BITS = 10
 def now() -> int:
     """Return this instant in microseconds (UTC)."""
     return time.time_ns() // 1000
+
+
+def first_run_at(instant: int) -> int:
+    """Return the smallest id of a run that begins at an instant (microseconds, UTC)."""
+    return instant << _RANDOM_BITS
 
 
 @dataclass(frozen=True)
@@ -69,9 +73,7 @@ class State:
         hidden = filled("stored/hidden", {"run_id": run_id, "after": after})
         target = self.tables.table(table)
         place(hidden, {**self.tables.placed(), "appended": target})
-        keys = exp.Tuple(expressions=[exp.column(name) for name in hidden.named_selects])
-        found = exp.In(this=keys, query=exp.Subquery(this=hidden))
-        self.session.execute(exp.Delete(this=target, where=exp.Where(this=found)))
+        self.session.delete(target, hidden.named_selects, hidden)
 
     def monitors(self) -> list[dict[str, Any]]:
         """Return the monitors of this database."""
@@ -108,20 +110,29 @@ class State:
 
         Two scoring runs at once do no harm, since the larger run id hides the other; two calibrations
         would give the same keys twice. So each touches one row, which only one of them may, and one
-        that begins when the other has ended finds other keys than it was made for.
+        that begins when the other has ended finds other keys than it was made for. Without transactions
+        the other is noticed at the end.
 
         Args:
             keys: what :meth:`keys` said before the decision on what to write; brought up to date.
 
         Raises:
-            EngineError: another connection was faster; nothing of this transaction was written.
+            EngineError: another connection was faster; nothing of this transaction was written. Without
+                transactions: another one wrote at the same time, and both are there.
         """
         with self.session.transaction():
-            self._touch()
+            if self.session.transactions:
+                self._touch()
             if self.keys() != keys:
                 raise EngineError(CONFLICT)
             yield
             keys.update(self.keys())
+            if self.fetch("stored/doubled").num_rows:
+                raise EngineError(
+                    f"Another process wrote to {self.tables}* at the same time, and some channels are "
+                    "there twice. Remove the monitor (`gam drop --monitor`), and calibrate it again, "
+                    "one process at a time."
+                )
 
     def _touch(self) -> None:
         """Change a row and change it back: the same value alone would be no change to DuckDB."""
@@ -136,7 +147,7 @@ class State:
     def next_run(self) -> int:
         """Return a run id above all others."""
         newest = self.last_numbers()["run"]
-        return max(newest + 1, (now() << _RANDOM_BITS) + secrets.randbits(_RANDOM_BITS))
+        return max(newest + 1, first_run_at(now()) + secrets.randbits(_RANDOM_BITS))
 
 
 def kind_of(monitor: Mapping[str, Any]) -> TimeKind:

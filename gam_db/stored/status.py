@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from sqlglot import exp
 
 from gam_db.clock import SECOND, Length, TimeKind, shown_instant
-from gam_db.engines.duckdb_session import Session
+from gam_db.engines.session import Session
 from gam_db.findings import Course, Finding, Row, finding, urgency
 from gam_db.parameters import Parameters
 from gam_db.pipeline import filled, place

@@ -1,0 +1,129 @@
+"""What the rest of gam-db asks of an engine at work.
+
+A session lies on one connection. DuckDB has a session of its own; other engines share one
+(:mod:`gam_db.engines.warehouse`) on a small driver each. Trees go in, Arrow tables come out.
+"""
+
+import contextlib
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, Protocol, runtime_checkable
+
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db.clock import TimeKind
+from gam_db.engines.base import Engine
+
+#: What is said of a connection that refuses to write.
+READ_ONLY = "The database is open for reading only; it cannot be changed."
+OPEN = "The connection has a transaction open; commit it or roll it back first."
+FULL = "The database cannot be written; is its disk full? What was there before is as it was."
+CONFLICT = (
+    "Another connection changed the same tables at the same time; what was to be written here was not. "
+    "Run it again."
+)
+
+
+@runtime_checkable
+class Session(Protocol):
+    """An engine at work: describes relations, keeps steps as tables, runs trees.
+
+    Attributes:
+        engine: how trees become its text.
+        transactions: whether :meth:`transaction` can undo what was executed inside.
+    """
+
+    engine: Engine
+    transactions: bool
+
+    def __enter__(self) -> "Session": ...
+
+    def __exit__(self, *_: object) -> None: ...
+
+    def close(self) -> None:
+        """Drop what was made on the way; close the connection if it is ours."""
+
+    def time_kind(self, type_name: str) -> TimeKind | None:
+        """Return how a column of this type tells time; None if it does not."""
+
+    def is_numeric(self, type_name: str) -> bool:
+        """Tell whether a column of this type holds numbers."""
+
+    def is_name(self, type_name: str) -> bool:
+        """Tell whether a column of this type can name an asset or a channel."""
+
+    def is_text(self, type_name: str) -> bool:
+        """Tell whether a column of this type holds text."""
+
+    def relation(self, relation: Any) -> exp.Expr:
+        """Return the node that reads a relation: a table, a file, or an Arrow table.
+
+        Raises:
+            SourceError: there is no such relation, or the engine cannot read it.
+        """
+
+    def lent(self, table: pa.Table) -> contextlib.AbstractContextManager[exp.Table]:
+        """Let an Arrow table be read for a while."""
+
+    def describe(self, relation: exp.Expr) -> dict[str, str]:
+        """Return the columns of a relation and their types, in order."""
+
+    def relations(self, schema: str | None = None) -> dict[str, tuple[str, ...]]:
+        """Return the tables and views of a schema (None: the current one) with their columns, in order.
+
+        Names of tables and views are folded to lower case.
+        """
+
+    def check_condition(self, relation: exp.Expr, condition: exp.Expr, shown: str) -> None:
+        """Try a user's condition on no row.
+
+        Raises:
+            SourceError: the engine refuses it; the message shows it as the user wrote it.
+        """
+
+    def execute(self, statement: exp.Expr) -> None:
+        """Run a statement that changes the database.
+
+        Raises:
+            EngineError: the database cannot be written.
+        """
+
+    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+        """Delete the rows of a table whose keys are among the rows of a query.
+
+        Raises:
+            EngineError: the database cannot be written.
+        """
+
+    def transaction(self) -> contextlib.AbstractContextManager[None]:
+        """Do all that is executed inside as one, where the engine can; else one after another.
+
+        Raises:
+            EngineError: a transaction is open already, or the end of this one was refused.
+        """
+
+    def fetch(self, query: exp.Expr) -> pa.Table:
+        """Run a query and return its rows as an Arrow table."""
+
+    def keep(self, step: str, query: exp.Query) -> exp.Table:
+        """Run a query into a temporary table and return the node that reads it."""
+
+    def load(self, rows: pa.Table) -> exp.Table:
+        """Return the node that reads an Arrow table of ours, until it is forgotten."""
+
+    def forget(self, kept: exp.Table) -> None:
+        """Drop a table made by :meth:`keep`, or let go of one given to :meth:`load`."""
+
+    def write(self, query: exp.Query, path: Path, table: str) -> None:
+        """Write the rows of a query as Parquet, or as a table of a DuckDB file.
+
+        Raises:
+            SourceError: the target cannot be written.
+        """
+
+    def rows_at_once(self) -> int:
+        """Return how many readings can be worked on at once within the memory of the engine."""
+
+    def progress(self) -> float:
+        """Return how far the running statement is, in percent; negative if it is not known."""
