@@ -84,7 +84,8 @@ def test_any_history_of_builds_equals_a_full_refresh(kind: str, seed: int) -> No
         builder.build()
         for batch in told.batches:
             arrive(connection, batch.rows)
-            builder.build()
+            if batch.runs:
+                builder.build()
         found = builder.rows(BUCKETS)
         harness.assert_same(frozen.buckets(told.first, told.final, parameters, rule), found, "buckets")
         builder.build(full_refresh=True)
