@@ -186,24 +186,28 @@ def test_what_was_learnt_stays_until_a_full_refresh() -> None:
         builder = Builder(package().files(), connection)
         arrive(connection, rows)
         builder.build()
-        changed = builder.rendered("", _check(package().files()), is_later=False)
-        assert builder.rows(changed) == []
+        changed, unknown = (
+            builder.rendered("", check(package().files(), name), is_later=False)
+            for name in ("calibration_is_unchanged", "channels_are_known")
+        )
+        assert builder.rows(changed) == builder.rows(unknown) == []
         learnt = builder.rows("SELECT * FROM gam_support ORDER BY ALL")
         arrive(connection, [("a", "x", 15, 0.5), ("b", "x", 3, 1.0)])
         builder.build()
         assert builder.rows("SELECT * FROM gam_support ORDER BY ALL") == learnt
         (found,) = builder.rows(changed)
         assert (found["calibration_readings"], found["calibration_readings_now"]) == (21, 22)
+        assert builder.rows(unknown) == [{"asset": "b", "channel": "x", "readings": 1}]
         builder.build(full_refresh=True)
-        assert builder.rows(changed) == []
+        assert builder.rows(changed) == builder.rows(unknown) == []
         assert [row["asset"] for row in builder.rows("SELECT asset FROM gam_channel ORDER BY 1")] == [
             *("a", "b"),
         ]
 
 
-def _check(files: dict[str, str]) -> str:
-    """The test of the package, with the one setting that a model would have."""
-    text = files["tests/gam_calibration_is_unchanged.sql"]
+def check(files: dict[str, str], name: str) -> str:
+    """A test of the package, which is a query whose rows are warned of."""
+    text = files[f"tests/gam_{name}.sql"]
     assert text.startswith("{{ config(severity='warn') }}")
     return text
 

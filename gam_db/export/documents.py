@@ -145,7 +145,8 @@ where `verdict = 'ready'` and `hi > hi_limit`.
 - A build after new rows, late ones included, gives what a full refresh gives, as long as no row comes
   more than {of.lookback} {unit} behind the newest bucket of its channel. Rows later than that, rows that
   were corrected or deleted, and late rows inside calibration are not seen; `dbt build --full-refresh`
-  mends that. The test `{prefix}calibration_is_unchanged` warns of rows that came or went in calibration.
+  mends that. The test `{prefix}calibration_is_unchanged` warns of rows that came or went in calibration,
+  `{prefix}channels_are_known` of channels that were not there at the first build.
 - A channel that falls silent is read from its own last bucket on in every build, so a long silence makes
   builds read more of {table}. They stay right.
 """

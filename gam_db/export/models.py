@@ -183,12 +183,19 @@ def models(of: Modelled) -> list[Model]:
 def checks(of: Modelled) -> list[Model]:
     """Return the tests of a package that are queries of their own; a row is something amiss."""
     steps = _learning(of)
+    add(steps, "source/names")
     add(steps, "stored/recount")
-    add(steps, "export/changed_calibration")
     placed = {"stored_channel": of.reference("channel"), "calibration": of.reference("calibration")}
-    query = steps.query("changed_calibration", placed, commented=True)
-    about, config = "export/changed_calibration", {"severity": "warn"}
-    return [Model("calibration_is_unchanged", "tests", about, query, config=config)]
+    made = []
+    for name, step in (
+        ("calibration_is_unchanged", "changed_calibration"),
+        ("channels_are_known", "unknown_channels"),
+    ):
+        about, config = f"export/{step}", {"severity": "warn"}
+        add(steps, about)
+        query = steps.query(step, placed, commented=True)
+        made.append(Model(name, "tests", about, query, config=config))
+    return made
 
 
 def _calibration(of: Modelled) -> list[Model]:
