@@ -29,7 +29,7 @@ from gam_db.source import Source, WideSource, readings
 from gam_db.stored.migration_files import files
 from gam_db.stored.migrations import rendered
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.steps import comparing_steps, relearning_steps, scoring_steps
+from gam_db.stored.steps import Setting, comparing_steps, relearning_steps, scoring_steps
 from gam_db.stored.tables import StateTables
 from gam_db.study import Study
 from harness import arrow
@@ -690,6 +690,7 @@ def test_every_file_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
     rendered(ENGINE, StateTables())
     for made in (scoring_steps, comparing_steps, relearning_steps):
         made.cache_clear()
+    scoring_steps(Setting(3, 1, 100, 5000, 100, None, False), TimeKind.COUNTER, trusting=True)
     watch_once()
     values = pa.table({"asset": ["a", "a"], "channel": ["c", "c"], "index": [0, 1], "hi": [0.0, 1.0]})
     counts = values.append_column("novel_in_window", pa.array([0, 1]))

@@ -24,6 +24,7 @@ from gam_db.cli.check import check
 from gam_db.cli.compile import compile_script
 from gam_db.cli.demo import demo
 from gam_db.cli.drop import drop
+from gam_db.cli.engines import engines
 from gam_db.cli.evaluate import evaluate
 from gam_db.cli.export import export
 from gam_db.cli.init import init
@@ -105,6 +106,7 @@ app.command("compile")(compile_script)
 app.command()(evaluate)
 app.command()(calibrate)
 app.command()(score)
+app.command()(engines)
 app.add_typer(benchmarks, name="benchmark")
 app.command()(migrate)
 app.command()(drop)

@@ -75,7 +75,11 @@ ENGINE = Engine(
     name="clickhouse",
     title="ClickHouse",
     dialect="clickhouse",
-    evidence="rendered",
+    oldest="24.5",
+    extra="clickhouse",
+    transactions=False,
+    limits="A run is seen once its commit row is there; a second writer is detected, not prevented. "
+    "Inside this process (chdb) only one process opens a folder.",
     micros_of=micros_of,
     instant_of=instant_of,
     rewrites=(escape_by_backslash, allow_long_plans),

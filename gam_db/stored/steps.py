@@ -104,15 +104,26 @@ def reading_steps(rows: exp.Query, is_ranged: bool = True) -> Pipeline:
 
 
 @cache
-def scoring_steps(setting: Setting, kind: TimeKind) -> Pipeline:
+def scoring_steps(setting: Setting, kind: TimeKind, trusting: bool = False) -> Pipeline:
     """Return the steps from *identified* to the rows that are appended.
+
+    Looking whether an instant occurs twice takes a pass over all times. A ``trusting`` run takes it that
+    none does, and finds out on the way: *doubtful* holds the channels that deserved no trust, whose rows
+    must not be appended.
 
     Given by the caller are the state tables, *identified*, *recount*, *stamp* (run_id, started,
     committed), and *cohort*: the channels, from where on each is read and scored, and the number of its
     first bucket.
     """
+<<<<<<< HEAD
     steps = _frozen()
     add_counting(steps, setting, kind)
+=======
+    steps, method = _sampled(setting, kind, trusting)
+    _add_new_buckets(steps, method, trusting)
+    if trusting:
+        add(steps, "stored/doubtful")
+>>>>>>> main
     add(steps, "stored/new_counts")
     for part in PUBLISHED:
         add(steps, f"stored/{part}")
@@ -170,6 +181,7 @@ def relearning_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     return steps
 
 
+<<<<<<< HEAD
 def _frozen() -> Pipeline:
     """Return the steps that give what is frozen of the channels of a cohort."""
     steps = Pipeline(small=KEPT)
@@ -183,18 +195,33 @@ def _add_samples(steps: Pipeline, setting: Setting, kind: TimeKind) -> Method:
     """Add the steps from *identified* to the samples, and return the method of the setting."""
     method = _method(setting, kind)
     add(steps, "stored/repeats", name="timeline")
+=======
+def can_trust(setting: Setting, kind: TimeKind) -> bool:
+    """Tell whether there is a trusting form of the steps: where no segment ends."""
+    return _method(setting, kind).is_short(0)
+
+
+def _sampled(setting: Setting, kind: TimeKind, trusting: bool = False) -> tuple[Pipeline, Method]:
+    """Return the steps from *identified* to the samples, and the method of the setting."""
+    method = _method(setting, kind)
+    steps = Pipeline(small=_KEPT)
+    for name in ("channels", "bounds", "calibration", "support"):
+        add(steps, f"stored/{name}")
+    add(steps, "stored/calibration_range")
+    add(steps, "stored/unrepeated" if trusting else "stored/repeats", name="timeline")
+>>>>>>> main
     for name in ("collapsed", "samples"):
         add(steps, f"source/{name}")
     add_breaks(steps, method, 0)
     return method
 
 
-def _add_new_buckets(steps: Pipeline, method: Method) -> None:
+def _add_new_buckets(steps: Pipeline, method: Method, trusting: bool = False) -> None:
     add(steps, "stored/seen")
     add(steps, "stored/run_up", {"span": method.settings[0].span})
     if not method.is_short(0):
         add_numbered(steps, method, 0)
-    add_buckets(steps, method, 0, ("position", "context_time"))
+    add_buckets(steps, method, 0, ("position", "context_time"), trusting)
     add(steps, "stored/bucket_ends")
     add(steps, "stored/new_buckets")
 
