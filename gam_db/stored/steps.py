@@ -115,22 +115,23 @@ def scoring_steps(setting: Setting, kind: TimeKind, trusting: bool = False) -> P
     committed), and *cohort*: the channels, from where on each is read and scored, and the number of its
     first bucket.
     """
-<<<<<<< HEAD
     steps = _frozen()
-    add_counting(steps, setting, kind)
-=======
-    steps, method = _sampled(setting, kind, trusting)
-    _add_new_buckets(steps, method, trusting)
+    add_counting(steps, setting, kind, trusting=trusting)
     if trusting:
         add(steps, "stored/doubtful")
->>>>>>> main
     add(steps, "stored/new_counts")
     for part in PUBLISHED:
         add(steps, f"stored/{part}")
     return steps
 
 
-def add_counting(steps: Pipeline, setting: Setting, kind: TimeKind, has_past: bool = True) -> None:
+def add_counting(
+    steps: Pipeline,
+    setting: Setting,
+    kind: TimeKind,
+    has_past: bool = True,
+    trusting: bool = False,
+) -> None:
     """Add the steps from *identified* to *new_buckets* and *bucket_counts*.
 
     Args:
@@ -138,9 +139,10 @@ def add_counting(steps: Pipeline, setting: Setting, kind: TimeKind, has_past: bo
         setting: that of all channels.
         kind: how the source tells time.
         has_past: whether there may be buckets that stay (*stored_visible_bucket*).
+        trusting: take it that no instant occurs twice; see :func:`scoring_steps`.
     """
-    method = _add_samples(steps, setting, kind)
-    _add_new_buckets(steps, method)
+    method = _add_samples(steps, setting, kind, trusting)
+    _add_new_buckets(steps, method, trusting)
     buckets = "new_buckets"
     if has_past:
         add(steps, "stored/past_buckets", {"buckets": setting.window_length // setting.stride})
@@ -181,7 +183,11 @@ def relearning_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     return steps
 
 
-<<<<<<< HEAD
+def can_trust(setting: Setting, kind: TimeKind) -> bool:
+    """Tell whether there is a trusting form of the steps: where no segment ends."""
+    return _method(setting, kind).is_short(0)
+
+
 def _frozen() -> Pipeline:
     """Return the steps that give what is frozen of the channels of a cohort."""
     steps = Pipeline(small=KEPT)
@@ -191,25 +197,10 @@ def _frozen() -> Pipeline:
     return steps
 
 
-def _add_samples(steps: Pipeline, setting: Setting, kind: TimeKind) -> Method:
+def _add_samples(steps: Pipeline, setting: Setting, kind: TimeKind, trusting: bool = False) -> Method:
     """Add the steps from *identified* to the samples, and return the method of the setting."""
     method = _method(setting, kind)
-    add(steps, "stored/repeats", name="timeline")
-=======
-def can_trust(setting: Setting, kind: TimeKind) -> bool:
-    """Tell whether there is a trusting form of the steps: where no segment ends."""
-    return _method(setting, kind).is_short(0)
-
-
-def _sampled(setting: Setting, kind: TimeKind, trusting: bool = False) -> tuple[Pipeline, Method]:
-    """Return the steps from *identified* to the samples, and the method of the setting."""
-    method = _method(setting, kind)
-    steps = Pipeline(small=_KEPT)
-    for name in ("channels", "bounds", "calibration", "support"):
-        add(steps, f"stored/{name}")
-    add(steps, "stored/calibration_range")
     add(steps, "stored/unrepeated" if trusting else "stored/repeats", name="timeline")
->>>>>>> main
     for name in ("collapsed", "samples"):
         add(steps, f"source/{name}")
     add_breaks(steps, method, 0)
