@@ -1,6 +1,6 @@
 """What dbt does with a package, as far as our models need it: enough to build one in memory on DuckDB.
 
-The real dbt builds the same files in test_export_dbt.py, where it is installed; this stand-in is quick
+The real dbt builds the same files in test_dbt_built.py, where it is installed; this stand-in is quick
 enough for many random histories.
 """
 
