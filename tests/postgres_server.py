@@ -17,8 +17,6 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-import pytest
-
 USER = "gam"
 
 
@@ -64,12 +62,11 @@ def server() -> Server:
     """Start the server of this process; the second call returns the same.
 
     Raises:
-        pytest.skip.Exception: PostgreSQL is not installed.
-        RuntimeError: it is, and does not start; the message ends with its log.
+        RuntimeError: PostgreSQL is not installed, or does not start; the message ends with its log.
     """
     binaries = programs()
     if binaries is None:
-        pytest.skip("left out: PostgreSQL is not installed (Debian: apt-get install postgresql)")
+        raise RuntimeError("PostgreSQL is not installed (Debian: apt-get install postgresql).")
     folder = Path(tempfile.mkdtemp(prefix="gam_postgres_", dir="/tmp"))  # a socket's path is short
     if os.geteuid() == 0:
         shutil.chown(folder, "postgres")
