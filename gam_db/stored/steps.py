@@ -30,7 +30,7 @@ DAY = 86_400_000_000
 PUBLISHED = ("bucket_rows", "novel_rows", "run_rows")
 
 #: Steps of a run that are kept: what is read once, and what has few rows.
-_KEPT = frozenset(
+KEPT = frozenset(
     (
         *("identified", "timeline", "collapsed", "seen", "run_up", "breaks"),
         *("kept", "buckets", "new_buckets", "recount"),
@@ -115,28 +115,52 @@ def scoring_steps(setting: Setting, kind: TimeKind, trusting: bool = False) -> P
     committed), and *cohort*: the channels, from where on each is read and scored, and the number of its
     first bucket.
     """
-    steps, method = _sampled(setting, kind, trusting)
-    _add_new_buckets(steps, method, trusting)
+    steps = _frozen()
+    add_counting(steps, setting, kind, trusting=trusting)
     if trusting:
         add(steps, "stored/doubtful")
     add(steps, "stored/new_counts")
-    add(steps, "stored/past_buckets", {"buckets": setting.window_length // setting.stride})
-    columns = ("channel_id", "bucket_no", "first_time", "last_time", "novel", "out_of_range")
-    steps.add(
-        "running_buckets",
-        union_of(steps, ["past_buckets", "new_buckets"], columns),
-        "Running buckets: those of this run after the last window of those that stay.",
-    )
-    add_bucket_counts(steps, method, 0, {"buckets": "running_buckets"})
     for part in PUBLISHED:
         add(steps, f"stored/{part}")
     return steps
 
 
+def add_counting(
+    steps: Pipeline,
+    setting: Setting,
+    kind: TimeKind,
+    has_past: bool = True,
+    trusting: bool = False,
+) -> None:
+    """Add the steps from *identified* to *new_buckets* and *bucket_counts*.
+
+    Args:
+        steps: with *cohort*, and what is frozen of its channels: channels, bounds, calibration, support.
+        setting: that of all channels.
+        kind: how the source tells time.
+        has_past: whether there may be buckets that stay (*stored_visible_bucket*).
+        trusting: take it that no instant occurs twice; see :func:`scoring_steps`.
+    """
+    method = _add_samples(steps, setting, kind, trusting)
+    _add_new_buckets(steps, method, trusting)
+    buckets = "new_buckets"
+    if has_past:
+        add(steps, "stored/past_buckets", {"buckets": setting.window_length // setting.stride})
+        columns = ("channel_id", "bucket_no", "first_time", "last_time", "novel", "out_of_range")
+        buckets = "running_buckets"
+        steps.add(
+            buckets,
+            union_of(steps, ["past_buckets", "new_buckets"], columns),
+            "Running buckets: those of this run after the last window of those that stay.",
+        )
+    add_bucket_counts(steps, method, 0, {"buckets": buckets})
+
+
 @cache
 def comparing_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     """Return the steps from *identified* to *compared*: where the stored buckets are no longer right."""
-    steps, method = _sampled(setting, kind)
+    steps = _frozen()
+    method = _add_samples(steps, setting, kind)
     _add_new_buckets(steps, method)
     add(steps, "stored/compared", {"day": FAR_AHEAD if kind.is_counter else DAY})
     return steps
@@ -145,7 +169,8 @@ def comparing_steps(setting: Setting, kind: TimeKind) -> Pipeline:
 @cache
 def relearning_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     """Return the steps from *identified* to *relearnt*: whether calibration would teach other cells."""
-    steps, method = _sampled(setting, kind)
+    steps = _frozen()
+    method = _add_samples(steps, setting, kind)
     add_vectors(steps, method, 0, "calibration_", until_calibration_end())
     add_of_set(
         steps,
@@ -163,18 +188,23 @@ def can_trust(setting: Setting, kind: TimeKind) -> bool:
     return _method(setting, kind).is_short(0)
 
 
-def _sampled(setting: Setting, kind: TimeKind, trusting: bool = False) -> tuple[Pipeline, Method]:
-    """Return the steps from *identified* to the samples, and the method of the setting."""
-    method = _method(setting, kind)
-    steps = Pipeline(small=_KEPT)
+def _frozen() -> Pipeline:
+    """Return the steps that give what is frozen of the channels of a cohort."""
+    steps = Pipeline(small=KEPT)
     for name in ("channels", "bounds", "calibration", "support"):
         add(steps, f"stored/{name}")
     add(steps, "stored/calibration_range")
+    return steps
+
+
+def _add_samples(steps: Pipeline, setting: Setting, kind: TimeKind, trusting: bool = False) -> Method:
+    """Add the steps from *identified* to the samples, and return the method of the setting."""
+    method = _method(setting, kind)
     add(steps, "stored/unrepeated" if trusting else "stored/repeats", name="timeline")
     for name in ("collapsed", "samples"):
         add(steps, f"source/{name}")
     add_breaks(steps, method, 0)
-    return steps, method
+    return method
 
 
 def _add_new_buckets(steps: Pipeline, method: Method, trusting: bool = False) -> None:
