@@ -76,6 +76,7 @@ def server() -> Server:
     folder.chmod(0o755)
     started = Server(_free_port(), folder)
     atexit.register(_stop, binaries, folder)
+    _watch(binaries, folder)
     _run(
         f"{binaries}/initdb -D {folder}/data -U {USER} --auth=trust --locale=C --encoding=UTF8 -N",
         folder,
@@ -122,13 +123,26 @@ def _stop(binaries: Path, folder: Path) -> None:
     shutil.rmtree(folder, ignore_errors=True)
 
 
+def _watch(binaries: Path, folder: Path) -> None:
+    """Stop the server even if this process is killed: a shell, nobody's child, waits for its end."""
+    stop_it = shlex.join([*_as_user(), f"{binaries}/pg_ctl", "-D", f"{folder}/data", "-m", "immediate"])
+    script = (
+        f"(while kill -0 {os.getpid()}; do sleep 2; done; {stop_it} stop; rm -rf {folder}) "
+        "</dev/null >/dev/null 2>&1 &"
+    )
+    subprocess.run(["sh", "-c", script], start_new_session=True, cwd="/", check=True)
+
+
+def _as_user() -> list[str]:
+    return ["runuser", "-u", "postgres", "--"] if os.geteuid() == 0 else []
+
+
 def _run(command: str, folder: Path) -> None:
     """Run a program of the server as a user who may: root hands over to *postgres*."""
-    as_user = ["runuser", "-u", "postgres", "--"] if os.geteuid() == 0 else []
     # Its output goes to a file: a server that inherits a pipe would keep the caller waiting.
     with (folder / "output").open("a+", encoding="utf-8") as output:
         done = subprocess.run(
-            [*as_user, *shlex.split(command)],
+            [*_as_user(), *shlex.split(command)],
             stdout=output,
             stderr=subprocess.STDOUT,
             stdin=subprocess.DEVNULL,

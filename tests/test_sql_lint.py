@@ -19,6 +19,7 @@ from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.estimators import ESTIMATORS, add_estimator
 from gam_db.estimators.points import add_points
+from gam_db.export import Package
 from gam_db.method import Method, pipeline
 from gam_db.selection.budget import add_budget, add_results
 from gam_db.selection.lags import add_delays, add_samples
@@ -698,6 +699,8 @@ def test_every_file_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
     gam_db.evaluate(values, outcomes, conventions=gam_db.Conventions(values_per_window=1))
     gam_db.evaluate(counts, outcomes, conventions=sign)
     gam_db.check(gam_db.Source(pa.table({"time": [1], "value": [2.5], "more": ["3"]}), None, None))
+    counted = gam_db.Source("telemetry", time_kind="counter")
+    Package(counted, gam_db.Parameters(), gam_db.Calibration(intervals=[(0, 9)])).files()
     assert set(NAMES) - loaded == set()
     assert {name for name in loaded if name not in NAMES} == set()
 

@@ -26,6 +26,7 @@ from gam_db.cli.demo import demo
 from gam_db.cli.drop import drop
 from gam_db.cli.engines import engines
 from gam_db.cli.evaluate import evaluate
+from gam_db.cli.export import export
 from gam_db.cli.init import init
 from gam_db.cli.migrate import migrate
 from gam_db.cli.prune import compact, prune
@@ -112,6 +113,7 @@ app.command()(drop)
 app.command()(status)
 app.command()(prune)
 app.command()(compact)
+app.add_typer(export, name="export")
 app.add_typer(simulate, name="simulate")
 app.add_typer(reproduce, name="reproduce")
 
