@@ -31,6 +31,7 @@ OPENERS: dict[str, Callable[[], Session]] = {
 VERSIONS: dict[str, Callable[[], str]] = {
     "duckdb": lambda: duckdb.__version__,
     "sqlite": lambda: sqlite3.sqlite_version,
+    "postgres": postgres_server.version,
 }
 
 #: engine -> random cases of the agreement tests, about as many as take the same time on each

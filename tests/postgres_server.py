@@ -96,6 +96,14 @@ def server() -> Server:
     return started
 
 
+def version() -> str:
+    """Return the version of the server, such as 15.18."""
+    import psycopg
+
+    with psycopg.connect(server().url) as connection:
+        return str(connection.info.parameter_status("server_version")).partition(" ")[0]
+
+
 def stop() -> None:
     """Stop the server before the process ends, and wipe it; the next call of server() starts another."""
     if server.cache_info().currsize:

@@ -10,12 +10,12 @@ import psycopg
 from psycopg.rows import dict_row
 
 import postgres_server
+from gam_db.stored import tables
 from small_plant import FIRST, LENGTH, monitor, readings
 from strategies import Row
 from test_incremental import BUCKETS, NOVEL
 
-TABLES = ("monitor", "channel", "version", "calibration", "bounds", "block", "support")
-TABLES = (*TABLES, "bucket", "novel", "run")
+TABLES = [name for name in tables.TABLES if name != "migration"]
 
 _numbers = itertools.count()
 

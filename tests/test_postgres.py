@@ -113,7 +113,7 @@ def test_without_the_driver(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_an_old_server(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
-    monkeypatch.setattr(postgres_driver, "OLDEST", 99)
+    monkeypatch.setattr(postgres_driver, "OLDEST", (99,))
     with pytest.raises(EngineError, match=r"^PostgreSQL \d+ is too old; gam-db needs PostgreSQL 99"):
         gam_db.connect(url(name))
 
@@ -124,7 +124,7 @@ def test_an_old_server(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
 @pytest.mark.parametrize("autocommit", [True, False])
 def test_an_open_connection_stays_as_it_was(plant: Any, autocommit: bool) -> None:
     zone, idle = "Asia/Kolkata", psycopg.pq.TransactionStatus.IDLE
-    with psycopg.connect(url(plant.info.dbname), row_factory=dict_row) as mine:  # type: ignore[arg-type]
+    with psycopg.connect(url(plant.info.dbname), row_factory=dict_row) as mine:
         mine.execute(f"SET TimeZone = '{zone}'")
         mine.commit()
         mine.autocommit = autocommit

@@ -1,7 +1,7 @@
 """What goes wrong around a monitor on PostgreSQL: the state as before, and a plain run mends it.
 
 Thirty processes are killed (kill -9) at any moment of scoring; two writers work at once; the server ends
-a connection. And what a run reads: the range of the source and of the stored buckets that it needs.
+a connection. And what a run reads of its source.
 """
 
 import itertools
@@ -228,7 +228,7 @@ def test_two_migrations_at_once(name: str) -> None:
 # What a run reads
 
 
-def test_a_run_reads_its_range_of_the_source_and_of_the_buckets() -> None:
+def test_a_run_reads_its_range_of_the_source() -> None:
     """By the server's own counts of rows."""
     length, late = 6000, 100
     parameters = gam_db.Parameters(m=2, tau=3, bins=4, window=20, stride=5)
@@ -253,17 +253,13 @@ def test_a_run_reads_its_range_of_the_source_and_of_the_buckets() -> None:
         score(url(made), "migrate", "calibrate")
         put(connection, rows(length, length + late))
         connection.execute("VACUUM ANALYZE")
-        state = stored(connection)
-        held = {"telemetry": 4 * length, "gam_bucket": len(state["bucket"])}
         connection.execute("SELECT pg_stat_reset()")
         report = score(url(made))
         assert 0 < sum(row["rows_read"] for row in report.channels) < 4 * 1.5 * late
-        for table, count in held.items():
-            read = rows_of(
-                connection,
-                "SELECT seq_tup_read AS walked, idx_tup_fetch AS fetched FROM pg_stat_user_tables "
-                f"WHERE relname = '{table}'",
-            )
-            assert count > 4000
-            assert read[0]["walked"] == 0, (table, read)
-            assert 0 < read[0]["fetched"] < count / 3, (table, read)
+        read = rows_of(
+            connection,
+            "SELECT seq_tup_read AS walked, idx_tup_fetch AS fetched FROM pg_stat_user_tables "
+            "WHERE relname = 'telemetry'",
+        )
+        assert read[0]["walked"] == 0
+        assert 0 < read[0]["fetched"] < length

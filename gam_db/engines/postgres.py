@@ -80,7 +80,10 @@ ENGINE = Engine(
     dialect="postgres",
     oldest="14",
     extra="postgres",
-    limits="It reads no files; load them into a table.",
+    limits=(
+        "It reads no files; load them into a table. Steps are kept in temporary tables: not on a "
+        "standby, and not behind a pool that changes connections between transactions."
+    ),
     micros_of=micros_of,
     instant_of=instant_of,
     define=define,

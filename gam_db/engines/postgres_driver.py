@@ -24,7 +24,7 @@ from gam_db.engines.postgres_refusals import REFUSED_TRANSACTION, of_connecting,
 from gam_db.errors import EngineError, SourceError, UserError
 from gam_db.extras import needed
 
-OLDEST = 14
+OLDEST = (14,)
 
 #: What a connection is set to while a session lies on it: a time without zone is UTC (method, section
 #: 2), and a backslash in a text is a backslash.
@@ -102,7 +102,6 @@ class PostgresDriver:
         self._transaction: Any = None
         self._statement = ""
         self._settings: dict[str, str] = {}
-        self._kept: set[str] = set()
         self._check()
         try:
             self._set(_SETTINGS | (_OWN_SETTINGS if owned else {}))
@@ -121,9 +120,7 @@ class PostgresDriver:
     def fetch(self, query: str) -> pa.Table:
         """Return the rows of a query."""
         self._statement = query
-        reads_kept = any(name in query for name in self._kept)
-        nested = contextlib.nullcontext() if not reads_kept else self._without_nested_loops()
-        with nested, self._safely(), self._cursor(binary=True) as cursor:
+        with self._without_nested_loops(), self._safely(), self._cursor(binary=True) as cursor:
             cursor.execute(query, prepare=False)
             names = [column.name for column in cursor.description]
             types = [column.type_code for column in cursor.description]
@@ -193,7 +190,6 @@ class PostgresDriver:
 
     def drop(self, table: exp.Table) -> None:
         """Drop a table made by :meth:`keep` or :meth:`ingest`."""
-        self._kept.discard(table.name)
         self.execute(self.engine.text(exp.Drop(tables=[table.copy()], kind="TABLE", exists=True)))
 
     def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
@@ -283,10 +279,10 @@ class PostgresDriver:
         status = self._psycopg.pq.TransactionStatus
         if self._connection.info.transaction_status in (status.INERROR, status.ACTIVE):
             raise EngineError(REFUSED_TRANSACTION)
-        version = self._connection.info.server_version // 10_000
+        version = (self._connection.info.server_version // 10_000,)
         if version < OLDEST:
             raise EngineError(
-                f"PostgreSQL {version} is too old; gam-db needs PostgreSQL {OLDEST} or later."
+                f"PostgreSQL {version[0]} is too old; gam-db needs PostgreSQL {OLDEST[0]} or later."
             )
 
     def _set(self, settings: Mapping[str, str]) -> None:
@@ -317,8 +313,8 @@ class PostgresDriver:
         """Join by sorting or hashing.
 
         Cause: of a window's output the planner guesses that one row in a thousand fulfils a condition.
-        Symptom: for each of a million vectors it walks through the whole support. Steps have no index
-        for which a nested loop would be right; the state tables have, and are asked outside of this.
+        Symptom: for each of a million vectors it walks through the whole support, or for each run
+        through all buckets. Only what is appended and deleted is looked up by an index, outside of this.
         """
         self._set({"enable_nestloop": "off"})
         try:
@@ -340,7 +336,6 @@ class PostgresDriver:
 
     def _count(self, table: exp.Table) -> None:
         """Let the planner know what is in a table that was made."""
-        self._kept.add(table.name)
         self.execute(self.engine.text(exp.Analyze(tables=[table.copy()])))
 
 
