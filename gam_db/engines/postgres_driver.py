@@ -201,7 +201,8 @@ class PostgresDriver:
         return self._asked(
             "SELECT current_database(), nspname, relname FROM pg_class "
             "JOIN pg_namespace ON pg_namespace.oid = relnamespace "
-            "WHERE relkind IN ('r', 'v', 'm', 'p', 'f')"
+            "WHERE relkind IN ('r', 'v', 'm', 'p', 'f') "
+            "AND nspname NOT IN ('pg_catalog', 'information_schema', 'pg_toast')"
         )
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
