@@ -159,7 +159,7 @@ def _entry(step: str) -> exp.Table:
     The name is ours alone: some engines take the user's relation for a step of the same name, even for
     one that stands further down the list.
     """
-    return exp.Table(this=exp.to_identifier(f"gam_{step}"))
+    return exp.Table(this=exp.to_identifier(f"gam_step_{step}"))
 
 
 def _selected_from(union: exp.Query) -> exp.Query:

@@ -1,10 +1,12 @@
-"""What all tests share: how many random cases are tried, and where the recordings lie."""
+"""What all tests share: which engines they run on, how many random cases, where the recordings lie."""
 
 import os
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, Phase, settings
+
+import engines
 
 # The same cases in every run; more, and other ones, by HYPOTHESIS_PROFILE=many.
 settings.register_profile(
@@ -21,6 +23,19 @@ settings.register_profile(
     "many", max_examples=2000, deadline=None, suppress_health_check=[HealthCheck.too_slow]
 )
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "few"))
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--engines", default="fast", help="fast (DuckDB, SQLite), all, or names with commas between"
+    )
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    """Run a test that has an argument ``engine`` on every engine that is asked for."""
+    named = [mark.args[0] for mark in metafunc.definition.iter_markers("parametrize")]
+    if "engine" in metafunc.fixturenames and not any("engine" in names for names in named):
+        metafunc.parametrize("engine", engines.chosen(metafunc.config.getoption("engines")))
 
 
 @pytest.fixture(scope="session")

@@ -1,6 +1,6 @@
 """The forms that must agree, behind one call: each answers the same question with plain rows.
 
-``reference`` is the NumPy count, which shares no code with the SQL. The others run gam_db on DuckDB.
+The reference is the NumPy count, which shares no code with the SQL; the others run gam_db on an engine.
 """
 
 import math
@@ -9,9 +9,9 @@ from typing import Any
 
 import pyarrow as pa
 
+import engines
 import gam_db
 import reference
-from gam_db.engines.duckdb_session import DuckSession
 from gam_db.study import Study
 
 Row = tuple[str, str, int, float | None]
@@ -51,22 +51,32 @@ def by_reference(
     return QUESTIONS[question][0](rows, parameters, calibration)
 
 
-def by_duckdb(
-    question: str, rows: list[Row], parameters: gam_db.Parameters, calibration: gam_db.Calibration
-) -> Answer:
-    """Answer by the exact form on DuckDB, through the public call."""
-    source = gam_db.Source(arrow(rows))
-    answer: Answer = QUESTIONS[question][1](source, parameters, calibration).to_pylist()
+def by_engine(engine: str) -> Form:
+    """Return what answers by the exact form on an engine, through the public call."""
+
+    def answer(
+        question: str, rows: list[Row], parameters: gam_db.Parameters, calibration: gam_db.Calibration
+    ) -> Answer:
+        session = engines.session(engine)
+        with session.lent(arrow(rows)) as table:
+            source = gam_db.Source(table.name)
+            found: Answer = QUESTIONS[question][1](source, parameters, calibration, session).to_pylist()
+        return found
+
     return answer
 
 
-def all_by_duckdb(
-    rows: list[Row], parameters: gam_db.Parameters, calibration: gam_db.Calibration
+def all_by_engine(
+    engine: str, rows: list[Row], parameters: gam_db.Parameters, calibration: gam_db.Calibration
 ) -> dict[str, Answer]:
-    """Answer every question by the exact form on DuckDB, from one study."""
-    with DuckSession() as session:
-        study = Study(session, gam_db.Source(arrow(rows)), parameters, calibration)
-        return {question: study.table(step).to_pylist() for question, step in STEPS.items()}
+    """Answer every question by the exact form on an engine, from one study."""
+    session = engines.session(engine)
+    with session.lent(arrow(rows)) as table:
+        study = Study(session, gam_db.Source(table.name), parameters, calibration)
+        try:
+            return {question: study.table(step).to_pylist() for question, step in STEPS.items()}
+        finally:
+            study.running.forget()
 
 
 def made(parameters: dict[str, Any], calibration: dict[str, Any]) -> tuple[Any, Any]:
@@ -94,7 +104,3 @@ def assert_same(expected: Answer, found: Answer, what: str = "") -> None:
             else:
                 same = value == other
             assert same, f"{what} row {number} column {column}: expected {value!r}, found {other!r}"
-
-
-#: Forms that answer one question at a time: what the specification tests run over.
-FORMS: dict[str, Form] = {"reference": by_reference, "duckdb": by_duckdb}

@@ -1,59 +1,102 @@
 """Running the rendered scripts the way a warehouse team does: no Python of ours between the lines."""
 
-import sqlite3
-from typing import Any
+import re
 
 import duckdb
+import pyarrow as pa
+import sqlglot
+from sqlglot import exp
 
+import engines
 import gam_db
+from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.session import Session
+from gam_db.engines.warehouse import WarehouseSession
 from harness import Answer, Row, arrow
 
-TABLE = "telemetry"
 #: question -> relation of the view form, and its order
 RELATIONS = {
-    "health_indicator": ("gam_health", "asset, channel, time"),
-    "support": ("gam_support_summary", "asset, channel"),
-    "certificate": ("gam_certificate", "asset, channel, block"),
+    "health_indicator": ("health", ("asset", "channel", "time")),
+    "support": ("support_summary", ("asset", "channel")),
+    "certificate": ("certificate", ("asset", "channel", "block")),
 }
 
+#: A script's statements end with a semicolon at the end of a line, and no text in them does.
+END = re.compile(r";\n")
 
-def on_duckdb(
-    rows: list[Row], parameters: gam_db.Parameters, calibration: gam_db.Calibration
+
+def on(
+    engine: str, rows: list[Row], parameters: gam_db.Parameters, calibration: gam_db.Calibration
 ) -> dict[str, Answer]:
-    """Answer by the scripts on DuckDB: the view form, and under ``exact`` the exact one."""
-    source = gam_db.Source(TABLE)
-    with duckdb.connect() as connection:
-        connection.register("rows", arrow(rows))
-        connection.execute(f"CREATE TABLE {TABLE} AS SELECT * FROM rows")
-        exact = gam_db.render("exact", "duckdb", source, parameters, calibration)
-        found = {"exact": connection.sql(exact).to_arrow_table().to_pylist()}
-        connection.execute(gam_db.render("view", "duckdb", source, parameters, calibration))
-        for question, (relation, order) in RELATIONS.items():
-            answer = connection.sql(f"SELECT * FROM {relation} ORDER BY {order}")
-            found[question] = answer.to_arrow_table().to_pylist()
+    """Answer by the scripts on an engine: the view form, and under ``exact`` the exact one."""
+    if engine == "duckdb":  # a script may use all of a connection: its own, and in one piece
+        with duckdb.connect() as connection, DuckSession(connection) as session:
+            return _answers(session, rows, parameters, calibration)
+    return _answers(engines.session(engine), rows, parameters, calibration)
+
+
+def _answers(
+    session: Session, rows: list[Row], parameters: gam_db.Parameters, calibration: gam_db.Calibration
+) -> dict[str, Answer]:
+    prefix, name = engines.fresh_name("script"), session.engine.name
+    table = telemetry(session, rows)
+    source = gam_db.Source(table.name)
+    exact = gam_db.render("exact", name, source, parameters, calibration)
+    found = {"exact": fetched(session, exact)}
+    run(session, gam_db.render("view", name, source, parameters, calibration, prefix))
+    for question, (relation, order) in RELATIONS.items():
+        query = exp.select("*").from_(exp.to_table(f"{prefix}{relation}")).order_by(*order)
+        found[question] = session.fetch(query).to_pylist()
+    clear(session, table.name, prefix)
     return found
 
 
-def on_sqlite(
-    rows: list[Row], parameters: gam_db.Parameters, calibration: gam_db.Calibration
-) -> dict[str, Answer]:
-    """Answer by the same scripts on SQLite, which has no NaN: it keeps one as NULL, as we mean it."""
-    source = gam_db.Source(TABLE)
-    connection = sqlite3.connect(":memory:", isolation_level=None)
-    try:
-        connection.execute(f"CREATE TABLE {TABLE} (asset TEXT, channel TEXT, time INTEGER, value REAL)")
-        connection.executemany(f"INSERT INTO {TABLE} VALUES (?, ?, ?, ?)", rows)
-        exact = gam_db.render("exact", "sqlite", source, parameters, calibration)
-        found = {"exact": _fetched(connection, exact)}
-        connection.executescript(gam_db.render("view", "sqlite", source, parameters, calibration))
-        for question, (relation, order) in RELATIONS.items():
-            found[question] = _fetched(connection, f"SELECT * FROM {relation} ORDER BY {order}")
-    finally:
-        connection.close()
-    return found
+def telemetry(session: Session, rows: list[Row]) -> exp.Table:
+    """Make a table of telemetry, as a team would find it in its warehouse."""
+    table = exp.to_table(engines.fresh_name("telemetry"))
+    with session.lent(arrow(rows)) as lent:
+        columns = ("asset", "channel", "time", "value")
+        session.execute(session.engine.create_table(table, exp.select(*columns).from_(lent)))
+    return table
 
 
-def _fetched(connection: sqlite3.Connection, query: str) -> list[dict[str, Any]]:
-    cursor = connection.execute(query)
-    names = [column[0] for column in cursor.description]
-    return [dict(zip(names, row, strict=True)) for row in cursor.fetchall()]
+def arrive(session: Session, table: exp.Table, rows: list[Row]) -> None:
+    """Append rows to a table of telemetry."""
+    with session.lent(arrow(rows)) as lent:
+        columns = ("asset", "channel", "time", "value")
+        names = [exp.to_identifier(column) for column in columns]
+        into = exp.Schema(this=table.copy(), expressions=names)
+        session.execute(exp.Insert(this=into, expression=exp.select(*columns).from_(lent)))
+
+
+def fetched(session: Session, script: str) -> Answer:
+    """Return the rows of a script that is one query."""
+    rows: pa.Table
+    if isinstance(session, DuckSession):
+        rows = session.connection.sql(script).to_arrow_table()
+    else:
+        assert isinstance(session, WarehouseSession)
+        rows = session.driver.fetch(script.strip().removesuffix(";"))
+    answer: Answer = rows.to_pylist()
+    return answer
+
+
+def run(session: Session, script: str) -> None:
+    """Run a script, statement by statement where the engine takes no more at once."""
+    if isinstance(session, DuckSession):
+        session.connection.execute(script)
+        return
+    assert isinstance(session, WarehouseSession)
+    for statement in END.split(script):
+        if statement.strip():
+            session.driver.execute(statement)
+
+
+def clear(session: Session, table: str, prefix: str) -> None:
+    """Drop what a script made, and its telemetry."""
+    made = [name for name in session.relations() if name.startswith(prefix)]
+    is_view = {f"{prefix}health"}
+    for name in sorted(made, key=lambda name: name not in is_view):
+        kind = "VIEW" if name in is_view else "TABLE"
+        session.execute(exp.Drop(tables=[exp.to_table(name)], kind=kind))
+    session.execute(sqlglot.parse_one(f"DROP TABLE {table}"))

@@ -27,7 +27,7 @@ from gam_db.cli.drop import drop
 from gam_db.cli.evaluate import evaluate
 from gam_db.cli.init import init
 from gam_db.cli.migrate import migrate
-from gam_db.cli.prune import prune
+from gam_db.cli.prune import compact, prune
 from gam_db.cli.reproduce import reproduce
 from gam_db.cli.run import run
 from gam_db.cli.score import score
@@ -109,6 +109,7 @@ app.command()(migrate)
 app.command()(drop)
 app.command()(status)
 app.command()(prune)
+app.command()(compact)
 app.add_typer(simulate, name="simulate")
 app.add_typer(reproduce, name="reproduce")
 

@@ -1,6 +1,6 @@
-"""``gam prune``: let old rows of the state go, and say how much there is of each channel.
+"""``gam prune`` and ``gam compact``: rows of the state go, and what is left of each channel is said.
 
-This module owns the command and its page; :mod:`gam_db.stored.pruning` does the work.
+This module owns the commands and their page; :mod:`gam_db.stored.pruning` does the work.
 """
 
 import json
@@ -17,6 +17,7 @@ from rich.text import Text
 import gam_db
 from gam_db.cli import monitor_options, options, report
 from gam_db.stored.pruning import COUNTED, NOVEL_ROWS, Retention
+from gam_db.stored.pruning import compact as compacted
 from gam_db.stored.pruning import prune as pruned
 
 _LENGTHS = "seconds or a text like '90 d'; steps of a counter"
@@ -76,10 +77,40 @@ def prune(
     )
     with session:
         sizes = pruned(session, tables, said.name, retention, dry_run)
+    tell(sizes, said.name, dry_run, everything, as_json)
+
+
+def compact(
+    database: monitor_options.DatabaseOption = None,
+    config: options.ConfigOption = None,
+    name: monitor_options.NameOption = None,
+    schema: monitor_options.SchemaOption = None,
+    prefix: monitor_options.PrefixOption = None,
+    everything: Annotated[
+        bool,
+        typer.Option("--all", help=f"Print every channel, not only the {report.SHOWN} largest."),
+    ] = False,
+    as_json: monitor_options.JsonOption = False,
+) -> None:
+    """Delete rows that nobody sees: hidden by a later run, or left by one that was cut short.
+
+    For engines without transactions (ClickHouse, Spark), where scoring only appends; on the others it
+    finds nothing. The indicator does not change.
+    """
+    session, tables, settings = monitor_options.opened(
+        file=config, database=database, name=name, schema=schema, prefix=prefix, must_exist=True
+    )
+    with session:
+        sizes = compacted(session, tables, settings.monitor.name)
+    tell(sizes, settings.monitor.name, False, everything, as_json)
+
+
+def tell(sizes: pa.Table, monitor: str, dry_run: bool, everything: bool, as_json: bool) -> None:
+    """Print how much there was and is of each channel."""
     if as_json:
         figures = {
             "version": gam_db.__version__,
-            "monitor": said.name,
+            "monitor": monitor,
             "dry_run": dry_run,
             "channels": sizes.to_pylist(),
             "exit_code": 0,

@@ -22,7 +22,7 @@ from gam_db.source import AnySource
 from gam_db.stored import lengths, migrations
 from gam_db.stored.calibrating import calibrate
 from gam_db.stored.checking import check_state
-from gam_db.stored.pruning import Retention, prune
+from gam_db.stored.pruning import Retention, compact, prune
 from gam_db.stored.scoring import Report, Wanted, score
 from gam_db.stored.state import State, kind_of
 from gam_db.stored.status import status
@@ -228,6 +228,14 @@ class Monitor:
         """
         retention = Retention(keep, keep_novel, keep_versions, self.lookback)
         return prune(self.session, self.state.tables, self.name, retention, dry_run)
+
+    def compact(self) -> pa.Table:
+        """Delete the rows that nobody sees; see :func:`gam_db.stored.pruning.compact`.
+
+        Raises:
+            UserError: there is no such monitor, or the database cannot be written.
+        """
+        return compact(self.session, self.state.tables, self.name)
 
     def health(self, asset: str = "*", channel: str = "*") -> pa.Table:
         """Return the stored health indicator; the source is not read.

@@ -14,10 +14,11 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import FAR_AHEAD, Length, TimeKind, length
 from gam_db.engines.session import Session
-from gam_db.errors import ParameterError
+from gam_db.errors import EngineError, ParameterError
 from gam_db.pipeline import Pipeline, filled, place
 from gam_db.stored import lengths, migrations
-from gam_db.stored.state import State, kind_of
+from gam_db.stored.state import State, first_run_at, kind_of, now
+from gam_db.stored.steps import DAY
 from gam_db.stored.tables import StateTables
 
 NOVEL_ROWS = 100_000
@@ -68,6 +69,9 @@ _DOOMED = {
 }
 
 
+_LIMITS = ("keep", "keep_novel", "novel_rows", "keep_versions")
+
+
 class _UndoneError(Exception):
     """Ends a dry run, and undoes it."""
 
@@ -79,7 +83,9 @@ def prune(
     retention: Retention | None = None,
     dry_run: bool = False,
 ) -> pa.Table:
-    """Delete what is too old and what is hidden, in one transaction, and return what there was and is.
+    """Delete what is too old and what is hidden, and return what there was and is.
+
+    It is one transaction where there are any; else what is cut short is mended by the next call.
 
     Rows go that are hidden by a later run, or left by one that never finished; buckets and novel cells
     beyond their age; versions beyond their number, with what only they had learnt; records of runs of
@@ -101,11 +107,40 @@ def prune(
         StateError: there is no state of this gam-db.
         ConfigurationError: there is no such monitor.
         ParameterError: a length of time or a number is none.
-        EngineError: the database cannot be written, or a transaction is open.
+        EngineError: the database cannot be written, a transaction is open, or there is none to undo.
     """
     migrations.require(session, tables)
+    if dry_run and not session.transactions:
+        raise EngineError(
+            f"{session.engine.title} has no transaction that could be undone; leave out the dry run."
+        )
     kind = kind_of(State(session, tables).monitor(monitor))
-    slots = {"monitor": template.text(monitor), **_slots(retention or Retention(), kind)}
+    return _deleted(session, tables, monitor, _slots(retention or Retention(), kind), dry_run)
+
+
+def compact(session: Session, tables: StateTables, monitor: str = "default") -> pa.Table:
+    """Delete the rows that a later run hides or that a run left unfinished; nothing visible changes.
+
+    Where there are transactions, scoring does so itself, and there is little left to do. Without them,
+    rows of a run without end are taken for those of one at work until a day has passed.
+
+    Arguments, errors and the result are those of :func:`prune`.
+    """
+    migrations.require(session, tables)
+    State(session, tables).monitor(monitor)
+    return _deleted(session, tables, monitor, {**dict.fromkeys(_LIMITS, FAR_AHEAD), "lookback": 0})
+
+
+def _deleted(
+    session: Session,
+    tables: StateTables,
+    monitor: str,
+    limits: Mapping[str, template.Slot],
+    dry_run: bool = False,
+) -> pa.Table:
+    # A run that is seen without its end, where there are transactions, was cut short; else it may go on.
+    unfinished = FAR_AHEAD if session.transactions else first_run_at(now() - DAY)
+    slots = {"monitor": template.text(monitor), "unfinished_from": unfinished, **limits}
     steps = _steps(tables, slots)
     sizes = filled("stored/state_sizes", {"monitor": slots["monitor"]})
     place(sizes, tables.placed())

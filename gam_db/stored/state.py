@@ -29,6 +29,11 @@ def now() -> int:
     return time.time_ns() // 1000
 
 
+def first_run_at(instant: int) -> int:
+    """Return the smallest id of a run that begins at an instant (microseconds, UTC)."""
+    return instant << _RANDOM_BITS
+
+
 @dataclass(frozen=True)
 class State:
     """The state tables in one database.
@@ -142,7 +147,7 @@ class State:
     def next_run(self) -> int:
         """Return a run id above all others."""
         newest = self.last_numbers()["run"]
-        return max(newest + 1, (now() << _RANDOM_BITS) + secrets.randbits(_RANDOM_BITS))
+        return max(newest + 1, first_run_at(now()) + secrets.randbits(_RANDOM_BITS))
 
 
 def kind_of(monitor: Mapping[str, Any]) -> TimeKind:

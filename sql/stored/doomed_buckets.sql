@@ -1,7 +1,8 @@
 -- Doomed buckets: rows of buckets that go: hidden by a later run or left by one that never finished,
 -- older than the horizon, or of a version that goes.
--- Reads:  pruned_versions, horizons, stored_bucket, stored_visible_bucket
+-- Reads:  pruned_versions, horizons, stored_bucket, stored_visible_bucket, stored_run
 -- A row:  one row of a bucket, by its key.
+-- Slots:  :unfinished_from  runs from this one on may still be at work
 SELECT
   written.version_id AS version_id,
   written.bucket_no AS bucket_no,
@@ -21,4 +22,13 @@ LEFT JOIN (
   ON staying.version_id = written.version_id
   AND staying.bucket_no = written.bucket_no
   AND staying.run_id = written.run_id
-WHERE CASE WHEN staying.hit = 1 THEN 0 ELSE 1 END = 1
+LEFT JOIN (
+  SELECT version_id, run_id, 1 AS hit
+  FROM stored_run
+) AS finished ON finished.version_id = written.version_id AND finished.run_id = written.run_id
+WHERE CASE
+  WHEN staying.hit = 1 THEN 0
+  WHEN finished.hit = 1 THEN 1
+  WHEN written.run_id >= :unfinished_from THEN 0
+  ELSE 1
+END = 1

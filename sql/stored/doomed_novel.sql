@@ -1,6 +1,7 @@
 -- Doomed novel: novel cells that go, by the same rule as buckets, but with a horizon of their own.
--- Reads:  pruned_versions, horizons, stored_novel, stored_visible_novel
+-- Reads:  pruned_versions, horizons, stored_novel, stored_visible_novel, stored_run
 -- A row:  all novel cells of one bucket that one run wrote, by their key.
+-- Slots:  :unfinished_from  runs from this one on may still be at work
 SELECT
   written.version_id AS version_id,
   written.bucket_no AS bucket_no,
@@ -23,4 +24,13 @@ LEFT JOIN (
   ON staying.version_id = written.version_id
   AND staying.bucket_no = written.bucket_no
   AND staying.run_id = written.run_id
-WHERE CASE WHEN staying.hit = 1 THEN 0 ELSE 1 END = 1
+LEFT JOIN (
+  SELECT version_id, run_id, 1 AS hit
+  FROM stored_run
+) AS finished ON finished.version_id = written.version_id AND finished.run_id = written.run_id
+WHERE CASE
+  WHEN staying.hit = 1 THEN 0
+  WHEN finished.hit = 1 THEN 1
+  WHEN written.run_id >= :unfinished_from THEN 0
+  ELSE 1
+END = 1

@@ -102,6 +102,6 @@ def timed(times: Any) -> Source:
 
 def agreed(rows: list[Row], parameters: Parameters, calibration: Calibration = HALF) -> None:
     """Compare every answer with the reference."""
-    for question, answer in harness.all_by_duckdb(rows, parameters, calibration).items():
+    for question, answer in harness.all_by_engine("duckdb", rows, parameters, calibration).items():
         by_reference = harness.by_reference(question, rows, parameters, calibration)
         harness.assert_same(by_reference, answer, question)

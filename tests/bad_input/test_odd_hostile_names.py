@@ -80,7 +80,7 @@ def test_hostile_names_of_assets_and_channels() -> None:
         m=2, bins=4, window=2, overrides=[Override(asset=name, bins=2) for name in plain[::2]]
     )
     calibration = Calibration(0.5, overrides={name: Calibration(0.3) for name in plain[::3]})
-    found = harness.by_duckdb("health_indicator", rows, parameters, calibration)
+    found = harness.by_engine("duckdb")("health_indicator", rows, parameters, calibration)
     assert found == expected(rows, parameters, calibration)
     assert len({(row["asset"], row["channel"]) for row in found}) == len(names)
 

@@ -1,0 +1,81 @@
+"""The contract of the stored form on every engine: whatever the batches, the tables of one full run."""
+
+import contextlib
+from typing import Any
+
+import sqlglot
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from sqlglot import exp
+
+import engines
+import frozen
+import gam_db
+import harness
+import scripts
+from batches import KINDS, History, history
+from gam_db.engines.session import Session
+from gam_db.pipeline import place
+from gam_db.stored.monitor import Monitor
+from test_incremental import BUCKETS, NOVEL, CrashError, crashing
+
+#: Histories per engine; each is one of many channels with a series and a lateness of its own.
+EXAMPLES = {"duckdb": 4, "sqlite": 4, "postgres": 4, "clickhouse": 4, "spark": 1}
+
+
+def visible(monitor: Monitor, query: str) -> list[dict[str, Any]]:
+    """Return rows of the state, by a query that names tables as DuckDB's tests do."""
+    tree = sqlglot.parse_one(query, dialect="duckdb")
+    placed = {f"gam_{name}": table for name, table in _tables(monitor).items()}
+    place(tree, placed)
+    found: list[dict[str, Any]] = monitor.session.fetch(tree).to_pylist()
+    return found
+
+
+def _tables(monitor: Monitor) -> dict[str, exp.Table]:
+    return {name.removeprefix("stored_"): table for name, table in monitor.state.tables.placed().items()}
+
+
+def play(session: Session, table: exp.Table, monitor: Monitor, told: History) -> None:
+    """Let a history happen."""
+    monitor.migrate()
+    monitor.calibrate(limit=told.limit)
+    for batch in told.batches:
+        if batch.rows:
+            scripts.arrive(session, table, batch.rows)
+        for kind, number in batch.runs:
+            options: dict[str, Any] = {"limit": told.limit}
+            if kind in ("full", "everything"):
+                options[kind] = True
+            if kind != "crash":
+                monitor.score(**options)
+                continue
+            with contextlib.suppress(CrashError):
+                monitor.score(on_step=crashing(number), **options)
+
+
+def test_any_history_ends_in_the_tables_of_one_full_run(engine: str) -> None:
+    @settings(max_examples=EXAMPLES[engine])
+    @given(kind=st.sampled_from(KINDS), seed=st.integers(0, 2**32))
+    def agrees(kind: str, seed: int) -> None:
+        told = history(kind, seed)
+        parameters, calibration = harness.made(told.parameters, told.calibration)
+        session = engines.session(engine)
+        table = scripts.telemetry(session, told.first)
+        reach: dict[str, Any] = {"lookback": told.lookback, "park_after": told.park_after}
+        prefix = engines.fresh_name("state")
+        source = gam_db.Source(table.name)
+        monitor = Monitor(session, source, parameters, calibration, prefix=prefix, **reach)
+        play(session, table, monitor, told)
+        asked = (told.first, told.final, parameters, calibration)
+        buckets, novel = frozen.buckets(*asked), frozen.novel_cells(*asked)
+        harness.assert_same(buckets, visible(monitor, BUCKETS), "buckets")
+        harness.assert_same(novel, visible(monitor, NOVEL), "novel cells")
+        monitor.compact()
+        harness.assert_same(buckets, visible(monitor, BUCKETS), "buckets after compacting")
+        harness.assert_same(novel, visible(monitor, NOVEL), "novel cells after compacting")
+        # Late rows may change calibration, which stays as it was frozen; nothing that is scored differs.
+        assert set(monitor.check_state()["part"].to_pylist()) <= {"calibration"}
+        assert monitor.status().num_rows == len({row[:2] for row in told.first})
+
+    agrees()
