@@ -20,10 +20,11 @@ FAST = ("duckdb", "sqlite")
 OPENERS: dict[str, Callable[[], Session]] = {
     "duckdb": lambda: connect(),
     "sqlite": lambda: connect("sqlite://"),
+    "clickhouse": lambda: connect("chdb://"),
 }
 
 #: engine -> random cases of the agreement tests, about as many as take the same time on each
-EXAMPLES = {"duckdb": 100, "sqlite": 60}
+EXAMPLES = {"duckdb": 100, "sqlite": 60, "clickhouse": 12}
 
 
 def examples(name: str) -> int:
