@@ -102,15 +102,13 @@ def _partition() -> exp.Expr:
 
     A month of the clock would be no month for a source that counts time.
     """
-    stretch = called(
-        "intDiv", exp.column("bucket_no"), exp.Literal.number(_BUCKETS_OF_A_PART)
-    )
+    stretch = called("intDiv", exp.column("bucket_no"), exp.Literal.number(_BUCKETS_OF_A_PART))
     group = called("modulo", exp.column("version_id"), exp.Literal.number(_GROUPS))
     return exp.PartitionedByProperty(this=exp.Tuple(expressions=[stretch, group]))
 
 
 def _marks() -> exp.Expr:
-    """Return how many rows are read at least: a restart wants a window of each channel, not 8192 rows."""
+    """Return how many rows are read at least: a restart wants a window of a channel, not 8192 rows."""
     granularity = exp.EQ(
         this=exp.var("index_granularity"), expression=exp.Literal.number(_ROWS_OF_A_MARK)
     )

@@ -5,8 +5,10 @@ that was killed. There are no transactions: rows are appended, and a run is visi
 """
 
 import contextlib
+import importlib
 import os
 import secrets
+import time
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -17,7 +19,6 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.address import shown
-from gam_db.clock import TimeKind
 from gam_db.engines import clickhouse_types as types
 from gam_db.engines.base import deletion
 from gam_db.engines.clickhouse import ENGINE, create_table, temporary_table
@@ -55,13 +56,17 @@ _SETTINGS = {
         ),
         "throw",
     ),
-    "limit": "0",
-    "offset": "0",
     # What is inserted is there when the statement ends, and once for every time it is inserted.
     "async_insert": "0",
     "insert_deduplicate": "0",
     "lightweight_deletes_sync": "2",
     "mutations_sync": "2",
+    # Every step is another expression: compiling costs more than it saves (a third of a small run).
+    "compile_expressions": "0",
+    "compile_aggregate_expressions": "0",
+    "compile_sort_description": "0",
+    # Of a table that is joined, only the channels are read that the other side has (its marks).
+    "enable_join_runtime_filters_index_analysis": "1",
     # The exact form is one long query.
     "max_query_size": "67108864",
     "max_ast_elements": "10000000",
@@ -70,11 +75,15 @@ _SETTINGS = {
 }
 
 #: What a reading takes while it is scored, in bytes: the kept steps, a sort, and the sides of joins.
-_PER_READING = 400
+_PER_READING = 200
 
-#: Keys of rows to be deleted lie in a table of this name; what a killed process left is this old.
+#: Keys of rows to be deleted lie in a table of this name and the time (seconds) when it was made; one
+#: that is so old was left by a process that was killed.
 _DOOMED = f"{MARK}doomed_"
-_STALE = 3_600
+_STALE = 86_400
+
+#: What lies in a folder of chdb.
+_OF_CHDB = {"metadata", "store", "tmp"}
 
 
 def connected(target: Any, writable: bool) -> "ClickHouseDriver":
@@ -104,7 +113,7 @@ def connected(target: Any, writable: bool) -> "ClickHouseDriver":
         client = package.get_client(**wanted)
         return ClickHouseDriver(client, address, owned=True)
     except package.driver.exceptions.ClickHouseError as error:
-        if "Another server instance" in str(error):
+        if _is_locked(wanted.get("path")):
             raise EngineError(
                 f"{address} is open in another process; only one can open a folder of chdb at a time. "
                 "Wait for it to end, or take a server."
@@ -124,13 +133,29 @@ def _folder(address: str, writable: bool) -> dict[str, Any]:
     if address == "chdb://":
         return {"interface": "chdb"}
     if not address.startswith(_FOLDER):
-        raise EngineError(f"{address} names a server; a folder of chdb is chdb:///FOLDER, three slashes.")
+        raise EngineError(
+            f"{address} names a server; a folder of chdb is chdb:///FOLDER, three slashes."
+        )
     path = Path(address.removeprefix(_FOLDER))
     if not path.is_dir() and not (writable and not path.exists() and path.parent.is_dir()):
         raise EngineError(f"There is no folder {path}.")
-    if path.is_dir() and any(path.iterdir()) and not (path / "metadata").is_dir():
+    there = {entry.name for entry in path.iterdir()} if path.is_dir() else set()
+    if there and not there & _OF_CHDB:
         raise EngineError(f"{path} is no folder of chdb; give an empty or a new one.")
     return {"interface": "chdb", "path": str(path)}
+
+
+def _is_locked(folder: str | None) -> bool:
+    """Tell whether another process holds a folder of chdb; the error itself does not say."""
+    if folder is None:
+        return False
+    fcntl = importlib.import_module("fcntl")  # chdb runs only where it is there
+    with contextlib.suppress(FileNotFoundError), (Path(folder) / "status").open() as status:
+        try:
+            fcntl.flock(status, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            return True
+    return False
 
 
 def _server(address: str) -> dict[str, Any]:
@@ -202,8 +227,11 @@ class ClickHouseDriver:
 
     def _differing(self) -> dict[str, str]:
         """Return the settings that are not as they must be, of those that the server knows."""
-        rows = self._rows("SELECT name, value, readonly FROM system.settings")
-        found = {name: (value, fixed) for name, value, fixed in rows}
+        # One row, since a limit on rows is among them.
+        ((names, values, fixed_here),) = self._rows(
+            "SELECT groupArray(name), groupArray(value), groupArray(readonly) FROM system.settings"
+        )
+        found = dict(zip(names, zip(values, fixed_here, strict=True), strict=True))
         differing = {
             name: value for name, value in _SETTINGS.items() if name in found and found[name][0] != value
         }
@@ -211,8 +239,8 @@ class ClickHouseDriver:
         if fixed:
             raise EngineError(
                 "The profile of the ClickHouse user does not let gam-db change settings, among them "
-                f"{', '.join(fixed[:3])}; ask for readonly = 2 (to check and report) or 0 (to write), and "
-                "no constraints on these."
+                f"{', '.join(fixed[:3])}; ask for readonly = 2 (to check and report) or 0 (to write), "
+                "and no constraints on these."
             )
         return differing
 
@@ -284,7 +312,8 @@ class ClickHouseDriver:
         """
         database = template.name(table.db or self._database)
         self._sweep(database.name)
-        doomed = exp.Table(this=template.name(f"{_DOOMED}{secrets.token_hex(8)}"), db=database)
+        name = f"{_DOOMED}{int(time.time())}_{secrets.token_hex(8)}"
+        doomed = exp.Table(this=template.name(name), db=database)
         target = exp.Table(this=table.this.copy(), db=database.copy())
         try:
             self.execute(self.engine.text(create_table(doomed, found)))
@@ -299,9 +328,11 @@ class ClickHouseDriver:
         """Drop the keys that a killed process left behind."""
         query = (
             "SELECT name FROM system.tables WHERE database = {database:String} "
-            "AND startsWith(name, {mark:String}) AND metadata_modification_time <= now() - {age:Int64}"
+            "AND startsWith(name, {mark:String}) "
+            "AND toInt64OrZero(splitByChar('_', name)[3]) <= {stale:Int64}"
         )
-        for (name,) in self._rows(query, database=database, mark=_DOOMED, age=_STALE):
+        stale = int(time.time()) - _STALE
+        for (name,) in self._rows(query, database=database, mark=_DOOMED, stale=stale):
             self._remove(database, name)
 
     def _remove(self, database: str, name: str) -> None:
@@ -374,7 +405,8 @@ class ClickHouseDriver:
         )
         with contextlib.suppress(*self.errors):
             allowed += self._rows(
-                "SELECT toInt64(value) FROM system.server_settings WHERE name = 'max_server_memory_usage'"
+                "SELECT toInt64(value) FROM system.server_settings "
+                "WHERE name = 'max_server_memory_usage'"
             )
         limit = min((row[0] for row in allowed if row[0] > 0), default=2**32)
         return max(limit // 2 // _PER_READING, 100_000)

@@ -34,7 +34,9 @@ def problem(error: Exception, address: str) -> UserError | None:
         return EngineError(f"{address} names a database that is not there; create it, or name another.")
     if code == 497:
         found = _GRANT.search(said)
-        grant = f"GRANT {found[1]}" if found else "GRANT SELECT, INSERT, CREATE TABLE, ALTER DELETE, DROP"
+        grant = (
+            f"GRANT {found[1]}" if found else "GRANT SELECT, INSERT, CREATE TABLE, ALTER DELETE, DROP"
+        )
         return EngineError(f"The ClickHouse user lacks a privilege; ask for: {grant} TO the user.")
     if code == 164:
         return EngineError(
@@ -73,4 +75,6 @@ def problem(error: Exception, address: str) -> UserError | None:
 
 
 def _is_transport(error: Any) -> bool:
-    return type(error).__name__ in ("OperationalError", "StreamFailureError") or isinstance(error, OSError)
+    return type(error).__name__ in ("OperationalError", "StreamFailureError") or isinstance(
+        error, OSError
+    )

@@ -76,7 +76,7 @@ def column_type(arrow: pa.DataType) -> str:
 
 
 def insertable(rows: pa.Table) -> pa.Table:
-    """Return an Arrow table without dictionaries and views, which insert as other types than they hold."""
+    """Return an Arrow table without dictionaries and views, which go in as other types."""
     fields = []
     for field in rows.schema:
         held = field.type
