@@ -147,3 +147,23 @@ def test_throughput_is_what_is_measured_without_a_word() -> None:
         assert command in listed.stdout
     for words in (["benchmark", "-h"], ["benchmark", "throughput", "--help"]):
         assert CliRunner().invoke(app, words).exit_code == 0
+
+
+def test_engines_are_compared_on_equal_integers() -> None:
+    words = ("engines", "duckdb", "sqlite", "--channels", "2", "--samples", "12000", "--repeat", "1")
+    answer = invoked(*words, "--json")
+    assert answer.exit_code == 0, answer.stderr
+    first, second = json.loads(answer.stdout)["cases"]
+    assert (first["engine"], second["engine"]) == ("duckdb", "sqlite")
+    assert first["sums"] == second["sums"]
+    assert first["sums"]["novel"] > 0
+    seconds = {program: spread["median"] for program, spread in first["seconds"].items()}
+    assert first["gam_over_floor"] == pytest.approx(seconds["gam"] / seconds["floor"], abs=1e-3)
+    assert first["extract_over_gam"] == pytest.approx(seconds["extract"] / seconds["gam"], abs=1e-3)
+
+
+def test_a_password_is_kept_from_the_list_of_processes() -> None:
+    answer = invoked("engines", "postgresql://me:secret@nowhere/db")
+    assert isinstance(answer.exception, ConfigurationError)
+    assert "PGPASSWORD" in str(answer.exception)
+    assert "secret" not in str(answer.exception)

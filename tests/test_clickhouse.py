@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
+import clickhouse_connect
 import pyarrow as pa
 import pytest
 import sqlglot
@@ -38,9 +39,6 @@ from scripts import arrive
 from small_plant import FIRST, LENGTH, readings
 from test_incremental import BUCKETS, NOVEL
 from test_stored_on_engines import visible
-
-chdb = pytest.importorskip("chdb")
-clickhouse_connect = pytest.importorskip("clickhouse_connect")
 
 
 @pytest.fixture

@@ -18,8 +18,6 @@ from small_plant import FIRST, readings
 from strategies import Row
 from victims import Moment, Victims
 
-pytest.importorskip("chdb")
-
 KILLS = 30
 
 #: New rows of each channel between two kills, and how far the rows before them come again.

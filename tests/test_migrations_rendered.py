@@ -25,7 +25,8 @@ def test_the_script_of_an_engine_can_be_parsed(name: str) -> None:
     engine = engine_named(name)
     parsed = [one for one in sqlglot.parse(rendered(engine, STATE), dialect=engine.dialect) if one]
     assert not [one for one in parsed if one.find(exp.Command)]
-    made = [one.find(exp.Table) for one in parsed if isinstance(one, exp.Create)]
+    creations = [one for one in parsed if isinstance(one, exp.Create) and one.kind != "INDEX"]
+    made = [one.find(exp.Table) for one in creations]
     assert [table.name for table in made if table] == [f"gam_{name}" for name in ALL]
     assert len([one for one in parsed if isinstance(one, exp.Insert)]) == len(ALL)
     others = {type(one) for one in parsed} - {exp.Create, exp.Insert}

@@ -101,10 +101,10 @@ def test_view_of_a_recording_equals_the_exact_form(recordings: Path) -> None:
     exact = gam_db.health_indicator(source, parameters)
     with duckdb.connect() as connection:
         connection.execute(gam_db.render("view", "duckdb", source, parameters))
-        view = connection.sql("SELECT * FROM gam_health ORDER BY asset, channel, time")
+        view = connection.sql("SELECT * FROM gam_live_health ORDER BY asset, channel, time")
         assert view.to_arrow_table().equals(exact)
         one = connection.sql(
-            "SELECT time, hi FROM gam_health_of('ur3', 'Current_J3') ORDER BY time"
+            "SELECT time, hi FROM gam_live_health_of('ur3', 'Current_J3') ORDER BY time"
         ).fetchall()
     times = [str(name) for name in exact["channel"].to_pylist()]
     expected = [

@@ -35,11 +35,11 @@ def run(source: Path, result: Path, threads: int) -> None:
     ]
     # NumPy lets go of the interpreter while it counts, so that channels run side by side.
     with ThreadPoolExecutor(threads) as pool:
-        counted = list(pool.map(_counted, pieces))
+        results = list(pool.map(counted, pieces))
     buckets: list[pa.Table] = []
     cells: list[pa.Table] = []
     for channel_id, ((asset, channel, _), (of_buckets, of_cells)) in enumerate(
-        zip(channels, counted, strict=True), start=1
+        zip(channels, results, strict=True), start=1
     ):
         rows = len(of_buckets["bucket"])
         not_full = of_buckets["bucket"] < WINDOW // STRIDE - 1
@@ -61,7 +61,7 @@ def run(source: Path, result: Path, threads: int) -> None:
         connection.from_arrow(pa.concat_tables(cells)).create("novel_cells")
 
 
-def _counted(readings: pa.Table) -> tuple[Columns, Columns]:
+def counted(readings: pa.Table) -> tuple[Columns, Columns]:
     """Return buckets and novel cells of one channel."""
     times = readings.column("t").to_numpy()
     values = readings.column("value").to_numpy()

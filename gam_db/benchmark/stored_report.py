@@ -51,6 +51,25 @@ def memory_lines(figures: dict[str, Any]) -> Iterator[str]:
         yield f"  {name} {figures[name]:.1f} s by step: {_steps(figures[f'{name}_steps'])}"
 
 
+def engines_lines(figures: dict[str, Any]) -> Iterator[str]:
+    """Yield the lines of a report on what ``measure_engines`` returned."""
+    work = figures["workload"]
+    yield (
+        f"{work['channels']} channels x {work['samples']:,} samples, simulated; calibration "
+        f"{work['calibration']:.0%}, {_method(work)}"
+    )
+    yield from _circumstances(figures)
+    for case in figures["cases"]:
+        yield ""
+        yield _title(case["engine"])
+        for program, seconds in case["seconds"].items():
+            yield _row(program, seconds, case["peak_memory"][program])
+        for name in ("gam_over_floor", "extract_over_gam"):
+            yield f"  {name:26}{case[name]:9.3f}"
+        for program, steps in case["steps"].items():
+            yield f"  seconds by step, {program}: {_steps(steps)}"
+
+
 def stored_lines(figures: dict[str, Any]) -> Iterator[str]:
     """Yield the lines of a report on what ``measure_stored`` returned."""
     work = figures["workload"]
@@ -64,8 +83,9 @@ def stored_lines(figures: dict[str, Any]) -> Iterator[str]:
         threads = "1 thread" if case["threads"] == 1 else f"{case['threads']} threads"
         yield _title(f"{ORDERS[case['order']]}, {threads}")
         for name, seconds in case["seconds"].items():
-            yield _row(name, seconds, case["peak_memory"].get(name))
+            yield _row(name.replace("_", ", "), seconds, case["peak_memory"].get(name))
         yield f"  {'stored over exact':26}{case['stored_over_exact']:9.3f}  (aim: {figures['aim']})"
+        yield f"  {'stored over exact, whole':26}{case['stored_over_exact_whole']:9.3f}"
         yield f"  {'score alone over exact':26}{case['score_over_exact']:9.3f}"
         yield f"  integers of both forms are equal: {case['buckets']:,} buckets"
         for name in ("calibrate", "score"):

@@ -56,14 +56,15 @@ def store(path: Path, order: str, channels: int, samples: int) -> None:
     with opened(path, threads=1) as connection:
         for table in ("readings", "readings_by_id"):
             connection.execute(statement(table))
-        for rows in _batches(order, channels, samples):
+        for rows in batches(order, channels, samples):
             named = rows.select(["asset", "channel", "t", "value"])
             connection.from_arrow(named).insert_into("readings")
             by_id = rows.select(["channel_id", "t", "value"])
             connection.from_arrow(by_id).insert_into("readings_by_id")
 
 
-def _batches(order: str, channels: int, samples: int) -> Iterator[pa.Table]:
+def batches(order: str, channels: int, samples: int) -> Iterator[pa.Table]:
+    """Yield the rows of the workload in an order: asset, channel, channel_id, t, value."""
     times = FIRST_TIME + TIME_STEP * np.arange(samples, dtype=np.int64)
     numbers = np.arange(channels, dtype=np.int32)
     if order == "channel":

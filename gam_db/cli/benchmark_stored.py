@@ -1,4 +1,4 @@
-"""``gam benchmark incremental|memory|stored``: what the stored form costs on this machine."""
+"""``gam benchmark incremental|memory|stored|engines``: what the stored form costs, and other engines."""
 
 import json
 from collections.abc import Callable, Iterator
@@ -7,13 +7,15 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
+from gam_db.address import has_password, is_url
 from gam_db.benchmark import stored_report
+from gam_db.benchmark.engines import EMBEDDED, EnginesPlan, measure_engines
 from gam_db.benchmark.incremental import IncrementalPlan, measure_incremental
 from gam_db.benchmark.memory import MemoryPlan, measure_memory
 from gam_db.benchmark.stored import StoredPlan, measure_stored
 from gam_db.benchmark.workload import ORDERS
 from gam_db.cli.benchmark import benchmark, chosen, counts, shown
-from gam_db.errors import ConfigurationError
+from gam_db.errors import ConfigurationError, nearest
 
 ChannelsOption = Annotated[int, typer.Option(min=1, help="Channels of the workload.")]
 RepeatOption = Annotated[int, typer.Option(min=1, help="Runs of each side.")]
@@ -92,6 +94,40 @@ def stored(
     )
 
 
+def engines(
+    addresses: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="[ENGINE]...",
+            help=f"{', '.join(EMBEDDED)}, or an address such as postgresql://HOST/DATABASE, where "
+            "tables are made and dropped again. Default: all those named here.",
+        ),
+    ] = None,
+    channels: ChannelsOption = 12,
+    samples: Annotated[int, typer.Option(min=100, help="Samples per channel.")] = 1_000_000,
+    repeat: RepeatOption = 3,
+    as_json: JsonOption = False,
+) -> None:
+    """Measure gam-db inside each engine beside taking the rows out, and beside the engine's floor.
+
+    Everything is simulated; what embedded engines hold stays in a temporary folder.
+    """
+    plan = EnginesPlan(tuple(addresses or EMBEDDED), channels, samples, repeat)
+    for address in plan.engines:
+        if address not in EMBEDDED and not is_url(address):
+            raise ConfigurationError(f"There is no engine {address!r}{nearest(address, EMBEDDED)}")
+        if has_password(address):
+            raise ConfigurationError(
+                "A password in an address would be seen by all who list processes; put it into the "
+                "environment (PGPASSWORD, CLICKHOUSE_PASSWORD)."
+            )
+    _told(
+        shown(plan.runs, lambda on_run: measure_engines(plan, on_run)),
+        stored_report.engines_lines,
+        as_json,
+    )
+
+
 def _told(
     figures: dict[str, Any], lines: Callable[[dict[str, Any]], Iterator[str]], as_json: bool
 ) -> None:
@@ -113,9 +149,10 @@ class _Throughput(TyperGroup):
 
 benchmarks = typer.Typer(
     cls=_Throughput,
-    help="Measure gam-db on this machine: throughput (the default), and the stored form.",
+    help="Measure gam-db on this machine: throughput (the default), the stored form, and other engines.",
 )
 benchmarks.command("throughput")(benchmark)
 benchmarks.command()(stored)
 benchmarks.command()(incremental)
 benchmarks.command()(memory)
+benchmarks.command()(engines)

@@ -11,12 +11,17 @@ from sqlglot import exp
 from sqlglot.dialects.dialect import Dialect
 from sqlglot.errors import ErrorLevel, UnsupportedError
 
+from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.engines.storage import Definition, with_statements
 from gam_db.errors import EngineError
 
 Rewrite = Callable[[exp.Expr], exp.Expr]
 TimeRewrite = Callable[[TimeKind, exp.Expr], exp.Expr]
+RangeRewrite = Callable[[TimeKind, exp.Expr, int | None, int | None], list[exp.Expr]]
+
+#: Engine and hash of a tree -> its text.
+_LATELY: dict[tuple[str, int], str] = {}
 
 
 def table_as(table: exp.Table, query: exp.Query) -> exp.Create:
@@ -32,9 +37,9 @@ class Engine:
         name: what users call it.
         title: what it calls itself.
         dialect: sqlglot's name of its SQL.
-        evidence: "executed" if the test suite runs on it, else "rendered".
         micros_of: the integer time of a column of a kind of time.
         instant_of: the way back, for the last step of a query.
+        range_of: conditions on a column of times, where its own order is not that of the instants.
         rewrites: from tree to tree, each with its reason in its docstring.
         create_table: CREATE TABLE ... AS with what the engine wants to know of storage.
         define: a table or view of the state, with keys, formats and comments as the engine has them.
@@ -42,14 +47,18 @@ class Engine:
         flow_hint: whether a WITH entry can be marked NOT MATERIALIZED.
         reads_files: whether a Parquet or CSV path can stand in FROM.
         macros: whether a script may define table macros.
+        oldest: the oldest version that is accepted; None where gam-db does not connect.
+        extra: of this package, that installs its driver; None for none.
+        transactions: whether statements can be undone together.
+        limits: what it cannot promise, and what a user has to know.
     """
 
     name: str
     title: str
     dialect: str
-    evidence: str
     micros_of: TimeRewrite
     instant_of: TimeRewrite
+    range_of: RangeRewrite | None = None
     rewrites: Sequence[Rewrite] = ()
     create_table: Callable[[exp.Table, exp.Query], exp.Create] = table_as
     define: Callable[[Definition], list[exp.Expr]] = with_statements
@@ -57,20 +66,65 @@ class Engine:
     flow_hint: bool = False
     reads_files: bool = False
     macros: bool = False
+    oldest: str | None = None
+    extra: str | None = None
+    transactions: bool = True
+    limits: str = ""
+
+    def in_range(
+        self, kind: TimeKind, column: exp.Expr, earliest: int | None, latest: int | None
+    ) -> list[exp.Expr]:
+        """Return the conditions that a time of the source lies in a range, both ends included.
+
+        They are on the column itself, so that an index or the statistics of a file serve.
+
+        Args:
+            kind: how the column tells time.
+            column: the node.
+            earliest: integer time; None for no limit.
+            latest: the same.
+        """
+        if self.range_of is not None and not kind.is_counter:
+            return self.range_of(kind, column, earliest, latest)
+        conditions: list[exp.Expr] = []
+        if earliest is not None:
+            conditions.append(exp.GTE(this=column.copy(), expression=self._instant(kind, earliest)))
+        if latest is not None:
+            # The next one is excluded, so that nanoseconds after the last microsecond are not.
+            conditions.append(exp.LT(this=column.copy(), expression=self._instant(kind, latest + 1)))
+        return conditions
+
+    def _instant(self, kind: TimeKind, time: int) -> exp.Expr:
+        return self.instant_of(kind, template.node_of(time))
 
     def text(self, tree: exp.Expr, pretty: bool = False) -> str:
         """Return a tree as SQL of this engine.
 
+        What was written lately is not written again: a run puts the same queries to work for each group
+        of channels, and writing one takes longer than running it over few rows.
+
         Raises:
             EngineError: the engine has no form for part of it.
         """
+        if pretty:  # for people, who get the comments, too; equal trees may differ in them
+            return self._written(tree, pretty)
+        key = self.name, hash(tree)  # trees are equal where their hashes are, by sqlglot's own rule
+        if key not in _LATELY:
+            if len(_LATELY) >= 500:
+                _LATELY.clear()
+            _LATELY[key] = self._written(tree, pretty)
+        return _LATELY[key]
+
+    def _written(self, tree: exp.Expr, pretty: bool) -> str:
         rewritten = strip_null_order(tree.copy(), self.dialect)
         if not self.flow_hint:
             rewritten = drop_flow_hint(rewritten)
         for rewrite in self.rewrites:
             rewritten = rewrite(rewritten)
         try:
-            return rewritten.sql(dialect=self.dialect, pretty=pretty, unsupported_level=ErrorLevel.RAISE)
+            return rewritten.sql(
+                dialect=self.dialect, pretty=pretty, unsupported_level=ErrorLevel.RAISE, copy=False
+            )
         except UnsupportedError as error:
             raise EngineError(f"{self.name} has no form for part of this query: {error}") from error
 

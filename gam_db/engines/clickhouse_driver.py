@@ -26,6 +26,7 @@ from gam_db.engines.clickhouse_errors import MARK, problem
 from gam_db.errors import EngineError, SourceError, UserError, nearest
 from gam_db.extras import needed
 
+#: Conditions beside the equality of a join need no permission since then.
 OLDEST = (24, 12)
 
 _FOLDER = "chdb:///"

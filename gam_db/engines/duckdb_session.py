@@ -63,7 +63,6 @@ class DuckSession:
         if threads is not None:
             self.connection.execute("SET threads = ?", [threads])
         self._mark = f"gam_{secrets.token_hex(4)}"
-        self._numbers = itertools.count()
         self._made: list[str] = []
         self._registered: list[str] = []
 
@@ -248,7 +247,7 @@ class DuckSession:
 
     def keep(self, step: str, query: exp.Query) -> exp.Table:
         """Run a query into a temporary table and return the node that reads it."""
-        made = f"{self._mark}_{next(self._numbers)}_{step}"
+        made = self._free_name(step)
         create = exp.Create(
             this=_temporary(made),
             kind="TABLE",
@@ -351,7 +350,7 @@ class DuckSession:
             )
         table = relation if isinstance(relation, pa.Table) else pa.table(relation)
         check_columns(table)
-        name = f"{self._mark}_{next(self._numbers)}_arrow"
+        name = self._free_name("arrow")
         try:
             self.connection.register(name, table)
         except duckdb.Error as error:
@@ -377,6 +376,11 @@ class DuckSession:
                 "name says?"
             ) from error
         return node
+
+    def _free_name(self, word: str) -> str:
+        """Return a name of ours: one that is free again, if any, so that texts come again, too."""
+        names = (f"{self._mark}_{word}_{number}" for number in itertools.count())
+        return next(name for name in names if name not in self._made and name not in self._registered)
 
     def _known_tables(self) -> list[tuple[str, str, str]]:
         # Looked up, not tried: a statement that fails would undo the user's open transaction, and

@@ -1,5 +1,7 @@
 """SQLite: the engine of the standard library; times are ISO 8601 texts in UTC or integers."""
 
+import datetime as dt
+
 from sqlglot import exp
 
 from gam_db import template
@@ -42,6 +44,34 @@ def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
     return exp.DPipe(this=date, expression=fraction)
 
 
+def range_of(
+    kind: TimeKind, column: exp.Expr, earliest: int | None, latest: int | None
+) -> list[exp.Expr]:
+    """Return the conditions that a text tells an instant in a range.
+
+    Cause: texts are compared sign by sign. Symptom: ``12:00:00`` is less than ``12:00:00.000000``, and
+    ``T12:00:00`` greater than both, so that a row at the edge of a range is left out. The day alone is
+    compared as a text, for an index; the instant decides.
+    """
+    conditions: list[exp.Expr] = []
+    if earliest is not None:
+        conditions.append(exp.GTE(this=column.copy(), expression=_day(earliest)))
+        conditions.append(exp.GTE(this=micros_of(kind, column.copy()), expression=_number(earliest)))
+    if latest is not None:
+        conditions.append(exp.LT(this=column.copy(), expression=_day(latest + 86_400 * SECOND)))
+        conditions.append(exp.LTE(this=micros_of(kind, column.copy()), expression=_number(latest)))
+    return conditions
+
+
+def _day(micros: int) -> exp.Expr:
+    epoch = dt.datetime(1970, 1, 1)
+    return template.text((epoch + dt.timedelta(microseconds=micros)).date().isoformat())
+
+
+def _number(value: int) -> exp.Expr:
+    return template.node_of(value)
+
+
 def glob_for_like(tree: exp.Expr) -> exp.Expr:
     """Write patterns with GLOB.
 
@@ -79,9 +109,11 @@ ENGINE = Engine(
     name="sqlite",
     title="SQLite",
     dialect="sqlite",
-    evidence="executed",
+    oldest="3.35",
+    limits="One connection at a time writes. It has no schemas and no comments, and reads no files.",
     micros_of=micros_of,
     instant_of=instant_of,
+    range_of=range_of,
     define=define,
     schemas=False,
     flow_hint=True,

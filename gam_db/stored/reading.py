@@ -57,21 +57,17 @@ class Reader:
             earliest: nothing older is read.
             latest: nothing newer is read.
         """
-        conditions: list[exp.Expr] = []
-        time = template.column(self._source.time)
-        if earliest > LONG_AGO:
-            conditions.append(exp.GTE(this=time, expression=self._instant(earliest)))
-        if latest < FAR_AHEAD:
-            # The next one is excluded, so that nanoseconds after the last microsecond are not.
-            conditions.append(exp.LT(this=time.copy(), expression=self._instant(latest + 1)))
+        conditions = self._engine.in_range(
+            self.kind,
+            template.column(self._source.time),
+            earliest if earliest > LONG_AGO else None,
+            latest if latest < FAR_AHEAD else None,
+        )
         if assets is not None and self._source.asset is not None:
             named = exp.cast(template.column(self._source.asset), "VARCHAR")
             texts = [template.text(asset) for asset in assets]
             conditions.append(exp.In(this=named, expressions=texts))
         return self._under(conditions)
-
-    def _instant(self, time: int) -> exp.Expr:
-        return self._engine.instant_of(self.kind, template.node_of(time))
 
     def is_empty(self) -> bool:
         """Tell whether the source holds nothing at all; that nothing is new is another matter."""
@@ -110,15 +106,15 @@ def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
 
     Args:
         rows: of the plan.
-        columns: read_until, recounted, settled and what else differs from the plan: one value for all,
-            or one for each row.
+        columns: read_until, recounted, settled, oldest_bucket and what else differs from the plan: one
+            value for all, or one for each row.
     """
     made = []
     for number, row in enumerate(rows):
         said = {
             name: value[number] if isinstance(value, list) else value for name, value in columns.items()
         }
-        made.append({**row, "recounted": 0, "settled": 0, **said})
+        made.append({**row, "oldest_bucket": 0, "recounted": 0, "settled": 0, **said})
     return pa.Table.from_pylist(made, schema=_COHORT)
 
 

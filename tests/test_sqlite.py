@@ -1,0 +1,127 @@
+"""SQLite's own ways: instants as texts, declared types, other connections, what cannot be opened."""
+
+import sqlite3
+from pathlib import Path
+
+import pytest
+import sqlglot
+
+import gam_db
+from gam_db.errors import EngineError, SourceError
+
+SECOND = 1_000_000
+
+
+def plant(path: Path, form: str) -> sqlite3.Connection:
+    """A database with two hours of one joint, its times written in a form of strftime."""
+    connection = sqlite3.connect(path, isolation_level=None)
+    connection.execute("CREATE TABLE telemetry (asset TEXT, channel TEXT, time TEXT, value REAL)")
+    grow(connection, form, 0, 4800)
+    return connection
+
+
+def grow(connection: sqlite3.Connection, form: str, start: int, end: int) -> None:
+    connection.execute(
+        "WITH RECURSIVE n(i) AS (SELECT ? UNION ALL SELECT i + 1 FROM n WHERE i + 1 < ?) "
+        "INSERT INTO telemetry SELECT 'a', 'x', strftime(?, 1700000000 + i, 'unixepoch'), "
+        "(i * 7 % 13) / 13.0 + (i > 4000) * (i % 5) FROM n",
+        (start, end, form),
+    )
+
+
+@pytest.mark.parametrize("form", ["%Y-%m-%d %H:%M:%S", "%Y-%m-%dT%H:%M:%S", "%Y-%m-%d %H:%M:%f"])
+def test_instants_as_texts_lose_no_row_at_the_edge(tmp_path: Path, form: str) -> None:
+    connection = plant(tmp_path / "plant.db", form)
+    parameters = gam_db.Parameters(m=2, bins=20, window=500)
+    with gam_db.connect(f"sqlite:///{tmp_path / 'plant.db'}") as session:
+        source = gam_db.Source("telemetry")
+        monitor = gam_db.Monitor(session, source, parameters, lookback="5 min")
+        monitor.migrate()
+        monitor.calibrate()
+        for start in (4800, 6000, 6001):
+            report = monitor.score()
+            found = report.channels[0]
+            if start > 4800:  # the first run reads everything
+                assert found["context_rows"] == found["context_expected"]
+            grow(connection, form, start, {4800: 6000, 6000: 6001, 6001: 7200}[start])
+        monitor.score()
+        once = gam_db.health_at_buckets(source, parameters, gam_db.Calibration(), session)
+        health = monitor.health()
+        # Calibration was frozen on the first 4,800 samples; the exact form takes a fifth of all.
+        assert health.num_rows == (7200 - 960) // 100
+        assert once.num_rows == (7200 - 1440) // 100
+        assert monitor.check_state().num_rows == 0
+    connection.close()
+
+
+def test_an_open_connection_keeps_its_ways(tmp_path: Path) -> None:
+    mine = sqlite3.connect(tmp_path / "plant.db")
+    mine.execute("CREATE TABLE t (asset TEXT, channel TEXT, time INTEGER, value REAL)")
+    mine.commit()
+    level = mine.isolation_level
+    with gam_db.connect(mine) as session:
+        assert session.relations() == {"t": ("asset", "channel", "time", "value")}
+    assert mine.isolation_level == level
+    assert mine.execute("SELECT COUNT(*) FROM t").fetchone() == (0,)
+    mine.execute("INSERT INTO t VALUES ('a', 'x', 1, 1.0)")
+    with pytest.raises(EngineError, match="transaction open"):
+        gam_db.connect(mine)
+    mine.close()
+
+
+def test_a_view_is_judged_by_its_first_value(tmp_path: Path) -> None:
+    with sqlite3.connect(tmp_path / "plant.db") as connection:
+        connection.execute("CREATE TABLE raw (machine, tick, reading)")
+        connection.executemany("INSERT INTO raw VALUES ('a', ?, ?)", [(i, i / 7) for i in range(50)])
+        connection.execute("CREATE VIEW telemetry AS SELECT machine, tick + 0 AS tick, reading FROM raw")
+    connection.close()
+    source = gam_db.Source("telemetry", asset="machine", channel=None, time="tick", value="reading")
+    address = f"sqlite:///{tmp_path / 'plant.db'}"
+    assert gam_db.support(source, engine=address)["samples"].to_pylist() == [50]
+
+
+@pytest.mark.parametrize(
+    ("address", "message"),
+    [
+        ("sqlite:///{0}/none.db", "no database file"),
+        ("sqlite://server/plant", "three slashes"),
+        ("sqlite:///{0}/text.db", "is it one"),
+    ],
+)
+def test_what_cannot_be_opened(tmp_path: Path, address: str, message: str) -> None:
+    (tmp_path / "text.db").write_text("no database at all, but long enough to look like one\n" * 20)
+    source = gam_db.Source("telemetry")
+    with pytest.raises(EngineError, match=message):
+        gam_db.support(source, engine=address.format(tmp_path))
+
+
+def test_what_sqlite_has_not(tmp_path: Path) -> None:
+    with gam_db.connect(f"sqlite:///{tmp_path / 'plant.db'}") as session:
+        with pytest.raises(SourceError, match="no files by path"):
+            session.relation("telemetry.parquet")
+        with pytest.raises(EngineError, match="no schemas"):
+            gam_db.Monitor(session, gam_db.Source("t"), schema="plant").migrate()
+        session.execute(sqlglot.parse_one("CREATE TABLE telemetry (a INT)"))
+        with pytest.raises(SourceError, match="did you mean 'telemetry'"):
+            session.relation("telemetri")
+
+
+def test_another_writer_and_a_reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "plant.db"
+    monkeypatch.setattr("gam_db.engines.sqlite_driver.PATIENCE", 0.1)
+    connection = plant(path, "%Y-%m-%d %H:%M:%S")
+    source = gam_db.Source("telemetry")
+    with gam_db.connect(f"sqlite:///{path}") as session:
+        monitor = gam_db.Monitor(session, source)
+        monitor.migrate()
+        connection.execute("BEGIN IMMEDIATE")
+        with pytest.raises(EngineError, match="changed the same tables"):
+            monitor.calibrate()
+        connection.execute("COMMIT")
+        assert monitor.calibrate().num_rows == 1
+    with (
+        gam_db.connect(f"sqlite:///{path}", writable=False) as session,
+        pytest.raises(EngineError, match="reading only"),
+    ):
+        gam_db.Monitor(session, source).score()
+    connection.close()
