@@ -34,13 +34,11 @@ VERSIONS: dict[str, Callable[[], str]] = {
     "duckdb": lambda: duckdb.__version__,
     "sqlite": lambda: sqlite3.sqlite_version,
     "postgres": postgres_server.version,
-    "clickhouse": lambda: str(session("clickhouse").fetch(_VERSION)["version"][0].as_py()),
+    "clickhouse": lambda: clickhouse_version(),
 }
 
 #: engine -> random cases of the agreement tests, about as many as take the same time on each
 EXAMPLES = {"duckdb": 100, "sqlite": 60, "postgres": 20, "clickhouse": 12}
-
-_VERSION = sqlglot.parse_one("SELECT VERSION() AS version")
 
 
 def examples(name: str) -> int:
@@ -79,6 +77,12 @@ def is_left_out(file: str, asked: str) -> bool:
 def session(name: str) -> Session:
     """Return the session on an engine; it stays open for the tests that follow."""
     return OPENERS[name]()
+
+
+def clickhouse_version() -> str:
+    """Return the version of ClickHouse inside this process."""
+    found = session("clickhouse").fetch(sqlglot.parse_one("SELECT VERSION() AS version"))
+    return str(found["version"][0].as_py())
 
 
 def fresh_name(stem: str) -> str:
