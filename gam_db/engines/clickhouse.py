@@ -138,8 +138,8 @@ ENGINE = Engine(
     transactions=False,
     limits="A run is seen once its commit row is there; a second writer is detected, not prevented. "
     "Steps are kept in temporary tables of a session: behind a load balancer, one server must answer "
-    "it. Inside this process (chdb) only one process opens a folder, and a process only one. It reads no "
-    "files by path.",
+    "it. Inside this process (chdb) only one process opens a folder, and a process only one. It reads "
+    "no files by path.",
     micros_of=micros_of,
     instant_of=instant_of,
     rewrites=(escape_by_backslash, allow_long_plans),
