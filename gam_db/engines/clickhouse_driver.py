@@ -5,14 +5,10 @@ that was killed. There are no transactions: rows are appended, and a run is visi
 """
 
 import contextlib
-import importlib
-import os
 import secrets
 import time
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
-from urllib.parse import parse_qsl, unquote, urlsplit
 
 import pyarrow as pa
 from sqlglot import exp
@@ -22,19 +18,16 @@ from gam_db.address import shown
 from gam_db.engines import clickhouse_types as types
 from gam_db.engines.base import deletion
 from gam_db.engines.clickhouse import ENGINE, create_table, temporary_table
+from gam_db.engines.clickhouse_address import EXTRA, folder, is_locked, server
 from gam_db.engines.clickhouse_errors import MARK, problem
-from gam_db.errors import EngineError, SourceError, UserError, nearest
+from gam_db.errors import EngineError, SourceError, UserError
 from gam_db.extras import needed
 
 #: Conditions beside the equality of a join need no permission since then.
 OLDEST = (24, 12)
 
-_FOLDER = "chdb:///"
-_EXTRA = "clickhouse"
-_PARAMETERS = ("ca_cert", "client_cert", "client_cert_key", "verify", "connect_timeout")
-
-#: Seconds: how long a statement may take, and how long a session may wait for its next one.
-_PATIENCE, _IDLE = 86_400, 3_600
+#: Seconds that a session may wait for its next statement.
+_IDLE = 3_600
 
 #: What a profile may say otherwise, and then other rows come out, or none: every query says it itself.
 _SETTINGS = {
@@ -83,9 +76,6 @@ _PER_READING = 200
 _DOOMED = f"{MARK}doomed_"
 _STALE = 86_400
 
-#: What lies in a folder of chdb.
-_OF_CHDB = {"metadata", "store", "tmp"}
-
 
 def connected(target: Any, writable: bool) -> "ClickHouseDriver":
     """Connect to a server, open a folder of chdb, or take an open client, which stays open.
@@ -100,7 +90,7 @@ def connected(target: Any, writable: bool) -> "ClickHouseDriver":
             in another process, or the server is too old.
         UserError: clickhouse-connect or chdb is not installed.
     """
-    package = needed("clickhouse_connect", _EXTRA)
+    package = needed("clickhouse_connect", EXTRA)
     if not isinstance(target, str):
         if not isinstance(target, package.driver.client.Client):
             raise EngineError(
@@ -109,12 +99,12 @@ def connected(target: Any, writable: bool) -> "ClickHouseDriver":
             )
         return ClickHouseDriver(target, "this ClickHouse connection", owned=False)
     address = shown(target)
-    wanted = _folder(target, writable) if target.startswith("chdb:") else _server(target)
+    wanted = folder(target, writable) if target.startswith("chdb:") else server(target)
     try:
         client = package.get_client(**wanted)
         return ClickHouseDriver(client, address, owned=True)
     except package.driver.exceptions.ClickHouseError as error:
-        if _is_locked(wanted.get("path")):
+        if is_locked(wanted.get("path")):
             raise EngineError(
                 f"{address} is open in another process; only one can open a folder of chdb at a time. "
                 "Wait for it to end, or take a server."
@@ -127,63 +117,6 @@ def connected(target: Any, writable: bool) -> "ClickHouseDriver":
         raise problem(error, address) or EngineError(
             f"{address} cannot be opened: {str(error).partition(chr(10))[0]}"
         ) from error
-
-
-def _folder(address: str, writable: bool) -> dict[str, Any]:
-    needed("chdb", _EXTRA)
-    if address == "chdb://":
-        return {"interface": "chdb"}
-    if not address.startswith(_FOLDER):
-        raise EngineError(
-            f"{address} names a server; a folder of chdb is chdb:///FOLDER, three slashes."
-        )
-    path = Path(address.removeprefix(_FOLDER))
-    if not path.is_dir() and not (writable and not path.exists() and path.parent.is_dir()):
-        raise EngineError(f"There is no folder {path}.")
-    there = {entry.name for entry in path.iterdir()} if path.is_dir() else set()
-    if there and not there & _OF_CHDB:
-        raise EngineError(f"{path} is no folder of chdb; give an empty or a new one.")
-    return {"interface": "chdb", "path": str(path)}
-
-
-def _is_locked(folder: str | None) -> bool:
-    """Tell whether another process holds a folder of chdb; the error itself does not say."""
-    if folder is None:
-        return False
-    fcntl = importlib.import_module("fcntl")  # chdb runs only where it is there
-    with contextlib.suppress(FileNotFoundError), (Path(folder) / "status").open() as status:
-        try:
-            fcntl.flock(status, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            return True
-    return False
-
-
-def _server(address: str) -> dict[str, Any]:
-    parts = urlsplit(address)
-    said = dict(parse_qsl(parts.query))
-    for name in said:
-        if name not in _PARAMETERS:
-            raise EngineError(
-                f"The address has the parameter {name!r}, which it does not take"
-                f"{nearest(name, _PARAMETERS)}"
-            )
-    try:
-        port = parts.port
-    except ValueError:
-        raise EngineError(f"{shown(address)}: the port is no number.") from None
-    secure = parts.scheme == "clickhouses"
-    return {
-        "interface": "https" if secure else "http",
-        "host": parts.hostname or "localhost",
-        "port": port or (8443 if secure else 8123),
-        "username": unquote(parts.username or os.environ.get("CLICKHOUSE_USER") or "default"),
-        "password": unquote(parts.password or "") or os.environ.get("CLICKHOUSE_PASSWORD", ""),
-        "database": unquote(parts.path.strip("/")) or None,
-        "send_receive_timeout": _PATIENCE,
-        "query_retries": 0,
-        **said,
-    }
 
 
 class ClickHouseDriver:
@@ -207,7 +140,7 @@ class ClickHouseDriver:
 
     def __init__(self, client: Any, address: str, owned: bool) -> None:
         self._client, self._address, self._owned = client, address, owned
-        exceptions = needed("clickhouse_connect.driver.exceptions", _EXTRA)
+        exceptions = needed("clickhouse_connect.driver.exceptions", EXTRA)
         self.errors: tuple[type[Exception], ...] = (exceptions.ClickHouseError, OSError, pa.ArrowInvalid)
         version = str(client.server_version)
         if tuple(int(part) for part in version.split(".")[:2]) < OLDEST:
