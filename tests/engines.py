@@ -12,6 +12,7 @@ from functools import cache
 
 import duckdb
 import pytest
+import sqlglot
 from hypothesis import settings
 
 import postgres_server
@@ -25,6 +26,7 @@ OPENERS: dict[str, Callable[[], Session]] = {
     "duckdb": lambda: connect(),
     "sqlite": lambda: connect("sqlite://"),
     "postgres": lambda: connect(postgres_server.server().url),
+    "clickhouse": lambda: connect("chdb://"),
 }
 
 #: engine -> the version that the tests see
@@ -32,10 +34,11 @@ VERSIONS: dict[str, Callable[[], str]] = {
     "duckdb": lambda: duckdb.__version__,
     "sqlite": lambda: sqlite3.sqlite_version,
     "postgres": postgres_server.version,
+    "clickhouse": lambda: clickhouse_version(),
 }
 
 #: engine -> random cases of the agreement tests, about as many as take the same time on each
-EXAMPLES = {"duckdb": 100, "sqlite": 60, "postgres": 20}
+EXAMPLES = {"duckdb": 100, "sqlite": 60, "postgres": 20, "clickhouse": 12}
 
 
 def examples(name: str) -> int:
@@ -74,6 +77,12 @@ def is_left_out(file: str, asked: str) -> bool:
 def session(name: str) -> Session:
     """Return the session on an engine; it stays open for the tests that follow."""
     return OPENERS[name]()
+
+
+def clickhouse_version() -> str:
+    """Return the version of ClickHouse inside this process."""
+    found = session("clickhouse").fetch(sqlglot.parse_one("SELECT VERSION() AS version"))
+    return str(found["version"][0].as_py())
 
 
 def fresh_name(stem: str) -> str:

@@ -39,7 +39,7 @@ def test_the_script_of_an_engine_can_be_parsed(name: str) -> None:
         ("postgres", "floor DOUBLE PRECISION,\n"),
         ("clickhouse", "bucket_no Int64 COMMENT 'Number of the bucket"),
         ("clickhouse", "novel_in_window Nullable(Int64) COMMENT"),
-        ("clickhouse", "ENGINE=MergeTree\nORDER BY (version_id, bucket_no)\nCOMMENT 'Full"),
+        ("clickhouse", "\nSETTINGS\n  index_granularity = 512\nCOMMENT 'Full buckets"),
         ("clickhouse", "ORDER BY (support_id)\nCOMMENT 'Range"),
         ("bigquery", "CLUSTER BY version_id, bucket_no\nOPTIONS (\n  description='Full"),
         ("bigquery", "novel_in_window INT64 OPTIONS (\n    description='Novel"),
