@@ -14,7 +14,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.engines.base import deletion
 from gam_db.engines.duckdb import ENGINE, file_reader
-from gam_db.engines.duckdb_opening import attached, check_settings, opened, rows_at_once
+from gam_db.engines.duckdb_opening import attached, check_settings, is_among, opened, rows_at_once
 from gam_db.engines.duckdb_types import check_columns, is_name, is_numeric, is_text, time_kind
 from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY
 from gam_db.errors import EngineError, SourceError, StatementError, nearest
@@ -96,7 +96,7 @@ class DuckSession:
         shown = relation if isinstance(relation, str) else ".".join(map(str, relation))  # type: ignore[arg-type]
         known = self._known_tables()
         for node in table_names(relation):  # type: ignore[arg-type]
-            if not _is_among(node, known):
+            if not is_among(node, known):
                 continue
             try:
                 self.describe(node)
@@ -388,16 +388,6 @@ class DuckSession:
         return self.connection.execute(
             "SELECT table_catalog, table_schema, table_name FROM information_schema.tables"
         ).fetchall()
-
-
-def _is_among(table: exp.Expr, known: list[tuple[str, str, str]]) -> bool:
-    """Tell whether the last parts of some known name are those of the table, case aside."""
-    parts = tuple(part.name.casefold() for part in table.parts)  # type: ignore[attr-defined]
-    return any(
-        parts == tuple(part.casefold() for part in name[-len(parts) :])
-        or parts == (name[0].casefold(), name[2].casefold())
-        for name in known
-    )
 
 
 def _temporary(name: str) -> exp.Table:
