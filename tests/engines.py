@@ -5,8 +5,13 @@ executed, on the stand-ins for others, and dbt; ``NAME,...`` runs on those named
 and cannot be started is a failure.
 """
 
+import atexit
+import importlib
 import itertools
+import os
+import shutil
 import sqlite3
+import tempfile
 from collections.abc import Callable
 from functools import cache
 
@@ -21,12 +26,24 @@ from gam_db.engines.session import Session
 
 FAST = ("duckdb", "sqlite")
 
+
+def spark() -> Session:
+    """Open Spark in this process, small and quick to start; its tables go with the process."""
+    os.environ.setdefault("SPARK_MASTER", "local[2]")
+    os.environ.setdefault("SPARK_DRIVER_MEMORY", "1g")
+    os.environ.setdefault("JDK_JAVA_OPTIONS", "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC")
+    folder = tempfile.mkdtemp(prefix="gam-tests-")
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return connect(f"spark://{folder}")
+
+
 #: engine -> what opens a session on it, once in every process of the tests
 OPENERS: dict[str, Callable[[], Session]] = {
     "duckdb": lambda: connect(),
     "sqlite": lambda: connect("sqlite://"),
     "postgres": lambda: connect(postgres_server.server().url),
     "clickhouse": lambda: connect("chdb://"),
+    "spark": spark,
 }
 
 #: engine -> the version that the tests see
@@ -35,10 +52,11 @@ VERSIONS: dict[str, Callable[[], str]] = {
     "sqlite": lambda: sqlite3.sqlite_version,
     "postgres": postgres_server.version,
     "clickhouse": lambda: clickhouse_version(),
+    "spark": lambda: importlib.import_module("pyspark").__version__,
 }
 
 #: engine -> random cases of the agreement tests, about as many as take the same time on each
-EXAMPLES = {"duckdb": 100, "sqlite": 60, "postgres": 20, "clickhouse": 12}
+EXAMPLES = {"duckdb": 100, "sqlite": 60, "postgres": 20, "clickhouse": 12, "spark": 4}
 
 
 def examples(name: str) -> int:

@@ -1,10 +1,23 @@
-"""Spark 3.5 and later, in ANSI mode."""
+"""Spark 3.5 and later, in ANSI mode, over Parquet; over Delta or Iceberg where a session has them.
+
+The session must be set to UTC: only then a timestamp without zone is read as UTC.
+"""
+
+import dataclasses
+from collections.abc import Callable
 
 from sqlglot import exp
 
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter, table_as
-from gam_db.engines.storage import Definition, with_notes
+from gam_db.engines.storage import Definition, clustered, with_notes
+
+#: Groups of channels, by hash, that the large tables are stored in: a look at one machine opens the
+#: files of one group, in which rows are ordered. Every run writes a file for each, so they are few.
+GROUPS = 4
+
+#: What the large tables are ordered by within a version or support.
+_LARGE = ("bucket_no", "cell_key")
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
@@ -15,24 +28,81 @@ def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
 
 
 def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
-    """Return the timestamp of epoch microseconds."""
-    return micros if kind.is_counter else called("TIMESTAMP_MICROS", micros)
+    """Return the timestamp of epoch microseconds, with a zone where the source has one."""
+    if kind.is_counter:
+        return micros
+    instant = called("TIMESTAMP_MICROS", micros)
+    return instant if kind.has_zone else exp.cast(instant, "TIMESTAMPNTZ")
 
 
 def create_table(table: exp.Table, query: exp.Query) -> exp.Create:
     """Return CREATE TABLE ... USING PARQUET AS; without a format Spark may ask for Hive."""
     create = table_as(table, query)
-    create.set("properties", exp.Properties(expressions=[_parquet()]))
+    create.set("properties", exp.Properties(expressions=[_format("PARQUET")]))
     return create
 
 
 def define(definition: Definition) -> list[exp.Expr]:
-    """Return a Parquet table with comments inside."""
-    return with_notes(definition, [_parquet()])
+    """Return a Parquet table with comments inside, the large ones in groups of channels by hash.
+
+    A group is no column of the table, so that it reads as everywhere else; Parquet's own statistics
+    leave out what lies outside a range of time.
+    """
+    stored: list[exp.Expr] = [_format("PARQUET")]
+    key = definition.key
+    if is_large([column.name for column in key]):
+        stored.append(
+            exp.ClusteredByProperty(
+                expressions=[key[0].copy()],
+                sorted_by=[exp.Ordered(this=column.copy()) for column in key],
+                buckets=exp.Literal.number(GROUPS),
+            )
+        )
+    return with_notes(definition, stored)
 
 
-def _parquet() -> exp.Expr:
-    return exp.FileFormatProperty(this=exp.var("PARQUET"))
+def define_delta(definition: Definition) -> list[exp.Expr]:
+    """Return a Delta table, the large ones clustered by their key."""
+    large = is_large([column.name for column in definition.key])
+    return with_notes(definition, [_format("DELTA"), *([clustered(definition)] if large else [])])
+
+
+def define_iceberg(definition: Definition) -> list[exp.Expr]:
+    """Return an Iceberg table, the large ones partitioned by a hash of the channel."""
+    stored: list[exp.Expr] = [_format("ICEBERG")]
+    key = definition.key
+    if is_large([column.name for column in key]):
+        group = called("BUCKET", exp.Literal.number(GROUPS), key[0].copy())
+        stored.append(exp.PartitionedByProperty(this=exp.Schema(expressions=[group])))
+    return with_notes(definition, stored)
+
+
+def is_large(columns: list[str]) -> bool:
+    """Tell by its columns whether a table grows with the data, not with the number of channels."""
+    return any(name in columns for name in _LARGE)
+
+
+def rebalanced(tree: exp.Expr) -> exp.Expr:
+    """Let the rows that are written be put together first.
+
+    Cause: every task of the last stage writes files of its own, one per group of channels. Symptom:
+    hundreds of small files after a run, and a run's record in several files, whose appearance is not one
+    step.
+    """
+    if not isinstance(tree, exp.Insert) or not isinstance(tree.expression, exp.Select):
+        return tree
+    names = [column.name for column in tree.this.expressions]
+    hint = called("REBALANCE", exp.column(names[0])) if is_large(names) else exp.var("REBALANCE")
+    tree.expression.set("hint", exp.Hint(expressions=[hint]))
+    return tree
+
+
+def _format(name: str) -> exp.Expr:
+    return exp.FileFormatProperty(this=exp.var(name))
+
+
+def _defined_by(define: Callable[[Definition], list[exp.Expr]]) -> Engine:
+    return dataclasses.replace(ENGINE, define=define)
 
 
 ENGINE = Engine(
@@ -47,4 +117,12 @@ ENGINE = Engine(
     instant_of=instant_of,
     create_table=create_table,
     define=define,
+    rewrites=(rebalanced,),
 )
+
+#: The same over another format of tables.
+OVER = {
+    "parquet": ENGINE,
+    "delta": _defined_by(define_delta),
+    "iceberg": _defined_by(define_iceberg),
+}

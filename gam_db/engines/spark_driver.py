@@ -1,0 +1,226 @@
+"""Spark by pyspark: a session in this process or on a cluster."""
+
+import shutil
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import pyarrow as pa
+import pyarrow.parquet as pq
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.engines import spark_types
+from gam_db.engines.base import Engine
+from gam_db.engines.session import READ_ONLY
+from gam_db.engines.spark import ENGINE, OVER
+from gam_db.engines.spark_folder import Folder
+from gam_db.engines.spark_metastore import MetastoreTables, format_of
+from gam_db.engines.spark_opening import address_of, as_before, beside, quiet, scratch, started
+from gam_db.engines.spark_problems import problem
+from gam_db.engines.spark_tables import FolderTables, Tables
+from gam_db.errors import EngineError
+from gam_db.extras import needed
+
+#: Steps with at most so many rows are handed back to Spark as rows: its plans then end there.
+_FEW = 20_000
+
+#: What Spark estimates to be at most so many bytes is not written to files first.
+_SMALL = 2**20
+
+#: Spark spills what does not fit, and a group of channels costs it a round of jobs: all at once.
+_ALL = 2**40
+
+
+def connected(target: Any, writable: bool) -> "SparkDriver":
+    """Return a driver on an address, or on the user's open session.
+
+    Raises:
+        EngineError: Spark cannot be started, is too old, or the folder cannot be used.
+    """
+    if isinstance(target, str):
+        address = address_of(target)
+        folder = Folder(address.folder, writable)
+        return SparkDriver(started(address), ENGINE, writable, folder)
+    needed("pyspark", "spark")
+    session = beside(target)
+    form = format_of(session)
+    return SparkDriver(session, OVER[form], writable, form)
+
+
+class SparkDriver:
+    """See :class:`gam_db.engines.warehouse.Driver`.
+
+    Args:
+        session: of Spark, for this driver alone.
+        engine: how trees become text.
+        writable: whether statements that change something are let through.
+        kept: where the tables are: a folder, or in the metastore in a form (see
+            :func:`gam_db.engines.spark_metastore.format_of`).
+    """
+
+    transactions = False
+    time_kind = staticmethod(spark_types.time_kind)
+    is_numeric = staticmethod(spark_types.is_numeric)
+    is_name = staticmethod(spark_types.is_name)
+    is_text = staticmethod(spark_types.is_text)
+    problem = staticmethod(problem)
+
+    def __init__(self, session: Any, engine: Engine, writable: bool, kept: Folder | str) -> None:
+        self.engine = engine
+        self._session, self._writable = session, writable
+        self.errors = (
+            needed("pyspark.errors", "spark").PySparkException,
+            needed("py4j.protocol", "spark").Py4JError,
+            ConnectionError,
+        )
+        self._tables: Tables = (
+            FolderTables(session, self._run, engine, kept)
+            if isinstance(kept, Folder)
+            else MetastoreTables(session, self._run, engine, kept)
+        )
+        self._scratch = self._shared_place(kept)
+        self._views: list[str] = []
+
+    def execute(self, statement: str) -> None:
+        """Run one statement."""
+        if not self._writable:
+            raise EngineError(READ_ONLY)
+        self._tables.execute(statement)
+
+    def fetch(self, query: str) -> pa.Table:
+        """Return the rows of a query."""
+        self._tables.ready(query)
+        return self._arrow(self._run(query))
+
+    def begin(self) -> None:
+        """Do nothing: there are no transactions."""
+
+    commit = rollback = begin
+
+    def in_transaction(self) -> bool:
+        """Tell that none is open."""
+        return False
+
+    def keep(self, table: exp.Table, query: exp.Query) -> None:
+        """Make a view of the rows of a query, computed once."""
+        text = self.engine.text(query)
+        self._tables.ready(text)
+        frame = self._run(text)
+        if _estimated(frame) <= _SMALL:
+            self.ingest(table, self._arrow(frame))
+            return
+        if self._scratch is None:
+            self._name(table, _checkpointed(frame))
+            return
+        place = self._scratch / table.name
+        frame.write.parquet(str(place))
+        files = [pq.ParquetFile(path) for path in sorted(place.glob("*.parquet"))]
+        if sum(one.metadata.num_rows for one in files) <= _FEW:
+            self.ingest(table, pa.concat_tables([one.read() for one in files]))
+            shutil.rmtree(place)
+        else:
+            self._name(table, self._session.read.parquet(str(place)))
+
+    def ingest(self, table: exp.Table, rows: pa.Table) -> None:
+        """Make a view of the rows of an Arrow table."""
+        with quiet(), as_before(self._session):
+            self._name(table, self._session.createDataFrame(rows))
+
+    def drop(self, table: exp.Table) -> None:
+        """Drop a view made by :meth:`keep` or :meth:`ingest`, and what Spark holds for it."""
+        self._views.remove(table.name)
+        self._session.catalog.dropTempView(table.name)
+        if self._scratch is not None:
+            shutil.rmtree(self._scratch / table.name, ignore_errors=True)
+
+    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+        """Delete the rows of a table whose keys are among the rows of a query."""
+        if not self._writable:
+            raise EngineError(READ_ONLY)
+        self._tables.delete(table, keys, found)
+
+    def tables(self) -> list[tuple[str, ...]]:
+        """Return what can be read, tables and views."""
+        return [*self._tables.names(), *((name,) for name in self._views)]
+
+    def describe(self, relation: exp.Expr) -> dict[str, str]:
+        """Return the columns of a relation and the names of their types."""
+        text = self.engine.text(exp.select("*").from_(relation.copy()))
+        self._tables.ready(text)
+        return dict(self._run(text).dtypes)
+
+    def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
+        """Return the tables and views of a schema with their columns."""
+        return dict(self._tables.relations(schema))
+
+    def file(self, path: str) -> exp.Expr:
+        """Return the node that reads a file, a folder of files, or what a pattern matches.
+
+        Raises:
+            SourceError: there is none, or Spark cannot read it.
+        """
+        reader = self._session.read
+        with quiet():
+            if path.lower().endswith((".parquet", ".pq")):
+                frame = reader.parquet(path)
+            else:
+                tabs = ".tsv" in path.lower()
+                options = {"header": True, "inferSchema": True, "sep": "\t" if tabs else ","}
+                frame = reader.options(**options).csv(path)
+        view = exp.Table(this=template.name(f"gam_file_{abs(hash(path)):x}"))
+        self._name(view, frame)
+        return view
+
+    def rows_at_once(self) -> int:
+        """Return how many readings can be worked on at once: Spark takes them in parts itself."""
+        return _ALL
+
+    def close(self) -> None:
+        """Forget the tables; Spark itself goes on until the process ends."""
+        for name in list(self._views):
+            self.drop(exp.Table(this=template.name(name)))
+        if self._scratch is not None:
+            shutil.rmtree(self._scratch, ignore_errors=True)
+        self._tables.close()
+
+    def _shared_place(self, kept: Folder | str) -> Path | None:
+        """Return a folder for steps that Spark's workers reach; None where none is known."""
+        if isinstance(kept, Folder) and self._writable:
+            return kept.scratch()
+        if self._session.sparkContext.master.startswith("local"):
+            return Path(tempfile.mkdtemp(dir=scratch()))
+        return None
+
+    def _name(self, view: exp.Table, frame: Any) -> None:
+        frame.createOrReplaceTempView(view.this.sql(dialect="spark"))
+        if view.name not in self._views:
+            self._views.append(view.name)
+
+    def _run(self, text: str) -> Any:
+        with quiet():
+            return self._session.sql(text)
+
+    def _arrow(self, frame: Any) -> pa.Table:
+        with quiet():
+            rows: pa.Table = frame.toArrow()
+        return rows.cast(pa.schema([(field.name, _wide(field.type)) for field in rows.schema]))
+
+
+def _estimated(frame: Any) -> int:
+    """Return the bytes that Spark expects: after joins far too many, of packed files a few too few."""
+    return int(str(frame._jdf.queryExecution().optimizedPlan().stats().sizeInBytes()))
+
+
+def _checkpointed(frame: Any) -> Any:
+    """Return the rows, kept in files if the user set a folder for them, else at the workers."""
+    if frame.sparkSession.sparkContext._jsc.sc().getCheckpointDir().isDefined():
+        return frame.checkpoint()
+    return frame.localCheckpoint()
+
+
+def _wide(kind: pa.DataType) -> pa.DataType:
+    if pa.types.is_integer(kind):
+        return pa.int64()
+    return pa.float64() if pa.types.is_floating(kind) else kind

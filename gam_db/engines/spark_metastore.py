@@ -1,0 +1,115 @@
+"""Tables in the metastore of the user's own session: Parquet, or Delta or Iceberg where it has them."""
+
+import secrets
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.engines.base import Engine
+from gam_db.engines.spark_rewriting import Run, rewritten, same_keys
+
+#: In how many schemas tables are looked for, beside the current one.
+_SCHEMAS = 50
+
+
+def format_of(session: Any) -> str:
+    """Return the format of new tables: that of the current catalogue, by its settings."""
+    catalogue = session.catalog.currentCatalog()
+    said = session.conf.get(f"spark.sql.catalog.{catalogue}", "").lower()
+    return next((name for name in ("delta", "iceberg") if name in said), "parquet")
+
+
+class MetastoreTables:
+    """Tables and views of the metastore.
+
+    Args:
+        session: ours, beside the user's.
+        run: runs a statement of it.
+        engine: how trees become text.
+        form: ``parquet``, ``delta`` or ``iceberg``.
+    """
+
+    def __init__(self, session: Any, run: Run, engine: Engine, form: str) -> None:
+        self._session, self._run, self._engine, self._form = session, run, engine, form
+
+    def ready(self, text: str) -> None:
+        """Do nothing: Spark knows them."""
+
+    def execute(self, text: str) -> None:
+        """Run a statement that changes something."""
+        self._run(text)
+
+    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+        """Delete rows by their keys: Delta and Iceberg do, a Parquet table is pointed to other files."""
+        shown = table.sql(dialect="spark")
+        if self._form != "parquet":
+            self._run(self._engine.text(_merge(table, keys, found)))
+            return
+        columns = self._session.table(shown).columns
+        before = self._place(shown)
+        after = f"{before.rstrip('/')}-{secrets.token_hex(4)}"
+        if not rewritten(self._run, self._engine, table, columns, keys, found, after):
+            return
+        place = template.text(after).sql(dialect="spark")
+        self._run(f"ALTER TABLE {shown} SET LOCATION {place}")
+        self._remove(before)
+
+    def names(self) -> list[tuple[str, ...]]:
+        """Return what can be read: of the current catalogue, by schema, and views of the session."""
+        catalogue = self._session.catalog.currentCatalog()
+        schemas = [row[0] for row in self._run("SHOW SCHEMAS").collect()]
+        current = self._session.catalog.currentDatabase()
+        found: list[tuple[str, ...]] = []
+        for schema in [current, *(one for one in schemas[:_SCHEMAS] if one != current)]:
+            shown = template.name(schema).sql(dialect="spark")
+            for row in self._run(f"SHOW TABLES IN {shown}").collect():
+                own = (
+                    (row["tableName"],) if row["isTemporary"] else (catalogue, schema, row["tableName"])
+                )
+                found.append(own)
+        return found
+
+    def relations(self, schema: str | None) -> Mapping[str, tuple[str, ...]]:
+        """Return the tables and views of a schema with their columns, as they are now."""
+        name = schema or self._session.catalog.currentDatabase()
+        shown = template.name(name).sql(dialect="spark")
+        found: dict[str, tuple[str, ...]] = {}
+        if schema is not None and not self._session.catalog.databaseExists(schema):
+            return found
+        for row in self._run(f"SHOW TABLES IN {shown}").collect():
+            if not row["isTemporary"]:
+                table = f"{shown}.{template.name(row['tableName']).sql(dialect='spark')}"
+                self._run(f"REFRESH TABLE {table}")
+                found[row["tableName"].casefold()] = tuple(self._session.table(table).columns)
+        return found
+
+    def close(self) -> None:
+        """Do nothing: the session is the user's."""
+
+    def _place(self, shown: str) -> str:
+        rows = self._run(f"DESCRIBE TABLE EXTENDED {shown}").collect()
+        return next(str(row[1]) for row in reversed(rows) if row[0] == "Location")
+
+    def _remove(self, place: str) -> None:
+        context = self._session.sparkContext
+        path = context._jvm.org.apache.hadoop.fs.Path(place)
+        path.getFileSystem(context._jsc.hadoopConfiguration()).delete(path, True)
+
+
+def _merge(table: exp.Table, keys: Sequence[str], found: exp.Query) -> exp.Merge:
+    """Return what deletes by keys where DELETE takes no query: Delta's does not."""
+    doomed = exp.Subquery(
+        this=exp.select(*(exp.column(template.name(key)) for key in keys))
+        .distinct()
+        .from_(found.subquery("found")),
+        alias=exp.TableAlias(this=exp.to_identifier("gone")),
+    )
+    matched = exp.When(matched=True, then=exp.var("DELETE"))
+    return exp.Merge(
+        this=table.copy().as_("staying"),
+        using=doomed,
+        on=same_keys(keys),
+        whens=exp.Whens(expressions=[matched]),
+    )

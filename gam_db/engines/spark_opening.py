@@ -1,0 +1,212 @@
+"""Opening Spark: a session in this process, one on a cluster, or a copy of the user's own.
+
+Ours is always a session beside the others of the process, with settings of its own (UTC, ANSI mode):
+what the user set stays as it is.
+"""
+
+import atexit
+import contextlib
+import logging
+import os
+import shutil
+import sys
+import tempfile
+import warnings
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote, urlsplit
+
+from gam_db.errors import EngineError
+from gam_db.extras import needed
+
+OLDEST = (3, 5)
+
+#: Set in every session of ours, beside the user's.
+_SETTINGS = {
+    "spark.sql.session.timeZone": "UTC",
+    "spark.sql.ansi.enabled": "true",
+    "spark.sql.storeAssignmentPolicy": "ANSI",
+    "spark.sql.parquet.outputTimestampType": "TIMESTAMP_MICROS",
+    # Asset 007 of a folder asset=007 is a name, not the number 7.
+    "spark.sql.sources.partitionColumnTypeInference.enabled": "false",
+}
+
+#: Without these a session in this process opens ports to the world and a web page.
+_LOCAL = {
+    "spark.ui.enabled": "false",
+    "spark.driver.host": "127.0.0.1",
+    "spark.driver.bindAddress": "127.0.0.1",
+}
+
+
+@dataclass(frozen=True)
+class Address:
+    """What an address says: the master (None: what the environment says) and the folder."""
+
+    master: str | None
+    folder: Path
+
+
+def address_of(url: str) -> Address:
+    """Return what ``spark:///FOLDER`` or ``spark://HOST:PORT/FOLDER`` says.
+
+    Raises:
+        EngineError: it names no folder.
+    """
+    parts = urlsplit(url)
+    folder = unquote(parts.path)
+    if not folder.strip("/"):
+        raise EngineError(
+            f"{url} names no folder for the tables; write spark:///FOLDER, or spark://HOST:7077/FOLDER "
+            "with a folder that all workers can reach."
+        )
+    return Address(f"spark://{parts.netloc}" if parts.netloc else None, Path(folder).absolute())
+
+
+def started(address: Address) -> Any:
+    """Return a new session of the Spark of this process, which is started if there is none.
+
+    Raises:
+        EngineError: there is no Java, or a too old one, the master does not answer, Spark is too old, or
+            this process runs Spark on another master already.
+    """
+    context = needed("pyspark", "spark").SparkContext._active_spark_context
+    if context is None:
+        base = _started(address.master or os.environ.get("SPARK_MASTER"))
+    else:
+        if address.master not in (None, context.master):
+            raise EngineError(
+                f"This process runs Spark on {context.master} already, and one process has one Spark; "
+                f"{address.master} takes another process."
+            )
+        base = needed("pyspark.sql", "spark").SparkSession.builder.getOrCreate()
+    with quiet():
+        return _set(base.newSession(), base)
+
+
+def beside(session: Any) -> Any:
+    """Return a session with the views, settings and current schema of the user's, and our own settings.
+
+    Raises:
+        EngineError: it is stopped, too old, or a remote one.
+    """
+    if not hasattr(session, "_jsparkSession"):
+        raise EngineError(
+            "This is a session of Spark Connect; gam-db needs a SparkSession whose Java runs in this "
+            "process (a job on the cluster has one)."
+        )
+    if session.sparkContext._jsc is None or session.sparkContext._jsc.sc().isStopped():
+        raise EngineError("This SparkSession is stopped; start one and give that.")
+    return _set(type(session)(session.sparkContext, session._jsparkSession.cloneSession()), session)
+
+
+@cache
+def scratch() -> Path:
+    """Return a folder of this process that goes with it."""
+    folder = Path(tempfile.mkdtemp(prefix="gam-spark-"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return folder
+
+
+@contextlib.contextmanager
+def quiet() -> Iterator[None]:
+    """Keep what PySpark says to developers, and what it logs of errors, from users."""
+    log = logging.getLogger("SQLQueryContextLogger")
+    before = log.disabled
+    log.disabled = True
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            yield
+    finally:
+        log.disabled = before
+
+
+@contextlib.contextmanager
+def as_before(session: Any) -> Iterator[None]:
+    """Let the active session be what it was: making a table of rows would let it be ours."""
+    before = type(session).getActiveSession()
+    try:
+        yield
+    finally:
+        if before is not None:
+            type(session)._activeSession = before
+            session._jvm.SparkSession.setActiveSession(before._jsparkSession)
+
+
+def _set(session: Any, base: Any) -> Any:
+    found = tuple(int(part) for part in session.version.split(".")[:2])
+    if found < OLDEST:
+        raise EngineError(
+            f"Spark {session.version} is too old; gam-db needs {'.'.join(map(str, OLDEST))} or later."
+        )
+    for name, value in _SETTINGS.items():
+        session.conf.set(name, value)
+    if base.sparkContext.master.startswith("local"):
+        session.conf.set("spark.sql.shuffle.partitions", str(base.sparkContext.defaultParallelism))
+    return session
+
+
+def _started(master: str | None) -> Any:
+    """Start Spark; what Java says on the way goes to a file.
+
+    What it says later, too: the process of Java keeps the streams that it was started with.
+    """
+    builder = needed("pyspark.sql", "spark").SparkSession.builder.appName("gam-db")
+    if master is not None:
+        builder = builder.master(master)
+    if master is None or master.startswith("local"):
+        for name, value in _LOCAL.items():
+            builder = builder.config(name, value)
+    builder = builder.config("spark.ui.showConsoleProgress", "false")
+    builder = builder.config("spark.driver.maxResultSize", "0")
+    # A quarter of the memory, unless the settings of Spark say otherwise.
+    os.environ.setdefault("SPARK_DRIVER_MEMORY", f"{max(_memory() // 4, 1)}g")
+    said = scratch() / "java.log"
+    try:
+        with quiet(), _stderr_to(said):
+            session = builder.getOrCreate()
+    except Exception as error:
+        raise EngineError(_refusal(error, said, master)) from error
+    atexit.register(_stop, session)
+    return session
+
+
+def _refusal(error: Exception, said: Path, master: str | None) -> str:
+    text = f"{error}\n{said.read_text(encoding='utf-8', errors='replace') if said.exists() else ''}"
+    if "All masters are unresponsive" in text or "Master removed our application" in text:
+        return f"The Spark master {master} does not answer; is it running, and is this its address?"
+    if "UnsupportedClassVersionError" in text:
+        return "The Java that JAVA_HOME or PATH names is too old; Spark 4 needs Java 17 or 21."
+    if "JAVA_HOME is not set" in text or shutil.which("java") is None:
+        return "Spark needs Java 17 or 21, and none is found; install one, or let JAVA_HOME name it."
+    if "Could not parse Master URL" in text or "Invalid master URL" in text:
+        return f"{master} is no address of a Spark master; it looks like spark://HOST:7077."
+    return f"Spark could not be started: {str(error).strip().partition(chr(10))[0]}"
+
+
+def _stop(session: Any) -> None:
+    with contextlib.suppress(Exception):
+        session.stop()
+
+
+def _memory() -> int:
+    """Return the memory of this machine in GiB."""
+    return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") // 2**30
+
+
+@contextlib.contextmanager
+def _stderr_to(path: Path) -> Iterator[None]:
+    """Let processes that are started inside write their errors to a file."""
+    sys.stderr.flush()
+    kept = os.dup(2)
+    try:
+        with path.open("ab") as stream:
+            os.dup2(stream.fileno(), 2)
+        yield
+    finally:
+        os.dup2(kept, 2)
+        os.close(kept)

@@ -1,0 +1,71 @@
+"""Taking rows out of a table of files: those that stay are written to another place."""
+
+import secrets
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.engines.base import Engine
+
+Run = Callable[[str], Any]
+
+
+def rewritten(
+    run: Run,
+    engine: Engine,
+    table: exp.Table,
+    columns: Sequence[str],
+    keys: Sequence[str],
+    found: exp.Query,
+    place: str,
+) -> bool:
+    """Write the rows of a table that stay to another place; tell whether any are to go.
+
+    Args:
+        run: runs a statement.
+        engine: how trees become text.
+        table: with the rows.
+        columns: of the table.
+        keys: its columns whose values are looked for.
+        found: the keys of the rows that go.
+        place: a folder that is not there yet.
+    """
+    same = same_keys(keys)
+    rows = exp.select(*(exp.column(template.name(name), table="staying") for name in columns))
+    rows = rows.from_(table.copy().as_("staying"))
+    doomed = exp.Subquery(this=found.copy(), alias=exp.TableAlias(this=exp.to_identifier("gone")))
+    any_row = rows.join(doomed.copy(), on=same.copy(), join_type="left semi").limit(1)
+    if run(engine.text(any_row)).isEmpty():
+        return False
+    beside = table.copy()
+    beside.set("this", template.name(f"{table.name}_{secrets.token_hex(4)}"))
+    like = exp.Create(
+        this=beside,
+        kind="TABLE",
+        properties=exp.Properties(
+            expressions=[
+                exp.LikeProperty(this=table.copy()),
+                exp.LocationProperty(this=template.text(place)),
+            ]
+        ),
+    )
+    names = [template.name(name) for name in columns]
+    stay = rows.join(doomed, on=same, join_type="left anti")
+    run(engine.text(like))
+    run(engine.text(exp.Insert(this=exp.Schema(this=beside.copy(), expressions=names), expression=stay)))
+    run(engine.text(exp.Drop(tables=[beside.copy()], kind="TABLE")))
+    return True
+
+
+def same_keys(keys: Sequence[str]) -> exp.Expr:
+    """Return the condition that a row of *staying* has the keys of one of *gone*."""
+    return exp.and_(
+        *(
+            exp.column(template.name(key), table="staying").eq(
+                exp.column(template.name(key), table="gone")
+            )
+            for key in keys
+        )
+    )

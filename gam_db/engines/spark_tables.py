@@ -1,0 +1,241 @@
+"""Where Spark keeps tables: in a folder with a catalogue of its own, or in the metastore of a session.
+
+This module owns how tables and views are made, dropped and rewritten; the driver asks it before every
+statement.
+"""
+
+import dataclasses
+import os
+import secrets
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, Protocol
+
+import sqlglot
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.engines.base import Engine
+from gam_db.engines.session import CONFLICT
+from gam_db.engines.spark_folder import Entry, Folder
+from gam_db.engines.spark_opening import scratch
+from gam_db.engines.spark_rewriting import Run, rewritten
+from gam_db.errors import EngineError
+
+
+class Tables(Protocol):
+    """Tables and views that outlive a session."""
+
+    def ready(self, text: str) -> None:
+        """Let the session know, as they are now, the tables that a statement may name."""
+
+    def execute(self, text: str) -> None:
+        """Run a statement that changes something."""
+
+    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+        """Delete the rows of a table whose keys are among the rows of a query, in one step."""
+
+    def names(self) -> list[tuple[str, ...]]:
+        """Return what can be read: (schema, name) or (name,)."""
+
+    def relations(self, schema: str | None) -> Mapping[str, tuple[str, ...]]:
+        """Return the tables and views of a schema with their columns, names in lower case."""
+
+    def close(self) -> None:
+        """Let the session forget them."""
+
+
+class FolderTables:
+    """Tables in a folder: known to the session when a statement names them, and again if they changed.
+
+    Args:
+        session: of Spark, for this connection alone.
+        run: runs a statement of it.
+        engine: how trees become text.
+        folder: with the catalogue.
+    """
+
+    def __init__(self, session: Any, run: Run, engine: Engine, folder: Folder) -> None:
+        self._session, self._run, self._engine, self._folder = session, run, engine, folder
+        self._known: dict[str, tuple[Entry, int]] = {}
+        self._schemas: set[str] = set()
+        self._database = f"gam_{secrets.token_hex(6)}"
+        self._make_schema(self._database)
+        run(f"USE {self._database}")
+
+    def ready(self, text: str) -> None:
+        """Let the session know, as they are now, the tables that a statement may name."""
+        entries = self._folder.entries()
+        for key in [key for key in self._known if key not in entries]:
+            self._forget(key)
+        self._tell_named(text, entries, set())
+
+    def execute(self, text: str) -> None:
+        """Run a statement that changes something, and keep what it makes."""
+        tree = sqlglot.parse_one(text, dialect="spark")
+        if isinstance(tree, exp.Create) and str(tree.kind) in ("SCHEMA", "DATABASE"):
+            self._make_schema(tree.this.db or tree.this.name)
+        elif isinstance(tree, exp.Create) and str(tree.kind) == "TABLE":
+            self._create_table(tree)
+        elif isinstance(tree, exp.Create) and str(tree.kind) == "VIEW":
+            self.ready(text)
+            self._create_view(tree, text)
+        elif isinstance(tree, exp.Drop):
+            self.ready(text)
+            self._drop(tree, text)
+        else:
+            self.ready(text)
+            self._run(text)
+            self._note()
+
+    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+        """Write the rows that stay to another folder, and let the table be that."""
+        self.ready(f"{table.name} {self._engine.text(found)}")
+        entry = self._folder.entries()[_key(table)]
+        before = _files(self._folder.place(entry))
+        data = self._folder.new_data(entry.schema, entry.name)
+        place = self._folder.path / data
+        if not rewritten(self._run, self._engine, table, entry.columns, keys, found, str(place)):
+            return
+        if self._folder.entries().get(entry.key) != entry or _files(self._folder.place(entry)) != before:
+            self._folder.sweep(entry.schema, entry.name, [entry.data or ""])
+            raise EngineError(CONFLICT)
+        self._folder.put(dataclasses.replace(entry, data=data))
+        self.ready(table.name)
+        self._folder.sweep(entry.schema, entry.name, [data])
+
+    def names(self) -> list[tuple[str, ...]]:
+        """Return what can be read: (schema, name) or (name,)."""
+        return [
+            (entry.name,) if entry.schema is None else (entry.schema, entry.name)
+            for entry in self._folder.entries().values()
+        ]
+
+    def relations(self, schema: str | None) -> Mapping[str, tuple[str, ...]]:
+        """Return the tables and views of a schema with their columns, names in lower case."""
+        wanted = None if schema is None else schema.casefold()
+        return {
+            entry.name.casefold(): entry.columns
+            for entry in self._folder.entries().values()
+            if (None if entry.schema is None else entry.schema.casefold()) == wanted
+        }
+
+    def close(self) -> None:
+        """Let the session forget them."""
+        for key in list(self._known):
+            self._forget(key)
+        for schema in self._schemas:
+            self._run(f"DROP SCHEMA IF EXISTS {self._shown(schema)} CASCADE")
+
+    def _tell_named(self, text: str, entries: Mapping[str, Entry], told: set[str]) -> None:
+        """Let Spark know what a statement names, and before a view all that it reads."""
+        folded = text.casefold()
+        for key, entry in entries.items():
+            if key not in told and entry.name.casefold() in folded:
+                told.add(key)
+                if entry.data is None:
+                    self._tell_named(entry.statement, entries, told)
+                self._tell(key, entry)
+
+    def _tell(self, key: str, entry: Entry) -> None:
+        known = self._known.get(key)
+        changed = _changed(self._folder.place(entry)) if entry.data else 0
+        if known and known[0] == entry:
+            if known[1] != changed:
+                self._run(f"REFRESH TABLE {self._shown(entry.name, entry.schema)}")
+                self._known[key] = entry, changed
+            return
+        if known:
+            self._forget(key)
+        if entry.schema is not None:
+            self._make_schema(entry.schema)
+        self._run(entry.statement if entry.data is None else self._placed(entry))
+        self._known[key] = entry, changed
+
+    def _forget(self, key: str) -> None:
+        entry, _ = self._known.pop(key)
+        kind = "VIEW" if entry.data is None else "TABLE"
+        self._run(f"DROP {kind} IF EXISTS {self._shown(entry.name, entry.schema)}")
+
+    def _note(self) -> None:
+        """Remember how the tables are after a statement of ours: Spark knows them as they are."""
+        for key, (entry, changed) in self._known.items():
+            now = _changed(self._folder.place(entry)) if entry.data else 0
+            if now != changed:
+                self._known[key] = entry, now
+
+    def _create_table(self, tree: exp.Create) -> None:
+        target = tree.find(exp.Table)
+        assert target is not None
+        if _key(target) in self._folder.entries():
+            if tree.args.get("exists"):
+                return
+            raise EngineError(f"There is a table or view {target.name!r} already.")
+        schema = target.db or None
+        if schema is not None:
+            self._make_schema(schema)
+        columns = tuple(column.name for column in tree.find_all(exp.ColumnDef))
+        entry = Entry(schema, target.name, "", columns, self._folder.new_data(schema, target.name))
+        if tree.expression is None:
+            self._folder.put(dataclasses.replace(entry, statement=tree.sql(dialect="spark")))
+            return
+        self.ready(tree.sql(dialect="spark"))
+        self._run(self._placed(dataclasses.replace(entry, statement=tree.sql(dialect="spark"))))
+        tree.set("expression", None)
+        columns = tuple(self._session.table(self._shown(target.name, schema)).columns)
+        kept = dataclasses.replace(entry, columns=columns, statement=tree.sql(dialect="spark"))
+        self._folder.put(kept)
+        self._known[kept.key] = kept, _changed(self._folder.place(kept))
+
+    def _create_view(self, tree: exp.Create, text: str) -> None:
+        target = tree.find(exp.Table)
+        assert target is not None
+        self._run(text)
+        columns = tuple(self._session.table(self._shown(target.name, target.db or None)).columns)
+        entry = Entry(target.db or None, target.name, text, columns, None)
+        self._folder.put(entry)
+        self._known[entry.key] = entry, 0
+
+    def _drop(self, tree: exp.Drop, text: str) -> None:
+        target = tree.this if tree.this is not None else tree.args["tables"][0]
+        entry = self._folder.entries().get(_key(target))
+        if entry is None:
+            self._run(text)
+            return
+        self._folder.drop(entry)
+        self._forget(entry.key)
+
+    def _make_schema(self, schema: str) -> None:
+        """Make a schema known to Spark; its own place is never used, and is removed with it."""
+        place = scratch() / f"{self._database}_{len(self._schemas)}"
+        self._run(f"CREATE SCHEMA IF NOT EXISTS {self._shown(schema)} LOCATION '{place}'")
+        self._schemas.add(schema)
+
+    def _placed(self, entry: Entry) -> str:
+        """Return the statement that makes a table known, with the place of its rows."""
+        create = sqlglot.parse_one(entry.statement, dialect="spark")
+        properties = create.args.get("properties") or exp.Properties(expressions=[])
+        place = template.text(str(self._folder.place(entry)))
+        properties.append("expressions", exp.LocationProperty(this=place))
+        create.set("properties", properties)
+        return create.sql(dialect="spark")
+
+    def _shown(self, name: str, schema: str | None = None) -> str:
+        db = None if schema is None else template.name(schema)
+        return exp.Table(this=template.name(name), db=db).sql(dialect="spark")
+
+
+def _key(table: exp.Table) -> str:
+    return (f"{table.db}.{table.name}" if table.db else table.name).casefold()
+
+
+def _changed(folder: Path) -> int:
+    try:
+        return folder.stat().st_mtime_ns
+    except FileNotFoundError:
+        return 0
+
+
+def _files(folder: Path) -> frozenset[str]:
+    with os.scandir(folder) as found:
+        return frozenset(one.name for one in found if one.name.endswith(".parquet"))
