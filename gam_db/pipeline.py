@@ -30,6 +30,10 @@ class Step:
     reads: frozenset[str]
 
 
+#: What a query depends on: how many steps there are, which are small, and which are tables, and where.
+_Key = tuple[int, frozenset[str], frozenset[tuple[str, ...]]]
+
+
 @dataclass
 class Pipeline:
     """Steps in the order in which they were added; a step reads only what was added before it.
@@ -42,6 +46,7 @@ class Pipeline:
 
     steps: dict[str, Step] = field(default_factory=dict)
     small: frozenset[str] = frozenset()
+    _made: dict[str, tuple[_Key, exp.Query]] = field(default_factory=dict, repr=False)
 
     def add(
         self,
@@ -54,11 +59,10 @@ class Pipeline:
 
         Args:
             name: its name.
-            query: its tree; it is copied.
+            query: its tree; it is the pipeline's from now on.
             comment: what it computes.
             tables: for a tree that calls its inputs otherwise: the name in the tree -> the step.
         """
-        query = query.copy()
         reads = set()
         for table in _plain_tables(query):
             step = (tables or {}).get(table.name, table.name)
@@ -95,8 +99,25 @@ class Pipeline:
             target: the step whose rows are wanted.
             placed: steps that exist as tables already.
             commented: put each step's comment before it.
+
+        Returns:
+            The tree; asked again in the same circumstances, the same one, so it must not be changed. One
+            with comments is the caller's own.
         """
         placed = placed or {}
+        if commented:
+            return self._composed(target, placed, True)
+        key = self._key(placed)
+        if target not in self._made or self._made[target][0] != key:
+            self._made[target] = key, self._composed(target, placed, False)
+        return self._made[target][1]
+
+    def _key(self, placed: Mapping[str, exp.Table]) -> _Key:
+        """Return all that the query of a step depends on."""
+        places = ((name, *(part.name for part in table.parts)) for name, table in placed.items())
+        return len(self.steps), frozenset(self.small), frozenset(places)
+
+    def _composed(self, target: str, placed: Mapping[str, exp.Table], commented: bool) -> exp.Query:
         if target in placed:
             query = union_of(self, [target])
             place(query, placed)

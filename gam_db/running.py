@@ -76,7 +76,9 @@ class Running:
         self._kept[step] = self.placed[step] = self.session.keep(step, query)
 
     def load(self, step: str, rows: pa.Table) -> None:
-        """Let an Arrow table be the table of a step."""
+        """Let an Arrow table be the table of a step, instead of what was so before."""
+        if step in self._kept:
+            self.session.forget(self._kept[step])
         self._kept[step] = self.placed[step] = self.session.load(rows)
 
     def forget(self, but: Iterable[str] = ()) -> None:

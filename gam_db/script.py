@@ -45,7 +45,7 @@ def render(
     source: AnySource,
     parameters: Parameters | None = None,
     calibration: Calibration | None = None,
-    prefix: str = "gam_",
+    prefix: str = "gam_live_",
 ) -> str:
     """Return the complete SQL script of a form for an engine.
 
@@ -53,7 +53,8 @@ def render(
         form: "exact", one query, a row per scored vector; or "view", tables <prefix>channels,
             <prefix>calibration, <prefix>bounds, <prefix>support, <prefix>support_summary and
             <prefix>certificate and the view <prefix>health over the live source. DuckDB also gets the
-            table macro <prefix>health_of(asset, channel).
+            table macro <prefix>health_of(asset, channel). The script begins by dropping what bears these
+            names: the tables of a monitor, which begin with gam_ unless told otherwise, are others.
         engine: its name, see ``gam_db.engines.NAMES``.
         source: where the telemetry lies. Without ``time_kind`` the time column is taken for what a file
             shows or the given instants mean, else for an integer counter, and the script says so.

@@ -3,7 +3,7 @@
 A *history* is plain data: the rows that are there when calibration is frozen, then batches of rows that
 arrive one after another, with what is done after each. Rows come late by up to ``lookback`` behind the
 newest time of their channel that was read before, in any order, and some come again. Each channel has a
-series and a lateness of its own: a history of 30 channels is 30 cases.
+series, a lateness and a cut into batches of its own: a history of 10 channels is 10 cases.
 
 Everything follows from one number: drawn value by value, hypothesis would spend its time on it.
 """
@@ -14,7 +14,7 @@ from typing import Any
 
 from strategies import ASSETS, MISSING, Arguments, Row
 
-CHANNELS = 30
+CHANNELS = 10
 LENGTH = 60
 
 #: What a history is about -> parameters and calibration that go with it.
@@ -46,6 +46,7 @@ class History:
         lookback: how late a row may be.
         park_after: see :class:`gam_db.Monitor`.
         limit: most readings that a run works on at once.
+        trusted_from: rows from which on a run takes on trust that no instant occurs twice.
         final: all rows, each once.
     """
 
@@ -55,6 +56,7 @@ class History:
     lookback: int
     park_after: int | bool
     limit: int
+    trusted_from: int
     final: list[Row]
     batches: list[Batch] = field(default_factory=list)
 
@@ -77,13 +79,16 @@ def history(kind: str, seed: int) -> History:
         first,
         lookback,
         chance.choice([False, False, 5]),
-        chance.choice([500, 10**6, 10**6]),
+        chance.choice([300, 10**6, 10**6]),
+        chance.choice([0, 10**6, 10**6]),
         rows,
     )
     arrivals = Arrivals(chance, first, later, lookback)
     made.batches.append(Batch([], runs(chance)))
+    left = chance.randint(1, 5)
     while arrivals.pending:
-        made.batches.append(Batch(arrivals.next(), runs(chance)))
+        left -= 1
+        made.batches.append(Batch(arrivals.next(left <= 0), runs(chance)))
     made.batches.append(Batch([], [("everything", 0)]))
     return made
 
@@ -100,24 +105,28 @@ class Arrivals:
         for row in first:
             self.newest[row[:2]] = max(row[2], self.newest.get(row[:2], row[2]))
 
-    def next(self) -> list[Row]:
-        """Return the rows of the next batch in any order, some old ones among them."""
+    def next(self, last: bool = False) -> list[Row]:
+        """Return the rows of the next batch in any order, some old ones among them; in the last all."""
         chance, batch = self.chance, []
-        share = chance.choice([0.4, 0.7, 1.0])
+        share = chance.choice([0.3, 0.7, 1.0])
         for name, waiting in list(self.pending.items()):
-            if chance.random() < 0.2:
+            if not last and chance.random() < 0.2:
                 continue  # silent for once
-            ahead = waiting[: max(3, int(share * len(waiting) * 2 * chance.random()))]
+            some = max(3, int(share * len(waiting) * 2 * chance.random()))
+            ahead = waiting if last else waiting[:some]
             end = max(self.newest[name], ahead[-1][2])
-            held = [row for row in ahead if row[2] >= end - self.lookback and chance.random() < 0.3]
+            kept_back = 0.0 if last else 0.3
+            held = [
+                row for row in ahead if row[2] >= end - self.lookback and chance.random() < kept_back
+            ]
             come = [row for row in ahead if not any(row is one for one in held)]
             batch += come
             rest = held + waiting[len(ahead) :]
             self.newest[name] = max([self.newest[name], *(row[2] for row in come)])
             # What is left behind must not have become too late by what came.
-            late = [row for row in rest if row[2] < self.newest[name] - self.lookback]
-            batch += late
-            left = [row for row in rest if not any(row is one for one in late)]
+            overdue = [row for row in rest if row[2] < self.newest[name] - self.lookback]
+            batch += overdue
+            left = [row for row in rest if not any(row is one for one in overdue)]
             self.pending[name] = sorted(left, key=lambda row: row[2])
             if not left:
                 del self.pending[name]
@@ -166,7 +175,7 @@ def settings(kind: str, chance: random.Random) -> tuple[Arguments, Arguments]:
 
 def names(chance: random.Random) -> list[tuple[str, str]]:
     """Return the names of the channels, some of which look like patterns."""
-    assets = [*ASSETS, *(f"m_{number}" for number in range(10, 10 + CHANNELS))]
+    assets = [*ASSETS, *(f"m_{number}" for number in range(10, 30))]
     both = [(asset, channel) for asset in assets for channel in ("x", "X", "y*")]
     return chance.sample(both, CHANNELS)
 

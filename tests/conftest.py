@@ -31,6 +31,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     )
 
 
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Leave the files alone whose engine nobody asked for; they need its libraries."""
+    return engines.is_left_out(collection_path.name, config.getoption("--engines")) or None
+
+
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     """Run a test that has an argument ``engine`` on every engine that is asked for."""
     named = [mark.args[0] for mark in metafunc.definition.iter_markers("parametrize")]

@@ -1,20 +1,26 @@
 """Engines under test: which are asked for, and an open session on each.
 
 ``pytest --engines fast`` (the default) runs on DuckDB and SQLite, ``all`` on every engine that is called
-executed, and ``NAME,...`` on those named. One that is asked for and cannot be started is a failure.
+executed, on the stand-ins for others, and dbt; ``NAME,...`` runs on those named. One that is asked for
+and cannot be started is a failure.
 """
 
 import atexit
+import importlib
 import itertools
 import os
 import shutil
+import sqlite3
 import tempfile
 from collections.abc import Callable
 from functools import cache
 
+import duckdb
 import pytest
+import sqlglot
 from hypothesis import settings
 
+import postgres_server
 from gam_db.connect import connect
 from gam_db.engines.session import Session
 
@@ -35,11 +41,22 @@ def spark() -> Session:
 OPENERS: dict[str, Callable[[], Session]] = {
     "duckdb": lambda: connect(),
     "sqlite": lambda: connect("sqlite://"),
+    "postgres": lambda: connect(postgres_server.server().url),
+    "clickhouse": lambda: connect("chdb://"),
     "spark": spark,
 }
 
+#: engine -> the version that the tests see
+VERSIONS: dict[str, Callable[[], str]] = {
+    "duckdb": lambda: duckdb.__version__,
+    "sqlite": lambda: sqlite3.sqlite_version,
+    "postgres": postgres_server.version,
+    "clickhouse": lambda: clickhouse_version(),
+    "spark": lambda: importlib.import_module("pyspark").__version__,
+}
+
 #: engine -> random cases of the agreement tests, about as many as take the same time on each
-EXAMPLES = {"duckdb": 100, "sqlite": 60, "spark": 4}
+EXAMPLES = {"duckdb": 100, "sqlite": 60, "postgres": 20, "clickhouse": 12, "spark": 4}
 
 
 def examples(name: str) -> int:
@@ -47,24 +64,43 @@ def examples(name: str) -> int:
     return max(EXAMPLES[name] * settings().max_examples // 100, 4)
 
 
+#: What else can be asked for: engines that are run on a stand-in, and the tools beside them.
+STAND_INS = ("bigquery", "relatives", "dbt")
+
 _numbers = itertools.count()
 
 
-def chosen(asked: str) -> list[str]:
-    """Return the engines that an option of the command line asks for."""
-    names = {"fast": FAST, "all": tuple(OPENERS)}.get(asked, tuple(asked.split(",")))
+def asked_for(asked: str) -> tuple[str, ...]:
+    """Return all that an option of the command line asks for."""
+    known = (*OPENERS, *STAND_INS)
+    names = {"fast": FAST, "all": known}.get(asked, tuple(asked.split(",")))
     for name in names:
-        if name not in OPENERS:
-            raise pytest.UsageError(
-                f"--engines: there is no {name!r}; fast, all or {', '.join(OPENERS)}"
-            )
-    return list(names)
+        if name not in known:
+            raise pytest.UsageError(f"--engines: there is no {name!r}; fast, all or {', '.join(known)}")
+    return names
+
+
+def chosen(asked: str) -> list[str]:
+    """Return the engines among them on which a session is opened."""
+    return [name for name in asked_for(asked) if name in OPENERS]
+
+
+def is_left_out(file: str, asked: str) -> bool:
+    """Tell whether a file, ``test_NAME.py`` or ``test_NAME_....py``, is of a NAME not asked for."""
+    names = [name for name in (*OPENERS, *STAND_INS) if f"{file[:-3]}_".startswith(f"test_{name}_")]
+    return bool(names) and names[0] not in asked_for(asked)
 
 
 @cache
 def session(name: str) -> Session:
     """Return the session on an engine; it stays open for the tests that follow."""
     return OPENERS[name]()
+
+
+def clickhouse_version() -> str:
+    """Return the version of ClickHouse inside this process."""
+    found = session("clickhouse").fetch(sqlglot.parse_one("SELECT VERSION() AS version"))
+    return str(found["version"][0].as_py())
 
 
 def fresh_name(stem: str) -> str:

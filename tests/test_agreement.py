@@ -7,6 +7,9 @@ import harness
 import scripts
 from strategies import Case, cases
 
+#: What this file runs, and how its version is found; see test_engines.py.
+RUNS = engines.VERSIONS
+
 
 def test_exact_form_equals_the_reference(engine: str) -> None:
     @settings(max_examples=engines.examples(engine))

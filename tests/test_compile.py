@@ -34,7 +34,9 @@ def test_columns_of_a_database_table_are_looked_at(tmp_path: Path) -> None:
     assert (made.exit_code, made.stdout) == (0, "")
     with duckdb.connect(str(path)) as connection:
         connection.execute(script.read_text())
-        rows = connection.sql("SELECT min(asset), min(channel), count(*) FROM gam_health").fetchall()
+        rows = connection.sql(
+            "SELECT min(asset), min(channel), count(*) FROM gam_live_health"
+        ).fetchall()
     assert rows == [("r1", "j1", 320)]
 
 

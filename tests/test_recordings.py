@@ -14,6 +14,7 @@ import pytest
 
 import gam_db
 from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.session import Session
 from gam_db.study import Study
 
 DATASETS = ("production_plant", "femto_bearings", "hydraulic_rig", "hydraulic_actuators", "ur3_cobot")
@@ -48,7 +49,14 @@ def test_every_row_of_the_reference_is_asked_for(recordings: Path) -> None:
 @pytest.mark.parametrize("setting", SETTINGS, ids="/".join)
 @pytest.mark.parametrize("dataset", DATASETS)
 def test_reference_counts(recordings: Path, dataset: str, setting: tuple[str, ...]) -> None:
-    expected = counts(recordings)[dataset, *setting]
+    with DuckSession() as session:
+        agrees(session, series(recordings, dataset), counts(recordings)[dataset, *setting], setting)
+
+
+def agrees(
+    session: Session, source: gam_db.Source, expected: list[dict[str, str]], setting: tuple[str, ...]
+) -> None:
+    """Compare what a session makes of a recording with its rows of the reference."""
     m, tau, bins = map(int, setting)
     gaps = {row["channel"]: int(row["gap"]) for row in expected}
     usual = Counter(gaps.values()).most_common(1)[0][0]
@@ -64,12 +72,13 @@ def test_reference_counts(recordings: Path, dataset: str, setting: tuple[str, ..
         ],
     )
     calibration = gam_db.Calibration(fraction=float(expected[0]["cal"]))
-    with DuckSession() as session:
-        study = Study(session, series(recordings, dataset), parameters, calibration)
-        learnt = {
-            (row["asset"], row["channel"]): row for row in study.table("support_summary").to_pylist()
-        }
+    study = Study(session, source, parameters, calibration)
+    try:
+        rows = study.table("support_summary").to_pylist()
         vectors = study.table("health_indicator")
+    finally:
+        study.running.forget()
+    learnt = {(row["asset"], row["channel"]): row for row in rows}
     totals = vectors.group_by(["asset", "channel", "straddling"]).aggregate(
         [("novel", "count"), ("novel", "sum"), ("out_of_range", "sum")]
     )
@@ -101,10 +110,10 @@ def test_view_of_a_recording_equals_the_exact_form(recordings: Path) -> None:
     exact = gam_db.health_indicator(source, parameters)
     with duckdb.connect() as connection:
         connection.execute(gam_db.render("view", "duckdb", source, parameters))
-        view = connection.sql("SELECT * FROM gam_health ORDER BY asset, channel, time")
+        view = connection.sql("SELECT * FROM gam_live_health ORDER BY asset, channel, time")
         assert view.to_arrow_table().equals(exact)
         one = connection.sql(
-            "SELECT time, hi FROM gam_health_of('ur3', 'Current_J3') ORDER BY time"
+            "SELECT time, hi FROM gam_live_health_of('ur3', 'Current_J3') ORDER BY time"
         ).fetchall()
     times = [str(name) for name in exact["channel"].to_pylist()]
     expected = [

@@ -1,6 +1,7 @@
 """Scripts: complete, commented, for every engine; what cannot be rendered says so."""
 
 import sqlite3
+from importlib.metadata import version
 from pathlib import Path
 
 import duckdb
@@ -17,6 +18,8 @@ from gam_db.script import FORMS
 
 PARAMETERS = gam_db.Parameters(max_gap=7, overrides=[gam_db.Override(asset="r_*%", m=2)])
 CALIBRATION = gam_db.Calibration(fraction=0.25, exclude=[(3, 5)])
+#: What this file parses again, and by what; see test_engines.py.
+RUNS = dict.fromkeys(NAMES, lambda: version("sqlglot"))
 SOURCE = gam_db.Source("plant.telemetry", time="t", where="quality = 1")
 
 
@@ -99,11 +102,11 @@ def test_the_view_sees_rows_that_came_later_and_keeps_its_calibration() -> None:
             "SELECT 'a' AS asset, 'c' AS channel, i AS time, i % 2 + 0.5 AS value FROM range(8) t(i)"
         )
         connection.execute(script)
-        assert connection.sql("SELECT max(hi), count(*) FROM gam_health").fetchall() == [(0.0, 4)]
+        assert connection.sql("SELECT max(hi), count(*) FROM gam_live_health").fetchall() == [(0.0, 4)]
         connection.execute("INSERT INTO telemetry VALUES ('a', 'c', 8, 99), ('a', 'c', 9, 99)")
-        assert connection.sql("SELECT max(hi), count(*) FROM gam_health").fetchall() == [(1.0, 6)]
+        assert connection.sql("SELECT max(hi), count(*) FROM gam_live_health").fetchall() == [(1.0, 6)]
         connection.execute("INSERT INTO telemetry VALUES ('a', 'c', 9, 1.5)")
-        assert connection.sql("SELECT max(hi), count(*) FROM gam_health").fetchall() == [(0.5, 6)]
+        assert connection.sql("SELECT max(hi), count(*) FROM gam_live_health").fetchall() == [(0.5, 6)]
 
 
 def test_a_table_may_be_called_as_a_step_of_ours() -> None:

@@ -19,6 +19,7 @@ from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.estimators import ESTIMATORS, add_estimator
 from gam_db.estimators.points import add_points
+from gam_db.export import Package
 from gam_db.method import Method, pipeline
 from gam_db.selection.budget import add_budget, add_results
 from gam_db.selection.lags import add_delays, add_samples
@@ -28,7 +29,7 @@ from gam_db.source import Source, WideSource, readings
 from gam_db.stored.migration_files import files
 from gam_db.stored.migrations import rendered
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.steps import comparing_steps, relearning_steps, scoring_steps
+from gam_db.stored.steps import Setting, comparing_steps, relearning_steps, scoring_steps
 from gam_db.stored.tables import StateTables
 from gam_db.study import Study
 from harness import arrow
@@ -689,6 +690,7 @@ def test_every_file_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
     rendered(ENGINE, StateTables())
     for made in (scoring_steps, comparing_steps, relearning_steps):
         made.cache_clear()
+    scoring_steps(Setting(3, 1, 100, 5000, 100, None, False), TimeKind.COUNTER, trusting=True)
     watch_once()
     values = pa.table({"asset": ["a", "a"], "channel": ["c", "c"], "index": [0, 1], "hi": [0.0, 1.0]})
     counts = values.append_column("novel_in_window", pa.array([0, 1]))
@@ -697,6 +699,8 @@ def test_every_file_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
     gam_db.evaluate(values, outcomes, conventions=gam_db.Conventions(values_per_window=1))
     gam_db.evaluate(counts, outcomes, conventions=sign)
     gam_db.check(gam_db.Source(pa.table({"time": [1], "value": [2.5], "more": ["3"]}), None, None))
+    counted = gam_db.Source("telemetry", time_kind="counter")
+    Package(counted, gam_db.Parameters(), gam_db.Calibration(intervals=[(0, 9)])).files()
     assert set(NAMES) - loaded == set()
     assert {name for name in loaded if name not in NAMES} == set()
 

@@ -11,6 +11,7 @@ from gam_db.stored.migration_files import files
 from gam_db.stored.reading import cohort_of
 from gam_db.stored.steps import (
     Setting,
+    can_trust,
     comparing_steps,
     plan_steps,
     reading_steps,
@@ -71,6 +72,8 @@ def test_filled_steps_break_no_rule(setting: Setting) -> None:
         assert broken(reading_steps(rows), known) == []
         for steps in (scoring_steps, comparing_steps, relearning_steps):
             assert broken(steps(setting, kind), dict(known)) == []
+        if can_trust(setting, kind):
+            assert broken(scoring_steps(setting, kind, trusting=True), dict(known)) == []
     assert broken(plan_steps(1, None, 5), given()) == []
 
 

@@ -329,7 +329,7 @@ LAYERS = [
     ["gam_db"],
     ["config"],
     ["guess"],
-    ["benchmark", "simulate", "baselines"],
+    ["benchmark", "simulate", "baselines", "export"],
     ["reproduce"],
     ["cli"],
 ]

@@ -48,13 +48,13 @@ class Moment:
 
 
 class Victims:
-    """The program below at work; the processes that were hit are counted."""
+    """The program below at work, or another one like it; the processes that were hit are counted."""
 
-    def __init__(self) -> None:
+    def __init__(self, program: str = __file__) -> None:
         self.killed = 0
         paths = os.pathsep.join(path for path in sys.path if path)
         self._server = subprocess.Popen(
-            [sys.executable, __file__],
+            [sys.executable, program],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,

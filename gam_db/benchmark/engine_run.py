@@ -85,7 +85,7 @@ def _gam(session: Session, job: EngineJob) -> dict[str, Any]:
     steps = Steps()
     source = gam_db.Source(job.table("telemetry").name, time="t")
     study = Study(session, source, PARAMETERS, CALIBRATION, on_step=steps.begin)
-    query = study.running.query("bucket_health")
+    query = study.running.query("bucket_health").copy()
     query.set("order", None)
     steps.begin("bucket_health")
     _append(session, job.table("gam"), query, True)

@@ -83,8 +83,9 @@ def stored_lines(figures: dict[str, Any]) -> Iterator[str]:
         threads = "1 thread" if case["threads"] == 1 else f"{case['threads']} threads"
         yield _title(f"{ORDERS[case['order']]}, {threads}")
         for name, seconds in case["seconds"].items():
-            yield _row(name, seconds, case["peak_memory"].get(name))
+            yield _row(name.replace("_", ", "), seconds, case["peak_memory"].get(name))
         yield f"  {'stored over exact':26}{case['stored_over_exact']:9.3f}  (aim: {figures['aim']})"
+        yield f"  {'stored over exact, whole':26}{case['stored_over_exact_whole']:9.3f}"
         yield f"  {'score alone over exact':26}{case['score_over_exact']:9.3f}"
         yield f"  integers of both forms are equal: {case['buckets']:,} buckets"
         for name in ("calibrate", "score"):

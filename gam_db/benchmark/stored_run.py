@@ -22,10 +22,14 @@ from gam_db.benchmark.inside import CALIBRATION, PARAMETERS, ProfiledSession, St
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import InternalError
 from gam_db.stored.monitor import Monitor
+from gam_db.study import Study
 
 #: The first instant of the telemetry, and the length of what is called the new hour, in ticks.
 FIRST = dt.datetime(2024, 1, 1)
 HOUR = 3600
+
+#: What the exact form makes of all that the stored form holds.
+WHOLE = ("bucket_health", "novel_cells", "support_summary", "certificate")
 
 #: Assets of the workload, of one channel each, that fall silent before the last hour.
 SILENT = ("silent_for_long", "silent_for_short")
@@ -37,7 +41,7 @@ class StoredJob:
 
     Attributes:
         task: ``telemetry``, ``prepare``, ``leave_out``, ``score``, ``explain``, ``from_nothing``,
-            ``exact`` or ``compare``.
+            ``exact``, ``exact_whole`` or ``compare``.
         source: the file of the telemetry.
         state: the file of the state.
         threads: of DuckDB; None for all there are.
@@ -79,6 +83,7 @@ def done(job: StoredJob) -> dict[str, Any]:
         "explain": _explain,
         "from_nothing": _from_nothing,
         "exact": _exact,
+        "exact_whole": _exact_whole,
         "compare": _compare,
     }
     if job.task not in tasks:
@@ -234,6 +239,18 @@ def _exact(job: StoredJob) -> dict[str, Any]:
             gam_db.Source("readings", time="t"), PARAMETERS, CALIBRATION, connection
         )
     return {"buckets": buckets.num_rows}
+
+
+def _exact_whole(job: StoredJob) -> dict[str, Any]:
+    """Compute by the exact form all that the stored form holds, and write it."""
+    result = Path(job.state).with_name("exact_whole.duckdb")
+    result.unlink(missing_ok=True)
+    source = gam_db.Source("readings", time="t")
+    with opened(Path(job.source), job.threads) as connection, DuckSession(connection) as session:
+        study = Study(session, source, PARAMETERS, CALIBRATION)
+        for step in WHOLE:
+            study.write(step, result, step)
+    return {}
 
 
 def _compare(job: StoredJob) -> dict[str, Any]:

@@ -24,7 +24,9 @@ from gam_db.cli.check import check
 from gam_db.cli.compile import compile_script
 from gam_db.cli.demo import demo
 from gam_db.cli.drop import drop
+from gam_db.cli.engines import engines
 from gam_db.cli.evaluate import evaluate
+from gam_db.cli.export import export
 from gam_db.cli.init import init
 from gam_db.cli.migrate import migrate
 from gam_db.cli.prune import compact, prune
@@ -104,12 +106,14 @@ app.command("compile")(compile_script)
 app.command()(evaluate)
 app.command()(calibrate)
 app.command()(score)
+app.command()(engines)
 app.add_typer(benchmarks, name="benchmark")
 app.command()(migrate)
 app.command()(drop)
 app.command()(status)
 app.command()(prune)
 app.command()(compact)
+app.add_typer(export, name="export")
 app.add_typer(simulate, name="simulate")
 app.add_typer(reproduce, name="reproduce")
 

@@ -34,7 +34,7 @@ def compile_script(
     out: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Where the script goes; default: printed.")
     ] = None,
-    prefix: Annotated[str, typer.Option(help="Begins the names of tables and views.")] = "gam_",
+    prefix: Annotated[str, typer.Option(help="Begins the names of tables and views.")] = "gam_live_",
     time_kind: Annotated[
         Kind | None, typer.Option(help="How the time column tells time, where it cannot be seen.")
     ] = None,

@@ -1,7 +1,7 @@
 """Engines: flat data and small rewrites, one file per engine.
 
-Nothing outside this folder asks which engine it is. An engine is *executed* if the test suite runs
-its SQL, *rendered* if the SQL is only made and parsed.
+Nothing outside this folder asks which engine it is. What is known of an engine at work is in
+``evidence.csv``, which the tests hold to what they run.
 """
 
 import importlib

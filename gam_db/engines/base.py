@@ -20,6 +20,9 @@ Rewrite = Callable[[exp.Expr], exp.Expr]
 TimeRewrite = Callable[[TimeKind, exp.Expr], exp.Expr]
 RangeRewrite = Callable[[TimeKind, exp.Expr, int | None, int | None], list[exp.Expr]]
 
+#: Engine and hash of a tree -> its text.
+_LATELY: dict[tuple[str, int], str] = {}
+
 
 def table_as(table: exp.Table, query: exp.Query) -> exp.Create:
     """Return CREATE TABLE ... AS, with nothing said of its storage."""
@@ -34,7 +37,6 @@ class Engine:
         name: what users call it.
         title: what it calls itself.
         dialect: sqlglot's name of its SQL.
-        evidence: "executed" if the test suite runs on it, else "rendered".
         micros_of: the integer time of a column of a kind of time.
         instant_of: the way back, for the last step of a query.
         range_of: conditions on a column of times, where its own order is not that of the instants.
@@ -45,12 +47,15 @@ class Engine:
         flow_hint: whether a WITH entry can be marked NOT MATERIALIZED.
         reads_files: whether a Parquet or CSV path can stand in FROM.
         macros: whether a script may define table macros.
+        oldest: the oldest version that is accepted; None where gam-db does not connect.
+        extra: of this package, that installs its driver; None for none.
+        transactions: whether statements can be undone together.
+        limits: what it cannot promise, and what a user has to know.
     """
 
     name: str
     title: str
     dialect: str
-    evidence: str
     micros_of: TimeRewrite
     instant_of: TimeRewrite
     range_of: RangeRewrite | None = None
@@ -61,6 +66,10 @@ class Engine:
     flow_hint: bool = False
     reads_files: bool = False
     macros: bool = False
+    oldest: str | None = None
+    extra: str | None = None
+    transactions: bool = True
+    limits: str = ""
 
     def in_range(
         self, kind: TimeKind, column: exp.Expr, earliest: int | None, latest: int | None
@@ -91,16 +100,31 @@ class Engine:
     def text(self, tree: exp.Expr, pretty: bool = False) -> str:
         """Return a tree as SQL of this engine.
 
+        What was written lately is not written again: a run puts the same queries to work for each group
+        of channels, and writing one takes longer than running it over few rows.
+
         Raises:
             EngineError: the engine has no form for part of it.
         """
+        if pretty:  # for people, who get the comments, too; equal trees may differ in them
+            return self._written(tree, pretty)
+        key = self.name, hash(tree)  # trees are equal where their hashes are, by sqlglot's own rule
+        if key not in _LATELY:
+            if len(_LATELY) >= 500:
+                _LATELY.clear()
+            _LATELY[key] = self._written(tree, pretty)
+        return _LATELY[key]
+
+    def _written(self, tree: exp.Expr, pretty: bool) -> str:
         rewritten = strip_null_order(tree.copy(), self.dialect)
         if not self.flow_hint:
             rewritten = drop_flow_hint(rewritten)
         for rewrite in self.rewrites:
             rewritten = rewrite(rewritten)
         try:
-            return rewritten.sql(dialect=self.dialect, pretty=pretty, unsupported_level=ErrorLevel.RAISE)
+            return rewritten.sql(
+                dialect=self.dialect, pretty=pretty, unsupported_level=ErrorLevel.RAISE, copy=False
+            )
         except UnsupportedError as error:
             raise EngineError(f"{self.name} has no form for part of this query: {error}") from error
 

@@ -33,13 +33,53 @@ def _described(said: exp.Expr) -> exp.Expr:
     return exp.Property(this=exp.var("description"), value=said)
 
 
+def name_rows_apart(tree: exp.Expr) -> exp.Expr:
+    """Give relations another alias where a column is called like them.
+
+    Cause: a name alone means the relation, as a whole row, before it means a column. Symptom: no
+    matching signature, found STRUCT<...>, wherever a step has a column of its own name.
+    """
+    for select in tree.find_all(exp.Select):
+        own = _without_queries_inside(select)
+        columns = [node for node in own if isinstance(node, exp.Column)]
+        alone = {column.name for column in columns if not column.table}
+        for relation in own:
+            name = relation.alias_or_name
+            if isinstance(relation, (exp.Table, exp.Subquery)) and name in alone:
+                apart = exp.to_identifier(f"{name}_rows")
+                relation.set("alias", exp.TableAlias(this=apart))
+                for column in columns:
+                    if column.table == name:
+                        column.set("table", apart.copy())
+    return tree
+
+
+def _without_queries_inside(select: exp.Select) -> list[exp.Expr]:
+    return list(select.walk(prune=lambda node: isinstance(node, exp.Query) and node is not select))
+
+
+def find_keys_as_structs(tree: exp.Expr) -> exp.Expr:
+    """Look keys of several columns up among structs.
+
+    Cause: what stands after IN has one column. Symptom: subquery of type IN must have only one output
+    column, in every DELETE by a key.
+    """
+    for among in tree.find_all(exp.In):
+        found = among.args.get("query")
+        key = among.this
+        if found is not None and isinstance(key, exp.Tuple) and len(key.expressions) > 1:
+            found.unnest().set("kind", "STRUCT")
+    return tree
+
+
 ENGINE = Engine(
     name="bigquery",
     title="BigQuery",
     dialect="bigquery",
-    evidence="rendered",
+    limits="gam-db does not connect to it; it prints the SQL. Storage, quotas and transactions of the "
+    "service were not seen at work.",
     micros_of=micros_of,
     instant_of=instant_of,
     define=define,
-    rewrites=(escape_by_backslash,),
+    rewrites=(escape_by_backslash, name_rows_apart, find_keys_as_structs),
 )

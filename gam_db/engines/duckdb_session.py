@@ -14,7 +14,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.engines.base import deletion
 from gam_db.engines.duckdb import ENGINE, file_reader
-from gam_db.engines.duckdb_opening import attached, check_settings, opened, rows_at_once
+from gam_db.engines.duckdb_opening import attached, check_settings, is_among, opened, rows_at_once
 from gam_db.engines.duckdb_types import check_columns, is_name, is_numeric, is_text, time_kind
 from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY
 from gam_db.errors import EngineError, SourceError, StatementError, nearest
@@ -63,7 +63,6 @@ class DuckSession:
         if threads is not None:
             self.connection.execute("SET threads = ?", [threads])
         self._mark = f"gam_{secrets.token_hex(4)}"
-        self._numbers = itertools.count()
         self._made: list[str] = []
         self._registered: list[str] = []
 
@@ -97,7 +96,7 @@ class DuckSession:
         shown = relation if isinstance(relation, str) else ".".join(map(str, relation))  # type: ignore[arg-type]
         known = self._known_tables()
         for node in table_names(relation):  # type: ignore[arg-type]
-            if not _is_among(node, known):
+            if not is_among(node, known):
                 continue
             try:
                 self.describe(node)
@@ -248,7 +247,7 @@ class DuckSession:
 
     def keep(self, step: str, query: exp.Query) -> exp.Table:
         """Run a query into a temporary table and return the node that reads it."""
-        made = f"{self._mark}_{next(self._numbers)}_{step}"
+        made = self._free_name(step)
         create = exp.Create(
             this=_temporary(made),
             kind="TABLE",
@@ -351,7 +350,7 @@ class DuckSession:
             )
         table = relation if isinstance(relation, pa.Table) else pa.table(relation)
         check_columns(table)
-        name = f"{self._mark}_{next(self._numbers)}_arrow"
+        name = self._free_name("arrow")
         try:
             self.connection.register(name, table)
         except duckdb.Error as error:
@@ -378,22 +377,17 @@ class DuckSession:
             ) from error
         return node
 
+    def _free_name(self, word: str) -> str:
+        """Return a name of ours: one that is free again, if any, so that texts come again, too."""
+        names = (f"{self._mark}_{word}_{number}" for number in itertools.count())
+        return next(name for name in names if name not in self._made and name not in self._registered)
+
     def _known_tables(self) -> list[tuple[str, str, str]]:
         # Looked up, not tried: a statement that fails would undo the user's open transaction, and
         # DuckDB would take the name for one of our Python variables.
         return self.connection.execute(
             "SELECT table_catalog, table_schema, table_name FROM information_schema.tables"
         ).fetchall()
-
-
-def _is_among(table: exp.Expr, known: list[tuple[str, str, str]]) -> bool:
-    """Tell whether the last parts of some known name are those of the table, case aside."""
-    parts = tuple(part.name.casefold() for part in table.parts)  # type: ignore[attr-defined]
-    return any(
-        parts == tuple(part.casefold() for part in name[-len(parts) :])
-        or parts == (name[0].casefold(), name[2].casefold())
-        for name in known
-    )
 
 
 def _temporary(name: str) -> exp.Table:

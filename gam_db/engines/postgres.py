@@ -5,8 +5,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import SECOND, TimeKind
 from gam_db.engines.base import Engine, called, counter
-
-_NAMES = ("asset", "channel")
+from gam_db.engines.storage import Definition, with_statements
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
@@ -31,17 +30,16 @@ def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
     return exp.Add(this=epoch, expression=exp.Mul(this=micros, expression=step))
 
 
-def order_by_bytes(tree: exp.Expr) -> exp.Expr:
-    """Order names by their bytes.
+def compare_by_bytes(tree: exp.Expr) -> exp.Expr:
+    """Compare and order names by their bytes, from where they are read on.
 
-    Cause: text is ordered by the collation of the database. Symptom: with a common locale (en_US, not
-    C) channels are numbered in another order than elsewhere, and the blocks of a pool with them; its
-    learning curve then has other integers.
+    Cause: text is compared and ordered by the collation of its column, else of the database. Symptom:
+    with a common locale (en_US, not C) channels are numbered in another order than elsewhere, and the
+    blocks of a pool with them; in a case-insensitive column A1 and a1 are one machine.
     """
-    for ordered in tree.find_all(exp.Ordered):
-        key = ordered.this
-        if isinstance(key, exp.Column) and key.name in _NAMES:
-            ordered.set("this", exp.Collate(this=key.copy(), expression=template.name("C")))
+    for alias in tree.find_all(exp.Alias):
+        if isinstance(alias.this, exp.Cast) and alias.this.to.is_type(*exp.DataType.TEXT_TYPES):
+            alias.set("this", exp.Collate(this=alias.this.copy(), expression=template.name("C")))
     return tree
 
 
@@ -58,13 +56,37 @@ def keep_small_steps(tree: exp.Expr) -> exp.Expr:
     return tree
 
 
+def define(definition: Definition) -> list[exp.Expr]:
+    """Return the definition with an index on its key, and texts that are compared by their bytes."""
+    create, *comments = with_statements(definition)
+    if definition.is_view:
+        return [create, *comments]
+    for column in create.this.expressions:
+        if column.kind.is_type(*exp.DataType.TEXT_TYPES):
+            by_bytes = exp.CollateColumnConstraint(this=template.name("C"))
+            column.args["constraints"].insert(0, exp.ColumnConstraint(kind=by_bytes))
+    table = create.this.this
+    index = exp.Index(
+        this=template.name(f"{table.name}_key"),
+        table=table.copy(),
+        params=exp.IndexParameters(columns=[exp.Ordered(this=key) for key in definition.key]),
+    )
+    return [create, exp.Create(this=index, kind="INDEX", exists=True), *comments]
+
+
 ENGINE = Engine(
     name="postgres",
     title="PostgreSQL",
     dialect="postgres",
-    evidence="rendered",
+    oldest="14",
+    extra="postgres",
+    limits=(
+        "It reads no files; load them into a table. Steps are kept in temporary tables: not on a "
+        "standby, and not behind a pool that changes connections between transactions."
+    ),
     micros_of=micros_of,
     instant_of=instant_of,
+    define=define,
     flow_hint=True,
-    rewrites=(order_by_bytes, keep_small_steps),
+    rewrites=(compare_by_bytes, keep_small_steps),
 )

@@ -28,7 +28,9 @@ ENGINE = Engine(
     name="trino",
     title="Trino",
     dialect="trino",
-    evidence="rendered",
+    transactions=False,
+    limits="gam-db does not connect to it; it prints the SQL. No statement was run. "
+    "Times are exact to the millisecond.",
     micros_of=micros_of,
     instant_of=instant_of,
 )

@@ -119,7 +119,6 @@ class WarehouseSession:
         self.engine = driver.engine
         self.transactions = driver.transactions
         self._mark = f"gam_{secrets.token_hex(4)}"
-        self._numbers = itertools.count()
         self._made: dict[str, exp.Table] = {}
 
     def __enter__(self) -> "WarehouseSession":
@@ -293,7 +292,9 @@ class WarehouseSession:
         return -1.0
 
     def _new(self, step: str) -> exp.Table:
-        return exp.Table(this=template.name(f"{self._mark}_{next(self._numbers)}_{step}"))
+        # A name that is free again comes again, and with it the texts that hold it.
+        names = (f"{self._mark}_{step}_{number}" for number in itertools.count())
+        return exp.Table(this=template.name(next(name for name in names if name not in self._made)))
 
     def _asked(self, question: Callable[[], T], statement: str = "") -> T:
         try:

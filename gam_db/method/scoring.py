@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 
 from sqlglot import exp
 
+from gam_db import template
 from gam_db.method.adding import add_of_set
 from gam_db.method.resolved import Method
 from gam_db.method.vectors import add_short_vectors, add_vectors, code_of
@@ -29,14 +30,28 @@ def add_run_up(steps: Pipeline, method: Method, number: int) -> None:
     add_of_set(steps, method, number, "score/run_up", {"span": method.settings[number].span})
 
 
-def add_buckets(steps: Pipeline, method: Method, number: int, carried: Sequence[str] = ()) -> None:
+def add_buckets(
+    steps: Pipeline,
+    method: Method,
+    number: int,
+    carried: Sequence[str] = (),
+    trusting: bool = False,
+) -> None:
     """Add Eq. 4 of one set in full buckets, and the novel cells of each.
 
     Where no segment ends and every channel is scored from the end of its calibration on, the short
     form of the vectors gives the same buckets from half the columns; else *numbered* is read. Columns of
     vectors that are to be ``carried`` along to *kept* cost time, so there are none unless asked for.
+    A ``trusting`` run, for short forms only, serves channels of which no sample is missing, and takes it
+    that no instant occurs twice; *kept* holds what is ``doubled`` as well, the proof to the contrary.
     """
-    if method.is_short(number):
+    needed: exp.Expr = exp.false()
+    if trusting:
+        add_complete_scoring(steps, method, number, ("doubled",))
+        parts = ["complete_novelty"]
+        carried = (*carried, "doubled")
+        needed = exp.EQ(this=exp.column("doubled"), expression=exp.Literal.number(1))
+    elif method.is_short(number):
         add_short_scoring(steps, method, number)
         parts = ["complete_novelty", "incomplete_numbered"]
     else:
@@ -49,7 +64,8 @@ def add_buckets(steps: Pipeline, method: Method, number: int, carried: Sequence[
     )
     stride = method.settings[number].bucket_length
     along = [exp.column(name) for name in carried]
-    add_of_set(steps, method, number, "health/kept", {"stride": stride, "carried": along})
+    slots: dict[str, template.Slot] = {"stride": stride, "carried": along, "needed": needed}
+    add_of_set(steps, method, number, "health/kept", slots)
     add_of_set(steps, method, number, "health/buckets")
     add_of_set(steps, method, number, "health/novel_cells")
 
@@ -65,57 +81,48 @@ def add_bucket_counts(
 
 def add_short_scoring(steps: Pipeline, method: Method, number: int) -> None:
     """Add the short form of Eq. 1 and Eq. 4, apart for channels with and without missing samples."""
-    setting = method.settings[number]
-    complete = exp.column("complete", table="scale")
-    for prefix, is_complete in (("complete_", 1), ("incomplete_", 0)):
-        read = exp.EQ(this=complete, expression=exp.Literal.number(is_complete))
-        add_of_set(
-            steps,
-            method,
-            number,
-            "support/codes",
-            {"code": code_of(setting), "read": read},
-            f"{prefix}codes",
-        )
-        add_short_vectors(steps, method, number, prefix)
-    add_of_set(
-        steps,
-        method,
-        number,
-        "score/monitored_complete",
-        {"span": setting.span},
-        "complete_monitored",
-        {"vectors": "complete_vectors"},
-    )
-    add_of_set(
-        steps,
-        method,
-        number,
-        "score/monitored_short",
-        name="incomplete_monitored",
-        tables={"vectors": "incomplete_vectors"},
-    )
-    for prefix, carried in (
-        ("complete_", _carried("number")),
-        ("incomplete_", exp.alias_(exp.cast(exp.null(), "INT"), "straddling")),
+    add_complete_scoring(steps, method, number)
+    prefix = "incomplete_"
+    _add_short_vectors(steps, method, number, prefix)
+    renamed = {name: f"{prefix}{name}" for name in ("vectors", "monitored", "novelty")}
+    unasked = exp.alias_(exp.cast(exp.null(), "INT"), "straddling")
+    for path, slots in (
+        ("score/monitored_short", None),
+        ("score/novelty", {"carried": [unasked]}),
+        ("health/numbered", None),
     ):
-        add_of_set(
-            steps,
-            method,
-            number,
-            "score/novelty",
-            {"carried": [carried]},
-            f"{prefix}novelty",
-            {"monitored": f"{prefix}monitored"},
-        )
-    add_of_set(
-        steps,
-        method,
-        number,
-        "health/numbered",
-        name="incomplete_numbered",
-        tables={"novelty": "incomplete_novelty"},
-    )
+        name = f"{prefix}{path.rpartition('/')[2].removesuffix('_short')}"
+        add_of_set(steps, method, number, path, slots, name, renamed)
+
+
+def add_complete_scoring(
+    steps: Pipeline, method: Method, number: int, marks: Sequence[str] = ()
+) -> None:
+    """Add the short form of Eq. 1 and Eq. 4 for channels without missing samples, with their marks."""
+    prefix = "complete_"
+    _add_short_vectors(steps, method, number, prefix, "doubled" in marks)
+    renamed = {name: f"{prefix}{name}" for name in ("vectors", "monitored")}
+    slots: dict[str, template.Slot] = {
+        "span": method.settings[number].span,
+        "carried": [_carried(mark) for mark in marks],
+    }
+    add_of_set(steps, method, number, "score/monitored_complete", slots, f"{prefix}monitored", renamed)
+    carried = [_carried(name) for name in ("number", *marks)]
+    add_of_set(steps, method, number, "score/novelty", {"carried": carried}, f"{prefix}novelty", renamed)
+
+
+def _add_short_vectors(
+    steps: Pipeline, method: Method, number: int, prefix: str, trusting: bool = False
+) -> None:
+    """Add codes and vectors of the channels with, or without, missing samples."""
+    complete = exp.column("complete", table="scale")
+    is_complete = exp.Literal.number(int(prefix == "complete_"))
+    slots: dict[str, template.Slot] = {
+        "code": code_of(method.settings[number]),
+        "read": exp.EQ(this=complete, expression=is_complete),
+    }
+    add_of_set(steps, method, number, "support/codes", slots, f"{prefix}codes")
+    add_short_vectors(steps, method, number, prefix, trusting)
 
 
 def _carried(name: str) -> exp.Expr:

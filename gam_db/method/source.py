@@ -14,32 +14,7 @@ from gam_db.pipeline import Pipeline, filled
 def add_source(steps: Pipeline, method: Method) -> None:
     """Add what speaks of whole channels: names, samples, calibration intervals (sections 2 and 4)."""
     add(steps, "source/names")
-    rules = [
-        filled(
-            "calibration/rules",
-            {
-                "calibration_no": number,
-                "fraction": rule.fraction,
-                "duration": rule.duration,
-                "declared_end": rule.declared_end,
-                "score_from": rule.score_from,
-            },
-        )
-        for number, rule in enumerate(method.rules)
-    ]
-    add_stacked(steps, "rules", "calibration/rules", rules)
-    pieces = [
-        filled(
-            "calibration/declared",
-            {"calibration_no": number, "time_from": start, "time_to": end},
-        )
-        for number, rule in enumerate(method.rules)
-        for start, end in rule.allowed
-    ]
-    if pieces:
-        add_stacked(steps, "declared", "calibration/declared", pieces)
-    else:
-        add(steps, "calibration/undeclared", name="declared")
+    add_rules(steps, method)
     add(
         steps,
         "source/channels",
@@ -75,6 +50,36 @@ def add_source(steps: Pipeline, method: Method) -> None:
     add(steps, "calibration/limits", {"long_ago": LONG_AGO})
     add(steps, "calibration/calibration")
     add(steps, "calibration/calibrated")
+
+
+def add_rules(steps: Pipeline, method: Method) -> None:
+    """Add how long calibration lasts, and the intervals that are declared, rule by rule (section 4)."""
+    rules = [
+        filled(
+            "calibration/rules",
+            {
+                "calibration_no": number,
+                "fraction": rule.fraction,
+                "duration": rule.duration,
+                "declared_end": rule.declared_end,
+                "score_from": rule.score_from,
+            },
+        )
+        for number, rule in enumerate(method.rules)
+    ]
+    add_stacked(steps, "rules", "calibration/rules", rules)
+    pieces = [
+        filled(
+            "calibration/declared",
+            {"calibration_no": number, "time_from": start, "time_to": end},
+        )
+        for number, rule in enumerate(method.rules)
+        for start, end in rule.allowed
+    ]
+    if pieces:
+        add_stacked(steps, "declared", "calibration/declared", pieces)
+    else:
+        add(steps, "calibration/undeclared", name="declared")
 
 
 def _chosen(cases: Sequence[tuple[exp.Expr | None, exp.Expr | None, int]]) -> exp.Expr:

@@ -44,17 +44,38 @@ def add_vectors(steps: Pipeline, method: Method, number: int, prefix: str, read:
     )
 
 
-def add_short_vectors(steps: Pipeline, method: Method, number: int, prefix: str) -> None:
-    """Add the vectors of one set (Eq. 1) over the codes of the same prefix, where no segment ends."""
+def add_short_vectors(
+    steps: Pipeline, method: Method, number: int, prefix: str, trusting: bool = False
+) -> None:
+    """Add the vectors of one set (Eq. 1) over the codes of the same prefix, where no segment ends.
+
+    Where it is taken on trust that no instant occurs twice, ``doubled`` = 1 marks each sample that shows
+    the contrary, be it the newest one of a vector or not.
+    """
     setting = method.settings[number]
+    delayed = [_delayed("code", k, setting) for k in range(1, setting.m)]
+    whole = template.fill("embedding/whole", {"span": setting.span})
+    carried: list[exp.Expr] = []
+    if trusting:
+        # Where the next vector begins with the sample before this one, its time is known already.
+        delay = max(setting.span - 1, 0)
+        previous = exp.column("context_time" if delay == 1 else "previous_time")
+        if delay != 1:
+            before = template.fill("embedding/delayed", {"column": exp.column("time"), "delay": 1})
+            delayed.append(exp.alias_(before, previous.name))
+        doubled = template.fill("embedding/doubled", {"previous_time": previous})
+        carried.append(exp.alias_(_flag(doubled), "doubled"))
+        whole = exp.or_(whole, doubled)
     add_of_set(
         steps,
         method,
         number,
         "embedding/vectors",
         {
-            **_cell_slots(setting),
-            "delayed": [_delayed("code", k, setting) for k in range(1, setting.m)],
+            **{name: slot for name, slot in _cell_slots(setting).items() if name != "span"},
+            "delayed": delayed,
+            "carried": carried,
+            "whole": whole,
         },
         f"{prefix}vectors",
         {"codes": f"{prefix}codes"},
@@ -87,6 +108,12 @@ def _cell_slots(setting: Parameters) -> dict[str, template.Slot]:
             )
         ),
     }
+
+
+def _flag(condition: exp.Expr) -> exp.Expr:
+    """Return 1 where a condition holds, else 0."""
+    one, zero = exp.Literal.number(1), exp.Literal.number(0)
+    return exp.Case(ifs=[exp.If(this=condition.copy(), true=one)], default=zero)
 
 
 def _delayed(name: str, k: int, setting: Parameters) -> exp.Expr:

@@ -5,7 +5,7 @@ in ``gam_run`` last: that is the commit. Where an engine has transactions, all o
 that are now hidden go in the same.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import pyarrow as pa
@@ -20,7 +20,17 @@ from gam_db.source import AnySource
 from gam_db.stored.planning import Cohort, Row, assets_of, planned, portions, resumed
 from gam_db.stored.reading import Reader, cohort_of, last_times, plan_rows
 from gam_db.stored.state import State, kind_of, now
-from gam_db.stored.steps import DAY, PUBLISHED, reading_steps, scoring_steps, setting_of
+from gam_db.stored.steps import (
+    DAY,
+    PUBLISHED,
+    can_trust,
+    reading_steps,
+    scoring_steps,
+    setting_of,
+)
+
+#: With fewer rows, looking for repeated instants first is cheaper than scoring some channels twice.
+TRUSTED_FROM = 2_000_000
 
 
 @dataclass(frozen=True)
@@ -141,8 +151,11 @@ class _Run:
             if dry_run:
                 continue
             limit = wanted.limit or self.session.rows_at_once()
+            whole = {(row["asset"], row["channel"]) for row in names if not row["missing_readings"]}
             for group in portions(cohort.channels, counts, limit):
-                self._score(group, cohort)
+                trusted, rest = self._trusted(group, counts, whole)
+                rest += self._score(trusted, cohort, True)
+                self._score(rest, cohort, False)
         self.report.parked = len(parked)
         self.report.undated = self._undated()
         return self.report
@@ -198,20 +211,33 @@ class _Run:
             elif (row["asset"], row["channel"]) not in known and row["readings"]:
                 self.report.strangers[row["asset"], row["channel"]] = row["readings"]
 
-    def _score(self, group: Sequence[Row], cohort: Cohort) -> None:
-        """Score a group of channels of one setting, and publish it."""
-        due = [self.wanted.everything or self.started - row["counted_at"] >= DAY for row in group]
-        steps = scoring_steps(setting_of(group[0]), self.reader.kind)
+    def _trusted(
+        self,
+        group: list[Row],
+        counts: Mapping[tuple[str, str], int],
+        whole: Collection[tuple[str, str]],
+    ) -> tuple[list[Row], list[Row]]:
+        """Part the channels of a group: to be scored on trust are many rows, none of them missing."""
+        if not can_trust(setting_of(group[0]), self.reader.kind):
+            return [], group
+        trusted = [row for row in group if (row["asset"], row["channel"]) in whole]
+        if sum(counts[row["asset"], row["channel"]] for row in trusted) < TRUSTED_FROM:
+            return [], group
+        return trusted, [row for row in group if (row["asset"], row["channel"]) not in whole]
+
+    def _score(self, group: list[Row], cohort: Cohort, trusting: bool) -> list[Row]:
+        """Score channels of one setting, and publish them; return those that did not deserve trust."""
+        if not group:
+            return []
+        steps = scoring_steps(setting_of(group[0]), self.reader.kind, trusting)
         running = Running(self.session, steps, self.state.tables.placed(), self.on_step)
         earliest = min(row["read_from"] for row in group)
         try:
-            latest = FAR_AHEAD if self.wanted.until is None else self.wanted.until
-            running.load(
-                "cohort", cohort_of(group, read_until=latest, recounted=[int(one) for one in due])
-            )
+            running.load("cohort", self._cohort(group))
             # A part of a cohort is found by name, or each part would read the rows of all.
             assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
-            edges = running.table("calibration_range").to_pylist()[0] if any(due) else {}
+            due = any(self._is_due(row) for row in group)
+            edges = running.table("calibration_range").to_pylist()[0] if due else {}
             if edges.get("earliest") is not None:
                 healthy = self.reader.readings(assets, edges["earliest"], edges["latest"])
                 counting = reading_steps(healthy, is_ranged=False)
@@ -220,6 +246,16 @@ class _Run:
                 running.load("recount", _NO_RECOUNT.empty_table())
             rows = reading_steps(self.reader.readings(assets, earliest))
             running.put("identified", rows.query("identified", running.placed))
+            doubtful = []
+            if trusting:
+                running.keep("kept")
+                found = {row["channel_id"] for row in running.table("doubtful").to_pylist()}
+                doubtful = [row for row in group if row["channel_id"] in found]
+                group = [row for row in group if row["channel_id"] not in found]
+                if doubtful:
+                    running.load("cohort", self._cohort(group))
+            if not group:
+                return doubtful
             for part in PUBLISHED:
                 running.prepare(part)
             made = {row["channel_id"]: row for row in running.table("new_counts").to_pylist()}
@@ -238,6 +274,16 @@ class _Run:
         finally:
             running.forget()
         self._note(group, made, seen)
+        return doubtful
+
+    def _cohort(self, group: Sequence[Row]) -> pa.Table:
+        until = FAR_AHEAD if self.wanted.until is None else self.wanted.until
+        due = [int(self._is_due(row)) for row in group]
+        return cohort_of(group, read_until=until, recounted=due)
+
+    def _is_due(self, row: Row) -> bool:
+        """Tell whether the rows of a channel's calibration are to be counted anew."""
+        return bool(self.wanted.everything or self.started - row["counted_at"] >= DAY)
 
     def _note(self, group: Sequence[Row], made: Mapping[int, Row], seen: Mapping[int, Row]) -> None:
         for row in group:

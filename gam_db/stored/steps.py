@@ -30,7 +30,7 @@ DAY = 86_400_000_000
 PUBLISHED = ("bucket_rows", "novel_rows", "run_rows")
 
 #: Steps of a run that are kept: what is read once, and what has few rows.
-_KEPT = frozenset(
+KEPT = frozenset(
     (
         *("identified", "timeline", "collapsed", "seen", "run_up", "breaks"),
         *("kept", "buckets", "new_buckets", "recount"),
@@ -71,14 +71,14 @@ def plan_steps(monitor_id: int, lookback: int | None, repair_from: int | None) -
         repair_from: the instant from which on to score anew, in any case; None for none.
     """
     steps = Pipeline()
-    slots = {
+    reach = {
         "lookback": FAR_AHEAD if lookback is None else lookback,
         "repair_from": FAR_AHEAD if repair_from is None else repair_from,
-        "pruned_stay": 0 if lookback is None else 1,
     }
     add(steps, "stored/active", {"monitor_id": monitor_id})
-    add(steps, "stored/newest")
-    add(steps, "stored/restart", slots)
+    add(steps, "stored/tails")
+    add(steps, "stored/newest", reach)
+    add(steps, "stored/restart", {"pruned_stay": 0 if lookback is None else 1})
     add(steps, "stored/looks", {"long_ago": LONG_AGO})
     add(steps, "stored/plan", {"long_ago": LONG_AGO})
     return steps
@@ -104,33 +104,63 @@ def reading_steps(rows: exp.Query, is_ranged: bool = True) -> Pipeline:
 
 
 @cache
-def scoring_steps(setting: Setting, kind: TimeKind) -> Pipeline:
+def scoring_steps(setting: Setting, kind: TimeKind, trusting: bool = False) -> Pipeline:
     """Return the steps from *identified* to the rows that are appended.
+
+    Looking whether an instant occurs twice takes a pass over all times. A ``trusting`` run takes it that
+    none does, and finds out on the way: *doubtful* holds the channels that deserved no trust, whose rows
+    must not be appended.
 
     Given by the caller are the state tables, *identified*, *recount*, *stamp* (run_id, started,
     committed), and *cohort*: the channels, from where on each is read and scored, and the number of its
     first bucket.
     """
-    steps, method = _sampled(setting, kind)
-    _add_new_buckets(steps, method)
+    steps = _frozen()
+    add_counting(steps, setting, kind, trusting=trusting)
+    if trusting:
+        add(steps, "stored/doubtful")
     add(steps, "stored/new_counts")
-    add(steps, "stored/past_buckets", {"buckets": setting.window_length // setting.stride})
-    columns = ("channel_id", "bucket_no", "first_time", "last_time", "novel", "out_of_range")
-    steps.add(
-        "running_buckets",
-        union_of(steps, ["past_buckets", "new_buckets"], columns),
-        "Running buckets: those of this run after the last window of those that stay.",
-    )
-    add_bucket_counts(steps, method, 0, {"buckets": "running_buckets"})
     for part in PUBLISHED:
         add(steps, f"stored/{part}")
     return steps
 
 
+def add_counting(
+    steps: Pipeline,
+    setting: Setting,
+    kind: TimeKind,
+    has_past: bool = True,
+    trusting: bool = False,
+) -> None:
+    """Add the steps from *identified* to *new_buckets* and *bucket_counts*.
+
+    Args:
+        steps: with *cohort*, and what is frozen of its channels: channels, bounds, calibration, support.
+        setting: that of all channels.
+        kind: how the source tells time.
+        has_past: whether there may be buckets that stay (*stored_visible_bucket*).
+        trusting: take it that no instant occurs twice; see :func:`scoring_steps`.
+    """
+    method = _add_samples(steps, setting, kind, trusting)
+    _add_new_buckets(steps, method, trusting)
+    buckets = "new_buckets"
+    if has_past:
+        add(steps, "stored/past_buckets", {"buckets": setting.window_length // setting.stride})
+        columns = ("channel_id", "bucket_no", "first_time", "last_time", "novel", "out_of_range")
+        buckets = "running_buckets"
+        steps.add(
+            buckets,
+            union_of(steps, ["past_buckets", "new_buckets"], columns),
+            "Running buckets: those of this run after the last window of those that stay.",
+        )
+    add_bucket_counts(steps, method, 0, {"buckets": buckets})
+
+
 @cache
 def comparing_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     """Return the steps from *identified* to *compared*: where the stored buckets are no longer right."""
-    steps, method = _sampled(setting, kind)
+    steps = _frozen()
+    method = _add_samples(steps, setting, kind)
     _add_new_buckets(steps, method)
     add(steps, "stored/compared", {"day": FAR_AHEAD if kind.is_counter else DAY})
     return steps
@@ -139,7 +169,8 @@ def comparing_steps(setting: Setting, kind: TimeKind) -> Pipeline:
 @cache
 def relearning_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     """Return the steps from *identified* to *relearnt*: whether calibration would teach other cells."""
-    steps, method = _sampled(setting, kind)
+    steps = _frozen()
+    method = _add_samples(steps, setting, kind)
     add_vectors(steps, method, 0, "calibration_", until_calibration_end())
     add_of_set(
         steps,
@@ -152,26 +183,36 @@ def relearning_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     return steps
 
 
-def _sampled(setting: Setting, kind: TimeKind) -> tuple[Pipeline, Method]:
-    """Return the steps from *identified* to the samples, and the method of the setting."""
-    method = _method(setting, kind)
-    steps = Pipeline(small=_KEPT)
+def can_trust(setting: Setting, kind: TimeKind) -> bool:
+    """Tell whether there is a trusting form of the steps: where no segment ends."""
+    return _method(setting, kind).is_short(0)
+
+
+def _frozen() -> Pipeline:
+    """Return the steps that give what is frozen of the channels of a cohort."""
+    steps = Pipeline(small=KEPT)
     for name in ("channels", "bounds", "calibration", "support"):
         add(steps, f"stored/{name}")
     add(steps, "stored/calibration_range")
-    add(steps, "stored/repeats", name="timeline")
+    return steps
+
+
+def _add_samples(steps: Pipeline, setting: Setting, kind: TimeKind, trusting: bool = False) -> Method:
+    """Add the steps from *identified* to the samples, and return the method of the setting."""
+    method = _method(setting, kind)
+    add(steps, "stored/unrepeated" if trusting else "stored/repeats", name="timeline")
     for name in ("collapsed", "samples"):
         add(steps, f"source/{name}")
     add_breaks(steps, method, 0)
-    return steps, method
+    return method
 
 
-def _add_new_buckets(steps: Pipeline, method: Method) -> None:
+def _add_new_buckets(steps: Pipeline, method: Method, trusting: bool = False) -> None:
     add(steps, "stored/seen")
     add(steps, "stored/run_up", {"span": method.settings[0].span})
     if not method.is_short(0):
         add_numbered(steps, method, 0)
-    add_buckets(steps, method, 0, ("position", "context_time"))
+    add_buckets(steps, method, 0, ("position", "context_time"), trusting)
     add(steps, "stored/bucket_ends")
     add(steps, "stored/new_buckets")
 

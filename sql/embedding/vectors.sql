@@ -6,18 +6,20 @@
 --         position counts the samples of the channel up to it; context_time is that of the oldest sample of
 --         the next vector, from where on a later run must read.
 -- Slots:  :delayed   code_1 ... code_(m-1), the delayed codes
---         :span      (m-1) * tau, the samples between oldest and newest
 --         :next_span the samples between its newest and the oldest one of the next vector
 --         :known     all coordinates are there
 --         :cell_key  the mixed-radix integer of the coordinates
 --         :outside   a coordinate lies outside the calibrated range
+--         :carried   columns that travel with the vector
+--         :whole     whether there are as many samples as a vector takes
 SELECT
   channel_id,
   time,
   CASE WHEN :known THEN :cell_key END AS cell_key,
   CASE WHEN :outside THEN 1 ELSE 0 END AS out_of_range,
   position,
-  context_time
+  context_time,
+  :carried
 FROM (
   SELECT
     channel_id,
@@ -28,4 +30,4 @@ FROM (
     CAST(ROW_NUMBER() OVER (PARTITION BY channel_id ORDER BY time) AS BIGINT) AS position
   FROM codes
 ) AS embedded
-WHERE position > :span
+WHERE :whole

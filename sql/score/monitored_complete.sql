@@ -2,7 +2,8 @@
 -- so its number is its position less the samples of the run-up.
 -- Reads:  vectors, bounds
 -- A row:  one vector, with its number.
--- Slots:  :span  (m-1) * tau, the samples before the first vector
+-- Slots:  :span     (m-1) * tau, the samples before the first vector
+--         :carried  columns that travel with the vector
 SELECT
   vector.channel_id AS channel_id,
   scale.support_id AS support_id,
@@ -11,6 +12,7 @@ SELECT
   vector.out_of_range AS out_of_range,
   vector.position - :span AS number,
   vector.position AS position,
-  vector.context_time AS context_time
+  vector.context_time AS context_time,
+  :carried
 FROM vectors AS vector
 JOIN bounds AS scale ON scale.channel_id = vector.channel_id

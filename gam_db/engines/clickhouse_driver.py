@@ -1,0 +1,363 @@
+"""ClickHouse at work: a server over HTTP, or chdb inside this process, by clickhouse-connect.
+
+Steps are kept as temporary tables of a session, which the server drops with it, also that of a process
+that was killed. There are no transactions: rows are appended, and a run is visible by its last row.
+"""
+
+import contextlib
+import secrets
+import time
+from collections.abc import Sequence
+from typing import Any
+
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.address import shown
+from gam_db.engines import clickhouse_types as types
+from gam_db.engines.base import deletion
+from gam_db.engines.clickhouse import ENGINE, create_table, temporary_table
+from gam_db.engines.clickhouse_address import EXTRA, folder, is_locked, server
+from gam_db.engines.clickhouse_errors import MARK, problem
+from gam_db.errors import EngineError, SourceError, UserError
+from gam_db.extras import needed
+
+#: Conditions beside the equality of a join need no permission since then.
+OLDEST = (24, 12)
+
+#: Seconds that a session may wait for its next statement.
+_IDLE = 3_600
+
+#: What a profile may say otherwise, and then other rows come out, or none: every query says it itself.
+_SETTINGS = {
+    # NULL where a column cannot be NULL is an error, not 0; an empty aggregate is what SQL says.
+    "insert_null_as_default": "0",
+    "aggregate_functions_null_for_empty": "0",
+    "cast_keep_nullable": "0",
+    "transform_null_in": "0",
+    "data_type_default_nullable": "0",
+    "join_use_nulls": "0",
+    "group_by_use_nulls": "0",
+    # Times without a zone are UTC, whatever the server's zone.
+    "session_timezone": "UTC",
+    # A limit is an error, never a part of the rows.
+    **dict.fromkeys(
+        (
+            *("result_overflow_mode", "timeout_overflow_mode", "read_overflow_mode"),
+            *("group_by_overflow_mode", "sort_overflow_mode", "distinct_overflow_mode"),
+            *("join_overflow_mode", "set_overflow_mode", "transfer_overflow_mode"),
+        ),
+        "throw",
+    ),
+    # What is inserted is there when the statement ends, and once for every time it is inserted.
+    "async_insert": "0",
+    "insert_deduplicate": "0",
+    "lightweight_deletes_sync": "2",
+    "mutations_sync": "2",
+    # Every step is another expression: compiling costs more than it saves (a third of a small run).
+    "compile_expressions": "0",
+    "compile_aggregate_expressions": "0",
+    "compile_sort_description": "0",
+    # Of a table that is joined, only the channels are read that the other side has (its marks).
+    "enable_join_runtime_filters_index_analysis": "1",
+    # The exact form is one long query.
+    "max_query_size": "67108864",
+    "max_ast_elements": "10000000",
+    "max_expanded_ast_elements": "10000000",
+    "query_plan_max_optimizations_to_apply": "1000000",
+}
+
+#: What a reading takes while it is scored, in bytes: the kept steps, a sort, and the sides of joins.
+_PER_READING = 200
+
+#: Keys of rows to be deleted lie in a table of this name and the time (seconds) when it was made; one
+#: that is so old was left by a process that was killed.
+_DOOMED = f"{MARK}doomed_"
+_STALE = 86_400
+
+
+def connected(target: Any, writable: bool) -> "ClickHouseDriver":
+    """Connect to a server, open a folder of chdb, or take an open client, which stays open.
+
+    Args:
+        target: clickhouse://user@host:8123/database, clickhouses:// with TLS, chdb:///folder, chdb://
+            (in memory), or a client of clickhouse-connect.
+        writable: make the folder if it is not there.
+
+    Raises:
+        EngineError: there is no such server, database or folder, the user is refused, the folder is open
+            in another process, or the server is too old.
+        UserError: clickhouse-connect or chdb is not installed.
+    """
+    package = needed("clickhouse_connect", EXTRA)
+    if not isinstance(target, str):
+        if not isinstance(target, package.driver.client.Client):
+            raise EngineError(
+                f"The connection is a {type(target).__name__}; gam-db takes the client that "
+                "clickhouse_connect.get_client() gives."
+            )
+        return ClickHouseDriver(target, "this ClickHouse connection", owned=False)
+    address = shown(target)
+    wanted = folder(target, writable) if target.startswith("chdb:") else server(target)
+    try:
+        client = package.get_client(**wanted)
+        return ClickHouseDriver(client, address, owned=True)
+    except package.driver.exceptions.ClickHouseError as error:
+        if is_locked(wanted.get("path")):
+            raise EngineError(
+                f"{address} is open in another process; only one can open a folder of chdb at a time. "
+                "Wait for it to end, or take a server."
+            ) from error
+        if "already initialized with path" in str(error):
+            raise EngineError(
+                f"{address} cannot be opened beside another folder of chdb in one process; close that "
+                "one first."
+            ) from error
+        raise problem(error, address) or EngineError(
+            f"{address} cannot be opened: {str(error).partition(chr(10))[0]}"
+        ) from error
+
+
+class ClickHouseDriver:
+    """A client of clickhouse-connect; see :class:`gam_db.engines.warehouse.Driver`.
+
+    Args:
+        client: open.
+        address: what messages call it; without password.
+        owned: whether to close it in the end.
+
+    Raises:
+        EngineError: the server is too old, or a setting that changes results is fixed by its profile.
+    """
+
+    engine = ENGINE
+    transactions = False
+    time_kind = staticmethod(types.time_kind)
+    is_numeric = staticmethod(types.is_numeric)
+    is_name = staticmethod(types.is_name)
+    is_text = staticmethod(types.is_text)
+
+    def __init__(self, client: Any, address: str, owned: bool) -> None:
+        self._client, self._address, self._owned = client, address, owned
+        exceptions = needed("clickhouse_connect.driver.exceptions", EXTRA)
+        self.errors: tuple[type[Exception], ...] = (exceptions.ClickHouseError, OSError, pa.ArrowInvalid)
+        version = str(client.server_version)
+        if tuple(int(part) for part in version.split(".")[:2]) < OLDEST:
+            raise EngineError(
+                f"{address} is ClickHouse {version}, which is too old; gam-db needs "
+                f"{'.'.join(map(str, OLDEST))} or later."
+            )
+        # Requests without a session would each have temporary tables of their own.
+        self._settings: dict[str, str] = {"session_timeout": str(_IDLE)}
+        if client.get_client_setting("session_id") is None:
+            self._settings["session_id"] = f"{MARK}{secrets.token_hex(8)}"
+        self._settings |= self._differing()
+        if owned:
+            for name, value in self._settings.items():
+                client.set_client_setting(name, value)
+            self._settings = {}
+        self._database = self._one("SELECT currentDatabase()")
+
+    def _differing(self) -> dict[str, str]:
+        """Return the settings that are not as they must be, of those that the server knows."""
+        # One row, since a limit on rows is among them.
+        ((names, values, fixed_here),) = self._rows(
+            "SELECT groupArray(name), groupArray(value), groupArray(readonly) FROM system.settings"
+        )
+        found = dict(zip(names, zip(values, fixed_here, strict=True), strict=True))
+        differing = {
+            name: value for name, value in _SETTINGS.items() if name in found and found[name][0] != value
+        }
+        fixed = sorted(name for name in differing if found[name][1])
+        if fixed:
+            raise EngineError(
+                "The profile of the ClickHouse user does not let gam-db change settings, among them "
+                f"{', '.join(fixed[:3])}; ask for readonly = 2 (to check and report) or 0 (to write), "
+                "and no constraints on these."
+            )
+        return differing
+
+    def execute(self, statement: str) -> None:
+        """Run one statement."""
+        self._client.command(statement, settings=self._settings)
+
+    def fetch(self, query: str) -> pa.Table:
+        """Return the rows of a query; columns keep their names, integers are int64, doubles float64."""
+        return types.fetched(self._client.query_arrow(query, settings=self._settings))
+
+    def begin(self) -> None:
+        """Do nothing: there are no transactions."""
+
+    def commit(self) -> None:
+        """Do nothing."""
+
+    def rollback(self) -> None:
+        """Do nothing."""
+
+    def in_transaction(self) -> bool:
+        """Tell that none is open."""
+        return False
+
+    def keep(self, table: exp.Table, query: exp.Query) -> None:
+        """Make a temporary table of the rows of a query, in memory."""
+        try:
+            self.execute(self.engine.text(temporary_table(table, query)))
+        except BaseException:
+            # The table is made before its rows; a client that stays open would keep it.
+            with contextlib.suppress(*self.errors):
+                self.drop(table)
+            raise
+
+    def ingest(self, table: exp.Table, rows: pa.Table) -> None:
+        """Make a temporary table of the rows of an Arrow table.
+
+        Raises:
+            SourceError: it holds a column of a type that ClickHouse has not.
+        """
+        rows = types.insertable(rows)
+        columns = [
+            exp.ColumnDef(
+                this=template.name(field.name),
+                kind=exp.DataType.build(types.column_type(field.type), dialect=ENGINE.dialect),
+            )
+            for field in rows.schema
+        ]
+        schema = exp.Schema(this=table.copy(), expressions=columns)
+        self.execute(self.engine.text(temporary_table(schema)))
+        name = self.engine.text(table)
+        if rows.num_rows:
+            self._client.insert_arrow(name, rows, settings=self._settings)
+        # A request that was cut off is sent again by the client, and its rows may be there twice.
+        count = exp.select(exp.Count(this=exp.Star())).from_(table.copy())
+        if self._one(self.engine.text(count)) != rows.num_rows:
+            raise ConnectionError("rows were sent twice")
+
+    def drop(self, table: exp.Table) -> None:
+        """Drop a table made by :meth:`keep` or :meth:`ingest`."""
+        drop = exp.Drop(tables=[table.copy()], kind="TABLE", temporary=True, exists=True)
+        self.execute(self.engine.text(drop))
+
+    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+        """Delete the rows of a table whose keys are among the rows of a query, as one step.
+
+        The server deletes in the background, where no temporary table and no current database is known.
+        So the keys lie in a table beside the other, and all names are in full.
+        """
+        database = template.name(table.db or self._database)
+        self._sweep(database.name)
+        name = f"{_DOOMED}{int(time.time())}_{secrets.token_hex(8)}"
+        doomed = exp.Table(this=template.name(name), db=database)
+        target = exp.Table(this=table.this.copy(), db=database.copy())
+        try:
+            self.execute(self.engine.text(create_table(doomed, found)))
+            columns = [template.column(key) for key in keys]
+            listed = exp.select(*columns).from_(doomed.copy())
+            if self.fetch(self.engine.text(listed.limit(1))).num_rows:
+                self.execute(self.engine.text(deletion(target, keys, listed)))
+        finally:
+            self._remove(database.name, doomed.name)
+
+    def _sweep(self, database: str) -> None:
+        """Drop the keys that a killed process left behind."""
+        query = (
+            "SELECT name FROM system.tables WHERE database = {database:String} "
+            "AND startsWith(name, {mark:String}) "
+            "AND toInt64OrZero(splitByChar('_', name)[3]) <= {stale:Int64}"
+        )
+        stale = int(time.time()) - _STALE
+        for (name,) in self._rows(query, database=database, mark=_DOOMED, stale=stale):
+            self._remove(database, name)
+
+    def _remove(self, database: str, name: str) -> None:
+        """Drop a table of keys, and a deletion that still reads it, which would never end."""
+        with contextlib.suppress(*self.errors):
+            query = (
+                "SELECT count() FROM system.mutations WHERE database = {database:String} "
+                "AND NOT is_done AND position(command, {name:String}) > 0"
+            )
+            if self._one(query, database=database, name=name):
+                self._client.command(
+                    "KILL MUTATION WHERE database = {database:String} "
+                    "AND position(command, {name:String}) > 0 SYNC",
+                    parameters={"database": database, "name": name},
+                    settings=self._settings,
+                )
+            left = exp.Table(this=template.name(name), db=template.name(database))
+            self.execute(self.engine.text(exp.Drop(tables=[left], kind="TABLE", exists=True)))
+
+    def tables(self) -> list[tuple[str, ...]]:
+        """Return what can be read: (database, name), and the name of a temporary table."""
+        rows = self._rows("SELECT database, name FROM system.tables")
+        return [(database, name) if database else (name,) for database, name in rows]
+
+    def describe(self, relation: exp.Expr) -> dict[str, str]:
+        """Return the columns of a relation and the engine's names of their types.
+
+        Raises:
+            SourceError: it is in another database than the current one, and its name does not say so.
+        """
+        try:
+            described = exp.Describe(this=relation.copy(), kind="TABLE")
+            rows = self.fetch(self.engine.text(described)).to_pylist()
+        except self.errors as error:
+            if getattr(error, "code", None) != 60:
+                raise
+            raise SourceError(
+                f"There is no table {self.engine.text(relation)} in the database {self._database!r}; a "
+                "table of another one is called DATABASE.TABLE."
+            ) from error
+        return {row["name"]: row["type"] for row in rows if row["default_type"] != "EPHEMERAL"}
+
+    def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
+        """Return the tables and views of a schema with their columns, names of tables in lower case."""
+        query = (
+            "SELECT table, name FROM system.columns WHERE database = {database:String} "
+            "ORDER BY table, position"
+        )
+        there: dict[str, tuple[str, ...]] = {}
+        for table, column in self._rows(query, database=schema or self._database):
+            there[table.casefold()] = (*there.get(table.casefold(), ()), column)
+        return there
+
+    def file(self, path: str) -> exp.Expr:
+        """Refuse: a server reads only files in a folder of its own.
+
+        Raises:
+            SourceError: always.
+        """
+        raise SourceError(
+            f"{path} is a file, and ClickHouse reads tables here; make a view over its table function "
+            "file(), or insert it into a table."
+        )
+
+    def rows_at_once(self) -> int:
+        """Return how many readings can be worked on at once within half of the memory allowed."""
+        allowed = self._rows(
+            "SELECT toInt64(value) FROM system.settings "
+            "WHERE name IN ('max_memory_usage', 'max_memory_usage_for_user')"
+        )
+        with contextlib.suppress(*self.errors):
+            allowed += self._rows(
+                "SELECT toInt64(value) FROM system.server_settings "
+                "WHERE name = 'max_server_memory_usage'"
+            )
+        limit = min((row[0] for row in allowed if row[0] > 0), default=2**32)
+        return max(limit // 2 // _PER_READING, 100_000)
+
+    def problem(self, error: Exception) -> UserError | None:
+        """Return what the user can do about an error; None if it is none of the user's."""
+        return problem(error, self._address)
+
+    def close(self) -> None:
+        """Close the connection if it is ours."""
+        if self._owned:
+            self._client.close()
+
+    def _rows(self, query: str, **parameters: Any) -> list[tuple[Any, ...]]:
+        """Return the rows of a query on the catalogue."""
+        rows = self._client.query_arrow(query, parameters=parameters or None, settings=self._settings)
+        return list(zip(*(column.to_pylist() for column in rows.columns), strict=True))
+
+    def _one(self, query: str, **parameters: Any) -> Any:
+        return self._rows(query, **parameters)[0][0]

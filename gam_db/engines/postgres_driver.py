@@ -1,0 +1,375 @@
+"""PostgreSQL at work: a driver on a psycopg connection.
+
+Rows come in by COPY and go out in PostgreSQL's binary form. ADBC would be faster at both, but it has a
+connection of its own, which sees neither our temporary tables nor our transaction.
+"""
+
+import contextlib
+import io
+import os
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+from urllib.parse import urlsplit
+
+import pyarrow as pa
+import pyarrow.csv
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.engines import postgres_types
+from gam_db.engines.base import deletion
+from gam_db.engines.postgres import ENGINE
+from gam_db.engines.postgres_refusals import REFUSED_TRANSACTION, of_connecting, of_statement
+from gam_db.errors import EngineError, SourceError, UserError
+from gam_db.extras import needed
+
+OLDEST = (14,)
+
+#: What a connection is set to while a session lies on it: a time without zone is UTC (method, section
+#: 2), and a backslash in a text is a backslash.
+_SETTINGS = {"TimeZone": "UTC", "standard_conforming_strings": "on"}
+
+#: Further settings of connections of ours: translating long queries to machine code takes longer than
+#: running them.
+_OWN_SETTINGS = {"jit": "off"}
+
+_SCHEMA = re.compile(r'CREATE SCHEMA IF NOT EXISTS "([^"]+)"')
+
+#: Seconds to wait for a server, where neither the address nor the environment says.
+_PATIENCE = 15
+
+#: Rows that are Python objects at a time, on their way to Arrow.
+_FETCHED = 50_000
+
+#: What one reading takes while it is sorted, in bytes.
+_PER_READING = 100
+
+#: Readings at once, at least: PostgreSQL sorts on its disk what does not fit into work_mem.
+_AT_LEAST = 4_000_000
+
+
+def connected(target: Any, writable: bool) -> "PostgresDriver":
+    """Open a database.
+
+    Args:
+        target: a URL, completed by libpq's environment (PGHOST, PGPASSWORD, ~/.pgpass, ...), or an open
+            psycopg connection, which stays open and is set as before in the end.
+        writable: makes no difference: steps are kept in temporary tables in any case.
+
+    Raises:
+        EngineError: psycopg is not installed, the server cannot be reached or does not let the user in,
+            it is older than PostgreSQL 14, or the connection cannot be used.
+    """
+    try:
+        psycopg = needed("psycopg", "postgres")
+    except UserError as error:
+        raise EngineError(str(error)) from error
+    if not isinstance(target, str):
+        return PostgresDriver(psycopg, target, owned=False)
+    _check_address(target)
+    wanted = {"fallback_application_name": "gam-db", "client_encoding": "UTF8"}
+    try:
+        said = psycopg.conninfo.conninfo_to_dict(target)
+        if "connect_timeout" not in said and "PGCONNECT_TIMEOUT" not in os.environ:
+            wanted["connect_timeout"] = str(_PATIENCE)
+        connection = psycopg.connect(target, autocommit=True, **wanted)
+    except psycopg.Error as error:
+        # Not chained: what libpq says can hold parts of a password that it took for something else.
+        raise of_connecting(str(error), _place(psycopg, target)) from None
+    try:
+        return PostgresDriver(psycopg, connection, owned=True)
+    except EngineError:
+        connection.close()
+        raise
+
+
+class PostgresDriver:
+    """A psycopg connection; see :class:`gam_db.engines.warehouse.Driver`."""
+
+    engine = ENGINE
+    transactions = True
+    is_numeric = staticmethod(postgres_types.is_numeric)
+    is_name = staticmethod(postgres_types.is_name)
+    is_text = staticmethod(postgres_types.is_text)
+    time_kind = staticmethod(postgres_types.time_kind)
+
+    def __init__(self, psycopg: Any, connection: Any, owned: bool) -> None:
+        self._psycopg = psycopg
+        self.errors: tuple[type[Exception], ...] = (psycopg.Error,)
+        self._connection = connection
+        self._owned = owned
+        self._transaction: Any = None
+        self._statement = ""
+        self._settings: dict[str, str] = {}
+        self._check()
+        try:
+            self._set(_SETTINGS | (_OWN_SETTINGS if owned else {}))
+        except psycopg.Error as error:
+            raise self.problem(error) or EngineError(REFUSED_TRANSACTION) from error
+
+    def execute(self, statement: str) -> None:
+        """Run one statement; a schema that is there is not made, which would take a right of its own."""
+        self._statement = statement
+        schema = _SCHEMA.fullmatch(statement)
+        if schema and self._asked("SELECT 1 FROM pg_namespace WHERE nspname = %s", (schema[1],)):
+            return
+        with self._safely(), self._cursor() as cursor:
+            cursor.execute(statement, prepare=False)
+
+    def fetch(self, query: str) -> pa.Table:
+        """Return the rows of a query."""
+        self._statement = query
+        with self._without_nested_loops(), self._safely(), self._cursor(binary=True) as cursor:
+            cursor.execute(query, prepare=False)
+            names = [column.name for column in cursor.description]
+            types = [column.type_code for column in cursor.description]
+            schema = pa.schema(list(zip(names, map(postgres_types.arrow_type, types), strict=True)))
+            chunks = []
+            while rows := cursor.fetchmany(_FETCHED):
+                columns = zip(*rows, strict=True)
+                arrays = [
+                    postgres_types.arrow_column(column, number)
+                    for column, number in zip(columns, types, strict=True)
+                ]
+                chunks.append(pa.Table.from_arrays(arrays, names=names))
+        return pa.concat_tables(chunks, promote_options="permissive") if chunks else schema.empty_table()
+
+    def begin(self) -> None:
+        """Begin a transaction.
+
+        Each statement sees what others have committed by then, whatever the server's default: who waited
+        for a row finds out what became of it.
+        """
+        self._transaction = self._connection.transaction()
+        self._transaction.__enter__()
+        self.execute("SET TRANSACTION ISOLATION LEVEL READ COMMITTED")
+
+    def commit(self) -> None:
+        """End it."""
+        transaction, self._transaction = self._transaction, None
+        transaction.__exit__(None, None, None)
+
+    def rollback(self) -> None:
+        """Undo it."""
+        if self._transaction is not None:
+            transaction, self._transaction = self._transaction, None
+            undone = self._psycopg.Rollback(transaction)
+            transaction.__exit__(self._psycopg.Rollback, undone, None)
+
+    def in_transaction(self) -> bool:
+        """Tell whether a transaction is open that is not ours."""
+        status = self._psycopg.pq.TransactionStatus
+        return self._connection.info.transaction_status in (status.INTRANS, status.INERROR)
+
+    def keep(self, table: exp.Table, query: exp.Query) -> None:
+        """Make a temporary table of the rows of a query, and count what is in it for the planner."""
+        with self._without_nested_loops():
+            self.execute(self.engine.text(_temporary(table, query)))
+        self._count(table)
+
+    def ingest(self, table: exp.Table, rows: pa.Table) -> None:
+        """Make a temporary table of the rows of an Arrow table."""
+        travelling, types = postgres_types.travelling(rows)
+        columns = [
+            exp.ColumnDef(
+                this=template.name(name),
+                kind=exp.DataType.build(kind, dialect=self.engine.dialect),
+                constraints=[_by_bytes()] if kind == "text" else [],
+            )
+            for name, kind in types.items()
+        ]
+        self.execute(self.engine.text(_temporary(exp.Schema(this=table.copy(), expressions=columns))))
+        written = io.BytesIO()
+        pyarrow.csv.write_csv(travelling, written, pyarrow.csv.WriteOptions(include_header=False))
+        sql = self._psycopg.sql
+        copy = sql.SQL("COPY {} FROM STDIN (FORMAT CSV)").format(sql.Identifier(table.name))
+        with self._safely(), self._cursor() as cursor, cursor.copy(copy) as target:
+            target.write(written.getbuffer())
+        self._count(table)
+
+    def drop(self, table: exp.Table) -> None:
+        """Drop a table made by :meth:`keep` or :meth:`ingest`."""
+        self.execute(self.engine.text(exp.Drop(tables=[table.copy()], kind="TABLE", exists=True)))
+
+    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+        """Delete the rows of a table whose keys are among the rows of a query."""
+        self.execute(self.engine.text(deletion(table, keys, found)))
+
+    def tables(self) -> list[tuple[str, ...]]:
+        """Return the tables and views of all schemas."""
+        return self._asked(
+            "SELECT current_database(), nspname, relname FROM pg_class "
+            "JOIN pg_namespace ON pg_namespace.oid = relnamespace "
+            "WHERE relkind IN ('r', 'v', 'm', 'p', 'f') "
+            "AND nspname NOT IN ('pg_catalog', 'information_schema', 'pg_toast')"
+        )
+
+    def describe(self, relation: exp.Expr) -> dict[str, str]:
+        """Return the columns of a relation and their types; a domain counts as what it is made of.
+
+        Raises:
+            SourceError: the relation lies in a schema that is not searched.
+        """
+        # Columns of a case-insensitive collation need no care: readings compares names by their bytes.
+        rows = self._asked(
+            "WITH RECURSIVE based AS ("
+            "  SELECT attnum, attname, atttypid AS kind, atttypmod AS size FROM pg_attribute"
+            "  WHERE attrelid = to_regclass(%s) AND attnum > 0 AND NOT attisdropped"
+            "  UNION ALL SELECT attnum, attname, typbasetype, typtypmod"
+            "  FROM based JOIN pg_type ON pg_type.oid = kind WHERE typtype = 'd'"
+            ") SELECT attname, CASE WHEN typtype = 'e' THEN 'enum'"
+            "  WHEN typname = 'citext' THEN 'citext' ELSE format_type(kind, size) END "
+            "FROM based JOIN pg_type ON pg_type.oid = kind WHERE typtype <> 'd' ORDER BY attnum",
+            (self.engine.text(relation),),
+        )
+        if not rows:
+            raise SourceError(
+                f"The table or view {relation.name!r} is there, but in a schema that is not searched; "
+                "write SCHEMA.NAME, or add the schema to search_path."
+            )
+        return dict(rows)
+
+    def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
+        """Return the tables and views of a schema with their columns, names of tables in lower case."""
+        rows = self._asked(
+            "SELECT lower(relname), array_agg(attname::text ORDER BY attnum) FROM pg_class "
+            "JOIN pg_namespace ON pg_namespace.oid = relnamespace "
+            "JOIN pg_attribute ON attrelid = pg_class.oid AND attnum > 0 AND NOT attisdropped "
+            "WHERE relkind IN ('r', 'v', 'm', 'p', 'f') AND nspname = coalesce(%s, current_schema()) "
+            "GROUP BY relname",
+            (schema,),
+        )
+        return {name: tuple(columns) for name, columns in rows}
+
+    def file(self, path: str) -> exp.Expr:
+        """Refuse: files of a server are not those of its users."""
+        raise SourceError(
+            f"PostgreSQL does not read the file {path}; load it into a table (\\copy), or leave the "
+            "database out: DuckDB reads files."
+        )
+
+    def rows_at_once(self) -> int:
+        """Return how many readings can be worked on at once."""
+        ((memory,),) = self._asked(
+            "SELECT setting::bigint * 1024 FROM pg_settings WHERE name = 'work_mem'"
+        )
+        return max(int(memory) // _PER_READING, _AT_LEAST)
+
+    def problem(self, error: Exception) -> UserError | None:
+        """Return what the user can do about an error; None if it is none of the user's."""
+        return of_statement(error, self._statement, self._connection.closed)
+
+    def close(self) -> None:
+        """Close the connection if it is ours; else set it as it was."""
+        if self._owned:
+            self._connection.close()
+        else:
+            with contextlib.suppress(self._psycopg.Error):
+                self._set(self._settings)
+
+    def _check(self) -> None:
+        """Refuse what is no open connection of a PostgreSQL that can be used."""
+        if not isinstance(self._connection, self._psycopg.Connection):
+            raise EngineError(
+                f"The database is a {type(self._connection).__name__}; of psycopg's classes it takes an "
+                "open psycopg.Connection."
+            )
+        if self._connection.closed:
+            raise EngineError("The connection to PostgreSQL is closed.")
+        status = self._psycopg.pq.TransactionStatus
+        if self._connection.info.transaction_status in (status.INERROR, status.ACTIVE):
+            raise EngineError(REFUSED_TRANSACTION)
+        version = (self._connection.info.server_version // 10_000,)
+        if version < OLDEST:
+            raise EngineError(
+                f"PostgreSQL {version[0]} is too old; gam-db needs PostgreSQL {OLDEST[0]} or later."
+            )
+
+    def _set(self, settings: Mapping[str, str]) -> None:
+        """Change settings of the connection, and remember what they were the first time."""
+        for name, value in settings.items():
+            ((before, _),) = self._asked(
+                "SELECT current_setting(%s), set_config(%s, %s, false)", (name, name, value)
+            )
+            self._settings.setdefault(name, before)
+
+    @contextlib.contextmanager
+    def _safely(self) -> Iterator[None]:
+        """Leave the user's transaction, or its absence, as it is.
+
+        Inside one, a statement that is refused would end it: hence a savepoint. A connection without
+        autocommit begins one with every first statement: hence a transaction that ends with ours.
+        """
+        status = self._psycopg.pq.TransactionStatus
+        idle = self._connection.info.transaction_status == status.IDLE
+        if self._transaction is not None or (idle and self._connection.autocommit):
+            yield
+            return
+        with self._connection.transaction():
+            yield
+
+    @contextlib.contextmanager
+    def _without_nested_loops(self) -> Iterator[None]:
+        """Join by sorting or hashing.
+
+        Cause: of a window's output the planner guesses that one row in a thousand fulfils a condition.
+        Symptom: for each of a million vectors it walks through the whole support, or for each run
+        through all buckets. Only what is appended and deleted is looked up by an index, outside of this.
+        """
+        self._set({"enable_nestloop": "off"})
+        try:
+            yield
+        finally:
+            # In a transaction that has failed it cannot be said, and is undone with the rest.
+            with contextlib.suppress(self._psycopg.Error):
+                self._set({"enable_nestloop": self._settings["enable_nestloop"]})
+
+    def _cursor(self, binary: bool = False) -> Any:
+        # A factory of the user's would make something else than tuples of the rows.
+        return self._connection.cursor(binary=binary, row_factory=self._psycopg.rows.tuple_row)
+
+    def _asked(self, query: str, values: Sequence[Any] | None = None) -> list[tuple[Any, ...]]:
+        """Return the rows of a query of our own."""
+        with self._safely(), self._cursor() as cursor:
+            found: list[tuple[Any, ...]] = cursor.execute(query, values, prepare=False).fetchall()
+        return found
+
+    def _count(self, table: exp.Table) -> None:
+        """Let the planner know what is in a table that was made."""
+        self.execute(self.engine.text(exp.Analyze(tables=[table.copy()])))
+
+
+def _temporary(target: exp.Expr, query: exp.Query | None = None) -> exp.Create:
+    properties = exp.Properties(expressions=[exp.TemporaryProperty()])
+    return exp.Create(this=target.copy(), kind="TABLE", expression=query, properties=properties)
+
+
+def _by_bytes() -> exp.ColumnConstraint:
+    return exp.ColumnConstraint(kind=exp.CollateColumnConstraint(this=template.name("C")))
+
+
+def _check_address(address: str) -> None:
+    """Refuse an address that libpq would cut up otherwise than it was meant.
+
+    Raises:
+        EngineError: a sign of the password stands for itself where it must be written otherwise.
+    """
+    parts = urlsplit(address)
+    people = parts.netloc.count("@")
+    if people > 1 or "@" in parts.path + parts.fragment or ("@" in parts.query and not people):
+        raise EngineError(
+            "The address of the database cannot be read; in a user or password write %40 for @, %2F for "
+            "/, %3A for :, or leave the password to PGPASSWORD or ~/.pgpass."
+        )
+
+
+def _place(psycopg: Any, address: str) -> str:
+    """Return the server that an address means; empty if it means none."""
+    try:
+        said = psycopg.conninfo.conninfo_to_dict(address)
+    except psycopg.Error:
+        return ""
+    host = said.get("host") or os.environ.get("PGHOST") or "the local socket"
+    port = said.get("port") or os.environ.get("PGPORT") or "5432"
+    return f"{host}, port {port}" if port.isdecimal() else host

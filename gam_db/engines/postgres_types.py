@@ -1,0 +1,129 @@
+"""What PostgreSQL's column types mean to the method, and how Arrow columns travel there and back."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import pyarrow as pa
+import pyarrow.compute as pc
+
+from gam_db.clock import TimeKind
+from gam_db.engines.duckdb_types import check_columns
+from gam_db.errors import SourceError
+
+INTEGERS = ("smallint", "integer", "bigint")
+TEXTS = ("text", "character varying", "character", "name", "citext")
+
+_KINDS = {
+    "timestamp without time zone": TimeKind.TIMESTAMP,
+    "date": TimeKind.TIMESTAMP,
+    "timestamp with time zone": TimeKind.TIMESTAMP_WITH_ZONE,
+    **dict.fromkeys(INTEGERS, TimeKind.COUNTER),
+}
+
+#: the number of a type in PostgreSQL's catalogue -> what its values are in Arrow
+_ARROW = {
+    16: pa.bool_(),
+    **dict.fromkeys((20, 21, 23), pa.int64()),
+    **dict.fromkeys((700, 701), pa.float64()),
+    **dict.fromkeys((18, 19, 25, 1042, 1043), pa.string()),
+    1082: pa.date32(),
+    1114: pa.timestamp("us"),
+    1184: pa.timestamp("us", "UTC"),
+}
+
+#: Longer names are cut off by PostgreSQL, with no more than a notice.
+_LONGEST_NAME = 63
+
+
+def without_size(type_name: str) -> str:
+    """Return a type without its sizes: ``timestamp with time zone`` for ``timestamp(3) with ...``."""
+    head, opened, rest = type_name.partition("(")
+    return f"{head}{rest.partition(')')[2]}" if opened else head
+
+
+def time_kind(type_name: str) -> TimeKind | None:
+    """Return how a column of this type tells time; None if it does not."""
+    return _KINDS.get(without_size(type_name))
+
+
+def is_numeric(type_name: str) -> bool:
+    """Tell whether a column of this type holds numbers."""
+    return without_size(type_name) in (*INTEGERS, "numeric", "real", "double precision")
+
+
+def is_name(type_name: str) -> bool:
+    """Tell whether a column of this type can name an asset or a channel."""
+    return without_size(type_name) in (*INTEGERS, *TEXTS, "uuid", "enum")
+
+
+def is_text(type_name: str) -> bool:
+    """Tell whether a column of this type holds text."""
+    return without_size(type_name) in TEXTS
+
+
+def arrow_column(values: Sequence[Any], number: int) -> pa.Array:
+    """Return fetched values as an Arrow array.
+
+    Args:
+        values: as psycopg gives them.
+        number: of their type, in PostgreSQL's catalogue.
+    """
+    return pa.array(values, _ARROW.get(number))
+
+
+def arrow_type(number: int) -> pa.DataType:
+    """Return the Arrow type of a column without any row; that of text where it is not known."""
+    return _ARROW.get(number, pa.string())
+
+
+def travelling(rows: pa.Table) -> tuple[pa.Table, dict[str, str]]:
+    """Return an Arrow table in the types that PostgreSQL reads, and PostgreSQL's names of them.
+
+    Times finer than microseconds are floored (method, section 2). A column of a type that has no use
+    here arrives as empty ``json``, so that it is refused by its name if it is asked for.
+
+    Raises:
+        SourceError: the columns cannot be told apart, or a value does not fit.
+    """
+    check_columns(rows)
+    arrays, types = {}, {}
+    for name in rows.column_names:
+        if len(name.encode()) > _LONGEST_NAME:
+            raise SourceError(
+                f"The column {name!r} of the Arrow table has a name longer than the {_LONGEST_NAME} "
+                "bytes that PostgreSQL takes; rename it."
+            )
+        try:
+            arrays[name], types[name] = _travelling(rows[name])
+        except pa.ArrowInvalid as error:
+            raise SourceError(
+                f"The column {name!r} of the Arrow table holds a {rows[name].type} that does not fit "
+                "into PostgreSQL; cast it, or leave the column out."
+            ) from error
+    return pa.table(arrays), types
+
+
+def _travelling(column: pa.ChunkedArray) -> tuple[pa.ChunkedArray, str]:
+    kind = column.type
+    if pa.types.is_dictionary(kind):
+        return _travelling(column.cast(kind.value_type))
+    if pa.types.is_boolean(kind):
+        return column, "boolean"
+    if pa.types.is_integer(kind):
+        return column.cast(pa.int64()), "bigint"
+    if pa.types.is_floating(kind):
+        return column.cast(pa.float64()), "double precision"
+    if pa.types.is_decimal(kind):
+        return column.cast(pa.string()), "numeric"
+    if pa.types.is_string(kind) or pa.types.is_large_string(kind) or pa.types.is_string_view(kind):
+        return column.cast(pa.string()), 'text COLLATE "C"'
+    if pa.types.is_date(kind):
+        return column.cast(pa.date32()), "date"
+    if pa.types.is_timestamp(kind):
+        zoned = kind.tz is not None
+        floored = pc.floor_temporal(column, unit="microsecond") if kind.unit == "ns" else column
+        plain = floored.cast(pa.timestamp("us", "UTC" if zoned else None))
+        return plain, "timestamp with time zone" if zoned else "timestamp without time zone"
+    if pa.types.is_null(kind):
+        return column.cast(pa.float64()), "double precision"
+    return pa.chunked_array([pa.nulls(len(column), pa.string())]), "json"

@@ -1,0 +1,152 @@
+"""The files of a package that are no models: project, source, schema, and what to read first.
+
+This module owns the words that dbt users know; it makes no SQL.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+from gam_db import template
+from gam_db.export import dictionary, yaml_text
+from gam_db.export.adapters import BUILT
+from gam_db.export.models import CALIBRATED, SOURCE, TABLE, Model, Modelled
+from gam_db.version import __version__
+
+#: The test that no two rows share their keys, which dbt itself has not.
+UNIQUE = "gam_unique_combination"
+
+REQUIRED = [">=1.10.5", "<2.0.0"]
+_HOUR = 3_600_000_000
+
+
+def mark(prefix: str) -> str:
+    """Return the line by which a folder is known as a package of ours."""
+    return f"# Written by gam export dbt, prefix {prefix}. Change gam.toml and write it again."
+
+
+def project_name(prefix: str) -> str:
+    """Return what the package is called in dbt."""
+    return prefix.strip("_").lower() or "gam"
+
+
+def project(of: Modelled) -> str:
+    """Return dbt_project.yml."""
+    name = project_name(of.prefix)
+    said = {
+        "name": name,
+        "version": __version__,
+        "config-version": 2,
+        "profile": name,
+        "require-dbt-version": REQUIRED,
+        "model-paths": ["models"],
+        "test-paths": ["tests"],
+    }
+    return f"{mark(of.prefix)}\n{yaml_text.text(said)}"
+
+
+def sources(
+    of: Modelled, table: str, schema: str | None, database: str | None, silent_after: int | None
+) -> str:
+    """Return the file that says where the telemetry lies.
+
+    Args:
+        of: what the models are made from.
+        table: its name in the warehouse.
+        schema: where it is; None for that of the target.
+        database: where that is; None for that of the target.
+        silent_after: microseconds after which no new row is worth a warning; None for a counter.
+    """
+    roles = {
+        "asset": dictionary.meaning("channel", "asset"),
+        "channel": dictionary.meaning("channel", "channel"),
+        "time": dictionary.meaning("monitor", "time_column"),
+        "value": dictionary.meaning("monitor", "value_column").partition(";")[0],
+    }
+    columns = [
+        {"name": column, "description": roles.get(role, roles["value"])}
+        for role, column in of.source.columns.items()
+    ]
+    described: dict[str, Any] = {"name": TABLE, "identifier": table}
+    described["description"] = "The telemetry that the models read."
+    if silent_after is not None:
+        hours = max(1, silent_after // _HOUR)
+        described["config"] = {
+            "loaded_at_field": of.engine.text(template.column(of.source.time)),
+            "freshness": {"warn_after": {"count": hours, "period": "hour"}},
+        }
+    place = {"database": database} if database else {}
+    place["schema"] = schema or "{{ target.schema }}"
+    described["columns"] = columns
+    return yaml_text.text({"version": 2, "sources": [{"name": SOURCE, **place, "tables": [described]}]})
+
+
+def schema(of: Modelled, models: Sequence[Model]) -> str:
+    """Return the descriptions and the tests of models."""
+    return yaml_text.text({"version": 2, "models": [_described(of, model) for model in models]})
+
+
+def _described(of: Modelled, model: Model) -> dict[str, Any]:
+    columns = []
+    for column in model.columns:
+        tests: list[Any] = []
+        if column in model.keys or dictionary.is_always_there(model.name, column):
+            tests.append("not_null")
+        if model.keys == (column,):
+            tests.append("unique")
+        if column in model.values:
+            tests.append({"accepted_values": {"arguments": {"values": list(model.values[column])}}})
+        said = {"name": column, "description": dictionary.meaning(model.name, column)}
+        columns.append({**said, **({"data_tests": tests} if tests else {})})
+    whole = {UNIQUE: {"arguments": {"columns": list(model.keys)}}}
+    return {
+        "name": f"{of.prefix}{model.name}",
+        "description": dictionary.about(model.about),
+        **({"data_tests": [whole]} if len(model.keys) > 1 else {}),
+        "columns": columns,
+    }
+
+
+def readme(of: Modelled, table: str) -> str:
+    """Return what somebody who opens the package should know first."""
+    name, prefix, adapter = project_name(of.prefix), of.prefix, of.adapter.package
+    built = (
+        "tested by really building it with this adapter"
+        if of.engine.name in BUILT
+        else "rendered for this engine, never yet built on it"
+    )
+    taught = ", ".join(f"{prefix}{model}" for model in CALIBRATED)
+    unit = "steps of the counter" if of.kind.is_counter else "microseconds"
+    return f"""\
+# {name}: a health indicator for every machine channel
+
+Written by gam-db {__version__} for {of.engine.name} ({adapter}); {built}.
+It needs no Python but dbt's own.
+
+    dbt build --profiles-dir .         # with a profile called {name}, or as a package of your project
+    dbt docs generate
+
+| model | |
+|---|---|
+| {prefix}health | the indicator `hi`, at the end of every bucket of {of.setting.stride} scored vectors |
+| {prefix}fleet | one row per channel: verdict, limit, latest indicator |
+| {prefix}bucket | incremental: the integers behind them |
+| {taught} | what calibration taught |
+
+`hi` is the share of the last {of.setting.window_length} scored vectors whose cell healthy operation
+never visited. In {prefix}fleet, a channel is above its limit
+where `verdict = 'ready'` and `hi > hi_limit`.
+
+## What holds
+
+- Calibration is learnt in the first build and then frozen, from fixed intervals. Later builds read only
+  what is new. A new calibration, a new channel or other settings take `dbt build --full-refresh`; a
+  package with other settings that finds tables of the old ones fails at the test of `settings_hash`,
+  before anything is scored.
+- A build after new rows, late ones included, gives what a full refresh gives, as long as no row comes
+  more than {of.lookback} {unit} behind the newest bucket of its channel. Rows later than that, rows that
+  were corrected or deleted, and late rows inside calibration are not seen; `dbt build --full-refresh`
+  mends that. The test `{prefix}calibration_is_unchanged` warns of rows that came or went in calibration,
+  `{prefix}channels_are_known` of channels that were not there at the first build.
+- A channel that falls silent is read from its own last bucket on in every build, so a long silence makes
+  builds read more of {table}. They stay right.
+"""

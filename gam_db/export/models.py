@@ -1,0 +1,356 @@
+"""The models of a dbt package: which steps each is made of, and what dbt has to know of it.
+
+This module owns the way from the files of ``sql/`` to the query of each model. Models bear the names of
+the state tables that the stored form keeps, and the same columns as far as they need them: a channel has
+one version, so it goes by the channel's number.
+"""
+
+import dataclasses
+import hashlib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
+from gam_db.engines.base import Engine
+from gam_db.errors import CalibrationError, ParameterError
+from gam_db.export import jinja
+from gam_db.export.adapters import Adapter
+from gam_db.method import Method, pipeline
+from gam_db.method.adding import add
+from gam_db.method.calibration import add_calibration
+from gam_db.method.certificate import add_certificate
+from gam_db.method.source import add_rules
+from gam_db.pipeline import Pipeline, filled, union_of
+from gam_db.source import AnySource, parsed_condition, readings
+from gam_db.stored.calibrating import method_hash
+from gam_db.stored.sources import described
+from gam_db.stored.steps import DAY, KEPT, Setting, add_counting
+
+SOURCE, TABLE = "gam_source", "telemetry"
+
+#: The models that are built once.
+CALIBRATED = ("channel", "calibration", "bounds", "support", "block")
+
+#: The first microsecond of the year 1: no warehouse knows an earlier one.
+_FIRST = -62_135_596_800_000_000
+
+_LEARNT = ("limits", "identified", "timeline", "collapsed", "calibrated", "recount")
+_PLANNED = ("active", "stored_visible_bucket", "newest", "restart", "cohort", "channels", "bounds")
+
+
+@dataclass(frozen=True)
+class Model:
+    """One model, or one test that is a query.
+
+    Attributes:
+        name: without the prefix; it is that of a state table where there is one.
+        folder: of the package.
+        about: the template that says what it holds.
+        query: what the first build runs, and a full refresh.
+        later: what later builds run; None if that is the same.
+        config: what dbt must know.
+        keys: columns that no two rows share.
+        values: column -> the values that there are.
+    """
+
+    name: str
+    folder: str
+    about: str
+    query: exp.Query
+    later: exp.Query | None = None
+    config: Mapping[str, Any] = field(default_factory=dict)
+    keys: tuple[str, ...] = ()
+    values: Mapping[str, Sequence[str]] = field(default_factory=dict)
+
+    @property
+    def columns(self) -> list[str]:
+        """The columns of a row, in order."""
+        return list(self.query.named_selects)
+
+
+@dataclass(frozen=True)
+class Modelled:
+    """What the models are made from.
+
+    Attributes:
+        source: the telemetry, with its columns named.
+        method: with fixed calibration intervals and one set of parameters.
+        engine, adapter: what runs the models.
+        prefix: begins the names of models.
+        lookback: how late a row may come, in the unit of time.
+
+    Raises:
+        CalibrationError: calibration is no list of intervals.
+        ParameterError: some channels have other parameters.
+    """
+
+    source: AnySource
+    method: Method
+    engine: Engine
+    adapter: Adapter
+    prefix: str
+    lookback: int
+
+    def __post_init__(self) -> None:
+        calibration = self.method.calibration
+        rules = [calibration, *(rule for rule in calibration.overrides.values() if rule is not None)]
+        if any(rule.intervals is None for rule in rules):
+            raise CalibrationError(
+                "A dbt package is built again and again, so its calibration must be fixed: give closed "
+                "intervals, --calibrate FROM/TO or intervals under [calibration] in gam.toml, not a "
+                "fraction or a duration."
+            )
+        if not any(rule.allowed for rule in self.method.rules):
+            raise CalibrationError("Nothing is left of the calibration intervals; give at least one.")
+        if len(self.method.settings) > 1:
+            raise ParameterError(
+                "A dbt package has one set of parameters; write one package for each, with --where for "
+                "its channels and a --prefix of its own."
+            )
+
+    @property
+    def kind(self) -> TimeKind:
+        """How the source tells time."""
+        return self.method.kind
+
+    @property
+    def setting(self) -> Setting:
+        """The parameters of all channels."""
+        setting = self.method.settings[0]
+        return Setting(
+            m=setting.m,
+            tau=setting.tau,
+            bins=setting.bins,
+            window_length=setting.window,
+            stride=setting.bucket_length,
+            max_gap=self.method.gaps[0],
+            has_start=any(rule.score_from is not None for rule in self.method.rules),
+        )
+
+    @cached_property
+    def settings_hash(self) -> str:
+        """What tells whether tables were built under the settings of this package."""
+        read = {key: said for key, said in described(self.source).items() if key != "source"}
+        calibration = self.method.calibration
+        said = (
+            self.setting,
+            float(self.method.settings[0].target_floor),
+            self.method.rules,
+            tuple(calibration.overrides),
+            calibration.pools,
+            sorted(read.items(), key=lambda item: item[0]),
+            self.source.value_columns,
+            self.kind.value,
+        )
+        return hashlib.sha256(repr(said).encode()).hexdigest()[:16]
+
+    def reference(self, name: str) -> exp.Table:
+        """Return the node that reads a model."""
+        return jinja.reference(f"{self.prefix}{name}")
+
+    def readings(self, *conditions: exp.Expr) -> exp.Query:
+        """Return the step *readings* under conditions on the source's own columns."""
+        condition = exp.and_(parsed_condition(self.source.where), *conditions)
+        source = dataclasses.replace(self.source, where=condition)
+        return readings(source, _SOURCE_NODE, lambda node: self.engine.micros_of(self.kind, node))
+
+    def instant(self, time: exp.Expr) -> exp.Expr:
+        """Return an integer time as the source tells it."""
+        return self.engine.instant_of(self.kind, time)
+
+    @property
+    def margin(self) -> int:
+        """How far bounds are moved outwards that only spare the warehouse work.
+
+        A timestamp without zone beside one with a zone may be read in the zone of the session.
+        """
+        return 0 if self.kind.is_counter else DAY
+
+
+_SOURCE_NODE = jinja.source(SOURCE, TABLE)
+
+
+def models(of: Modelled) -> list[Model]:
+    """Return the models of a package, each after those that it reads."""
+    return [*_calibration(of), _bucket(of), *_views(of)]
+
+
+def checks(of: Modelled) -> list[Model]:
+    """Return the tests of a package that are queries of their own; a row is something amiss."""
+    steps = _learning(of)
+    add(steps, "source/names")
+    add(steps, "stored/recount")
+    placed = {"stored_channel": of.reference("channel"), "calibration": of.reference("calibration")}
+    made = []
+    for name, step in (
+        ("calibration_is_unchanged", "changed_calibration"),
+        ("channels_are_known", "unknown_channels"),
+    ):
+        about, config = f"export/{step}", {"severity": "warn"}
+        add(steps, about)
+        query = steps.query(step, placed, commented=True)
+        made.append(Model(name, "tests", about, query, config=config))
+    return made
+
+
+def _calibration(of: Modelled) -> list[Model]:
+    """Return the models that are built once: a later build leaves their rows as they are."""
+    steps = pipeline(of.method, of.readings())
+    add(steps, "stored/recount")
+    hashes = {"settings_hash": of.settings_hash, "method_hash": method_hash()}
+    slots: dict[str, template.Slot] = {key: template.text(said) for key, said in hashes.items()}
+    slots |= {"span": of.method.settings[0].span, "long_ago": LONG_AGO}
+    add(steps, "export/channel_rows", slots)
+    made = [
+        _frozen(
+            of,
+            "channel",
+            "export/channel_rows",
+            steps.query("channel_rows", commented=True),
+            keys=("channel_id",),
+            values={key: [said] for key, said in hashes.items()},
+        )
+    ]
+    learning = _learning(of)
+    add(learning, "export/calibration_rows")
+    for name in ("bounds", "support", "block"):
+        add(learning, f"stored/{name}_rows", tables={"numbering": "channels"})
+    placed = {"stored_channel": of.reference("channel"), "calibration": of.reference("calibration")}
+    verdicts = ["ready", "too_fine", "needs_data", "constant", "no_data"]
+    for name, about, keys, values in (
+        ("calibration", "export/calibration_rows", ("channel_id", "time_from"), {}),
+        ("bounds", "stored/bounds_rows", ("support_id",), {"verdict": verdicts}),
+        ("support", "stored/support_rows", ("support_id", "cell_key"), {}),
+        ("block", "stored/block_rows", ("support_id", "block"), {}),
+    ):
+        query = learning.query(f"{name}_rows", placed, commented=True)
+        query.set("order", None)
+        made.append(_frozen(of, name, about, query, keys, values))
+    return made
+
+
+def _frozen(
+    of: Modelled,
+    name: str,
+    about: str,
+    query: exp.Query,
+    keys: tuple[str, ...],
+    values: Mapping[str, Sequence[str]],
+) -> Model:
+    columns = [exp.column(exp.to_identifier(column)) for column in query.named_selects]
+    never = exp.EQ(this=exp.Literal.number(1), expression=exp.Literal.number(0))
+    nothing = exp.select(*columns).from_(jinja.THIS.copy()).where(never)
+    config = {"materialized": "incremental", "incremental_strategy": "append", **of.adapter.config}
+    return Model(name, "models/calibration", about, query, nothing, config, keys, values)
+
+
+def _learning(of: Modelled) -> Pipeline:
+    """Return the steps that learn, over the channels and intervals of the package's own models."""
+    steps = Pipeline(small=frozenset(of.method.small() | set(_LEARNT)))
+    allowed = [interval for rule in of.method.rules for interval in rule.allowed]
+    edges = (min(start for start, _ in allowed), max(end for _, end in allowed) + 1)
+    low, high = (
+        of.instant(template.node_of(edge + sign * of.margin))
+        for edge, sign in zip(edges, (-1, 1), strict=True)
+    )
+    time = template.column(of.source.time)
+    rows = of.readings(exp.GTE(this=time, expression=low), exp.LT(this=time.copy(), expression=high))
+    add(steps, "export/channels")
+    limits = union_of(steps, ["channels"], ["channel_id", "calibration_end", "first_scored"])
+    steps.add("limits", limits, "Limits: when calibration ends, and from when on is scored.")
+    add_rules(steps, of.method)
+    steps.add("readings", rows, template.load("source/readings").comment)
+    add(steps, "source/identified", {"read": exp.true()})
+    add(steps, "stored/repeats", name="timeline")
+    for name in ("collapsed", "samples"):
+        add(steps, f"source/{name}")
+    add(steps, "calibration/calibrated")
+    add_calibration(steps, of.method, 0)
+    add_certificate(steps, of.method, 0)
+    add(steps, "certificate/verdicts")
+    return steps
+
+
+def _bucket(of: Modelled) -> Model:
+    """Return the model that grows: a later build reads what is new, by the restart rule."""
+    names = ("channel", "bounds", "support")
+    placed = {f"stored_{name}": of.reference(name) for name in names}
+    placed["calibration"] = of.reference("calibration")
+    first = _scoring(of, is_later=False).query("bucket_rows", placed, commented=True)
+    steps = _scoring(of, is_later=True)
+    steps.add("rows", union_of(steps, ["bucket_rows", "ended_buckets"]))
+    later = steps.query("rows", {**placed, "stored_bucket": jinja.THIS}, commented=True)
+    ended = exp.Delete(
+        this=jinja.THIS.copy(), where=exp.Where(this=exp.column("last_time").is_(exp.null()))
+    )
+    keys = ("channel_id", "bucket_no")
+    config = {
+        "materialized": "incremental",
+        "incremental_strategy": of.adapter.strategy,
+        "unique_key": list(keys),
+        **of.adapter.config,
+        "post_hook": of.engine.text(ended),
+    }
+    return Model("bucket", "models/health", "export/bucket_rows", first, later, config, keys)
+
+
+def _scoring(of: Modelled, is_later: bool) -> Pipeline:
+    setting = of.setting
+    steps = Pipeline(small=KEPT | set(_PLANNED))
+    lengths = {"window": setting.window_length, "stride": setting.stride}
+    add(steps, "export/active", lengths)
+    conditions: list[exp.Expr] = []
+    if is_later:
+        add(steps, "export/visible_bucket", name="stored_visible_bucket")
+        add(steps, "stored/newest")
+        never = {"repair_from": FAR_AHEAD, "pruned_stay": 0}
+        add(steps, "stored/restart", {"lookback": of.lookback, **never})
+        add(steps, "export/cohort", {"far_ahead": FAR_AHEAD})
+        bounds = {"margin": of.margin, "earliest": LONG_AGO if of.kind.is_counter else _FIRST}
+        earliest = exp.Subquery(this=filled("export/earliest", bounds))
+        time = template.column(of.source.time)
+        conditions.append(exp.GTE(this=time, expression=of.instant(earliest)))
+    else:
+        # All readings flow past: keeping those of years would cost more than reading them again.
+        steps.small -= {"identified"}
+        add(steps, "export/whole_cohort", {"far_ahead": FAR_AHEAD}, name="cohort")
+    for name in ("channels", "bounds", "support"):
+        add(steps, f"stored/{name}")
+    steps.add("readings", of.readings(*conditions), template.load("source/readings").comment)
+    edges = [exp.column(name, table="named") for name in ("read_from", "read_until")]
+    ranged = exp.Between(this=exp.column("time", table="reading"), low=edges[0], high=edges[1])
+    add(steps, "source/identified", {"read": ranged})
+    add_counting(steps, setting, of.kind, has_past=is_later)
+    add(steps, "export/bucket_rows")
+    if is_later:
+        add(steps, "export/ended_buckets")
+    return steps
+
+
+def _views(of: Modelled) -> list[Model]:
+    """Return what is for whoever reads on."""
+    placed = {f"stored_{name}": of.reference(name) for name in ("channel", "bounds", "bucket")}
+    target = float(of.method.settings[0].target_floor)
+    lengths = {"window": of.setting.window_length, "stride": of.setting.stride}
+    fleet: dict[str, template.Slot] = {"target_floor": target, **lengths}
+    made = []
+    for name, names, slots, keys in (
+        ("health", ("first_time", "last_time"), {}, ("asset", "channel", "bucket")),
+        ("fleet", ("last_time",), fleet, ("asset", "channel")),
+    ):
+        times: list[exp.Expr] = []
+        if not of.kind.is_counter:
+            times = [
+                exp.alias_(of.instant(exp.column(column, table="made")), column) for column in names
+            ]
+        steps = Pipeline()
+        add(steps, f"export/{name}", {"times": times, **slots})
+        query = steps.query(name, placed)
+        config = {"materialized": "view"}
+        made.append(Model(name, "models/health", f"export/{name}", query, config=config, keys=keys))
+    return made

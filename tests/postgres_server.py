@@ -1,0 +1,159 @@
+"""A throw-away PostgreSQL server, for as long as the tests of one process run.
+
+It is started once (``server()``), listens on a free port of this machine and on a socket in a folder of
+its own, trusts whoever connects, and is stopped and wiped when the process ends. PostgreSQL refuses to
+run as root, so root starts it as the user *postgres*, who must be able to reach the folder.
+"""
+
+import atexit
+import contextlib
+import functools
+import os
+import shlex
+import shutil
+import socket
+import subprocess
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+USER = "gam"
+
+
+@dataclass(frozen=True)
+class Server:
+    """A running server: where it listens, and the superuser (no password) of its database.
+
+    Attributes:
+        port: TCP port on 127.0.0.1, and the number of the socket.
+        folder: holds the socket, the data and the log.
+        database: that is there from the start.
+    """
+
+    port: int
+    folder: Path
+    host: str = "127.0.0.1"
+    user: str = USER
+    database: str = "postgres"
+
+    @property
+    def url(self) -> str:
+        """Where to connect, as a URL."""
+        return self.url_of(self.database)
+
+    def url_of(self, database: str, user: str | None = None) -> str:
+        """Return the URL of another database or user of this server."""
+        return f"postgresql://{user or self.user}@{self.host}:{self.port}/{database}"
+
+
+def programs() -> Path | None:
+    """Return the folder of the newest server's programs, or None where there is none."""
+    found = sorted(
+        Path("/usr/lib/postgresql").glob("*/bin/initdb"), key=lambda path: int(path.parts[-3])
+    )
+    if found:
+        return found[-1].parent
+    on_path = shutil.which("initdb")
+    return None if on_path is None else Path(on_path).resolve().parent
+
+
+@functools.cache
+def server() -> Server:
+    """Start the server of this process; the second call returns the same.
+
+    Raises:
+        RuntimeError: PostgreSQL is not installed, or does not start; the message ends with its log.
+    """
+    binaries = programs()
+    if binaries is None:
+        raise RuntimeError("PostgreSQL is not installed (Debian: apt-get install postgresql).")
+    folder = Path(tempfile.mkdtemp(prefix="gam_postgres_", dir="/tmp"))  # a socket's path is short
+    if os.geteuid() == 0:
+        shutil.chown(folder, "postgres")
+    folder.chmod(0o755)
+    started = Server(_free_port(), folder)
+    atexit.register(_stop, binaries, folder)
+    _watch(binaries, folder)
+    _run(
+        f"{binaries}/initdb -D {folder}/data -U {USER} --auth=trust --locale=C --encoding=UTF8 -N",
+        folder,
+    )
+    settings = {
+        "port": started.port,
+        "listen_addresses": started.host,
+        "unix_socket_directories": folder,
+        "fsync": "off",
+        "synchronous_commit": "off",
+        "full_page_writes": "off",
+        "autovacuum": "off",
+        "shared_buffers": "64MB",
+    }
+    said = " ".join(f"-c {name}={value}" for name, value in settings.items())
+    _run(
+        f"{binaries}/pg_ctl -D {folder}/data -l {folder}/log -w -t 60 -o {shlex.quote(said)} start",
+        folder,
+    )
+    return started
+
+
+def version() -> str:
+    """Return the version of the server, such as 15.18."""
+    import psycopg
+
+    with psycopg.connect(server().url) as connection:
+        return str(connection.info.parameter_status("server_version")).partition(" ")[0]
+
+
+def stop() -> None:
+    """Stop the server before the process ends, and wipe it; the next call of server() starts another."""
+    if server.cache_info().currsize:
+        binaries = programs()
+        assert binaries is not None
+        _stop(binaries, server().folder)
+        server.cache_clear()
+
+
+def _stop(binaries: Path, folder: Path) -> None:
+    if (folder / "data" / "postmaster.pid").exists():
+        with contextlib.suppress(RuntimeError):
+            _run(f"{binaries}/pg_ctl -D {folder}/data -m immediate -w stop", folder)
+    shutil.rmtree(folder, ignore_errors=True)
+
+
+def _watch(binaries: Path, folder: Path) -> None:
+    """Stop the server even if this process is killed: a shell, nobody's child, waits for its end."""
+    stop_it = shlex.join([*_as_user(), f"{binaries}/pg_ctl", "-D", f"{folder}/data", "-m", "immediate"])
+    script = (
+        f"(while kill -0 {os.getpid()}; do sleep 2; done; {stop_it} stop; rm -rf {folder}) "
+        "</dev/null >/dev/null 2>&1 &"
+    )
+    subprocess.run(["sh", "-c", script], start_new_session=True, cwd="/", check=True)
+
+
+def _as_user() -> list[str]:
+    return ["runuser", "-u", "postgres", "--"] if os.geteuid() == 0 else []
+
+
+def _run(command: str, folder: Path) -> None:
+    """Run a program of the server as a user who may: root hands over to *postgres*."""
+    # Its output goes to a file: a server that inherits a pipe would keep the caller waiting.
+    with (folder / "output").open("a+", encoding="utf-8") as output:
+        done = subprocess.run(
+            [*_as_user(), *shlex.split(command)],
+            stdout=output,
+            stderr=subprocess.STDOUT,
+            stdin=subprocess.DEVNULL,
+            cwd=folder,
+            check=False,
+        )
+        if done.returncode:
+            log = folder / "log"
+            output.seek(0)
+            said = output.read() + (log.read_text(encoding="utf-8") if log.exists() else "")
+            raise RuntimeError(f"PostgreSQL did not start or stop: {said[-2000:]}")
+
+
+def _free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])

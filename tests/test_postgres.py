@@ -1,0 +1,456 @@
+"""PostgreSQL's own ways: who is let in, what is refused and how it is said, names, times and numbers."""
+
+import contextlib
+import datetime as dt
+import sys
+import traceback
+from collections.abc import Iterator
+from typing import Any
+
+import psycopg
+import pyarrow as pa
+import pytest
+from psycopg.rows import dict_row
+from sqlglot import exp
+
+import gam_db
+import postgres_server
+from gam_db.engines import postgres_driver, postgres_refusals
+from gam_db.errors import EngineError, SourceError, UserError
+from gam_db.source import Source
+from small_plant import monitor, readings, whole
+from small_postgres import administrator, begin, database, rows_of, seen, source, stored
+
+PARAMETERS = gam_db.Parameters(m=2, tau=1, bins=3, window=4, stride=2)
+CALIBRATION = gam_db.Calibration(fraction=0.5)
+
+
+@pytest.fixture
+def name() -> Iterator[str]:
+    with database() as made:
+        yield made
+
+
+@pytest.fixture
+def plant(name: str) -> Iterator[Any]:
+    """A connection to a database that holds the small plant, partly scored."""
+    with administrator(name) as connection:
+        begin(connection)
+        yield connection
+
+
+@pytest.fixture
+def connection(name: str) -> Iterator[Any]:
+    """A connection to an empty database."""
+    with administrator(name) as opened:
+        yield opened
+
+
+def url(name: str, user: str | None = None, **settings: str) -> str:
+    said = "&".join(f"options=-c%20{key}%3D{value}" for key, value in settings.items())
+    return postgres_server.server().url_of(name, user) + f"?{said}" * bool(said)
+
+
+# Who is let in
+
+
+@pytest.fixture
+def walled() -> Iterator[None]:
+    """A user who needs a password, where others need none."""
+    server = postgres_server.server()
+    rules = server.folder / "data" / "pg_hba.conf"
+    before = rules.read_text()
+    with administrator() as connection:
+        connection.execute("CREATE ROLE walled LOGIN PASSWORD 'right secret'")
+        rules.write_text(f"host all walled 127.0.0.1/32 scram-sha-256\n{before}")
+        connection.execute("SELECT pg_reload_conf()")
+        yield
+        rules.write_text(before)
+        connection.execute("SELECT pg_reload_conf()")
+        connection.execute("DROP ROLE walled")
+
+
+@pytest.mark.usefixtures("walled")
+def test_a_password(monkeypatch: pytest.MonkeyPatch) -> None:
+    address = postgres_server.server().url_of("postgres", "walled")
+    with pytest.raises(EngineError, match=r"wants a password; set PGPASSWORD, or write it into"):
+        gam_db.connect(address)
+    wrong = address.replace("walled@", "walled:wrong%20secret@")
+    with pytest.raises(EngineError, match="does not accept this user and password") as refused:
+        gam_db.connect(wrong)
+    assert "secret" not in "".join(traceback.format_exception(refused.value))
+    monkeypatch.setenv("PGPASSWORD", "right secret")
+    with gam_db.connect(address) as session:
+        assert session.engine.name == "postgres"
+
+
+@pytest.mark.parametrize(
+    ("address", "message"),
+    [
+        ("postgresql://gam:secret@{0}/nowhere", "has no such database"),
+        ("postgresql://nobody:secret@{0}/postgres", "has no such user"),
+        ("postgresql://gam:secret@127.0.0.1:1/postgres", "does not answer: is it running"),
+        ("postgresql://gam:secret@no.host.invalid/postgres", "is not known by that name"),
+        ("postgresql://gam:se@cret@{0}/postgres", "write %40 for @"),
+        ("postgresql://gam:se/cret@{0}/postgres", "%2F for /"),
+        ("postgresql://gam:secret@{0}/postgres?sslmod=1", "none that PostgreSQL understands"),
+        ("postgresql://gam:secret@{0}/postgres?sslmode=require", "do not agree on encryption"),
+    ],
+)
+def test_an_address_that_leads_nowhere(address: str, message: str) -> None:
+    server = postgres_server.server()
+    with pytest.raises(EngineError, match=message) as refused:
+        gam_db.connect(address.format(f"{server.host}:{server.port}"))
+    shown = "".join(traceback.format_exception(refused.value))
+    assert "cret" not in shown.replace("import secrets", "")
+    assert "\n" not in str(refused.value)
+
+
+def test_without_the_driver(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "psycopg", None)
+    with pytest.raises(EngineError, match=r'pip install "gam-db\[postgres\]"'):
+        gam_db.connect("postgresql:///plant")
+
+
+def test_an_old_server(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    monkeypatch.setattr(postgres_driver, "OLDEST", (99,))
+    with pytest.raises(EngineError, match=r"^PostgreSQL \d+ is too old; gam-db needs PostgreSQL 99"):
+        gam_db.connect(url(name))
+
+
+# The user's open connection
+
+
+@pytest.mark.parametrize("autocommit", [True, False])
+def test_an_open_connection_stays_as_it_was(plant: Any, autocommit: bool) -> None:
+    zone, idle = "Asia/Kolkata", psycopg.pq.TransactionStatus.IDLE
+    with psycopg.connect(url(plant.info.dbname), row_factory=dict_row) as mine:
+        mine.execute(f"SET TimeZone = '{zone}'")
+        mine.commit()
+        mine.autocommit = autocommit
+        with gam_db.connect(mine) as session:
+            monitor(session).score()
+            assert mine.info.transaction_status == idle
+        settings = mine.execute(
+            "SELECT current_setting('TimeZone') AS zone, current_setting('enable_nestloop') AS nested"
+        ).fetchall()
+        assert settings == [{"zone": zone, "nested": "on"}]
+        assert mine.autocommit is autocommit
+        tables = mine.execute("SELECT 1 FROM pg_class WHERE relpersistence = 't'").fetchall()
+        assert tables == []
+    assert seen(plant) == whole()
+
+
+def test_a_transaction_of_the_user_survives(connection: Any) -> None:
+    with psycopg.connect(url(connection.info.dbname)) as mine:
+        source(mine, readings(0, 50))
+        with gam_db.connect(mine) as session:
+            seen_inside = gam_db.health_indicator(Source("telemetry"), PARAMETERS, CALIBRATION, session)
+            assert seen_inside.num_rows > 0
+            where = Source("telemetry", where="no_such_column > 0")
+            with pytest.raises(SourceError, match="no_such_column"):
+                gam_db.health_indicator(where, PARAMETERS, CALIBRATION, session)
+            with pytest.raises(EngineError, match="has a transaction open; commit it or roll it back"):
+                monitor(session).migrate()
+        assert mine.info.transaction_status == psycopg.pq.TransactionStatus.INTRANS
+        mine.commit()
+        with pytest.raises(psycopg.Error):
+            mine.execute("SELECT 1 / 0")
+        with pytest.raises(EngineError, match="in a transaction that has failed"):
+            gam_db.connect(mine)
+    assert rows_of(connection, "SELECT count(*) AS n FROM telemetry") == [{"n": 200}]
+    with pytest.raises(EngineError, match=r"^The connection to PostgreSQL is closed"):
+        gam_db.connect(mine)
+
+
+# Privileges
+
+
+@pytest.fixture
+def worker(name: str) -> Iterator[str]:
+    """A user without any privilege but to connect."""
+    with administrator(name) as connection:
+        connection.execute("CREATE ROLE worker LOGIN")
+        connection.execute(f"REVOKE ALL ON DATABASE {name} FROM PUBLIC")
+        connection.execute(f"GRANT CONNECT ON DATABASE {name} TO worker")
+        yield url(name, "worker")
+        connection.execute("DROP OWNED BY worker")
+        connection.execute("DROP ROLE worker")
+
+
+def test_what_a_user_lacks_is_named(worker: str, connection: Any) -> None:
+    """Each privilege that a message names is granted, until nothing is refused any more."""
+    source(connection, readings(0, 120))
+    granted: list[str] = []
+    for _ in range(10):
+        try:
+            with gam_db.connect(worker) as session:
+                mine = monitor(session)
+                mine.check()
+                mine.migrate()
+                mine.calibrate()
+                mine.score()
+            break
+        except EngineError as error:
+            said = str(error)
+            assert said.startswith("This PostgreSQL user lacks a privilege: GRANT ")
+            grant = said.partition(": ")[2].replace(" TO it.", "")
+            granted.append(grant.replace(connection.info.dbname, "plant"))
+            connection.execute(f"{grant} TO worker")
+    assert granted == [
+        "GRANT TEMPORARY ON DATABASE plant",
+        "GRANT SELECT ON TABLE telemetry",
+        "GRANT CREATE ON SCHEMA public",
+    ] or granted == [
+        "GRANT SELECT ON TABLE telemetry",
+        "GRANT TEMPORARY ON DATABASE plant",
+        "GRANT CREATE ON SCHEMA public",
+    ]
+
+
+def test_a_reader_of_the_state_is_told_what_to_ask_for(worker: str, plant: Any) -> None:
+    before = stored(plant)
+    plant.execute(f"GRANT TEMPORARY ON DATABASE {plant.info.dbname} TO worker")
+    plant.execute("GRANT SELECT ON ALL TABLES IN SCHEMA public TO worker")
+    with gam_db.connect(worker) as session:
+        assert monitor(session).status().num_rows == 4
+        with pytest.raises(EngineError, match="GRANT INSERT ON TABLE gam_bucket TO it"):
+            monitor(session).score()
+        with pytest.raises(EngineError, match="GRANT UPDATE ON TABLE gam_migration TO it"):
+            monitor(session).calibrate(again=True)
+    assert stored(plant) == before
+
+
+def test_a_schema_that_an_administrator_made(worker: str, connection: Any) -> None:
+    source(connection, readings(0, 120))
+    connection.execute("GRANT SELECT ON telemetry TO worker")
+    connection.execute(f"GRANT TEMPORARY ON DATABASE {connection.info.dbname} TO worker")
+    made = gam_db.Monitor(worker, Source("telemetry"), PARAMETERS, CALIBRATION, schema="Health")
+    with made, pytest.raises(EngineError, match="GRANT CREATE ON DATABASE"):
+        made.migrate()
+    connection.execute('CREATE SCHEMA "Health" AUTHORIZATION worker')
+    with gam_db.Monitor(
+        worker, Source("telemetry"), PARAMETERS, CALIBRATION, schema="Health", prefix=""
+    ) as mine:
+        mine.migrate()
+        mine.calibrate()
+        mine.score()
+        assert mine.status().num_rows == 4
+
+
+def test_a_session_that_may_only_read(plant: Any) -> None:
+    before = stored(plant)
+    with gam_db.connect(url(plant.info.dbname, default_transaction_read_only="on")) as session:
+        assert monitor(session).health().num_rows > 0
+        for command in ("score", "check", "status"):
+            with pytest.raises(EngineError, match=r"may only read: a standby, or default_transaction"):
+                getattr(monitor(session), command)()
+    assert stored(plant) == before
+
+
+@pytest.mark.parametrize(
+    ("state", "message"),
+    [
+        ("DiskFull", "is its disk full"),
+        ("ConfigurationLimitExceeded", "temp_file_limit"),
+        ("QueryCanceled", "statement_timeout"),
+        ("SerializationFailure", "^Another connection changed the same tables"),
+        ("DeadlockDetected", "^Another connection changed the same tables"),
+        ("LockNotAvailable", "^Another connection changed the same tables"),
+        ("UniqueViolation", "^Another connection changed the same tables"),
+        ("ConnectionFailure", "was lost; what was to be written was not"),
+        ("AdminShutdown", "was lost; what was to be written was not"),
+        ("OutOfMemory", "ran out of memory"),
+        ("SyntaxError", None),
+    ],
+)
+def test_what_is_said_of_a_state(state: str, message: str | None) -> None:
+    said = postgres_refusals.of_statement(getattr(psycopg.errors, state)(), "SELECT 1", False)
+    if message is None:
+        assert said is None
+    else:
+        with pytest.raises(UserError, match=message):
+            raise said or AssertionError
+
+
+def test_a_statement_that_takes_too_long(plant: Any) -> None:
+    with gam_db.connect(url(plant.info.dbname, statement_timeout="1")) as session:
+        plant.execute("CREATE VIEW slow AS SELECT *, pg_sleep(0.01)::text FROM telemetry")
+        with pytest.raises(EngineError, match="statement_timeout is too short"):
+            gam_db.health_indicator(Source("slow"), PARAMETERS, CALIBRATION, session)
+
+
+# Names, times and numbers
+
+
+def health(connection: Any, relation: Any = "telemetry", **columns: Any) -> list[dict[str, Any]]:
+    with gam_db.connect(url(connection.info.dbname)) as session:
+        given = Source(relation, **columns)
+        found: list[dict[str, Any]] = gam_db.health_at_buckets(
+            given, PARAMETERS, CALIBRATION, session
+        ).to_pylist()
+    return found
+
+
+def expected(rows: pa.Table) -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = gam_db.health_at_buckets(
+        Source(rows), PARAMETERS, CALIBRATION
+    ).to_pylist()
+    return found
+
+
+def pattern(length: int = 40) -> list[float]:
+    return [float((number * 7) % 5 if number % 11 else number % 13) for number in range(length)]
+
+
+@pytest.mark.parametrize("kind", ['text COLLATE "folding"', "citext", "text"])
+def test_names_that_differ_by_case_are_two_machines(connection: Any, kind: str) -> None:
+    connection.execute("CREATE EXTENSION citext")
+    connection.execute(
+        "CREATE COLLATION folding (provider = icu, locale = 'und-u-ks-level2', deterministic = false)"
+    )
+    connection.execute(f"CREATE TABLE telemetry (asset {kind}, channel {kind}, time int, value real)")
+    rows = [
+        (asset, channel, time, value)
+        for asset, channel in (("a", "X"), ("A", "x"), ("B", "x"), ("ä", "x"), ("Z", "x"))
+        for time, value in enumerate(pattern())
+    ]
+    with connection.cursor() as cursor:
+        cursor.executemany("INSERT INTO telemetry VALUES (%s, %s, %s, %s)", rows)
+    names = ("asset", "channel", "time", "value")
+    table = pa.table(dict(zip(names, map(list, zip(*rows, strict=True)), strict=True)))
+    assert health(connection) == expected(table)
+    state = gam_db.Monitor(url(connection.info.dbname), Source("telemetry"), PARAMETERS, CALIBRATION)
+    with state:
+        state.migrate()
+        state.calibrate()
+        state.score()
+        assert state.health()["asset"].unique().to_pylist() == ["A", "B", "Z", "a", "ä"]
+        assert state.health(asset="a").num_rows == len(expected(table)) // 5
+
+
+@pytest.mark.parametrize(
+    ("kind", "is_refused"),
+    [
+        ("numeric(12, 3)", False),
+        ("smallint", False),
+        ("real", False),
+        ("reading", False),
+        ("text", True),
+        ("money", True),
+        ("boolean", True),
+    ],
+)
+def test_types_of_readings(connection: Any, kind: str, is_refused: bool) -> None:
+    connection.execute("CREATE DOMAIN positive AS numeric(9, 2)")
+    connection.execute("CREATE DOMAIN reading AS positive CHECK (VALUE >= 0)")
+    connection.execute("CREATE TYPE joint AS ENUM ('j2', 'j1')")
+    connection.execute(
+        f"CREATE TABLE telemetry AS SELECT 'r'::char(4) AS asset, 'j1'::joint AS channel, n AS time, "
+        f"CASE WHEN n % 3 = 0 THEN {'false' if kind == 'boolean' else 0} "
+        f"ELSE {'true' if kind == 'boolean' else 1} END::{kind} AS value "
+        "FROM generate_series(1, 30) AS n"
+    )
+    if is_refused:
+        with pytest.raises(SourceError, match=f"is of type {kind}; readings must be numbers"):
+            health(connection)
+        return
+    values = [float(number % 3 != 0) for number in range(1, 31)]
+    rows = {"asset": ["r"] * 30, "channel": ["j1"] * 30, "time": list(range(1, 31)), "value": values}
+    assert health(connection) == expected(pa.table(rows))
+
+
+def test_a_number_beyond_doubles(connection: Any) -> None:
+    source(connection, readings(0, 30))
+    connection.execute("ALTER TABLE telemetry ALTER value TYPE numeric")
+    connection.execute("UPDATE telemetry SET value = 1e400::numeric WHERE time = 3")
+    with pytest.raises(SourceError, match="beyond what doubles or 64 bits hold"):
+        health(connection)
+
+
+def test_reserved_words(connection: Any) -> None:
+    connection.execute('CREATE SCHEMA "order"')
+    connection.execute(
+        'CREATE TABLE "order"."select" ("user" text, "table" text, "end" bigint, "Group" float)'
+    )
+    rows = [("a'\"\\%", "x;--", time, value) for time, value in enumerate(pattern())]
+    with connection.cursor() as cursor:
+        cursor.executemany('INSERT INTO "order"."select" VALUES (%s, %s, %s, %s)', rows)
+    names = ("asset", "channel", "time", "value")
+    table = pa.table(dict(zip(names, map(list, zip(*rows, strict=True)), strict=True)))
+    columns = {"asset": "user", "channel": "table", "time": "end", "value": "Group"}
+    assert health(connection, ("order", "select"), **columns) == expected(table)
+    with pytest.raises(SourceError, match=r"a schema that is not searched; write SCHEMA\.NAME"):
+        health(connection, "select", **columns)
+    with pytest.raises(SourceError, match=r"no table or view 'selec' .*did you mean 'select'"):
+        health(connection, "selec", **columns)
+    with pytest.raises(SourceError, match="PostgreSQL does not read the file"):
+        health(connection, "plant.parquet")
+
+
+@pytest.mark.parametrize("zone", ["UTC", "Asia/Kolkata", "America/St_Johns"])
+@pytest.mark.parametrize("kind", ["timestamp", "timestamptz", "timestamp(0)", "timestamptz(3)", "date"])
+def test_times_in_any_zone(connection: Any, zone: str, kind: str) -> None:
+    """Instants are those of UTC, whatever the server, the session or the connection is set to."""
+    start = dt.datetime(1969, 12, 20, 22, 13, 20, tzinfo=dt.UTC)
+    step = dt.timedelta(days=1) if kind == "date" else dt.timedelta(hours=7, seconds=1)
+    fine = dt.timedelta(milliseconds=0 if "(0)" in kind else 250 if kind != "date" else 0)
+    if kind == "date":
+        start = start.replace(hour=0, minute=0, second=0)
+    times = [start + number * (step + fine) for number in range(40)]
+    connection.execute(f"ALTER DATABASE {connection.info.dbname} SET TimeZone = '{zone}'")
+    connection.execute(f"CREATE TABLE telemetry (asset text, channel text, time {kind}, value float)")
+    with connection.cursor() as cursor:
+        cursor.execute("SET TimeZone = 'UTC'")
+        cursor.executemany(
+            "INSERT INTO telemetry VALUES ('a', 'x', %s, %s)", list(zip(times, pattern(), strict=True))
+        )
+    zoned = "tz" in kind
+    held = pa.array(
+        [one if zoned else one.replace(tzinfo=None) for one in times],
+        pa.timestamp("us", "UTC" if zoned else None),
+    )
+    rows = pa.table({"asset": ["a"] * 40, "channel": ["x"] * 40, "time": held, "value": pattern()})
+    given = {"where": "time >= TIMESTAMP '1969-12-22 00:00:00'"}
+    wanted = gam_db.health_at_buckets(Source(rows, **given), PARAMETERS, CALIBRATION).to_pylist()
+    assert health(connection, **given) == wanted
+    with psycopg.connect(url(connection.info.dbname)) as mine:
+        found = gam_db.health_at_buckets(Source("telemetry", **given), PARAMETERS, CALIBRATION, mine)
+    assert found.to_pylist() == wanted
+
+
+@pytest.mark.parametrize("unit", ["s", "ms", "us", "ns"])
+def test_arrow_tables_with_times_of_any_precision(name: str, unit: str) -> None:
+    scale = {"s": 1, "ms": 10**3, "us": 10**6, "ns": 10**9}[unit]
+    times = [(number - 20) * 61 * scale - (scale > 1) for number in range(40)]
+    held = pa.array(times, pa.timestamp(unit, "Europe/Paris"))
+    rows = pa.table({"asset": ["a"] * 40, "channel": ["x"] * 40, "time": held, "value": pattern()})
+    with gam_db.connect(url(name)) as session:
+        found = gam_db.health_at_buckets(Source(rows), PARAMETERS, CALIBRATION, session)
+    assert found.to_pylist() == expected(rows)
+
+
+def test_rows_travel_there_and_back(name: str) -> None:
+    rows = pa.table(
+        {
+            "text": pa.array(["x", None, "", 'q"uo\nte, é\\']),
+            "count": pa.array([1, None, -(2**63), 2**63 - 1]),
+            "value": pa.array([0.1, None, float("-inf"), 5e-324]),
+            "flag": pa.array([True, None, False, True]),
+            "day": pa.array([dt.date(2026, 1, 1), None, dt.date(1, 1, 1), dt.date(9999, 12, 31)]),
+            "instant": pa.array([-1, None, 0, 253402300799999999], pa.timestamp("us", "UTC")),
+        }
+    )
+    with gam_db.connect(url(name)) as session, session.lent(rows) as lent:
+        assert session.fetch(exp.select("*").from_(lent)).equals(rows)
+        assert session.fetch(exp.select("*").from_(lent).limit(0)).schema == rows.schema
+
+
+def test_columns_that_postgres_cannot_hold(name: str) -> None:
+    rows = pa.table({"asset": ["a"], "channel": ["x"], "time": [1], "value": [{"deep": 1}]})
+    with gam_db.connect(url(name)) as session:
+        with pytest.raises(SourceError, match="readings must be numbers"):
+            gam_db.health_indicator(Source(rows), PARAMETERS, CALIBRATION, session)
+        for odd in ({"é" * 32: [1]}, {"t": pa.array([2**62], pa.timestamp("s"))}):
+            with pytest.raises(SourceError), contextlib.suppress(KeyError):
+                session.relation(pa.table(odd))
