@@ -209,7 +209,7 @@ class SparkDriver:
 
 
 def _estimated(frame: Any) -> int:
-    """Return the bytes that Spark expects: after joins far too many, of packed files a few too few."""
+    """Return the bytes that Spark expects: after joins far too many, of compressed files too few."""
     return int(str(frame._jdf.queryExecution().optimizedPlan().stats().sizeInBytes()))
 
 
