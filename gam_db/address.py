@@ -3,12 +3,13 @@
 This module owns what an address looks like, and that no password is shown or kept in a file.
 """
 
-from urllib.parse import SplitResult, urlsplit
-
-from gam_db.errors import EngineError
+import re
 
 #: The environment variable that names the database where no option and no gam.toml does.
 VARIABLE = "GAM_DATABASE"
+
+#: A password among the options at the end of a URL.
+_OPTION = re.compile(r"(?i)([?&])(?:ssl)?password=[^&]*&?")
 
 
 def is_url(address: str) -> bool:
@@ -18,20 +19,18 @@ def is_url(address: str) -> bool:
 
 def has_password(address: str) -> bool:
     """Tell whether a password stands in an address."""
-    return is_url(address) and _split(address).password is not None
+    return shown(address) != address
 
 
 def shown(address: str) -> str:
-    """Return an address without its password."""
-    if not has_password(address):
+    """Return an address without its password.
+
+    It is not parsed as a URL: a password with a sign that ought to be escaped would be taken for
+    something else, and shown.
+    """
+    if not is_url(address):
         return address
-    parts = _split(address)
-    person, _, place = parts.netloc.rpartition("@")
-    return parts._replace(netloc=f"{person.partition(':')[0]}@{place}").geturl()
-
-
-def _split(address: str) -> SplitResult:
-    try:
-        return urlsplit(address)
-    except ValueError as error:
-        raise EngineError("The address of the database is no URL; brackets in it are open.") from error
+    scheme, _, rest = address.partition("://")
+    person, at, place = rest.rpartition("@")
+    place = _OPTION.sub(r"\1", place).rstrip("?&")
+    return f"{scheme}://{person.partition(':')[0]}{at}{place}"

@@ -6,6 +6,7 @@ import duckdb
 import pytest
 
 import gam_db
+from gam_db.address import has_password, shown
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError
@@ -63,3 +64,20 @@ def test_another_address_is_refused(target: object, message: str) -> None:
     with pytest.raises(EngineError, match=message) as caught:
         gam_db.connect(target)
     assert "secret" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("address", "without"),
+    [
+        ("plant.duckdb", "plant.duckdb"),
+        ("postgresql://me@host/db", "postgresql://me@host/db"),
+        ("postgresql://me:secret@host:5432/db", "postgresql://me@host:5432/db"),
+        ("postgresql://me:se/cr@et@host/db", "postgresql://me@host/db"),
+        ("postgresql://host/db?password=secret&sslmode=require", "postgresql://host/db?sslmode=require"),
+        ("postgresql://host/db?user=me&password=secret", "postgresql://host/db?user=me"),
+        ("clickhouse://me:secret@[::1]:8123/db", "clickhouse://me@[::1]:8123/db"),
+    ],
+)
+def test_no_password_is_shown(address: str, without: str) -> None:
+    assert shown(address) == without
+    assert has_password(address) == (address != without)

@@ -76,8 +76,6 @@ def check_state(
 class _Check:
     def __init__(self, state: State, reader: Reader, on_step: Listener) -> None:
         self.state, self.session, self.reader, self.on_step = state, state.session, reader, on_step
-        rows = state.fetch("stored/oldest").to_pylist()
-        self._oldest = {row["version_id"]: row["oldest_bucket"] for row in rows}
 
     def readings(self) -> dict[tuple[str, str], int]:
         steps = reading_steps(self.reader.readings())
@@ -87,13 +85,12 @@ class _Check:
     def scored(self, group: Sequence[Row], settled: Sequence[Row]) -> list[Row]:
         """Compare the settled buckets of a group of one setting."""
         running = self._running(comparing_steps(setting_of(group[0]), self.reader.kind))
-        said = {
-            "read_until": [row["first_scored"] - 1 for row in settled],
-            "settled": [row["first_bucket"] for row in settled],
-            "oldest_bucket": [self._oldest.get(row["version_id"], 0) for row in group],
-        }
+        ends = [row["first_scored"] - 1 for row in settled]
         try:
-            running.load("cohort", cohort_of(group, **said))
+            running.load(
+                "cohort",
+                cohort_of(group, read_until=ends, settled=[row["first_bucket"] for row in settled]),
+            )
             earliest = min(row["read_from"] for row in group)
             rows = reading_steps(self.reader.readings(earliest=earliest))
             running.put("identified", rows.query("identified", running.placed))

@@ -106,15 +106,15 @@ def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
 
     Args:
         rows: of the plan.
-        columns: read_until, recounted, settled, oldest_bucket and what else differs from the plan: one
-            value for all, or one for each row.
+        columns: read_until, recounted, settled and what else differs from the plan: one value for all,
+            or one for each row.
     """
     made = []
     for number, row in enumerate(rows):
         said = {
             name: value[number] if isinstance(value, list) else value for name, value in columns.items()
         }
-        made.append({**row, "oldest_bucket": 0, "recounted": 0, "settled": 0, **said})
+        made.append({**row, "recounted": 0, "settled": 0, **said})
     return pa.Table.from_pylist(made, schema=_COHORT)
 
 

@@ -71,14 +71,14 @@ def plan_steps(monitor_id: int, lookback: int | None, repair_from: int | None) -
         repair_from: the instant from which on to score anew, in any case; None for none.
     """
     steps = Pipeline()
-    reach = {
+    slots = {
         "lookback": FAR_AHEAD if lookback is None else lookback,
         "repair_from": FAR_AHEAD if repair_from is None else repair_from,
+        "pruned_stay": 0 if lookback is None else 1,
     }
     add(steps, "stored/active", {"monitor_id": monitor_id})
-    add(steps, "stored/tails")
-    add(steps, "stored/newest", reach)
-    add(steps, "stored/restart", {"pruned_stay": 0 if lookback is None else 1})
+    add(steps, "stored/newest")
+    add(steps, "stored/restart", slots)
     add(steps, "stored/looks", {"long_ago": LONG_AGO})
     add(steps, "stored/plan", {"long_ago": LONG_AGO})
     return steps

@@ -2,7 +2,7 @@
 -- has all its samples at or after that bucket's context_time, so nothing older is read, and nothing is
 -- searched for: (m-1) tau samples up to that bucket's last, or that one alone if m = 1. Where no bucket stays,
 -- scoring begins as the version does.
--- Reads:  active, restart, looks, stored_visible_bucket
+-- Reads:  active, restart, newest, looks, stored_visible_bucket
 -- A row:  one version with a range.
 -- Slots:  :long_ago  an instant before all others
 SELECT
@@ -28,6 +28,7 @@ SELECT
   CASE
     WHEN staying.hit = 1 THEN CASE WHEN frozen.m = 1 THEN 1 ELSE (frozen.m - 1) * frozen.tau END
   END AS context_expected,
+  CASE WHEN stored.hit = 1 THEN stored.oldest_bucket ELSE 0 END AS oldest_bucket,
   CASE WHEN seen.hit = 1 THEN seen.read_until ELSE CAST(:long_ago AS BIGINT) END AS read_until,
   CASE WHEN seen.hit = 1 THEN seen.looked_at ELSE CAST(:long_ago AS BIGINT) END AS looked_at,
   CASE
@@ -46,6 +47,10 @@ LEFT JOIN (
   JOIN restart AS again
     ON again.version_id = bucket.version_id AND again.last_staying = bucket.bucket_no
 ) AS staying ON staying.version_id = frozen.version_id
+LEFT JOIN (
+  SELECT version_id, oldest_bucket, 1 AS hit
+  FROM newest
+) AS stored ON stored.version_id = frozen.version_id
 LEFT JOIN (
   SELECT version_id, read_until, looked_at, counted_at, 1 AS hit
   FROM looks
