@@ -26,12 +26,15 @@ from gam_db.engines.session import Session
 
 FAST = ("duckdb", "sqlite")
 
+#: Java that starts quickly, and never gets as fast as it could.
+QUICK_JAVA = "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC"
+
 
 def spark() -> Session:
     """Open Spark in this process, small and quick to start; its tables go with the process."""
     os.environ.setdefault("SPARK_MASTER", "local[2]")
     os.environ.setdefault("SPARK_DRIVER_MEMORY", "1g")
-    os.environ.setdefault("JDK_JAVA_OPTIONS", "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC")
+    os.environ.setdefault("JDK_JAVA_OPTIONS", QUICK_JAVA)
     folder = tempfile.mkdtemp(prefix="gam-tests-")
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     return connect(f"spark://{folder}")

@@ -2,6 +2,9 @@
 
 from pathlib import Path
 
+import pytest
+
+import engines
 import spark_cluster
 import spark_fleet
 
@@ -9,7 +12,8 @@ import spark_fleet
 CHANNELS, SAMPLES = 6, 20_000
 
 
-def test_a_cluster_counts_as_duckdb_does(tmp_path: Path) -> None:
+def test_a_cluster_counts_as_duckdb_does(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("JDK_JAVA_OPTIONS", engines.QUICK_JAVA)
     spark_fleet.write(tmp_path, CHANNELS, SAMPLES)
     expected = spark_fleet.by_duckdb(tmp_path)
     with (
