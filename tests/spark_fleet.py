@@ -66,19 +66,22 @@ def write(folder: Path, channels: int, samples: int) -> Path:
 def done(address: str, telemetry: str) -> dict[str, Any]:
     """Calibrate and score; return the seconds of each, and the integers."""
     seconds: dict[str, float] = {}
+    began_at: dict[str, float] = {}
     with gam_db.connect(address) as session:
         source = gam_db.Source(telemetry, time="t")
         monitor = gam_db.Monitor(session, source, PARAMETERS, CALIBRATION)
         for step in ("migrate", "calibrate", "score"):
             print(step, flush=True, file=sys.stderr)
+            began_at[step] = time.time()
             began = time.perf_counter()
             getattr(monitor, step)()
             seconds[step] = round(time.perf_counter() - began, 1)
+        began_at["look"] = time.time()
         found = {
             name: session.fetch(sqlglot.parse_one(query, dialect="duckdb"))
             for name, query in QUERIES.items()
         }
-    return {"seconds": seconds, **found}
+    return {"seconds": seconds, "began_at": began_at, **found}
 
 
 def by_duckdb(folder: Path) -> dict[str, Any]:
@@ -159,31 +162,28 @@ def main() -> None:
         for table in QUERIES:
             assert found[table].to_pylist() == expected[table].to_pylist(), f"{table} differs"
             print(table, found[table].num_rows, "rows, the same")
-        print(json.dumps(shuffled(events), indent=1))
+        for step, figures in spent(events, found["began_at"]).items():
+            print(step, json.dumps(figures))
 
 
-def shuffled(events: Path) -> dict[str, int]:
-    """Add up what the tasks of an application say, from its event log."""
-    total = dict.fromkeys(
-        ("tasks", "failed", "cpu_seconds", "shuffle_written", "read_bytes", "spilled"), 0
-    )
-    nanoseconds = 0
-    for path in events.rglob("*"):
-        if not path.is_file() or path.name.startswith("appstatus"):
-            continue
+def spent(events: Path, began_at: dict[str, float]) -> dict[str, dict[str, float]]:
+    """Add up what the tasks of each step say, from the event log of an application."""
+    names = ("tasks", "failed", "cpu_seconds", "shuffle_written", "spilled")
+    total: dict[str, dict[str, float]] = {step: dict.fromkeys(names, 0) for step in began_at}
+    for path in events.rglob("events_*"):
         for line in path.open(encoding="utf-8"):
             if not line.startswith('{"Event":"SparkListenerTaskEnd"'):
                 continue
             task = json.loads(line)
-            metrics = task.get("Task Metrics")
-            total["tasks"] += 1
-            total["failed"] += task["Task End Reason"]["Reason"] != "Success"
+            launched = task["Task Info"]["Launch Time"] / 1000
+            step = max((at, step) for step, at in began_at.items() if at <= launched)[1]
+            figures, metrics = total[step], task.get("Task Metrics")
+            figures["tasks"] += 1
+            figures["failed"] += task["Task End Reason"]["Reason"] != "Success"
             if metrics:
-                nanoseconds += metrics["Executor CPU Time"]
-                total["shuffle_written"] += metrics["Shuffle Write Metrics"]["Shuffle Bytes Written"]
-                total["read_bytes"] += metrics["Input Metrics"]["Bytes Read"]
-                total["spilled"] += metrics["Disk Bytes Spilled"]
-    total["cpu_seconds"] = nanoseconds // 10**9
+                figures["cpu_seconds"] += metrics["Executor CPU Time"] / 1e9
+                figures["shuffle_written"] += metrics["Shuffle Write Metrics"]["Shuffle Bytes Written"]
+                figures["spilled"] += metrics["Disk Bytes Spilled"]
     return total
 
 

@@ -28,12 +28,6 @@ PARAMETERS = gam_db.Parameters(m=2, tau=3, bins=4, window=20, stride=5)
 START = 1_709_990_000_000_000  # within a day of a change of the clocks in New York
 
 
-@pytest.fixture(autouse=True)
-def _asked_for(request: pytest.FixtureRequest) -> None:
-    if request.config.getoption("engines") not in ("all", "spark"):
-        pytest.skip("left out: --engines spark runs it")
-
-
 @pytest.fixture(scope="module")
 def spark() -> WarehouseSession:
     session = engines.session("spark")

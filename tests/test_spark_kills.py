@@ -17,7 +17,6 @@ from pathlib import Path
 from typing import Any
 
 import duckdb
-import pytest
 
 import frozen
 import gam_db
@@ -115,9 +114,7 @@ def by_channel(tables: list[list[dict[str, Any]]]) -> Seen:
     return seen
 
 
-def test_killed_while_scoring(tmp_path: Path, request: pytest.FixtureRequest) -> None:
-    if "spark" not in request.config.getoption("engines") and not os.environ.get("GAM_SPARK_KILLS"):
-        pytest.skip("left out: --engines spark runs it")
+def test_killed_while_scoring(tmp_path: Path) -> None:
     chance = random.Random(4)
     folder = tmp_path / "plant"
     with gam_db.connect(f"spark://{folder}") as session:

@@ -1,5 +1,6 @@
 """Spark by pyspark: a session in this process or on a cluster."""
 
+import secrets
 import shutil
 import tempfile
 from collections.abc import Sequence
@@ -81,7 +82,7 @@ class SparkDriver:
             else MetastoreTables(session, self._run, engine, kept)
         )
         self._scratch = self._shared_place(kept)
-        self._views: list[str] = []
+        self._views: dict[str, Path | None] = {}
 
     def execute(self, statement: str) -> None:
         """Run one statement."""
@@ -114,14 +115,14 @@ class SparkDriver:
         if self._scratch is None:
             self._name(table, _checkpointed(frame))
             return
-        place = self._scratch / table.name
+        place = self._scratch / f"{table.name}_{secrets.token_hex(4)}"
         frame.write.parquet(str(place))
         files = [pq.ParquetFile(path) for path in sorted(place.glob("*.parquet"))]
         if sum(one.metadata.num_rows for one in files) <= _FEW:
             self.ingest(table, pa.concat_tables([one.read() for one in files]))
             shutil.rmtree(place)
         else:
-            self._name(table, self._session.read.parquet(str(place)))
+            self._name(table, self._session.read.parquet(str(place)), place)
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
         """Make a view of the rows of an Arrow table."""
@@ -130,10 +131,10 @@ class SparkDriver:
 
     def drop(self, table: exp.Table) -> None:
         """Drop a view made by :meth:`keep` or :meth:`ingest`, and what Spark holds for it."""
-        self._views.remove(table.name)
+        place = self._views.pop(table.name)
         self._session.catalog.dropTempView(table.name)
-        if self._scratch is not None:
-            shutil.rmtree(self._scratch / table.name, ignore_errors=True)
+        if place is not None:
+            shutil.rmtree(place, ignore_errors=True)
 
     def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
         """Delete the rows of a table whose keys are among the rows of a query."""
@@ -193,10 +194,9 @@ class SparkDriver:
             return Path(tempfile.mkdtemp(dir=scratch()))
         return None
 
-    def _name(self, view: exp.Table, frame: Any) -> None:
+    def _name(self, view: exp.Table, frame: Any, place: Path | None = None) -> None:
         frame.createOrReplaceTempView(view.this.sql(dialect="spark"))
-        if view.name not in self._views:
-            self._views.append(view.name)
+        self._views[view.name] = place
 
     def _run(self, text: str) -> Any:
         with quiet():
