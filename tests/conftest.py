@@ -43,6 +43,13 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         metafunc.parametrize("engine", engines.chosen(metafunc.config.getoption("engines")))
 
 
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave out what would take a slow engine too long, where all are asked for."""
+    kept = engines.shortened(items, config.getoption("--engines"))
+    config.hook.pytest_deselected(items=[one for one in items if one not in set(kept)])
+    items[:] = kept
+
+
 @pytest.fixture(scope="session")
 def recordings() -> Path:
     """The folder of the real recordings; without it the test says that it was left out."""

@@ -64,6 +64,11 @@ def examples(name: str) -> int:
     return max(EXAMPLES[name] * settings().max_examples // 100, 4)
 
 
+#: Engines that take seconds for every question. Where all are asked for, one case of each file of the
+#: specification runs on them, and these tests do not; asked for by name, all of it does.
+SLOW = ("spark",)
+LONG = ("test_case_by_script", "test_any_history_ends_in_the_tables_of_one_full_run")
+
 #: What else can be asked for: engines that are run on a stand-in, and the tools beside them.
 STAND_INS = ("bigquery", "relatives", "dbt")
 
@@ -89,6 +94,20 @@ def is_left_out(file: str, asked: str) -> bool:
     """Tell whether a file, ``test_NAME.py`` or ``test_NAME_....py``, is of a NAME not asked for."""
     names = [name for name in (*OPENERS, *STAND_INS) if f"{file[:-3]}_".startswith(f"test_{name}_")]
     return bool(names) and names[0] not in asked_for(asked)
+
+
+def shortened(tests: list[pytest.Item], asked: str) -> list[pytest.Item]:
+    """Return the tests without those that would take a slow engine too long."""
+    if asked != "all":
+        return tests
+    kept: dict[str, pytest.Item] = {}
+    for test in tests:
+        name, _, case = test.name.partition("[")
+        if not case.startswith(SLOW):
+            kept[test.nodeid] = test
+        elif name not in LONG:
+            kept.setdefault(f"{name} {case.partition(':')[0]}", test)
+    return list(kept.values())
 
 
 @cache

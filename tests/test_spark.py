@@ -1,7 +1,6 @@
 """Spark's own ways: a folder of tables, the user's session, time zones, what is read and refused."""
 
 import datetime as dt
-import os
 import threading
 from decimal import Decimal
 from pathlib import Path
@@ -28,7 +27,7 @@ PARAMETERS = gam_db.Parameters(m=2, tau=3, bins=4, window=20, stride=5)
 START = 1_709_990_000_000_000  # within a day of a change of the clocks in New York
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="module", autouse=True)
 def spark() -> WarehouseSession:
     session = engines.session("spark")
     assert isinstance(session, WarehouseSession)
@@ -375,4 +374,3 @@ def test_two_sessions_at_once_in_threads(spark: WarehouseSession, tmp_path: Path
     for thread in threads:
         thread.join()
     assert not problems
-    assert os.environ.get("SPARK_MASTER") == "local[2]"

@@ -18,6 +18,7 @@ from typing import Any
 
 import duckdb
 
+import engines
 import frozen
 import gam_db
 import harness
@@ -116,6 +117,7 @@ def by_channel(tables: list[list[dict[str, Any]]]) -> Seen:
 
 def test_killed_while_scoring(tmp_path: Path) -> None:
     chance = random.Random(4)
+    engines.session("spark")  # small and quick to start, and so are the victims
     folder = tmp_path / "plant"
     with gam_db.connect(f"spark://{folder}") as session:
         spark_victim.monitor(session, 0).migrate()
