@@ -78,6 +78,7 @@ def work(session: Session, order: dict[str, Any], announce: Any) -> None:
     assert isinstance(session, WarehouseSession)
     for setting in ("max_block_size", "min_insert_block_size_rows", "min_insert_block_size_bytes"):
         session.driver.execute(f"SET {setting} = {BLOCK}")
+    session.driver.execute("SET max_threads = 1")
     table = exp.to_table("telemetry")
     monitor = small_plant.monitor(session)
     looks = []

@@ -46,7 +46,8 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Leave out what would take a slow engine too long, where all are asked for."""
     kept = engines.shortened(items, config.getoption("--engines"))
-    config.hook.pytest_deselected(items=[one for one in items if one not in set(kept)])
+    staying = set(kept)
+    config.hook.pytest_deselected(items=[one for one in items if one not in staying])
     items[:] = kept
 
 

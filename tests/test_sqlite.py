@@ -5,8 +5,10 @@ from pathlib import Path
 
 import pytest
 import sqlglot
+from typer.testing import CliRunner
 
 import gam_db
+from gam_db.cli import app
 from gam_db.errors import EngineError, SourceError
 
 SECOND = 1_000_000
@@ -104,6 +106,30 @@ def test_what_sqlite_has_not(tmp_path: Path) -> None:
         session.execute(sqlglot.parse_one("CREATE TABLE telemetry (a INT)"))
         with pytest.raises(SourceError, match="did you mean 'telemetry'"):
             session.relation("telemetri")
+
+
+def test_the_command_line_takes_an_address(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    plant(tmp_path / "plant.db", "%Y-%m-%d %H:%M:%S").close()
+    monkeypatch.setenv("GAM_DATABASE", "sqlite:///plant.db")
+    words = {
+        "check": ["telemetry"],
+        "run": ["telemetry", "--no-out", "--window", "500"],
+        "calibrate": ["telemetry", "--window", "500"],
+        "score": [],
+        "check --state": [],
+        "compact": [],
+        "drop": ["--yes"],
+    }
+    for command, more in words.items():
+        result = CliRunner().invoke(app, [*command.split(), *more])
+        assert result.exit_code in (0, 2), (command, result.output)
+    wrong = CliRunner().invoke(app, ["status", "--database", "sqlite:///other.db"])
+    assert "no database file other.db" in wrong.stderr
+    (tmp_path / "gam.toml").write_text('[source]\ndatabase = "postgresql://me:secret@host/db"\n')
+    wrong = CliRunner().invoke(app, ["status"])
+    assert "PGPASSWORD" in wrong.stderr
+    assert "secret" not in wrong.output
 
 
 def test_another_writer_and_a_reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -3,6 +3,7 @@
 This module owns the words of the command line; :mod:`gam_db.config` owns what they are laid over.
 """
 
+import os
 from pathlib import Path
 from typing import Annotated
 
@@ -22,10 +23,9 @@ DatabaseOption = Annotated[
     str | None,
     typer.Option(
         metavar="ADDRESS",
-        envvar=VARIABLE,
         help="Database that holds the state, and the source if that is a table: a DuckDB file, which is "
-        "made if it is not there, or a URL such as postgresql://HOST/DATABASE. Default: what gam.toml "
-        "says.",
+        "made if it is not there, or a URL such as postgresql://HOST/DATABASE. Default: the environment "
+        f"variable {VARIABLE}, or what gam.toml says.",
         rich_help_panel=_STATE,
     ),
 ]
@@ -58,7 +58,7 @@ def said(
         ConfigurationError: the file or an option cannot be used.
     """
     return config.load(file).under(
-        {"database": database},
+        {"database": database or os.environ.get(VARIABLE)},
         {},
         {},
         {"name": name, "schema": schema, "prefix": prefix},

@@ -170,9 +170,10 @@ class WarehouseSession:
             parts = tuple(part.name for part in node.parts)  # type: ignore[attr-defined]
             if any(parts == name[-len(parts) :] for name in known):
                 return node
+        hint = nearest(shown, sorted({name[-1] for name in known})) or "."
         raise SourceError(
             f"There is no table or view {shown!r} that can be read in this {self.engine.title} database"
-            f"{nearest(shown, sorted({name[-1] for name in known}))}."
+            f"{hint}"
         )
 
     @contextlib.contextmanager
