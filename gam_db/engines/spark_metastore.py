@@ -7,6 +7,7 @@ from typing import Any
 from sqlglot import exp
 
 from gam_db import template
+from gam_db.engines import spark_statements
 from gam_db.engines.base import Engine
 from gam_db.engines.spark_rewriting import Run, rewritten, same_keys
 
@@ -48,12 +49,11 @@ class MetastoreTables:
             self._run(self._engine.text(_merge(table, keys, found)))
             return
         columns = self._session.table(shown).columns
-        before = self._place(shown)
+        before = self._place(table)
         after = f"{before.rstrip('/')}-{secrets.token_hex(4)}"
         if not rewritten(self._run, self._engine, table, columns, keys, found, after):
             return
-        place = template.text(after).sql(dialect="spark")
-        self._run(f"ALTER TABLE {shown} SET LOCATION {place}")
+        self._run(spark_statements.move(table, after))
         self._remove(before)
 
     def names(self) -> list[tuple[str, ...]]:
@@ -64,11 +64,8 @@ class MetastoreTables:
         found: list[tuple[str, ...]] = []
         for schema in [current, *(one for one in schemas[:_SCHEMAS] if one != current)]:
             shown = template.name(schema).sql(dialect="spark")
-            for row in self._run(f"SHOW TABLES IN {shown}").collect():
-                own = (
-                    (row["tableName"],) if row["isTemporary"] else (catalogue, schema, row["tableName"])
-                )
-                found.append(own)
+            for row in self._session.catalog.listTables(shown):
+                found.append((row.name,) if row.isTemporary else (catalogue, schema, row.name))
         return found
 
     def relations(self, schema: str | None) -> Mapping[str, tuple[str, ...]]:
@@ -78,18 +75,19 @@ class MetastoreTables:
         found: dict[str, tuple[str, ...]] = {}
         if schema is not None and not self._session.catalog.databaseExists(schema):
             return found
-        for row in self._run(f"SHOW TABLES IN {shown}").collect():
-            if not row["isTemporary"]:
-                table = f"{shown}.{template.name(row['tableName']).sql(dialect='spark')}"
-                self._run(f"REFRESH TABLE {table}")
-                found[row["tableName"].casefold()] = tuple(self._session.table(table).columns)
+        for row in self._session.catalog.listTables(shown):
+            if not row.isTemporary:
+                table = exp.Table(this=template.name(row.name), db=template.name(name))
+                self._run(spark_statements.refresh(table))
+                columns = self._session.table(table.sql(dialect="spark")).columns
+                found[row.name.casefold()] = tuple(columns)
         return found
 
     def close(self) -> None:
         """Do nothing: the session is the user's."""
 
-    def _place(self, shown: str) -> str:
-        rows = self._run(f"DESCRIBE TABLE EXTENDED {shown}").collect()
+    def _place(self, table: exp.Table) -> str:
+        rows = self._run(spark_statements.describe(table)).collect()
         return next(str(row[1]) for row in reversed(rows) if row[0] == "Location")
 
     def _remove(self, place: str) -> None:

@@ -15,6 +15,7 @@ import sqlglot
 from sqlglot import exp
 
 from gam_db import template
+from gam_db.engines import spark_statements
 from gam_db.engines.base import Engine
 from gam_db.engines.session import CONFLICT
 from gam_db.engines.spark_folder import Entry, Folder
@@ -125,7 +126,7 @@ class FolderTables:
         for key in list(self._known):
             self._forget(key)
         for schema in self._schemas:
-            self._run(f"DROP SCHEMA IF EXISTS {self._shown(schema)} CASCADE")
+            self._run(spark_statements.drop_schema(schema))
 
     def _tell_named(self, text: str, entries: Mapping[str, Entry], told: set[str]) -> None:
         """Let Spark know what a statement names, and before a view all that it reads."""
@@ -142,7 +143,7 @@ class FolderTables:
         changed = _changed(self._folder.place(entry)) if entry.data else 0
         if known and known[0] == entry:
             if known[1] != changed:
-                self._run(f"REFRESH TABLE {self._shown(entry.name, entry.schema)}")
+                self._run(spark_statements.refresh(_table(entry.name, entry.schema)))
                 self._known[key] = entry, changed
             return
         if known:
@@ -155,7 +156,7 @@ class FolderTables:
     def _forget(self, key: str) -> None:
         entry, _ = self._known.pop(key)
         kind = "VIEW" if entry.data is None else "TABLE"
-        self._run(f"DROP {kind} IF EXISTS {self._shown(entry.name, entry.schema)}")
+        self._run(spark_statements.drop(kind, _table(entry.name, entry.schema)))
 
     def _note(self) -> None:
         """Remember how the tables are after a statement of ours: Spark knows them as they are."""
@@ -182,7 +183,7 @@ class FolderTables:
         self.ready(tree.sql(dialect="spark"))
         self._run(self._placed(dataclasses.replace(entry, statement=tree.sql(dialect="spark"))))
         tree.set("expression", None)
-        columns = tuple(self._session.table(self._shown(target.name, schema)).columns)
+        columns = tuple(self._session.table(_table(target.name, schema).sql(dialect="spark")).columns)
         kept = dataclasses.replace(entry, columns=columns, statement=tree.sql(dialect="spark"))
         self._folder.put(kept)
         self._known[kept.key] = kept, _changed(self._folder.place(kept))
@@ -191,7 +192,9 @@ class FolderTables:
         target = tree.find(exp.Table)
         assert target is not None
         self._run(text)
-        columns = tuple(self._session.table(self._shown(target.name, target.db or None)).columns)
+        columns = tuple(
+            self._session.table(_table(target.name, target.db or None).sql(dialect="spark")).columns
+        )
         entry = Entry(target.db or None, target.name, text, columns, None)
         self._folder.put(entry)
         self._known[entry.key] = entry, 0
@@ -208,7 +211,7 @@ class FolderTables:
     def _make_schema(self, schema: str) -> None:
         """Make a schema known to Spark; its own place is never used, and is removed with it."""
         place = scratch() / f"{self._database}_{len(self._schemas)}"
-        self._run(f"CREATE SCHEMA IF NOT EXISTS {self._shown(schema)} LOCATION '{place}'")
+        self._run(spark_statements.make_schema(schema, str(place)))
         self._schemas.add(schema)
 
     def _placed(self, entry: Entry) -> str:
@@ -219,10 +222,6 @@ class FolderTables:
         properties.append("expressions", exp.LocationProperty(this=place))
         create.set("properties", properties)
         return create.sql(dialect="spark")
-
-    def _shown(self, name: str, schema: str | None = None) -> str:
-        db = None if schema is None else template.name(schema)
-        return exp.Table(this=template.name(name), db=db).sql(dialect="spark")
 
 
 def _key(table: exp.Table) -> str:
@@ -239,3 +238,7 @@ def _changed(folder: Path) -> int:
 def _files(folder: Path) -> frozenset[str]:
     with os.scandir(folder) as found:
         return frozenset(one.name for one in found if one.name.endswith(".parquet"))
+
+
+def _table(name: str, schema: str | None) -> exp.Table:
+    return exp.Table(this=template.name(name), db=None if schema is None else template.name(schema))
