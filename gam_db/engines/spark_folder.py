@@ -86,6 +86,8 @@ class Folder:
                 found[path] = known if known and known[0] == stamp else (stamp, _entry(path))
             except FileNotFoundError:
                 continue  # another process dropped it just now
+            except OSError as error:
+                raise EngineError(f"{path} cannot be read: {error.strerror}.") from error
         self._read = found
         return {entry.key: entry for _, entry in found.values()}
 

@@ -87,7 +87,7 @@ class FolderTables:
         else:
             self.ready(text)
             self._run(text)
-            self._note()
+            self._note(tree)
 
     def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
         """Write the rows that stay to another folder, and let the table be that."""
@@ -158,12 +158,13 @@ class FolderTables:
         kind = "VIEW" if entry.data is None else "TABLE"
         self._run(spark_statements.drop(kind, _table(entry.name, entry.schema)))
 
-    def _note(self) -> None:
-        """Remember how the tables are after a statement of ours: Spark knows them as they are."""
-        for key, (entry, changed) in self._known.items():
-            now = _changed(self._folder.place(entry)) if entry.data else 0
-            if now != changed:
-                self._known[key] = entry, now
+    def _note(self, tree: exp.Expr) -> None:
+        """Remember how a table is after rows of ours were written: Spark has looked at it again."""
+        target = tree.find(exp.Table)
+        key = _key(target) if target is not None else ""
+        if key in self._known:
+            entry, _ = self._known[key]
+            self._known[key] = entry, _changed(self._folder.place(entry)) if entry.data else 0
 
     def _create_table(self, tree: exp.Create) -> None:
         target = tree.find(exp.Table)
