@@ -44,7 +44,7 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leave out what would take a slow engine too long, where all are asked for."""
+    """Leave out what would take too long together, where all engines are asked for."""
     kept = engines.shortened(items, config.getoption("--engines"))
     staying = set(kept)
     config.hook.pytest_deselected(items=[one for one in items if one not in staying])

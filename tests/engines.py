@@ -59,18 +59,22 @@ VERSIONS: dict[str, Callable[[], str]] = {
 }
 
 #: engine -> random cases of the agreement tests, about as many as take the same time on each
-EXAMPLES = {"duckdb": 100, "sqlite": 60, "postgres": 20, "clickhouse": 12, "spark": 4}
+EXAMPLES = {"duckdb": 100, "sqlite": 40, "postgres": 16, "clickhouse": 12, "spark": 2}
 
 
 def examples(name: str) -> int:
     """Return how many random cases an engine is given; HYPOTHESIS_PROFILE=many gives more of them."""
-    return max(EXAMPLES[name] * settings().max_examples // 100, 4)
+    return max(EXAMPLES[name] * settings().max_examples // 100, 1)
 
 
-#: Engines that take seconds for every question. Where all are asked for, one case of each file of the
-#: specification runs on them, and these tests do not; asked for by name, all of it does.
-SLOW = ("spark",)
-LONG = ("test_case_by_script", "test_any_history_ends_in_the_tables_of_one_full_run")
+#: Where all engines are asked for, some run one case of each file of the specification by these tests.
+SHORTENED = {"test_case": ("spark",), "test_case_by_script": ("postgres", "clickhouse")}
+
+#: And those that take seconds for every question leave these out; asked for by name, they run all.
+OMITTED = {
+    "test_case_by_script": ("spark",),
+    "test_any_history_ends_in_the_tables_of_one_full_run": ("spark",),
+}
 
 #: What else can be asked for: engines that are run on a stand-in, and the tools beside them.
 STAND_INS = ("bigquery", "relatives", "dbt")
@@ -100,16 +104,16 @@ def is_left_out(file: str, asked: str) -> bool:
 
 
 def shortened(tests: list[pytest.Item], asked: str) -> list[pytest.Item]:
-    """Return the tests without those that would take a slow engine too long."""
+    """Return the tests without those that would take too long together."""
     if asked != "all":
         return tests
     kept: dict[str, pytest.Item] = {}
     for test in tests:
         name, _, case = test.name.partition("[")
-        if not case.startswith(SLOW):
-            kept[test.nodeid] = test
-        elif name not in LONG:
+        if case.startswith(SHORTENED.get(name, ())):
             kept.setdefault(f"{name} {case.partition(':')[0]}", test)
+        elif not case.startswith(OMITTED.get(name, ())):
+            kept[test.nodeid] = test
     return list(kept.values())
 
 
