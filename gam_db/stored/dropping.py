@@ -23,13 +23,15 @@ class Removal:
 
     Attributes:
         name: of the table, without prefix.
+        table: its node.
         rows: how many; None for a view.
-        statement: what removes it.
+        statement: what drops it, or the keys of the rows that go.
     """
 
     name: str
+    table: exp.Table
     rows: int | None
-    statement: exp.Expr
+    statement: exp.Drop | exp.Query
 
 
 def removals(session: Session, tables: StateTables, monitor: str | None = None) -> tuple[Removal, ...]:
@@ -53,8 +55,9 @@ def removals(session: Session, tables: StateTables, monitor: str | None = None) 
         return tuple(
             Removal(
                 name,
+                tables.table(name),
                 _count(session, exp.select(_COUNT).from_(tables.table(name)).where(owned)),
-                exp.delete(tables.table(name), where=owned),
+                exp.select(owned.this.copy()).distinct().from_(tables.table(name)).where(owned),
             )
             for name, owned in rows_of.items()
             if name in present
@@ -63,21 +66,26 @@ def removals(session: Session, tables: StateTables, monitor: str | None = None) 
 
 
 def remove(session: Session, found: Sequence[Removal]) -> None:
-    """Remove what :func:`removals` found, all of it or nothing.
+    """Remove what :func:`removals` found, all of it or nothing where the engine has transactions.
 
     Raises:
         EngineError: the database cannot be written.
     """
     with session.transaction():
         for removal in found:
-            session.execute(removal.statement)
+            if isinstance(removal.statement, exp.Drop):
+                session.execute(removal.statement)
+            else:
+                keys = removal.statement.named_selects
+                session.delete(removal.table, keys, removal.statement)
 
 
 def _dropped(session: Session, tables: StateTables, name: str) -> Removal:
+    table = tables.table(name)
     if name in VIEWS:
-        return Removal(name, None, exp.Drop(tables=[tables.table(name)], kind="VIEW"))
-    rows = _count(session, exp.select(_COUNT).from_(tables.table(name)))
-    return Removal(name, rows, exp.Drop(tables=[tables.table(name)], kind="TABLE"))
+        return Removal(name, table, None, exp.Drop(tables=[table.copy()], kind="VIEW"))
+    rows = _count(session, exp.select(_COUNT).from_(table.copy()))
+    return Removal(name, table, rows, exp.Drop(tables=[table.copy()], kind="TABLE"))
 
 
 def _conditions(tables: StateTables, monitor_id: int) -> dict[str, exp.Expr]:
