@@ -43,7 +43,7 @@ def test_the_script_of_an_engine_can_be_parsed(name: str) -> None:
         ("clickhouse", "ORDER BY (support_id)\nCOMMENT 'Range"),
         ("bigquery", "CLUSTER BY version_id, bucket_no\nOPTIONS (\n  description='Full"),
         ("bigquery", "novel_in_window INT64 OPTIONS (\n    description='Novel"),
-        ("spark", "USING PARQUET\nCOMMENT 'Full"),
+        ("spark", "INTO 4 BUCKETS\nCOMMENT 'Full"),
         ("databricks", "CLUSTER BY (version_id, bucket_no)\nCOMMENT 'Full"),
         ("snowflake", "CLUSTER BY (version_id, bucket_no)\nCOMMENT='Full"),
         ("redshift", "COMPOUND SORTKEY(version_id, bucket_no)"),

@@ -1,7 +1,7 @@
 """Killed at any moment (kill -9, Java and all), a run on Spark leaves a state that it passes through.
 
 A victim scores batch after batch; the one that follows it goes on where it was killed. What is in the
-folder is looked at by DuckDB, so that looking takes no second Spark. Three are killed where the tests
+folder is looked at by DuckDB, so that looking takes no second Spark. One is killed where the tests
 run on Spark; GAM_SPARK_KILLS=30 kills thirty, in some minutes.
 """
 
@@ -30,7 +30,7 @@ from gam_db.stored.tables import VIEWS, StateTables
 from test_incremental import BUCKETS, NOVEL, rows_of
 from test_kills import CALIBRATION, PARAMETERS, plant
 
-KILLS = int(os.environ.get("GAM_SPARK_KILLS", "3"))
+KILLS = int(os.environ.get("GAM_SPARK_KILLS", "1"))
 
 #: Most seconds that a victim may take for anything.
 PATIENCE = 300
