@@ -26,8 +26,8 @@ MEANING = (
 EMBEDDED = {
     "duckdb": "duckdb:///{folder}/plant.duckdb",
     "sqlite": "sqlite:///{folder}/plant.sqlite",
-    "clickhouse": "chdb:///{folder}/chdb",
-    "spark": "spark:///{folder}/spark",
+    "clickhouse": "chdb://{folder}/chdb",
+    "spark": "spark://{folder}/spark",
 }
 
 

@@ -58,6 +58,8 @@ def address_of(url: str) -> Address:
     """
     parts = urlsplit(url)
     folder = unquote(parts.path)
+    if folder.startswith("//"):  # to Spark, what follows two slashes is a host
+        folder = f"/{folder.lstrip('/')}"
     if not folder.strip("/"):
         raise EngineError(
             f"{url} names no folder for the tables; write spark:///FOLDER, or spark://HOST:7077/FOLDER "
