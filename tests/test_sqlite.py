@@ -53,6 +53,8 @@ def test_instants_as_texts_lose_no_row_at_the_edge(tmp_path: Path, form: str) ->
         assert health.num_rows == (7200 - 960) // 100
         assert once.num_rows == (7200 - 1440) // 100
         assert monitor.check_state().num_rows == 0
+        for until in ("2023-11-15", "9999-12-31 12:00:00"):
+            assert monitor.score(until=until, dry_run=True).ranges
     connection.close()
 
 

@@ -44,6 +44,10 @@ def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
     return exp.DPipe(this=date, expression=fraction)
 
 
+#: From here on there is no next day that could be written: 9999-12-31.
+_LAST_DAY = 253_402_214_400 * SECOND
+
+
 def range_of(
     kind: TimeKind, column: exp.Expr, earliest: int | None, latest: int | None
 ) -> list[exp.Expr]:
@@ -58,7 +62,8 @@ def range_of(
         conditions.append(exp.GTE(this=column.copy(), expression=_day(earliest)))
         conditions.append(exp.GTE(this=micros_of(kind, column.copy()), expression=_number(earliest)))
     if latest is not None:
-        conditions.append(exp.LT(this=column.copy(), expression=_day(latest + 86_400 * SECOND)))
+        if latest < _LAST_DAY:
+            conditions.append(exp.LT(this=column.copy(), expression=_day(latest + 86_400 * SECOND)))
         conditions.append(exp.LTE(this=micros_of(kind, column.copy()), expression=_number(latest)))
     return conditions
 
