@@ -62,7 +62,7 @@ class FolderTables:
         self._schemas: set[str] = set()
         self._database = f"gam_{secrets.token_hex(6)}"
         self._make_schema(self._database)
-        run(f"USE {self._database}")
+        session.catalog.setCurrentDatabase(self._database)
 
     def ready(self, text: str) -> None:
         """Let the session know, as they are now, the tables that a statement may name."""
