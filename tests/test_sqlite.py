@@ -5,10 +5,13 @@ from pathlib import Path
 
 import pytest
 import sqlglot
+from sqlglot import exp
 from typer.testing import CliRunner
 
 import gam_db
 from gam_db.cli import app
+from gam_db.clock import TimeKind, instant
+from gam_db.engines import engine_named
 from gam_db.errors import EngineError, SourceError
 
 SECOND = 1_000_000
@@ -53,8 +56,20 @@ def test_instants_as_texts_lose_no_row_at_the_edge(tmp_path: Path, form: str) ->
         assert health.num_rows == (7200 - 960) // 100
         assert once.num_rows == (7200 - 1440) // 100
         assert monitor.check_state().num_rows == 0
-        for until in ("2023-11-15", "9999-12-31 12:00:00"):
-            assert monitor.score(until=until, dry_run=True).ranges
+    connection.close()
+
+
+def test_a_range_may_end_on_the_last_day_of_the_calendar() -> None:
+    engine, column = engine_named("sqlite"), exp.column("time")
+    texts = ["9999-12-31 11:00:00", "9999-12-31T12:00:00", "9999-12-31 13:00:00", "2026-01-01"]
+    end = instant("9999-12-31 12:00:00", TimeKind.TIMESTAMP, "end")
+    connection = sqlite3.connect(":memory:")
+    connection.execute("CREATE TABLE t (time TEXT)")
+    connection.executemany("INSERT INTO t VALUES (?)", [(text,) for text in texts])
+    for earliest, expected in ((None, 3), (end, 1)):
+        conditions = engine.in_range(TimeKind.TIMESTAMP, column, earliest, end)
+        query = exp.select(exp.Count(this=exp.Star())).from_("t").where(exp.and_(*conditions))
+        assert connection.execute(engine.text(query)).fetchone() == (expected,)
     connection.close()
 
 
