@@ -10,6 +10,10 @@ CREATE TABLE IF NOT EXISTS stored_run (
   context_rows BIGINT NOT NULL,
   context_expected BIGINT,
   calibration_readings BIGINT,
+  lookback BIGINT NOT NULL,
+  settled_bucket BIGINT,
+  settled_time BIGINT,
+  settled_context BIGINT,
   started BIGINT NOT NULL,
   committed BIGINT NOT NULL
 );
@@ -28,5 +32,13 @@ COMMENT ON COLUMN stored_run.context_expected
   IS 'Samples there were when that bucket was written; NULL for the first bucket';
 COMMENT ON COLUMN stored_run.calibration_readings
   IS 'Rows inside calibration, counted again; NULL if this run did not count';
+COMMENT ON COLUMN stored_run.lookback
+  IS 'How late a row may come, as this run took it, in the unit of time';
+COMMENT ON COLUMN stored_run.settled_bucket
+  IS 'Last bucket that no such row can change; -1 if there is none, NULL if no row was read';
+COMMENT ON COLUMN stored_run.settled_time
+  IS 'Time of its last vector: the next run scores what is newer; NULL if there is none';
+COMMENT ON COLUMN stored_run.settled_context
+  IS 'Its context_time: the next run reads from there; NULL if there is none';
 COMMENT ON COLUMN stored_run.started IS 'When it began, in microseconds since 1970 (UTC)';
 COMMENT ON COLUMN stored_run.committed IS 'When it was recorded, in microseconds since 1970 (UTC)';

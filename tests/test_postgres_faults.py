@@ -228,7 +228,7 @@ def test_two_migrations_at_once(name: str) -> None:
 # What a run reads
 
 
-def test_a_run_reads_its_range_of_the_source() -> None:
+def test_a_run_reads_its_range_of_the_source_and_of_what_is_stored() -> None:
     """By the server's own counts of rows."""
     length, late = 6000, 100
     parameters = gam_db.Parameters(m=2, tau=3, bins=4, window=20, stride=5)
@@ -236,7 +236,9 @@ def test_a_run_reads_its_range_of_the_source() -> None:
 
     def rows(start: int, end: int) -> list[Row]:
         return [
-            (asset, "x", t, float(t % 5 or t % 97 // 90)) for t in range(start, end) for asset in "abcd"
+            (asset, "x", t, float(t % 5 or t % 7 if t > 200 else t % 5))
+            for t in range(start, end)
+            for asset in "abcd"
         ]
 
     def score(address: str, *before: str) -> Report:
@@ -256,10 +258,14 @@ def test_a_run_reads_its_range_of_the_source() -> None:
         connection.execute("SELECT pg_stat_reset()")
         report = score(url(made))
         assert 0 < sum(row["rows_read"] for row in report.channels) < 4 * 1.5 * late
+        there = connection.execute("SELECT COUNT(*) FROM gam_bucket").fetchone()[0]
         read = rows_of(
             connection,
-            "SELECT seq_tup_read AS walked, idx_tup_fetch AS fetched FROM pg_stat_user_tables "
-            "WHERE relname = 'telemetry'",
+            "SELECT relname AS name, seq_tup_read AS walked, idx_tup_fetch AS fetched "
+            "FROM pg_stat_user_tables WHERE relname IN ('telemetry', 'gam_bucket', 'gam_novel')",
         )
-        assert read[0]["walked"] == 0
-        assert 0 < read[0]["fetched"] < length
+        assert [row["walked"] for row in read] == [0, 0, 0]
+        fetched = {row["name"]: row["fetched"] for row in read}
+        assert 0 < fetched["telemetry"] < length
+        assert 0 < fetched["gam_bucket"] < there / 4
+        assert 0 < fetched["gam_novel"] < there / 4

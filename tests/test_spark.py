@@ -20,7 +20,9 @@ from gam_db.engines.spark_driver import SparkDriver
 from gam_db.engines.spark_rewriting import rewritten
 from gam_db.engines.warehouse import WarehouseSession
 from gam_db.errors import EngineError, GamError, SourceError, UserError
+from gam_db.pipeline import filled, place
 from gam_db.stored.migrations import rendered
+from gam_db.stored.reading import near
 from gam_db.stored.tables import StateTables
 
 PARAMETERS = gam_db.Parameters(m=2, tau=3, bins=4, window=20, stride=5)
@@ -234,6 +236,12 @@ def test_a_run_reads_its_range_only(spark: WarehouseSession, tmp_path: Path) -> 
     plan = explained(spark, rows)
     spark.driver.fetch("SET spark.sql.sources.bucketing.autoBucketedScan.enabled=true")
     assert "SelectedBucketsCount: 1 out of 4" in plan
+    group = [{"version_id": 3, "first_bucket": 900}]
+    past = filled("stored/past_buckets", {"buckets": 50, "near": near(group, 50)})
+    cohort = pa.table({"channel_id": [3], "version_id": [3], "first_bucket": [900]})
+    with spark.lent(cohort) as lent:
+        place(past, {**tables.placed(), "cohort": lent})
+        assert "EqualTo(version_id,3), GreaterThanOrEqual(bucket_no" in explained(spark, past)
     assert "EqualTo(version_id,3), GreaterThan(last_time,7)" in plan
 
 

@@ -17,6 +17,7 @@ from gam_db.stored.steps import (
     reading_steps,
     relearning_steps,
     scoring_steps,
+    searched_plan_steps,
 )
 from sql_lint import Kind
 
@@ -47,7 +48,7 @@ def given() -> dict[str, sql_lint.Columns]:
         field.name: TYPES[{"int64": "BIGINT", "double": "DOUBLE", "string": "VARCHAR"}[str(field.type)]]
         for field in cohort.schema
     }
-    known["stamp"] = dict.fromkeys(("run_id", "started", "committed"), Kind.INTEGER)
+    known["stamp"] = dict.fromkeys(("run_id", "started", "committed", "lookback"), Kind.INTEGER)
     telemetry = {"time": Kind.INTEGER, "value": Kind.DOUBLE}
     known["telemetry"] = telemetry | dict.fromkeys(TEXTS, Kind.OTHER)
     return known
@@ -74,7 +75,8 @@ def test_filled_steps_break_no_rule(setting: Setting) -> None:
             assert broken(steps(setting, kind), dict(known)) == []
         if can_trust(setting, kind):
             assert broken(scoring_steps(setting, kind, trusting=True), dict(known)) == []
-    assert broken(plan_steps(1, None, 5), given()) == []
+    assert broken(plan_steps(1, 5), given()) == []
+    assert broken(searched_plan_steps(1, None, 5), given()) == []
 
 
 def test_the_check_sees_a_double_that_is_summed() -> None:

@@ -83,7 +83,11 @@ def test_the_newest_finished_run_that_reached_a_bucket_is_seen(
     for connection in connections:
         write(connection, "gam_bucket", [f"({key}, 1, 2, 3, 4, 5, 6, NULL)" for key in keys])
         write(connection, "gam_novel", [f"({key}, 7, 8, 9, 10)" for key in keys])
-        write(connection, "gam_run", [f"({run}, 0, 0, 0, 0, NULL, NULL, 0, 0)" for run in finished])
+        write(
+            connection,
+            "gam_run",
+            [f"({run}, 0, 0, 0, 0, NULL, NULL, 0, NULL, NULL, NULL, 0, 0)" for run in finished],
+        )
         for view, more in (("bucket", (1, 2, 3, 4, 5, 6, None)), ("novel", (7, 8, 9, 10))):
             found = connection.execute(f"SELECT * FROM gam_visible_{view}").fetchall()
             assert sorted(row[:3] for row in found) == sorted(expected(runs))

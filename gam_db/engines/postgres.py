@@ -5,7 +5,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import SECOND, TimeKind
 from gam_db.engines.base import Engine, called, counter
-from gam_db.engines.storage import Definition, with_statements
+from gam_db.engines.storage import Definition, key_index, with_statements
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
@@ -65,13 +65,7 @@ def define(definition: Definition) -> list[exp.Expr]:
         if column.kind.is_type(*exp.DataType.TEXT_TYPES):
             by_bytes = exp.CollateColumnConstraint(this=template.name("C"))
             column.args["constraints"].insert(0, exp.ColumnConstraint(kind=by_bytes))
-    table = create.this.this
-    index = exp.Index(
-        this=template.name(f"{table.name}_key"),
-        table=table.copy(),
-        params=exp.IndexParameters(columns=[exp.Ordered(this=key) for key in definition.key]),
-    )
-    return [create, exp.Create(this=index, kind="INDEX", exists=True), *comments]
+    return [create, key_index(definition), *comments]
 
 
 ENGINE = Engine(

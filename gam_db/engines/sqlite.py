@@ -7,7 +7,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import SECOND, TimeKind
 from gam_db.engines.base import Engine, called, counter
-from gam_db.engines.storage import Definition
+from gam_db.engines.storage import Definition, key_index
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
@@ -99,13 +99,13 @@ def _literal(sign: str) -> str:
 
 
 def define(definition: Definition) -> list[exp.Expr]:
-    """Return the definition without comments, which SQLite has not; a view is dropped first.
+    """Return the definition with an index on its key, without comments, which SQLite has not.
 
-    Cause: no CREATE OR REPLACE VIEW. Symptom: a syntax error at OR REPLACE.
+    A view is dropped first. Cause: no CREATE OR REPLACE VIEW. Symptom: a syntax error at OR REPLACE.
     """
     create = definition.create.copy()
     if not definition.is_view:
-        return [create]
+        return [create, key_index(definition)]
     create.set("replace", False)
     return [exp.Drop(tables=[create.this.copy()], kind="VIEW", exists=True), create]
 

@@ -87,6 +87,17 @@ def with_notes(
     return [create]
 
 
+def key_index(definition: Definition) -> exp.Expr:
+    """Return CREATE INDEX on the key of a table, called after it."""
+    table = definition.create.this.this
+    index = exp.Index(
+        this=exp.to_identifier(f"{table.name}_key", quoted=True),
+        table=table.copy(),
+        params=exp.IndexParameters(columns=[exp.Ordered(this=key) for key in definition.key]),
+    )
+    return exp.Create(this=index, kind="INDEX", exists=True)
+
+
 def clustered(definition: Definition) -> exp.Expr:
     """Return CLUSTER BY the key of a table."""
     return exp.ClusterProperty(expressions=definition.key)

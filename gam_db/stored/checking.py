@@ -14,7 +14,7 @@ from gam_db.clock import LONG_AGO
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
 from gam_db.stored.planning import Row, portions
-from gam_db.stored.reading import Reader, cohort_of, plan_rows
+from gam_db.stored.reading import Reader, cohort_of, plan_rows, searched_plan_rows
 from gam_db.stored.state import State, kind_of
 from gam_db.stored.steps import (
     comparing_steps,
@@ -56,8 +56,9 @@ def check_state(
     """
     monitor = state.monitor(name)
     reader = Reader(state.session, source, kind_of(monitor), name)
-    settled = {row["version_id"]: row for row in plan_rows(state, monitor["monitor_id"], lookback)}
-    rows = plan_rows(state, monitor["monitor_id"], None)
+    monitor_id = monitor["monitor_id"]
+    settled = {row["version_id"]: row for row in plan_rows(state, monitor_id, lookback)}
+    rows = searched_plan_rows(state, monitor_id, None)
     names = {row["channel_id"]: (row["asset"], row["channel"]) for row in rows}
     check = _Check(state, reader, on_step)
     found: list[Row] = []

@@ -50,7 +50,7 @@ class Retention:
 
 #: The steps that find what goes, in order; all are read before anything is deleted.
 _STEPS = (
-    *("pruned_versions", "aged_buckets", "horizons"),
+    *("pruned_versions", "recorded", "aged_buckets", "horizons"),
     *("doomed_buckets", "doomed_novel", "doomed_runs", "doomed_versions", "doomed_supports"),
 )
 
@@ -140,7 +140,12 @@ def _deleted(
 ) -> pa.Table:
     # A run that is seen without its end, where there are transactions, was cut short; else it may go on.
     unfinished = FAR_AHEAD if session.transactions else first_run_at(now() - DAY)
-    slots = {"monitor": template.text(monitor), "unfinished_from": unfinished, **limits}
+    slots = {
+        "monitor": template.text(monitor),
+        "unfinished_from": unfinished,
+        "at_least": 0,  # whatever the next run's lookback, it may rely on what the last one recorded
+        **limits,
+    }
     steps = _steps(tables, slots)
     sizes = filled("stored/state_sizes", {"monitor": slots["monitor"]})
     place(sizes, tables.placed())

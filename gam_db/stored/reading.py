@@ -14,10 +14,14 @@ from sqlglot import exp
 from gam_db import look, template
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.engines.session import Session
+from gam_db.pipeline import Pipeline
 from gam_db.source import AnySource, parsed_condition, readings
 from gam_db.stored.planning import Row
 from gam_db.stored.state import State
-from gam_db.stored.steps import plan_steps
+from gam_db.stored.steps import plan_steps, searched_plan_steps
+
+#: Versions that a condition lists; of more it says in which range they are.
+_LISTED = 1000
 
 
 class Reader:
@@ -85,20 +89,55 @@ class Reader:
         return readings(source, self._relation, lambda node: self._engine.micros_of(self.kind, node))
 
 
-def plan_rows(
+def plan_rows(state: State, monitor_id: int, lookback: int) -> list[Row]:
+    """Return from where on each version must be read, by what its last run recorded.
+
+    Where a run allowed for rows less late than ``lookback``, buckets have to be looked at, and are.
+    """
+    rows = _planned(state, plan_steps(monitor_id, lookback))
+    if any(row["read_until"] != LONG_AGO and not row["restarts"] for row in rows):
+        return searched_plan_rows(state, monitor_id, lookback)
+    return rows
+
+
+def searched_plan_rows(
     state: State, monitor_id: int, lookback: int | None, repair_from: int | None = None
 ) -> list[Row]:
-    """Return from where on each version must be read; see :func:`gam_db.stored.steps.plan_steps`."""
-    steps = plan_steps(monitor_id, lookback, repair_from)
+    """Return the same, by a look at all buckets; see :func:`gam_db.stored.steps.searched_plan_steps`."""
+    return _planned(state, searched_plan_steps(monitor_id, lookback, repair_from))
+
+
+def _planned(state: State, steps: Pipeline) -> list[Row]:
     rows: list[Row] = state.session.fetch(steps.query("plan", state.tables.placed())).to_pylist()
     return rows
 
 
 def last_times(state: State, monitor_id: int) -> dict[int, int]:
     """Return the end of what is stored of each version that has a bucket."""
-    steps = plan_steps(monitor_id, None, None)
+    steps = searched_plan_steps(monitor_id, None, None)
     rows = state.session.fetch(steps.query("newest", state.tables.placed())).to_pylist()
     return {row["version_id"]: row["newest_time"] for row in rows}
+
+
+def near(rows: Sequence[Row], buckets_before: int = 0) -> exp.Expr:
+    """Return a condition on *bucket*, in literals, that holds for all that a run touches of a group.
+
+    A join alone would do; but not every engine finds its rows by an index then.
+
+    Args:
+        rows: of the plan.
+        buckets_before: buckets before the first new one of each channel that are touched, too.
+    """
+    first = min(row["first_bucket"] for row in rows) - buckets_before
+    number = exp.column("bucket_no", table="bucket")
+    version = exp.column("version_id", table="bucket")
+    keys = sorted(row["version_id"] for row in rows)
+    if len(keys) > _LISTED:
+        ends = [exp.Literal.number(key) for key in (keys[0], keys[-1])]
+        among: exp.Expr = exp.Between(this=version, low=ends[0], high=ends[1])
+    else:
+        among = exp.In(this=version, expressions=[exp.Literal.number(key) for key in keys])
+    return exp.and_(among, exp.GTE(this=number, expression=template.node_of(max(first, 0))))
 
 
 def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:

@@ -9,16 +9,24 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import pyarrow as pa
+from sqlglot import exp
 
 from gam_db import look, template
 from gam_db.clock import FAR_AHEAD, shown_instant
 from gam_db.errors import ParameterError, SourceError
 from gam_db.method.adding import add
-from gam_db.pipeline import Pipeline
+from gam_db.pipeline import Pipeline, filled, place
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
 from gam_db.stored.planning import Cohort, Row, assets_of, planned, portions, resumed
-from gam_db.stored.reading import Reader, cohort_of, last_times, plan_rows
+from gam_db.stored.reading import (
+    Reader,
+    cohort_of,
+    last_times,
+    near,
+    plan_rows,
+    searched_plan_rows,
+)
 from gam_db.stored.state import State, kind_of, now
 from gam_db.stored.steps import (
     DAY,
@@ -161,9 +169,12 @@ class _Run:
         return self.report
 
     def _plan(self) -> list[Row]:
-        lookback = None if self.wanted.full else self.wanted.lookback
         monitor_id = self.monitor["monitor_id"]
-        rows = plan_rows(self.state, monitor_id, lookback, self.wanted.repair_from)
+        if self.wanted.full or self.wanted.repair_from is not None:
+            lookback = None if self.wanted.full else self.wanted.lookback
+            rows = searched_plan_rows(self.state, monitor_id, lookback, self.wanted.repair_from)
+        else:
+            rows = plan_rows(self.state, monitor_id, self.wanted.lookback)
         chosen = [row for row in rows if self.wanted.chosen(row["asset"], row["channel"])]
         if self.wanted.repair_from is not None:
             ends = last_times(self.state, monitor_id)
@@ -256,13 +267,19 @@ class _Run:
                     running.load("cohort", self._cohort(group))
             if not group:
                 return doubtful
+            running.put("past_buckets", self._past(group, running))
             for part in PUBLISHED:
                 running.prepare(part)
             made = {row["channel_id"]: row for row in running.table("new_counts").to_pylist()}
             seen = {row["channel_id"]: row for row in running.table("seen").to_pylist()}
             self.on_step("writing")
             run_id = self.state.next_run()
-            stamp = {"run_id": run_id, "started": self.started, "committed": now()}
+            stamp = {
+                "run_id": run_id,
+                "started": self.started,
+                "committed": now(),
+                "lookback": self.wanted.lookback,
+            }
             running.load("stamp", pa.Table.from_pylist([stamp]))
             after = min(row["first_scored"] for row in group) - 1
             with self.session.transaction():
@@ -270,11 +287,19 @@ class _Run:
                     self.state.append(part.removesuffix("_rows"), running.query(part))
                 if self.session.transactions:  # else `gam compact` does it now and then
                     for table in ("bucket", "novel"):
-                        self.state.delete_hidden(table, run_id, after)
+                        self.state.delete_hidden(table, run_id, after, near(group))
         finally:
             running.forget()
         self._note(group, made, seen)
         return doubtful
+
+    def _past(self, group: Sequence[Row], running: Running) -> exp.Query:
+        """Return the query of the buckets that stay and are needed for the new ones' windows."""
+        setting = setting_of(group[0])
+        buckets = setting.window_length // setting.stride
+        past = filled("stored/past_buckets", {"buckets": buckets, "near": near(group, buckets)})
+        place(past, running.placed)
+        return past
 
     def _cohort(self, group: Sequence[Row]) -> pa.Table:
         until = FAR_AHEAD if self.wanted.until is None else self.wanted.until

@@ -68,9 +68,9 @@ class State:
         self.append(table, exp.select(*columns).from_(loaded), rows.column_names)
         self.session.forget(loaded)
 
-    def delete_hidden(self, table: str, run_id: int, after: int) -> None:
-        """Delete the rows of a table that a run has replaced."""
-        hidden = filled("stored/hidden", {"run_id": run_id, "after": after})
+    def delete_hidden(self, table: str, run_id: int, after: int, near: exp.Expr) -> None:
+        """Delete the rows of a table that a run has replaced; the slots are those of the file."""
+        hidden = filled("stored/hidden", {"run_id": run_id, "after": after, "near": near})
         target = self.tables.table(table)
         place(hidden, {**self.tables.placed(), "appended": target})
         self.session.delete(target, hidden.named_selects, hidden)

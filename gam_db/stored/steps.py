@@ -62,8 +62,23 @@ def setting_of(version: Mapping[str, Any]) -> Setting:
     return Setting(**figures, has_start=version["score_from"] is not None)
 
 
-def plan_steps(monitor_id: int, lookback: int | None, repair_from: int | None) -> Pipeline:
+def plan_steps(monitor_id: int, lookback: int) -> Pipeline:
     """Return the steps that tell from where on each version must be read; the last is *plan*.
+
+    They rely on what runs recorded, and look at no bucket.
+
+    Args:
+        monitor_id: of the monitor.
+        lookback: in the unit of time.
+    """
+    steps = Pipeline()
+    add(steps, "stored/active", {"monitor_id": monitor_id})
+    add(steps, "stored/recorded", {"at_least": lookback}, name="restart")
+    return _planned(steps)
+
+
+def searched_plan_steps(monitor_id: int, lookback: int | None, repair_from: int | None) -> Pipeline:
+    """Return steps as :func:`plan_steps` does that look at all buckets instead.
 
     Args:
         monitor_id: of the monitor.
@@ -79,6 +94,10 @@ def plan_steps(monitor_id: int, lookback: int | None, repair_from: int | None) -
     add(steps, "stored/active", {"monitor_id": monitor_id})
     add(steps, "stored/newest")
     add(steps, "stored/restart", slots)
+    return _planned(steps)
+
+
+def _planned(steps: Pipeline) -> Pipeline:
     add(steps, "stored/looks", {"long_ago": LONG_AGO})
     add(steps, "stored/plan", {"long_ago": LONG_AGO})
     return steps
@@ -111,15 +130,16 @@ def scoring_steps(setting: Setting, kind: TimeKind, trusting: bool = False) -> P
     none does, and finds out on the way: *doubtful* holds the channels that deserved no trust, whose rows
     must not be appended.
 
-    Given by the caller are the state tables, *identified*, *recount*, *stamp* (run_id, started,
-    committed), and *cohort*: the channels, from where on each is read and scored, and the number of its
-    first bucket.
+    Given by the caller are the state tables, *identified*, *past_buckets*, *recount*, *stamp* (run_id,
+    started, committed, lookback), and *cohort*: the channels, from where on each is read and scored, and
+    the number of its first bucket.
     """
     steps = _frozen()
     add_counting(steps, setting, kind, trusting=trusting)
     if trusting:
         add(steps, "stored/doubtful")
-    add(steps, "stored/new_counts")
+    for name in ("new_counts", "settled"):
+        add(steps, f"stored/{name}")
     for part in PUBLISHED:
         add(steps, f"stored/{part}")
     return steps
@@ -145,7 +165,9 @@ def add_counting(
     _add_new_buckets(steps, method, trusting)
     buckets = "new_buckets"
     if has_past:
-        add(steps, "stored/past_buckets", {"buckets": setting.window_length // setting.stride})
+        length = setting.window_length // setting.stride
+        past: dict[str, template.Slot] = {"buckets": length, "near": exp.true()}
+        add(steps, "stored/past_buckets", past)
         columns = ("channel_id", "bucket_no", "first_time", "last_time", "novel", "out_of_range")
         buckets = "running_buckets"
         steps.add(

@@ -1,6 +1,6 @@
 -- Cohort: from where on each channel is read and scored in an incremental build. Every vector after the last
 -- bucket that stays has all its samples at or after that bucket's context_time.
--- Reads:  active, restart, stored_visible_bucket
+-- Reads:  active, restart
 -- A row:  one channel.
 -- Slots:  :far_ahead  an instant after all others
 SELECT
@@ -12,19 +12,13 @@ SELECT
   frozen.lo AS lo,
   frozen.hi AS hi,
   frozen.calibration_end AS calibration_end,
-  CASE WHEN staying.hit = 1 THEN staying.bucket_no + 1 ELSE 0 END AS first_bucket,
+  CASE WHEN staying.hit = 1 THEN staying.last_staying + 1 ELSE 0 END AS first_bucket,
   CASE WHEN staying.hit = 1 THEN staying.last_time + 1 ELSE frozen.first_scored END AS first_scored,
   CASE WHEN staying.hit = 1 THEN staying.context_time ELSE frozen.run_up_from END AS read_from,
   CAST(:far_ahead AS BIGINT) AS read_until
 FROM active AS frozen
 LEFT JOIN (
-  SELECT
-    bucket.version_id AS version_id,
-    bucket.bucket_no AS bucket_no,
-    bucket.last_time AS last_time,
-    bucket.context_time AS context_time,
-    1 AS hit
-  FROM stored_visible_bucket AS bucket
-  JOIN restart AS again
-    ON again.version_id = bucket.version_id AND again.last_staying = bucket.bucket_no
+  SELECT version_id, last_staying, last_time, context_time, 1 AS hit
+  FROM restart
+  WHERE last_staying >= 0
 ) AS staying ON staying.version_id = frozen.version_id

@@ -4,13 +4,15 @@
 -- A row:  one such row, by what names it.
 -- Slots:  :run_id
 --         :after   an instant before all that the run has replaced
+--         :near    a condition on bucket that holds for all of that
 SELECT
-  earlier.version_id AS version_id,
-  earlier.bucket_no AS bucket_no,
-  earlier.run_id AS run_id
-FROM appended AS earlier
-JOIN stored_run AS newer ON newer.version_id = earlier.version_id
+  bucket.version_id AS version_id,
+  bucket.bucket_no AS bucket_no,
+  bucket.run_id AS run_id
+FROM appended AS bucket
+JOIN stored_run AS newer ON newer.version_id = bucket.version_id
 WHERE newer.run_id = :run_id
-  AND earlier.run_id < newer.run_id
-  AND earlier.bucket_no >= newer.from_bucket
-  AND earlier.last_time > :after
+  AND bucket.run_id < newer.run_id
+  AND bucket.bucket_no >= newer.from_bucket
+  AND bucket.last_time > :after
+  AND :near

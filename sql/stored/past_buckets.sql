@@ -2,6 +2,7 @@
 -- Reads:  stored_visible_bucket, cohort
 -- A row:  one bucket.
 -- Slots:  :buckets  W / stride, the buckets of a window
+--         :near     a condition on bucket that holds for all of them
 SELECT
   member.channel_id AS channel_id,
   bucket.bucket_no AS bucket_no,
@@ -11,4 +12,6 @@ SELECT
   bucket.out_of_range AS out_of_range
 FROM stored_visible_bucket AS bucket
 JOIN cohort AS member ON member.version_id = bucket.version_id
-WHERE bucket.bucket_no < member.first_bucket AND bucket.bucket_no >= member.first_bucket - :buckets
+WHERE bucket.bucket_no < member.first_bucket
+  AND bucket.bucket_no >= member.first_bucket - :buckets
+  AND :near

@@ -2,8 +2,8 @@
 -- has all its samples at or after that bucket's context_time, so nothing older is read, and nothing is
 -- searched for: (m-1) tau samples up to that bucket's last, or that one alone if m = 1. Where no bucket stays,
 -- scoring begins as the version does.
--- Reads:  active, restart, newest, looks, stored_visible_bucket
--- A row:  one version with a range.
+-- Reads:  active, restart, looks
+-- A row:  one version with a range; restarts = 1 if it is known what of it stays.
 -- Slots:  :long_ago  an instant before all others
 SELECT
   frozen.version_id AS version_id,
@@ -22,13 +22,14 @@ SELECT
   frozen.score_from AS score_from,
   frozen.calibration_end AS calibration_end,
   frozen.calibration_readings AS calibration_readings,
-  CASE WHEN staying.hit = 1 THEN staying.bucket_no + 1 ELSE 0 END AS first_bucket,
+  CASE WHEN staying.hit = 1 THEN staying.last_staying + 1 ELSE 0 END AS first_bucket,
   CASE WHEN staying.hit = 1 THEN staying.last_time + 1 ELSE frozen.first_scored END AS first_scored,
   CASE WHEN staying.hit = 1 THEN staying.context_time ELSE frozen.run_up_from END AS read_from,
   CASE
     WHEN staying.hit = 1 THEN CASE WHEN frozen.m = 1 THEN 1 ELSE (frozen.m - 1) * frozen.tau END
   END AS context_expected,
-  CASE WHEN stored.hit = 1 THEN stored.oldest_bucket ELSE 0 END AS oldest_bucket,
+  CASE WHEN again.hit = 1 THEN again.oldest_bucket ELSE 0 END AS oldest_bucket,
+  CASE WHEN again.hit = 1 THEN 1 ELSE 0 END AS restarts,
   CASE WHEN seen.hit = 1 THEN seen.read_until ELSE CAST(:long_ago AS BIGINT) END AS read_until,
   CASE WHEN seen.hit = 1 THEN seen.looked_at ELSE CAST(:long_ago AS BIGINT) END AS looked_at,
   CASE
@@ -37,20 +38,14 @@ SELECT
   END AS counted_at
 FROM active AS frozen
 LEFT JOIN (
-  SELECT
-    bucket.version_id AS version_id,
-    bucket.bucket_no AS bucket_no,
-    bucket.last_time AS last_time,
-    bucket.context_time AS context_time,
-    1 AS hit
-  FROM stored_visible_bucket AS bucket
-  JOIN restart AS again
-    ON again.version_id = bucket.version_id AND again.last_staying = bucket.bucket_no
-) AS staying ON staying.version_id = frozen.version_id
-LEFT JOIN (
   SELECT version_id, oldest_bucket, 1 AS hit
-  FROM newest
-) AS stored ON stored.version_id = frozen.version_id
+  FROM restart
+) AS again ON again.version_id = frozen.version_id
+LEFT JOIN (
+  SELECT version_id, last_staying, last_time, context_time, 1 AS hit
+  FROM restart
+  WHERE last_staying >= 0
+) AS staying ON staying.version_id = frozen.version_id
 LEFT JOIN (
   SELECT version_id, read_until, looked_at, counted_at, 1 AS hit
   FROM looks

@@ -1,7 +1,8 @@
 -- Run rows: what commits a run, one row per version; appended last of all.
--- Reads:  cohort, seen, recount, stamp
+-- Reads:  cohort, seen, recount, settled, stamp
 -- A row:  one version that was looked at. One without any row in its range, not even its context, hides
---         nothing: from_bucket is beyond all buckets.
+--         nothing: from_bucket is beyond all buckets, and what was settled is what an earlier run says. Where
+--         no new bucket is settled, it is the one that stayed, after which this run began.
 SELECT
   stamp.run_id AS run_id,
   member.version_id AS version_id,
@@ -14,6 +15,25 @@ SELECT
   CASE
     WHEN member.recounted = 1 THEN CASE WHEN again.hit = 1 THEN again.calibration_readings ELSE 0 END
   END AS calibration_readings,
+  stamp.lookback AS lookback,
+  CASE
+    WHEN ranged.hit = 1
+      THEN CASE WHEN done.hit = 1 THEN done.settled_bucket ELSE member.first_bucket - 1 END
+  END AS settled_bucket,
+  CASE
+    WHEN ranged.hit = 1
+      THEN CASE
+        WHEN done.hit = 1 THEN done.settled_time
+        WHEN member.first_bucket > 0 THEN member.first_scored - 1
+      END
+  END AS settled_time,
+  CASE
+    WHEN ranged.hit = 1
+      THEN CASE
+        WHEN done.hit = 1 THEN done.settled_context
+        WHEN member.first_bucket > 0 THEN member.read_from
+      END
+  END AS settled_context,
   stamp.started AS started,
   stamp.committed AS committed
 FROM cohort AS member
@@ -26,3 +46,7 @@ LEFT JOIN (
   SELECT channel_id, calibration_readings, 1 AS hit
   FROM recount
 ) AS again ON again.channel_id = member.channel_id
+LEFT JOIN (
+  SELECT version_id, settled_bucket, settled_time, settled_context, 1 AS hit
+  FROM settled
+) AS done ON done.version_id = member.version_id
