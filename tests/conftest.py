@@ -31,6 +31,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     )
 
 
+def pytest_configure(config: pytest.Config) -> None:
+    """Refuse engines that there are not, once, before anything is looked for."""
+    engines.asked_for(config.getoption("--engines"))
+
+
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
     """Leave the files alone whose engine nobody asked for; they need its libraries."""
     return engines.is_left_out(collection_path.name, config.getoption("--engines")) or None
