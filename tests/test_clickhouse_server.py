@@ -21,6 +21,8 @@ import gam_db
 import harness
 import small_plant
 from clickhouse_server import PASSWORD, USER, Server
+from gam_db.benchmark.engines import EMBEDDED
+from gam_db.engines.clickhouse_address import folder
 from gam_db.errors import EngineError, UserError
 from gam_db.stored.monitor import Monitor
 from scripts import arrive
@@ -142,6 +144,15 @@ def test_a_server_that_is_too_old() -> None:
 def test_an_open_connection_of_another_kind() -> None:
     with pytest.raises(EngineError, match="takes the client"):
         gam_db.connect(clickhouse_connect.driver.exceptions.Error())
+
+
+def test_a_folder_begins_here_or_at_the_root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert folder("chdb:///plant", writable=True)["path"] == "plant"
+    rooted = EMBEDDED["clickhouse"].format(folder=tmp_path)
+    assert folder(rooted, writable=True)["path"] == str(tmp_path / "chdb")
+    with pytest.raises(EngineError, match=str(tmp_path / "plant")):
+        folder("chdb:///plant", writable=False)
 
 
 def test_a_folder_is_open_in_one_process_only(tmp_path: Path) -> None:

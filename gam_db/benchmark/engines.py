@@ -26,7 +26,7 @@ MEANING = (
 EMBEDDED = {
     "duckdb": "duckdb:///{folder}/plant.duckdb",
     "sqlite": "sqlite:///{folder}/plant.sqlite",
-    "clickhouse": "chdb://{folder}/chdb",
+    "clickhouse": "chdb:///{folder}/chdb",
     "spark": "spark://{folder}/spark",
 }
 

@@ -39,7 +39,7 @@ def folder(address: str, writable: bool) -> dict[str, Any]:
         )
     path = Path(address.removeprefix(_FOLDER))
     if not path.is_dir() and not (writable and not path.exists() and path.parent.is_dir()):
-        raise EngineError(f"There is no folder {path}.")
+        raise EngineError(f"There is no folder {path.absolute()}.")
     there = {entry.name for entry in path.iterdir()} if path.is_dir() else set()
     if there and not there & _OF_CHDB:
         raise EngineError(f"{path} is no folder of chdb; give an empty or a new one.")
