@@ -129,6 +129,22 @@ def test_pruning_leaves_the_window_before_what_was_recorded(
     assert [row for row in all_there if row in left] == left
 
 
+def test_pruning_leaves_the_newest_record(plant: duckdb.DuckDBPyConnection) -> None:
+    """Of a run that only hid buckets, with nothing read since: an older one would say too much."""
+    put(plant, readings(FIRST, LENGTH))
+    monitor(plant).score()
+    plant.execute("DELETE FROM telemetry WHERE time >= 200")
+    monitor(plant).score(since=200)
+    hidden = planned(plant, LOOKBACK, False)
+    plant.execute("DELETE FROM telemetry WHERE asset <> 'a'; DELETE FROM telemetry WHERE time > 0")
+    monitor(plant).score()
+    with monitor(plant) as mine:
+        prune(mine.session, mine.state.tables)
+    kept = ("asset", "first_bucket", "first_scored", "read_from")
+    left = [[row[name] for name in kept] for row in planned(plant, LOOKBACK, False)]
+    assert left == [[row[name] for name in kept] for row in hidden]
+
+
 def test_the_past_window_is_found_by_literals(plant: duckdb.DuckDBPyConnection) -> None:
     """The condition reaches the scan; DuckDB says how many rows come out of it."""
     plant.execute(

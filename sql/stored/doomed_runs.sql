@@ -1,7 +1,8 @@
 -- Doomed runs: records of runs that go, since no row of theirs stays and nothing that they found is still
--- to be told. Of each version the newest run stays, the newest of those that read furthest, and the newest
--- that counted calibration; so does one that found other samples than were scored, where they are not too
--- old to be scored again. A run whose record goes hides nothing any more, so hidden rows go with it.
+-- to be told. Of each version the newest run stays, the newest of those that read furthest, the newest that
+-- recorded what is settled, and the newest that counted calibration; so does one that found other samples than
+-- were scored, where they are not too old to be scored again. A run whose record goes hides nothing any more,
+-- so hidden rows go with it.
 -- Reads:  pruned_versions, horizons, stored_run, stored_visible_bucket
 -- A row:  one run of one version, by its key.
 SELECT
@@ -14,12 +15,14 @@ JOIN (
     version_id,
     MAX(run_id) AS newest_id,
     MAX(CASE WHEN read_to = furthest THEN run_id END) AS reading_id,
+    MAX(CASE WHEN settled_bucket IS NOT NULL THEN run_id END) AS settling_id,
     MAX(CASE WHEN calibration_readings IS NOT NULL THEN run_id END) AS counting_id
   FROM (
     SELECT
       version_id,
       run_id,
       read_to,
+      settled_bucket,
       calibration_readings,
       MAX(read_to) OVER (PARTITION BY version_id) AS furthest
     FROM stored_run
@@ -43,6 +46,7 @@ WHERE CASE
   WHEN pruned.goes = 1 THEN 1
   WHEN run.run_id = last_run.newest_id THEN 0
   WHEN run.run_id = last_run.reading_id THEN 0
+  WHEN run.run_id = last_run.settling_id THEN 0
   WHEN run.run_id = last_run.counting_id THEN 0
   WHEN staying.hit = 1 THEN 0
   WHEN run.read_to IS NOT NULL
