@@ -59,7 +59,7 @@ VERSIONS: dict[str, Callable[[], str]] = {
 }
 
 #: engine -> random cases of the agreement tests, about as many as take the same time on each
-EXAMPLES = {"duckdb": 100, "sqlite": 40, "postgres": 16, "clickhouse": 8, "spark": 2}
+EXAMPLES = {"duckdb": 100, "sqlite": 30, "postgres": 10, "clickhouse": 5, "spark": 1}
 
 
 def examples(name: str) -> int:

@@ -7,6 +7,7 @@ a connection. And what a run reads of its source.
 import itertools
 import random
 import threading
+import time
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -253,10 +254,12 @@ def test_a_run_reads_its_range_of_the_source_and_of_what_is_stored() -> None:
         source(connection, rows(0, length))
         connection.execute("CREATE INDEX ON telemetry (time)")
         score(url(made), "migrate", "calibrate")
+        wait_until_alone(connection)
         put(connection, rows(length, length + late))
         connection.execute("VACUUM ANALYZE")
         connection.execute("SELECT pg_stat_reset()")
         report = score(url(made))
+        wait_until_alone(connection)
         assert 0 < sum(row["rows_read"] for row in report.channels) < 4 * 1.5 * late
         there = connection.execute("SELECT COUNT(*) FROM gam_bucket").fetchone()[0]
         read = rows_of(
@@ -269,3 +272,15 @@ def test_a_run_reads_its_range_of_the_source_and_of_what_is_stored() -> None:
         assert 0 < fetched["telemetry"] < length
         assert 0 < fetched["gam_bucket"] < there / 4
         assert 0 < fetched["gam_novel"] < there / 4
+
+
+def wait_until_alone(connection: Any) -> None:
+    """Wait for the ends of all other connections: only then has the server counted what they read."""
+    others = (
+        "SELECT COUNT(*) FROM pg_stat_activity WHERE datname = current_database() "
+        "AND backend_type = 'client backend' AND pid <> pg_backend_pid()"
+    )
+    end = time.monotonic() + 60
+    while connection.execute(others).fetchone()[0]:
+        assert time.monotonic() < end, "a connection stays open"
+        time.sleep(0.05)
