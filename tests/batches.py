@@ -3,7 +3,7 @@
 A *history* is plain data: the rows that are there when calibration is frozen, then batches of rows that
 arrive one after another, with what is done after each. Rows come late by up to ``lookback`` behind the
 newest time of their channel that was read before, in any order, and some come again. Each channel has a
-series, a lateness and a cut into batches of its own: a history of 20 channels is 20 cases.
+series, a lateness and a cut into batches of its own: a history of 25 channels is 25 cases.
 
 Everything follows from one number: drawn value by value, hypothesis would spend its time on it.
 """
@@ -14,7 +14,7 @@ from typing import Any
 
 from strategies import ASSETS, MISSING, Arguments, Row
 
-CHANNELS = 20
+CHANNELS = 25
 LENGTH = 60
 
 #: What a history is about -> parameters and calibration that go with it.

@@ -19,7 +19,7 @@ from gam_db.stored.tables import TABLES
 from strategies import Row
 
 #: Histories of each kind; each is one of several channels, whose rows arrive each in their own way.
-EXAMPLES = 25
+EXAMPLES = 20
 
 BUCKETS = """
     SELECT asset, channel, bucket_no AS bucket, first_time, last_time, context_time, samples, novel,
