@@ -59,7 +59,7 @@ VERSIONS: dict[str, Callable[[], str]] = {
 }
 
 #: engine -> random cases of the agreement tests, about as many as take the same time on each
-EXAMPLES = {"duckdb": 60, "sqlite": 30, "postgres": 10, "clickhouse": 5, "spark": 1}
+EXAMPLES = {"duckdb": 40, "sqlite": 30, "postgres": 10, "clickhouse": 5, "spark": 1}
 
 
 def examples(name: str) -> int:
