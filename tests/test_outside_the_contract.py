@@ -1,6 +1,7 @@
 """What lies outside the contract is shown: rows too late, corrected or gone, and changed calibration."""
 
 from collections.abc import Iterator
+from contextlib import contextmanager
 
 import duckdb
 import pytest
@@ -9,6 +10,7 @@ import frozen
 import gam_db
 import harness
 from gam_db.stored.monitor import Monitor
+from small_plant import source
 from strategies import Row
 from test_incremental import BUCKETS, put, rows_of
 
@@ -23,20 +25,24 @@ ROWS: list[Row] = [
 ]
 
 
-@pytest.fixture
-def watched() -> Iterator[tuple[duckdb.DuckDBPyConnection, Monitor]]:
-    """A monitor that has scored all rows."""
+@contextmanager
+def watching(
+    rows: list[Row], parameters: gam_db.Parameters, calibration: gam_db.Calibration
+) -> Iterator[tuple[duckdb.DuckDBPyConnection, Monitor]]:
+    """Give a monitor that has scored all rows."""
     with duckdb.connect() as connection:
-        connection.execute(
-            "CREATE TABLE telemetry (asset VARCHAR, channel VARCHAR, time BIGINT, value DOUBLE)"
-        )
-        put(connection, ROWS)
-        source = gam_db.Source("telemetry")
-        monitor = Monitor(connection, source, PARAMETERS, CALIBRATION, lookback=20)
+        source(connection, rows)
+        monitor = Monitor(connection, gam_db.Source("telemetry"), parameters, calibration, lookback=20)
         monitor.migrate()
         monitor.calibrate()
         monitor.score()
         yield connection, monitor
+
+
+@pytest.fixture
+def watched() -> Iterator[tuple[duckdb.DuckDBPyConnection, Monitor]]:
+    with watching(ROWS, PARAMETERS, CALIBRATION) as both:
+        yield both
 
 
 def assert_repaired(connection: duckdb.DuckDBPyConnection, rows: list[Row]) -> None:

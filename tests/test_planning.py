@@ -5,8 +5,9 @@ The tests of PostgreSQL, ClickHouse and Spark show the same of these engines.
 
 import json
 import sqlite3
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from contextlib import closing
+from functools import partial
 
 import duckdb
 import pyarrow as pa
@@ -17,7 +18,7 @@ import gam_db
 import small_plant
 from gam_db.engines.base import deletion
 from gam_db.pipeline import filled, place
-from gam_db.stored import scoring
+from gam_db.stored import reading, scoring
 from gam_db.stored.planning import Row
 from gam_db.stored.pruning import Retention, prune
 from gam_db.stored.reading import near, plan_rows, searched_plan_rows
@@ -67,6 +68,27 @@ def test_what_was_recorded_is_what_a_search_finds(
         assert planned(plant, LOOKBACK, False) == planned(plant, LOOKBACK, True)
     assert searches == []
     assert max(row["first_bucket"] for row in planned(plant, LOOKBACK, False)) > 20
+    assert seen(plant) == small_plant.whole()
+
+
+def among(assets: Container[str], asset: str, _: str) -> bool:
+    return asset in assets
+
+
+def test_many_versions_are_bounded_by_a_range(
+    plant: duckdb.DuckDBPyConnection, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(reading, "_LISTED", 1)
+    rows: list[Row] = [{"version_id": version, "first_bucket": 4} for version in (7, 3)]
+    assert near(rows, 1).sql() == "bucket.version_id BETWEEN 3 AND 7 AND bucket.bucket_no >= 3"
+    put(plant, readings(FIRST, 200))
+    monitor(plant).score()
+    put(plant, readings(200, LENGTH))
+    # Two groups, each within the range of the other's versions: neither touches what is the other's.
+    for assets in ({"a", "d"}, {"b", "c"}):
+        asked = scoring.Wanted(LOOKBACK, chosen=partial(among, assets))
+        with monitor(plant) as mine:
+            scoring.score(mine.state, mine.source, mine.name, asked)
     assert seen(plant) == small_plant.whole()
 
 

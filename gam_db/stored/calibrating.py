@@ -5,7 +5,7 @@ This module owns which channels need a version, and the order in which one is wr
 """
 
 import hashlib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import pyarrow as pa
@@ -17,11 +17,10 @@ from gam_db.method import Method
 from gam_db.method.adding import add
 from gam_db.parameters import Parameters, pattern_matches
 from gam_db.pipeline import filled, place
+from gam_db.stored.planning import Row, whole_pools
 from gam_db.stored.sources import SOURCE_COLUMNS, described
 from gam_db.stored.state import State, now
 from gam_db.study import Study
-
-Row = dict[str, Any]
 
 #: The folders of ``sql/`` that decide what the numbers of a version are.
 _METHOD = ("source", "calibration", "embedding", "support", "certificate", "score", "health")
@@ -77,7 +76,8 @@ def calibrate(
     due = _due(found, versions, again)
     made: list[Row] = []
     names = running.placed["names"]
-    groups = list(_groups(due, limit or state.session.rows_at_once()))
+    readings = {(row["asset"], row["channel"]): row["readings"] for row in found}
+    groups = list(whole_pools(due, readings, limit or state.session.rows_at_once()))
     if len(groups) > 1 or not study.method.kind.is_counter:
         # Five steps read a group's rows. Unless the engine can leave out what they do not need (other
         # groups, or what follows calibration, which it cannot tell by timestamps), they are copied once.
@@ -162,12 +162,12 @@ def _monitor(state: State, study: Study, name: str, keys: dict[str, int]) -> Row
     return monitor
 
 
-def _due(found: Sequence[Row], versions: Mapping[tuple[str, str], Row], again: bool) -> list[list[Row]]:
-    """Return the pools (a channel alone is one) that need versions, with the reason in each row."""
+def _due(found: Sequence[Row], versions: Mapping[tuple[str, str], Row], again: bool) -> list[Row]:
+    """Return the channels of pools (a channel alone is one) that need versions, with the reason."""
     pools: dict[int, list[Row]] = {}
     for row in found:
         pools.setdefault(row["support_id"], []).append(row)
-    due = []
+    due: list[Row] = []
     for pool in pools.values():
         for row in pool:
             version = versions.get((row["asset"], row["channel"]))
@@ -181,20 +181,8 @@ def _due(found: Sequence[Row], versions: Mapping[tuple[str, str], Row], again: b
         if again or any(row["reason"] for row in pool):
             for row in pool:
                 row["reason"] = row["reason"] or ("asked for" if again else "pool changed")
-            due.append(pool)
+            due += pool
     return due
-
-
-def _groups(pools: Sequence[list[Row]], limit: int) -> Iterator[list[Row]]:
-    """Put whole pools together as long as their readings stay below the limit."""
-    group: list[Row] = []
-    for pool in pools:
-        if group and sum(row["readings"] for row in (*group, *pool)) > limit:
-            yield group
-            group = []
-        group = [*group, *pool]
-    if group:
-        yield group
 
 
 def _write(
@@ -214,7 +202,7 @@ def _write(
             "stored/known_channels", {"monitor_id": monitor["monitor_id"]}
         ).to_pylist()
     }
-    last = dict(keys)
+    last, method = dict(keys), method_hash()
     numbering: list[Row] = []
     channels: list[Row] = []
     for row in group:
@@ -243,7 +231,7 @@ def _write(
                 **_figures(study.method.settings[number], study.method.gaps[number]),
                 "score_from": study.method.rules[row["calibration_no"]].score_from,
                 "settings_hash": row["hash"],
-                "method_hash": method_hash(),
+                "method_hash": method,
             }
         )
     loaded = state.session.load(pa.Table.from_pylist(numbering, schema=_NUMBERING))

@@ -5,7 +5,8 @@ than the lookback, corrected and deleted ones, and rows of calibration that came
 run will read anyway is left out.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
+from itertools import groupby
 from typing import Any
 
 import pyarrow as pa
@@ -13,7 +14,7 @@ import pyarrow as pa
 from gam_db.clock import LONG_AGO
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
-from gam_db.stored.planning import Row, portions
+from gam_db.stored.planning import Row, assets_of, portions, whole_pools
 from gam_db.stored.reading import Reader, cohort_of, plan_rows, searched_plan_rows
 from gam_db.stored.state import State, kind_of
 from gam_db.stored.steps import (
@@ -61,11 +62,14 @@ def check_state(
     rows = searched_plan_rows(state, monitor_id, None)
     names = {row["channel_id"]: (row["asset"], row["channel"]) for row in rows}
     check = _Check(state, reader, on_step)
+    readings, most = check.readings(), limit or state.session.rows_at_once()
     found: list[Row] = []
-    for group in portions(rows, check.readings(), limit or state.session.rows_at_once()):
+    for group in portions(rows, readings, most):
         found += check.scored(group, [settled[row["version_id"]] for row in group])
-    for group in _pools(rows):
-        found += check.calibration(group)
+    taught = [row for row in rows if row["calibration_end"] is not None]
+    for _, alike in groupby(sorted(taught, key=_setting), key=_setting):
+        for group in whole_pools(alike, readings, most):
+            found += check.calibration(group)
     made = [
         {**row, **dict(zip(("asset", "channel"), names[row["channel_id"]], strict=True))}
         for row in found
@@ -93,7 +97,7 @@ class _Check:
                 cohort_of(group, read_until=ends, settled=[row["first_bucket"] for row in settled]),
             )
             earliest = min(row["read_from"] for row in group)
-            rows = reading_steps(self.reader.readings(earliest=earliest))
+            rows = reading_steps(self.reader.readings(assets_of(group), earliest))
             running.put("identified", rows.query("identified", running.placed))
             differences = running.table("compared").to_pylist()
         finally:
@@ -107,23 +111,23 @@ class _Check:
             for row in differences
         ]
 
-    def calibration(self, pool: Sequence[Row]) -> list[Row]:
-        """Compare what the frozen intervals of a pool teach now with what they taught."""
-        running = self._running(relearning_steps(setting_of(pool[0]), self.reader.kind))
-        own = [row for row in pool if row["calibration_end"] is not None]
-        if not own:
-            return []
+    def calibration(self, group: Sequence[Row]) -> list[Row]:
+        """Compare what the frozen intervals of pools of one setting teach now with what they taught."""
+        running = self._running(relearning_steps(setting_of(group[0]), self.reader.kind))
+        ends = [row["calibration_end"] for row in group]
         try:
-            ends = [row["calibration_end"] for row in own]
-            cohort = cohort_of(own, read_from=LONG_AGO, read_until=ends, first_bucket=0)
+            cohort = cohort_of(group, read_from=LONG_AGO, read_until=ends, first_bucket=0)
             running.load("cohort", cohort)
-            rows = reading_steps(self.reader.readings())
+            edges = running.table("calibration_range").to_pylist()[0]
+            # No sample before an interval decides what is learnt in it.
+            healthy = self.reader.readings(assets_of(group), edges["earliest"], edges["latest"])
+            rows = reading_steps(healthy)
             running.put("identified", rows.query("identified", running.placed))
             counted = self.session.fetch(rows.query("recount", running.placed)).to_pylist()
             changed = running.table("relearnt").to_pylist()
         finally:
             running.forget()
-        cells = changed[0]["differing"] if changed else 0
+        cells = {row["support_id"]: row["differing"] for row in changed}
         now = {row["channel_id"]: row["calibration_readings"] for row in counted}
         return [
             {
@@ -132,22 +136,19 @@ class _Check:
                 "day": None,
                 "samples_then": row["calibration_readings"],
                 "samples_now": now.get(row["channel_id"], 0),
-                "differing": cells,
+                "differing": cells.get(row["support_id"], 0),
                 "since": None,
             }
-            for row in own
-            if cells or now.get(row["channel_id"], 0) != row["calibration_readings"]
+            for row in group
+            if row["support_id"] in cells or now.get(row["channel_id"], 0) != row["calibration_readings"]
         ]
 
     def _running(self, steps: Any) -> Running:
         return Running(self.session, steps, self.state.tables.placed(), self.on_step)
 
 
-def _pools(rows: Sequence[Row]) -> Iterator[list[Row]]:
-    pools: dict[int, list[Row]] = {}
-    for row in rows:
-        pools.setdefault(row["support_id"], []).append(row)
-    yield from pools.values()
+def _setting(row: Row) -> str:
+    return repr(setting_of(row))
 
 
 _RESULT = pa.schema(

@@ -6,7 +6,7 @@ run a scan of everything. A channel that would have to be read from further back
 parked: looked at once a day, on request, or when the newest cohort's look finds values of it.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -139,6 +139,32 @@ def portions(
             yield group
             group, total = [], 0
         group.append(row)
+        total += count
+    if group:
+        yield group
+
+
+def whole_pools(
+    channels: Iterable[Row], readings: Mapping[tuple[str, str], int], limit: int
+) -> Iterator[list[Row]]:
+    """Put whole pools (a channel alone is one) together as long as their readings stay below the limit.
+
+    Args:
+        channels: rows with asset, channel and support_id, which the members of a pool share.
+        readings: (asset, channel) -> rows to be read.
+        limit: most readings at once; a pool with more is a group of its own.
+    """
+    pools: dict[int, list[Row]] = {}
+    for row in channels:
+        pools.setdefault(row["support_id"], []).append(row)
+    group: list[Row] = []
+    total = 0
+    for pool in pools.values():
+        count = sum(readings.get((row["asset"], row["channel"]), 0) for row in pool)
+        if group and total + count > limit:
+            yield group
+            group, total = [], 0
+        group += pool
         total += count
     if group:
         yield group
