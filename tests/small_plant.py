@@ -16,7 +16,7 @@ FIRST, LENGTH, LOOKBACK = 120, 300, 7
 def readings(start: int, end: int) -> list[Row]:
     """Four channels that repeat a pattern, and later on less so."""
     return [
-        (asset, "x", time, float(time % (5 + number) if time % (37 - time // 10) else time % 11))
+        (asset, "x", time, float(time % (5 + number) if time % (37 - time // 10 % 30) else time % 11))
         for number, asset in enumerate("abcd")
         for time in range(start, end)
     ]

@@ -270,7 +270,7 @@ def test_what_is_said_of_a_state(state: str, message: str | None) -> None:
 
 
 def test_a_statement_that_takes_too_long(plant: Any) -> None:
-    with gam_db.connect(url(plant.info.dbname, statement_timeout="1")) as session:
-        plant.execute("CREATE VIEW slow AS SELECT *, pg_sleep(0.01)::text FROM telemetry")
+    with gam_db.connect(url(plant.info.dbname, statement_timeout="500")) as session:
+        plant.execute("CREATE VIEW slow AS SELECT *, pg_sleep(0.05)::text FROM telemetry")
         with pytest.raises(EngineError, match="statement_timeout is too short"):
             gam_db.health_indicator(Source("slow"), PARAMETERS, CALIBRATION, session)

@@ -7,10 +7,8 @@ sqlfluff, which refuses a word in the wrong place and knows nothing of names, ty
 
 import importlib
 import re
-import warnings
 from collections.abc import Iterator
 from importlib.metadata import version
-from pathlib import Path
 from typing import Any
 
 import pglast
@@ -19,6 +17,7 @@ import pytest
 from hypothesis import given, settings
 from sqlfluff.core import FluffConfig, Linter
 
+import engines
 import gam_db
 import harness
 import postgres_server
@@ -175,24 +174,13 @@ def test_the_grammar_refuses_something(engine: str) -> None:
     assert [bool(refused(engine, one)) for one in wrong] == [True, True, True]
 
 
-@pytest.fixture(scope="module")
-def spark(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    """A session inside this process, in UTC, with two threads."""
-    sql = importlib.import_module("pyspark.sql")
-    folder: Path = tmp_path_factory.mktemp("spark")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        session = (
-            sql.SparkSession.builder.master("local[2]")
-            .config("spark.sql.shuffle.partitions", 2)
-            .config("spark.sql.session.timeZone", "UTC")
-            .config("spark.sql.warehouse.dir", str(folder))
-            .config("spark.ui.enabled", False)
-            .config("spark.driver.host", "127.0.0.1")
-            .getOrCreate()
-        )
-        yield session
-        session.stop()
+@pytest.fixture
+def spark() -> Any:
+    """A session in UTC of the Spark that all tests of this process share."""
+    engines.session("spark")
+    session = importlib.import_module("pyspark.sql").SparkSession.builder.getOrCreate().newSession()
+    session.conf.set("spark.sql.session.timeZone", "UTC")
+    return session
 
 
 def test_databricks_on_spark_gives_the_integers_of_the_reference(spark: Any) -> None:
