@@ -131,7 +131,8 @@ def test_only_some_programs() -> None:
 
 
 def test_the_report_for_people() -> None:
-    answer = invoked("--channels", "1", "--samples", "1000", "--repeat", "1", "--threads", "1")
+    size = ("--channels", "1", "--samples", "1000", "--repeat", "1", "--threads", "1")
+    answer = invoked(*size, "--order", "channel")
     assert answer.exit_code == 0, answer.stderr
     for words in ("stored by channel, 1 thread", "extract_over_sql", "integers", "engine floor, names"):
         assert words in answer.stdout
