@@ -280,6 +280,19 @@ def test_a_file_that_another_process_holds(plant: Path, expected: list[Any]) -> 
         assert seen(session.connection) == expected
 
 
+def test_a_file_that_was_damaged(plant: Path) -> None:
+    """As a process leaves it that is killed while DuckDB writes the first block of the file over."""
+    whole = plant.read_bytes()
+    block = slice(3 * 4096, 3 * 4096 + 2**17)
+    plant.write_bytes(whole[: block.start] + bytes(2**17) + whole[block.stop :])
+    for writable in (False, True):
+        with pytest.raises(EngineError, match=r"is damaged: .* Take a copy that is whole"):
+            DuckSession(plant, writable=writable)
+    plant.write_bytes(whole)
+    with DuckSession(plant, writable=True) as session:
+        monitor(session).score()
+
+
 # Two connections of one process
 
 

@@ -21,7 +21,7 @@ import gam_db
 import harness
 from batches import Arrivals
 from gam_db.engines.duckdb_session import DuckSession
-from gam_db.errors import StateError
+from gam_db.errors import EngineError, StateError
 from gam_db.stored.migration_files import files
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.tables import TABLES
@@ -31,7 +31,7 @@ from test_migrations import catalog
 from victims import Moment, Victims, carry_out
 
 #: How many running processes are killed of each command.
-KILLS = {"migrate": 20, "calibrate": 22, "score": 58}
+KILLS = {"migrate": 36, "calibrate": 16, "score": 48}
 
 PARAMETERS: dict[str, Any] = {
     **{"m": 2, "tau": 3, "bins": 4, "window": 20, "stride": 5},
@@ -60,6 +60,11 @@ LEARNT = {
 }
 
 SIZES = "SELECT table_name, estimated_size FROM duckdb_tables() WHERE NOT temporary ORDER BY ALL"
+
+#: DuckDB 2.0 writes its list of contents over the old one when a file is closed, and the kernel may stop
+#: in the middle of that write when the process is killed: one in some thousands of files is lost to it,
+#: see docs/quirks.md. More would be ours.
+TORN = 1
 
 #: Columns that differ from run to run.
 STAMPS = ("run_id", "created", "started", "committed", "applied_at")
@@ -234,13 +239,42 @@ def moments(chance: random.Random, passed: Course) -> Iterator[Moment]:
             yield Moment(chance.choice(before), chance.uniform(0, 0.2 * passed.seconds))
 
 
-def hit(victims: Victims, chosen: Iterator[Moment], before: Path, path: Path, **order: Any) -> Moment:
-    """Kill a process at work on a copy of a file; one that was faster does not count."""
+def hit(
+    victims: Victims,
+    chosen: Iterator[Moment],
+    before: Path,
+    path: Path,
+    again: bool = False,
+    **order: Any,
+) -> Moment:
+    """Kill a process at work on a copy of a file, or also the one that goes on with it.
+
+    One that was faster does not count, nor does one whose file DuckDB itself damaged.
+    """
+    wal = path.with_name(f"{path.name}.wal")
     for moment in itertools.islice(chosen, 50):
+        wal.unlink(missing_ok=True)
         shutil.copy(before, path)
-        if victims.kill(moment, database=str(path), **order, **METHOD):
+        if not victims.kill(moment, database=str(path), **order, **METHOD):
+            continue
+        if again:
+            victims.kill(next(chosen), database=str(path), **order, **METHOD)
+        if not is_torn(path):
             return moment
+        victims.torn += 1
+        assert victims.torn <= TORN, "files are damaged more often than DuckDB alone would do it"
     raise AssertionError("fifty processes ended before they were killed")
+
+
+def is_torn(path: Path) -> bool:
+    """Tell whether DuckDB cannot read its own file any more; it is only looked at."""
+    try:
+        DuckSession(path, threads=1).close()
+    except EngineError as error:
+        if "is damaged" in str(error):
+            return True
+        raise
+    return False
 
 
 def test_at_least_a_hundred_processes_are_killed() -> None:
@@ -283,9 +317,7 @@ def test_killed_while_calibrating(tmp_path: Path, victims: Victims) -> None:
     assert len(passed.states) >= 5, "before, the monitor, and at least three groups"
     chosen = moments(chance, passed)
     while victims.killed < KILLS["calibrate"]:
-        moment = hit(victims, chosen, before, path, **order)
-        if chance.random() < 0.3:
-            victims.kill(next(chosen), database=str(path), **order, **METHOD)
+        moment = hit(victims, chosen, before, path, chance.random() < 0.3, **order)
         with opened(path) as session:
             assert stored(session) in passed.states, moment
             monitor(session).calibrate(limit=GROUP)
@@ -313,10 +345,8 @@ def test_killed_while_scoring(tmp_path: Path, victims: Victims) -> None:
         start, end = passed.states[0], passed.states[-1]
         chosen = moments(chance, passed)
         while victims.killed < min(number * each, KILLS["score"]):
-            moment = hit(victims, chosen, before, path, **order)
-            again = chance.random() < 0.3 and victims.kill(
-                next(chosen), database=str(path), **order, **METHOD
-            )
+            again = chance.random() < 0.3
+            moment = hit(victims, chosen, before, path, again, **order)
             with opened(path) as session:
                 found = by_channel(session)
                 for name in end:

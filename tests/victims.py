@@ -48,10 +48,15 @@ class Moment:
 
 
 class Victims:
-    """The program below at work, or another one like it; the processes that were hit are counted."""
+    """The program below at work, or another one like it.
+
+    Attributes:
+        killed: how many processes were hit.
+        torn: how many files were damaged with it; counted by who looks.
+    """
 
     def __init__(self, program: str = __file__) -> None:
-        self.killed = 0
+        self.killed = self.torn = 0
         paths = os.pathsep.join(path for path in sys.path if path)
         self._server = subprocess.Popen(
             [sys.executable, program],

@@ -29,7 +29,7 @@ def opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:
     """Open a database file, or one in memory for None.
 
     Raises:
-        EngineError: it is not there, is no DuckDB file, is in use, or may not be written.
+        EngineError: it is not there, is no DuckDB file, is damaged, is in use, or may not be written.
     """
     if target is None:
         return duckdb.connect()
@@ -40,7 +40,13 @@ def opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:
         return duckdb.connect(str(path), read_only=not writable)
     except duckdb.Error as error:
         reason = str(error)
-        if "lock" in reason:
+        if "Corrupt database file" in reason:
+            raise EngineError(
+                f"{path} is damaged: DuckDB cannot read a block of it. Its disk failed or was full, or "
+                "a process was killed just when DuckDB wrote the file's list of contents over the old "
+                "one. Take a copy that is whole, or make the monitor anew in another file."
+            ) from error
+        if "lock on file" in reason:
             raise EngineError(
                 f"{path} is open in another process; while one writes a DuckDB file, no other can open "
                 "it. Wait for it to end, or read a copy."
