@@ -1,9 +1,10 @@
-"""A process that scores on Spark until it is killed: ``python tests/spark_victim.py FOLDER FIRST``.
+"""A process on Spark that is made to be killed: ``python tests/spark_victim.py FOLDER ARRIVED``.
 
-It scores the telemetry that has arrived up to batch FIRST, says so, and waits for a word; then one batch
-more, and so on. After the last it scores everything anew, again and again.
+It scores the telemetry that has arrived up to a batch (of the last one: everything anew), says every
+step before it is taken. One that takes longer than PATIENCE, in seconds, hangs, and ends itself.
 """
 
+import signal
 import sys
 
 import gam_db
@@ -11,6 +12,9 @@ import harness
 from gam_db.engines.session import Session
 from gam_db.stored.monitor import Monitor
 from test_kills import CALIBRATION, LOOKBACK, PARAMETERS, plant
+
+#: Java alone may take a minute to start on a busy machine.
+PATIENCE = 1200
 
 
 def monitor(session: Session, batches: int) -> Monitor:
@@ -21,17 +25,16 @@ def monitor(session: Session, batches: int) -> Monitor:
     return Monitor(session, source, parameters, calibration, lookback=LOOKBACK)
 
 
+def say(word: str) -> None:
+    """Say a word to whoever listens, at once."""
+    print(word, flush=True)
+
+
 def main(folder: str, arrived: int) -> None:
-    """Score, say so, wait for a word."""
+    """Score, and say every step."""
+    signal.alarm(PATIENCE)
     with gam_db.connect(f"spark://{folder}") as session:
-        while True:
-            last = arrived >= len(plant().batches)
-            watched = monitor(session, arrived)
-            print("scoring", arrived, flush=True)
-            watched.score(full=last)
-            print("scored", arrived, flush=True)
-            sys.stdin.readline()
-            arrived = min(arrived + 1, len(plant().batches))
+        monitor(session, arrived).score(full=arrived >= len(plant().batches), on_step=say)
 
 
 if __name__ == "__main__":

@@ -1,18 +1,18 @@
 """Killed at any moment (kill -9, Java and all), a run on Spark leaves a state that it passes through.
 
-A victim scores batch after batch; the one that follows it goes on where it was killed. What is in the
-folder is looked at by DuckDB, so that looking takes no second Spark. One is killed where the tests
-run on Spark; GAM_SPARK_KILLS=30 kills thirty, in some minutes.
+A victim scores one batch more than the one before it; every second one is killed while it writes. What
+is in the folder is looked at by DuckDB, so that looking takes no second Spark. One is killed where the
+tests run on Spark; GAM_SPARK_KILLS=30 kills thirty, in some minutes.
 """
 
-import contextlib
+import io
+import itertools
 import os
 import random
-import select
 import signal
 import subprocess
 import sys
-import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -29,54 +29,38 @@ from gam_db.stored.migration_files import files
 from gam_db.stored.tables import VIEWS, StateTables
 from test_incremental import BUCKETS, NOVEL, rows_of
 from test_kills import CALIBRATION, PARAMETERS, plant
+from victims import Moment, is_at_work
 
 KILLS = int(os.environ.get("GAM_SPARK_KILLS", "1"))
-
-#: Most seconds that a victim may take for anything.
-PATIENCE = 300
 
 #: What is seen of each channel.
 Seen = dict[tuple[str, str], list[dict[str, Any]]]
 
 
-class Victim:
-    """A process that scores, in a group of its own with its Java."""
+def moments(chance: random.Random, steps: list[str]) -> Iterator[Moment]:
+    """Yield random moments: while rows are written, and at the beginning of any step."""
+    writing = [number for number, step in enumerate(steps, 1) if step == "writing"]
+    while True:
+        yield Moment(chance.choice(writing), chance.uniform(0, 2))
+        yield Moment(chance.randint(1, len(steps)))
 
-    def __init__(self, folder: Path, arrived: int) -> None:
-        self.process = subprocess.Popen(
-            [sys.executable, spark_victim.__file__, str(folder), str(arrived)],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            start_new_session=True,
-            env={**os.environ, "PYTHONPATH": os.pathsep.join(path for path in sys.path if path)},
-        )
 
-    def says(self, word: str, seconds: float = PATIENCE) -> bool:
-        """Wait until it says a word; tell whether it did."""
-        assert self.process.stdout is not None
-        end = time.monotonic() + seconds
-        while select.select([self.process.stdout], [], [], max(end - time.monotonic(), 0))[0]:
-            line = self.process.stdout.readline()
-            assert line, "the victim ended by itself"
-            if line.startswith(word.encode()):
-                return True
-        return False
-
-    def go_on(self) -> None:
-        """Let it score the next batch."""
-        assert self.process.stdin is not None
-        self.process.stdin.write(b"\n")
-        self.process.stdin.flush()
-
-    def kill(self) -> None:
-        """Kill it and its Java."""
-        with contextlib.suppress(ProcessLookupError):
-            os.killpg(self.process.pid, signal.SIGKILL)
-        self.process.wait()
-        for stream in (self.process.stdin, self.process.stdout):
-            assert stream is not None
-            with contextlib.suppress(BrokenPipeError):
-                stream.close()
+def is_killed(moment: Moment, folder: Path, arrived: int) -> bool:
+    """Let a process score, and kill it and its Java; return whether it was still at work."""
+    victim = subprocess.Popen(
+        [sys.executable, spark_victim.__file__, str(folder), str(arrived)],
+        stdout=subprocess.PIPE,
+        bufsize=0,
+        start_new_session=True,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(path for path in sys.path if path)},
+    )
+    assert isinstance(victim.stdout, io.FileIO)
+    with victim.stdout as steps:
+        if is_at_work(steps, moment.step, moment.delay):
+            os.killpg(victim.pid, signal.SIGKILL)
+        code = victim.wait()
+    assert code in (0, -signal.SIGKILL), f"scoring ended with {code} by itself"
+    return code != 0
 
 
 def look(folder: Path) -> Seen:
@@ -119,36 +103,30 @@ def test_killed_while_scoring(tmp_path: Path) -> None:
     chance = random.Random(4)
     engines.session("spark")  # small and quick to start, and so are the victims
     folder = tmp_path / "plant"
+    steps: list[str] = []
     with gam_db.connect(f"spark://{folder}") as session:
-        spark_victim.monitor(session, 0).migrate()
-        spark_victim.monitor(session, 0).calibrate()
+        first = spark_victim.monitor(session, 0)
+        first.migrate()
+        first.calibrate()
+        first.score(on_step=steps.append)
     states = [expected(arrived) for arrived in range(len(plant().batches) + 1)]
-    assert look(folder) == {}
-    arrived, killed, seconds = 0, 0, 1.0
-    while killed < KILLS:
-        victim = Victim(folder, arrived)
-        try:
-            assert victim.says("scored")
-            assert look(folder) == states[arrived], f"after {killed} kills"
-            before, arrived = arrived, min(arrived + 1, len(plant().batches))
-            began = time.monotonic()
-            while not killed and seconds == 1.0:  # the first pass is watched: how long does one take?
-                victim.go_on()
-                assert victim.says("scored")
-                seconds = time.monotonic() - began
-                before, arrived = arrived, min(arrived + 1, len(plant().batches))
-            victim.go_on()
-            assert victim.says("scoring")
-            survived = victim.says("scored", chance.uniform(0, seconds))
-        finally:
-            victim.kill()
-        killed += not survived
+    found = look(folder)
+    assert found == states[0]
+    arrived = killed = 0
+    for moment in itertools.islice(moments(chance, steps), 10 * KILLS):
+        before, arrived = found, min(arrived + 1, len(plant().batches))
+        hit = is_killed(moment, folder, arrived)
+        killed += hit
         found = look(folder)
+        assert hit or found == states[arrived], f"after {killed} kills"
         for channel in states[-1]:
             assert found.get(channel) in (
-                states[before].get(channel),
+                before.get(channel),
                 states[arrived].get(channel),
             ), f"{channel} after {killed} kills"
+        if killed == KILLS:
+            break
+    assert killed == KILLS
     with gam_db.connect(f"spark://{folder}") as session:
         monitor = spark_victim.monitor(session, len(plant().batches))
         monitor.score()
