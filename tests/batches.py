@@ -3,7 +3,7 @@
 A *history* is plain data: the rows that are there when calibration is frozen, then batches of rows that
 arrive one after another, with what is done after each. Rows come late by up to ``lookback`` behind the
 newest time of their channel that was read before, in any order, and some come again. Each channel has a
-series, a lateness and a cut into batches of its own: a history of 25 channels is 25 cases.
+series, a lateness and a cut into batches of its own: a history of 50 channels is 50 cases.
 
 Everything follows from one number: drawn value by value, hypothesis would spend its time on it.
 """
@@ -14,7 +14,7 @@ from typing import Any
 
 from strategies import ASSETS, MISSING, Arguments, Row
 
-CHANNELS = 25
+CHANNELS = 50
 LENGTH = 60
 
 #: What a history is about -> parameters and calibration that go with it.
@@ -79,7 +79,7 @@ def history(kind: str, seed: int) -> History:
         first,
         lookback,
         chance.choice([False, False, 5]),
-        chance.choice([300, 10**6, 10**6]),
+        chance.choice([15 * CHANNELS, 10**6, 10**6]),
         chance.choice([0, 10**6, 10**6]),
         rows,
     )

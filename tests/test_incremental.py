@@ -19,7 +19,7 @@ from gam_db.stored.tables import TABLES
 from strategies import Row
 
 #: Histories of each kind; each is one of several channels, whose rows arrive each in their own way.
-EXAMPLES = 20
+EXAMPLES = 10
 
 BUCKETS = """
     SELECT asset, channel, bucket_no AS bucket, first_time, last_time, context_time, samples, novel,
@@ -100,7 +100,7 @@ def empty(connection: duckdb.DuckDBPyConnection) -> None:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@settings(max_examples=max(EXAMPLES, settings().max_examples // 6))
+@settings(max_examples=max(EXAMPLES, settings().max_examples // 10))
 @given(seed=st.integers(0, 2**32))
 def test_any_history_ends_in_the_tables_of_one_full_run(
     connection: duckdb.DuckDBPyConnection, kind: str, seed: int
