@@ -75,7 +75,6 @@ SHORTENED = {"test_case": ("spark",), "test_case_by_script": ("postgres", "click
 #: (What is pooled or overridden on Spark is in the tests of kills, compared with the reference as well.)
 OMITTED = {
     "test_case": ("spark-pooling", "spark-overrides"),
-    "test_exact_form_equals_the_reference": ("spark",),
     "test_case_by_script": ("spark", "clickhouse-eq", "clickhouse-overrides"),
     "test_scripts_equal_the_reference": ("spark",),
     "test_any_history_ends_in_the_tables_of_one_full_run": ("spark",),
