@@ -23,7 +23,7 @@ from test_incremental import BUCKETS, NOVEL, CrashError, crashing
 
 #: Histories per engine; each is one of many channels with a series and a lateness of its own. DuckDB has
 #: its own, many more, in test_incremental.py.
-EXAMPLES = {"duckdb": 1, "sqlite": 2, "postgres": 1, "clickhouse": 1, "spark": 1}
+EXAMPLES = {"duckdb": 1, "sqlite": 2, "postgres": 2, "clickhouse": 2, "spark": 1}
 
 
 def visible(monitor: Monitor, query: str) -> list[dict[str, Any]]:
