@@ -1,18 +1,26 @@
-"""gam-db: a health indicator for every machine channel, by plain SQL where the telemetry lies."""
+"""gam-db: a health indicator for every machine channel, by plain SQL where the telemetry lies.
 
-from gam_db.calibration import Calibration
-from gam_db.checking import check
-from gam_db.connect import connect
-from gam_db.errors import GamError, UserError
-from gam_db.estimators import scores, scores_at_buckets
-from gam_db.evaluation import Conventions, Evaluation, evaluate
-from gam_db.health import certificate, health_at_buckets, health_indicator, support
-from gam_db.parameters import Override, Parameters
-from gam_db.script import render
-from gam_db.selection import Selection, select
-from gam_db.source import Source, WideSource
-from gam_db.stored.monitor import Monitor
+Importing it loads nothing but this file: each name is imported from its module when it is asked for.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
 from gam_db.version import __version__
+
+if TYPE_CHECKING:
+    from gam_db.calibration import Calibration
+    from gam_db.checking import check
+    from gam_db.connecting import connect
+    from gam_db.errors import GamError, UserError
+    from gam_db.health import certificate, health_at_buckets, health_indicator, support
+    from gam_db.lab.estimators import scores, scores_at_buckets
+    from gam_db.lab.evaluation import Conventions, Evaluation, evaluate
+    from gam_db.parameters import Override, Parameters
+    from gam_db.script import render
+    from gam_db.selection.select import Selection, select
+    from gam_db.source import Source, WideSource
+    from gam_db.stored.monitor import Monitor
 
 __all__ = [
     "Calibration",
@@ -39,3 +47,32 @@ __all__ = [
     "select",
     "support",
 ]
+
+#: module -> the names that are public
+_PUBLIC = {
+    "calibration": ("Calibration",),
+    "checking": ("check",),
+    "connecting": ("connect",),
+    "errors": ("GamError", "UserError"),
+    "health": ("certificate", "health_at_buckets", "health_indicator", "support"),
+    "lab.estimators": ("scores", "scores_at_buckets"),
+    "lab.evaluation": ("Conventions", "Evaluation", "evaluate"),
+    "parameters": ("Override", "Parameters"),
+    "script": ("render",),
+    "selection.select": ("Selection", "select"),
+    "source": ("Source", "WideSource"),
+    "stored.monitor": ("Monitor",),
+}
+_MODULE_OF = {name: module for module, names in _PUBLIC.items() for name in names}
+
+
+def __getattr__(name: str) -> Any:
+    """Import a public name when it is first asked for."""
+    if name not in _MODULE_OF:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_MODULE_OF[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    """Return the public names, imported or not."""
+    return sorted({*globals(), *__all__})

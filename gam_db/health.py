@@ -8,7 +8,7 @@ from typing import Any
 import pyarrow as pa
 
 from gam_db.calibration import Calibration
-from gam_db.connect import borrowed
+from gam_db.connecting import borrowed
 from gam_db.parameters import Parameters
 from gam_db.source import AnySource
 from gam_db.study import Study

@@ -1,6 +1,6 @@
 """A simulated machine: the over-damped Langevin system with five wells that drift apart from control.
 
-This module owns that one simulation, for ``gam demo``, documentation and tests. It needs NumPy only and
+This module owns that one simulation, for ``gam demo``, documentation and tests. It
 knows nothing of the indicator.
 
 The equations are those of the paper (Geometric Attractor Monitoring, its simulated multi-stable
@@ -13,11 +13,14 @@ cannot serve as independent evidence for that row.
 import math
 
 import numpy as np
+import pyarrow as pa
 from numpy.typing import NDArray
 
 from gam_db.errors import ParameterError
 
 SAMPLES = 200_000
+
+ASSET, CHANNEL = "simulated", "position"
 
 #: The parameters of the method that belong to this series.
 M, TAU, BINS, WINDOW = 3, 58, 100, 5000
@@ -76,3 +79,20 @@ def simulate(seed: int = 0, samples: int = SAMPLES) -> NDArray[np.float64]:
         position += force * STEP + shock
         positions.append(position)
     return np.array(positions)
+
+
+def series(seed: int = 0, samples: int = SAMPLES) -> pa.Table:
+    """Return the simulated system as a long table: asset, channel, time (step number), value.
+
+    Raises:
+        ParameterError: fewer than 2 samples.
+    """
+    position = simulate(seed, samples)
+    return pa.table(
+        {
+            "asset": pa.array([ASSET] * samples),
+            "channel": pa.array([CHANNEL] * samples),
+            "time": np.arange(samples),
+            "value": position,
+        }
+    )

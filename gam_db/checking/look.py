@@ -9,7 +9,7 @@ from gam_db import template
 from gam_db.calibration import Calibration
 from gam_db.checking.steps import SUMMARY, add_look
 from gam_db.clock import TimeKind
-from gam_db.connect import borrowed
+from gam_db.connecting import borrowed
 from gam_db.engines.session import Session
 from gam_db.method import Method
 from gam_db.parameters import Parameters

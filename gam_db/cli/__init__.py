@@ -17,26 +17,9 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-import gam_db
-from gam_db.cli.benchmark_stored import benchmarks
-from gam_db.cli.calibrate import calibrate
-from gam_db.cli.check import check
-from gam_db.cli.compile import compile_script
-from gam_db.cli.demo import demo
-from gam_db.cli.drop import drop
-from gam_db.cli.engines import engines
-from gam_db.cli.evaluate import evaluate
-from gam_db.cli.export import export
-from gam_db.cli.init import init
-from gam_db.cli.migrate import migrate
-from gam_db.cli.prune import compact, prune
-from gam_db.cli.reproduce import reproduce
-from gam_db.cli.run import run
-from gam_db.cli.score import score
-from gam_db.cli.select import select
-from gam_db.cli.simulate import simulate
-from gam_db.cli.status import status
+from gam_db.cli import commands
 from gam_db.errors import StatementError, UserError
+from gam_db.version import __version__
 
 FINE, USER_ERROR, OUR_FAULT, INTERRUPTED = 0, 1, 3, 130
 
@@ -45,7 +28,20 @@ _UsageError: type[Exception] = typer.BadParameter.__bases__[0]
 
 
 class Commands(TyperGroup):
-    """The commands, with our exit codes, and with ``--debug`` wherever it stands."""
+    """The commands, with our exit codes, and with ``--debug`` wherever it stands.
+
+    A command is imported when it is run; until then a stand-in tells its name and what it does.
+    """
+
+    def __init__(self, **attributes: Any) -> None:
+        super().__init__(**attributes)
+        for stand_in in commands.listed():
+            self.add_command(stand_in)
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> tuple[str | None, Any, list[str]]:
+        """Import the command that is asked for."""
+        name, stand_in, rest = super().resolve_command(ctx, args)
+        return name, stand_in and commands.loaded(str(name)), rest
 
     def main(self, args: Sequence[str] | None = None, *more: Any, **named: Any) -> Any:
         """Run one command and end the process with its exit code."""
@@ -81,12 +77,12 @@ app = typer.Typer(
 
 def _version(wanted: bool) -> None:
     if wanted:
-        typer.echo(f"gam-db {gam_db.__version__}")
+        typer.echo(f"gam-db {__version__}")
         raise typer.Exit
 
 
 @app.callback()
-def options(
+def of_every_command(
     version: Annotated[
         bool, typer.Option("--version", help="Print the version.", callback=_version, is_eager=True)
     ] = False,
@@ -95,27 +91,6 @@ def options(
     ] = False,
 ) -> None:
     """Take the options of every command; ``--debug`` was taken by :class:`Commands`."""
-
-
-app.command()(run)
-app.command()(select)
-app.command()(check)
-app.command()(init)
-app.command()(demo)
-app.command("compile")(compile_script)
-app.command()(evaluate)
-app.command()(calibrate)
-app.command()(score)
-app.command()(engines)
-app.add_typer(benchmarks, name="benchmark")
-app.command()(migrate)
-app.command()(drop)
-app.command()(status)
-app.command()(prune)
-app.command()(compact)
-app.add_typer(export, name="export")
-app.add_typer(simulate, name="simulate")
-app.add_typer(reproduce, name="reproduce")
 
 
 def main() -> None:

@@ -15,7 +15,7 @@ from gam_db.cli import look_report, monitor_options, options, report
 from gam_db.cli.check_state import check_state
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.config import Settings
-from gam_db.connect import connect
+from gam_db.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.guess import guess
 

@@ -12,7 +12,7 @@ import typer
 from gam_db import look
 from gam_db.cli import options
 from gam_db.config import Settings, SourceSettings
-from gam_db.connect import connect
+from gam_db.connecting import connect
 from gam_db.engines import NAMES
 from gam_db.errors import ConfigurationError, SourceError
 from gam_db.guess import guess

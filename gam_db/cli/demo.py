@@ -15,10 +15,9 @@ from gam_db.cli import report
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.cli.run import open_job
 from gam_db.config import Settings, SourceSettings
-from gam_db.connect import connect
+from gam_db.connecting import connect
 from gam_db.errors import ConfigurationError
 from gam_db.findings import findings
-from gam_db.simulate.single import langevin_series
 
 COLUMNS = SourceSettings(asset="asset", channel="channel", time="time", value="value")
 PARAMETERS = {
@@ -60,7 +59,7 @@ def demo(
     lines = report.console()
     with interruptible(), connect() as session, Progress(session) as progress:
         progress.on_step("simulating")
-        series = langevin_series()
+        series = langevin.series()
         settings = Settings(COLUMNS, PARAMETERS, CALIBRATION)
         job, study = open_job(session, "simulated machine", series, settings, progress.on_step)
         found = findings(study)

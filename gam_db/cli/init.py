@@ -18,7 +18,7 @@ from gam_db.cli import look_report, options, report, toml_text
 from gam_db.cli.check import Seen, looked
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.config import DEFAULT_FILE, Settings
-from gam_db.connect import connect
+from gam_db.connecting import connect
 from gam_db.errors import ConfigurationError
 from gam_db.source import Source, is_file
 

@@ -12,7 +12,7 @@ import typer
 from gam_db import config
 from gam_db.address import VARIABLE, is_url
 from gam_db.config import Settings
-from gam_db.connect import connect
+from gam_db.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, EngineError
 from gam_db.stored.tables import StateTables

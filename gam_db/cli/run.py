@@ -8,6 +8,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -16,18 +17,19 @@ import typer
 from gam_db.cli import options, report
 from gam_db.cli.figures import figures
 from gam_db.cli.progress import Progress, interruptible
-from gam_db.cli.scores import score_figures, show_scores
 from gam_db.config import Settings
-from gam_db.connect import connect
+from gam_db.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError
-from gam_db.estimators import DSE, add_estimator, estimator_named
 from gam_db.findings import findings, need_attention
 from gam_db.guess import guess
 from gam_db.source import FILE_ENDINGS, is_file
 from gam_db.study import Study
 
 NEEDS_ATTENTION = 2
+
+#: The estimator that is the method itself; others come by the entry points ``gam_db.estimators``.
+DSE = "dse"
 
 _OUTPUT = "Output"
 _PARQUET_ENDINGS = (".parquet", ".pq")
@@ -136,24 +138,24 @@ def run(
         score_from=score_from,
         pool=pool,
     )
-    estimator_named(estimator)
+    others = None if estimator == DSE else _others(estimator)
     relation = options.named_relation(settings)
     results = [] if no_out else _results(relation, settings.source.database, out, every, estimator)
     with interruptible(), connect(settings.source.database, threads, writable=False) as session:
         lines = report.console()
         with Progress(session, quiet) as progress:
             job, study = open_job(session, relation, relation, settings, progress.on_step)
-            if estimator == DSE:
+            if others is None:
                 found = findings(study)
                 code = NEEDS_ATTENTION if need_attention(found) else 0
                 show = partial(report.show, lines, job, found, everything)
                 told = partial(figures, job, found, code=code)
             else:
-                add_estimator(study, estimator)
+                others.add_estimator(study, estimator)
                 last = study.table("last_scores").to_pylist()
                 code = 0
-                show = partial(show_scores, lines, job, estimator, last, everything)
-                told = partial(score_figures, job, estimator, last)
+                show = partial(others.show_scores, lines, job, estimator, last, everything)
+                told = partial(others.score_figures, job, estimator, last)
         if not (as_json or quiet):
             show()
         with Progress(session, quiet) as progress:
@@ -168,6 +170,24 @@ def run(
                 lines.print(f"written: {result}", soft_wrap=True)
     if code:
         raise typer.Exit(code)
+
+
+def _others(estimator: str) -> Any:
+    """Return the module of the other estimators.
+
+    Raises:
+        ConfigurationError: they are not installed.
+        ParameterError: there is none of that name.
+    """
+    try:
+        others = next(found.load() for found in entry_points(group="gam_db.estimators"))
+    except (StopIteration, ModuleNotFoundError) as error:
+        raise ConfigurationError(
+            f"--estimator is {estimator}; all but {DSE} are part of the laboratory, which is not "
+            "installed here."
+        ) from error
+    others.estimator_named(estimator)
+    return others
 
 
 def open_job(

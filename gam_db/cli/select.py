@@ -12,7 +12,7 @@ from gam_db.cli import options, report
 from gam_db.cli.options import named_relation
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.cli.selection_report import figures, show
-from gam_db.connect import connect
+from gam_db.connecting import connect
 from gam_db.guess import guess
 from gam_db.selection import Search, alone, selected
 from gam_db.study import Study

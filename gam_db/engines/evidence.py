@@ -1,7 +1,7 @@
 """What is known of each engine at work: the table ``evidence.csv``, a row per engine.
 
-This module owns what may be said. ``tests/test_engines.py`` holds the table to what the tests run, and
-``python tests/evidence.py`` writes version and date anew after running them.
+This module owns what may be said. ``tests/engines/test_engines.py`` holds the table to what the tests
+run, and ``python tests/tools/evidence.py`` writes version and date anew after running them.
 """
 
 import csv

@@ -7,7 +7,7 @@ from typing import Any
 import pyarrow as pa
 
 from gam_db.calibration import Calibration
-from gam_db.connect import borrowed
+from gam_db.connecting import borrowed
 from gam_db.parameters import Parameters
 from gam_db.selection.budget import add_budget, add_results
 from gam_db.selection.lags import add_delays, add_samples

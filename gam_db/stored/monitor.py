@@ -13,7 +13,7 @@ from gam_db import template
 from gam_db.calibration import Calibration
 from gam_db.checking import look_at
 from gam_db.clock import Instant, Length, instant
-from gam_db.connect import connect
+from gam_db.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.method.source import named_like
 from gam_db.parameters import Parameters, pattern_matches

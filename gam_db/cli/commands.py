@@ -1,0 +1,135 @@
+"""The list of commands: which there are, in which panel, and where each is.
+
+This module owns that list. A command is imported when it is run. Those of the laboratory come by the
+entry points ``gam_db.commands``, so that nothing here imports it.
+"""
+
+import importlib
+from collections.abc import Iterable
+from importlib.metadata import EntryPoint, entry_points
+from typing import Any
+
+import typer
+from typer.core import TyperCommand
+from typer.main import get_command
+
+from gam_db.errors import ConfigurationError
+
+WATCH, ONCE, LABORATORY = "Watch", "Once", "Laboratory"
+
+#: command, its panel, where it is, and the first sentence of its help
+COMMANDS = (
+    (
+        *("check", WATCH, "gam_db.cli.check:check"),
+        "Look at SOURCE before anything is learnt of it: what it is like, what to fix, what to set.",
+    ),
+    (
+        *("init", WATCH, "gam_db.cli.init:init"),
+        "Write a commented gam.toml for SOURCE: its columns, and parameters with the reason for each.",
+    ),
+    (
+        *("migrate", WATCH, "gam_db.cli.migrate:migrate"),
+        "Make the state tables in a database, or bring those of an older gam-db up to date.",
+    ),
+    (
+        *("calibrate", WATCH, "gam_db.cli.calibrate:calibrate"),
+        "Learn the healthy part of every channel of SOURCE and freeze it in the database.",
+    ),
+    (
+        *("score", WATCH, "gam_db.cli.score:score"),
+        "Score what is new since the last run, and what came late, of every calibrated channel.",
+    ),
+    (
+        *("status", WATCH, "gam_db.cli.status:status"),
+        "Say how every channel is: verdict, floor, indicator, trend, and what is wrong with its data.",
+    ),
+    (
+        *("prune", WATCH, "gam_db.cli.prune:prune"),
+        "Delete old buckets, novel cells, versions and records of runs; say how large each channel is.",
+    ),
+    (
+        *("compact", WATCH, "gam_db.cli.prune:compact"),
+        "Delete rows that nobody sees: hidden by a later run, or left by one that was cut short.",
+    ),
+    (
+        *("drop", WATCH, "gam_db.cli.drop:drop"),
+        "Remove the state tables of a schema and prefix, or with --name the rows of one monitor.",
+    ),
+    (
+        *("run", ONCE, "gam_db.cli.run:run"),
+        "Compute the health indicator of every channel of SOURCE, print what was found, write the "
+        "table.",
+    ),
+    (
+        *("demo", ONCE, "gam_db.cli.demo:demo"),
+        "Simulate a machine that wears out, and print what `gam run` prints of it. Writes nothing.",
+    ),
+    (
+        *("select", ONCE, "gam_db.cli.select:select"),
+        "Choose delay, embedding dimension, bins and window for every channel of SOURCE.",
+    ),
+    (
+        *("compile", ONCE, "gam_db.cli.compile:compile_script"),
+        "Print the complete SQL script that computes the health indicator of SOURCE on an engine.",
+    ),
+    (
+        *("export", ONCE, "gam_db.cli.export:export"),
+        "Write the method as a package of another tool.",
+    ),
+    (
+        *("engines", ONCE, "gam_db.cli.engines:engines"),
+        "Tell which engines gam-db writes SQL for, and what is known of each at work.",
+    ),
+)
+
+#: The same sentence of the laboratory's commands, so that help reads nothing of the laboratory.
+OF_LABORATORY = {
+    "benchmark": "Measure gam-db on this machine: throughput (the default), the stored form, and other "
+    "engines.",
+    "evaluate": "Measure how well the health indicators of HEALTH show wear (paper, Eq. 5 to 9).",
+    "reproduce": "Run the paper's experiments again. Results are kept as files and used again, so that "
+    "what was interrupted goes on where it was.",
+    "simulate": "Write a simulated fleet of robots, or the paper's simulated system, with the truth "
+    "about it.",
+}
+
+
+def laboratory() -> list[EntryPoint]:
+    """Return the commands that come by entry points, by name."""
+    return sorted(entry_points(group="gam_db.commands"), key=lambda found: found.name)
+
+
+def listed() -> Iterable[TyperCommand]:
+    """Return a stand-in of every command: its name, its panel and the first sentence of its help."""
+    for name, panel, _, sentence in COMMANDS:
+        yield TyperCommand(name, help=sentence, rich_help_panel=panel, rich_markup_mode="markdown")
+    for found in laboratory():
+        sentence = OF_LABORATORY.get(found.name, f"Comes from {found.module}.")
+        yield TyperCommand(
+            found.name, help=sentence, rich_help_panel=LABORATORY, rich_markup_mode="markdown"
+        )
+
+
+def loaded(name: str) -> Any:
+    """Return the command itself.
+
+    Raises:
+        ConfigurationError: it comes by an entry point whose module is not there.
+    """
+    places = {known: place for known, _, place, _ in COMMANDS}
+    if name in places:
+        module, _, inside = places[name].partition(":")
+        found = getattr(importlib.import_module(module), inside)
+    else:
+        entry = next(entry for entry in laboratory() if entry.name == name)
+        try:
+            found = entry.load()
+        except ModuleNotFoundError as error:
+            raise ConfigurationError(
+                f"gam {name} is part of the laboratory ({entry.module}), which is not installed here."
+            ) from error
+    if isinstance(found, typer.Typer):
+        return get_command(found)
+    alone = typer.Typer(add_completion=False, rich_markup_mode="markdown")
+    alone.command(name)(found)
+    return get_command(alone)

@@ -1,0 +1,64 @@
+"""A process of its own for every measured run, and what it used."""
+
+import json
+import os
+import resource
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import gam_db
+from gam_db.errors import GamError, InternalError
+
+
+def run(module: str, task: str, job: str) -> dict[str, Any]:
+    """Run a module of this package in a fresh process and return the figures that it printed last.
+
+    Args:
+        module: its name in ``gam_db.lab.benchmark``.
+        task: what it does, for the message.
+        job: its only argument.
+
+    Raises:
+        InternalError: it failed; the message is the last line that it wrote.
+    """
+    # The package may have been imported from a folder that a new interpreter would not search.
+    paths = [str(Path(gam_db.__file__).parent.parent), os.environ.get("PYTHONPATH", "")]
+    finished = subprocess.run(
+        [sys.executable, "-m", f"gam_db.lab.benchmark.{module}", job],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths))},
+    )
+    if finished.returncode:
+        last = finished.stderr.strip().rpartition("\n")[2]
+        raise InternalError(f"The benchmark's {task} failed: {last}")
+    figures: dict[str, Any] = json.loads(finished.stdout.strip().rpartition("\n")[2])
+    return figures
+
+
+def answer(work: Callable[[str], Mapping[str, Any]]) -> None:
+    """Do the job that this process was started for, and print its figures as the last line."""
+    try:
+        print(json.dumps(work(sys.argv[1])))
+    except GamError as error:
+        sys.exit(str(error))
+
+
+def measured(work: Callable[[], Mapping[str, Any] | None]) -> dict[str, Any]:
+    """Do some work; return what it found, and what it took.
+
+    Returns:
+        Besides what was found: ``seconds``; ``cpu_seconds`` of all threads, which a busy machine changes
+        less; ``peak_memory`` of the process in MiB.
+    """
+    started, used = time.perf_counter(), time.process_time()
+    found = dict(work() or {})
+    found["seconds"] = time.perf_counter() - started
+    found["cpu_seconds"] = time.process_time() - used
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    found["peak_memory"] = peak / 2**20 if sys.platform == "darwin" else peak / 2**10
+    return found

@@ -1,0 +1,28 @@
+"""Centroid: the distance to the centre of mass of the healthy vectors (paper, section on baselines)."""
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.lab.estimators.base import Estimator
+from gam_db.lab.estimators.points import names_of, squared_distance
+from gam_db.method.adding import add_of_set
+from gam_db.method.resolved import Method
+from gam_db.pipeline import Pipeline
+
+
+def add_scores(steps: Pipeline, method: Method, number: int) -> None:
+    """Add the centre, fitted in SQL on all calibration vectors, and the distances to it."""
+    means = [
+        exp.alias_(
+            template.fill("lab/estimators/centroid_mean", {"coordinate": exp.column(x, table="placed")}),
+            f"centre_{k}",
+        )
+        for k, x in enumerate(names_of(method, number))
+    ]
+    add_of_set(steps, method, number, "lab/estimators/centroid", {"means": means})
+    distance = {"squared_distance": squared_distance(method, number, "centre")}
+    add_of_set(steps, method, number, "lab/estimators/centroid_scores", distance, name="scores")
+    steps.small |= {method.named("centroid", number)}
+
+
+ESTIMATOR = Estimator("centroid", add_scores)

@@ -1,0 +1,10 @@
+"""Evaluation of health indicators by the paper's metrics (method, section 9).
+
+This folder owns the way from a table of health indicators, and a table of what became of the assets, to
+the metrics of each channel and of the fleet. The formulas are in ``sql/evaluation``.
+"""
+
+from gam_db.lab.evaluation.conventions import Conventions
+from gam_db.lab.evaluation.run import Evaluation, evaluate
+
+__all__ = ["Conventions", "Evaluation", "evaluate"]

@@ -1,0 +1,184 @@
+"""Evaluation: how well a health indicator shows wear, by the metrics of the paper.
+
+This module owns the public call and the order of its work: look, match outcomes, measure each series,
+measure chance, measure the fleet.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, cast
+
+import numpy as np
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db.connecting import borrowed
+from gam_db.engines.session import Session
+from gam_db.errors import SourceError
+from gam_db.lab.evaluation import sampling
+from gam_db.lab.evaluation.capacity import POINTS
+from gam_db.lab.evaluation.conventions import Conventions
+from gam_db.lab.evaluation.members import Member, Outcome, as_table, members, outcomes_of, unmatched
+from gam_db.lab.evaluation.steps import KEPT, chance_steps, evaluation_steps, looking_steps
+from gam_db.lab.evaluation.table import health_table
+
+Listener = Callable[[str], None]
+
+_CHANCE = pa.schema(
+    [
+        ("series_id", pa.int64()),
+        *(
+            (f"{metric}_chance{spread}", pa.float64())
+            for metric in ("mon", "corr", "rob")
+            for spread in ("", "_sd")
+        ),
+        ("chance_reason", pa.string()),
+    ]
+)
+
+
+@dataclass(frozen=True)
+class Evaluation:
+    """What was found.
+
+    Attributes:
+        channels: a row per channel, ordered: asset, channel, outcome ("failed", "healthy" or NULL), k
+            (values of the series), independent_windows (windows that do not overlap; NULL if it is not
+            known how many values one spans), mon, mon_signed, corr, corr_signed, rob, a reason for each
+            of the three (mon_reason, corr_reason, rob_reason), the chance level of each and its
+            standard deviation (mon_chance, mon_chance_sd and so on) with chance_reason, first_hi,
+            last_hi, amplitude and hi_sd (standard deviation of the values).
+        summary: a row per metric (mon, corr, rob, prog, disc, trendability, global): value, sd (over
+            the series, for the first three), counted (series, for global metrics, that it averages),
+            lower_bound and upper_bound of the bootstrap interval over assets, samples (in which the
+            metric is available), reason.
+        unmatched: rows of the outcomes that speak of no channel of the table.
+
+    Reasons of a NULL: ``no_values``, ``one_value``, ``short`` (fewer than 5 values), ``constant`` (it
+    would be 0 / 0), ``no_outcomes`` (none were given), ``no_failed``, ``one_failed``, ``no_healthy``,
+    ``no_amplitude`` (that of the failed assets is not positive in the mean), ``unknown_window``,
+    ``not_asked``. One stands beside a value: ``interpolated``, where the trend's window is so short
+    (K below 20) that it passes through every value, and robustness is 1 whatever the series.
+    """
+
+    channels: pa.Table
+    summary: pa.Table
+    unmatched: int
+
+
+def evaluate(
+    health: Any,
+    outcomes: Any = None,
+    engine: Any = None,
+    *,
+    conventions: Conventions | None = None,
+    threads: int | None = None,
+) -> Evaluation:
+    """Evaluate health indicators (paper, Eq. 5 to 9; method, section 9).
+
+    Args:
+        health: the name of a table or view, a Parquet or CSV file, or an Arrow table: what
+            :func:`gam_db.health_indicator` or :func:`gam_db.health_at_buckets` returns, or any series
+            of indicators with the columns asset, channel, hi (a number, the larger the worse) and one
+            of bucket, time, index. Values that are NULL or no number are left out. With a column
+            novel_in_window all sums are exact; without it each series is counted in steps of its range
+            (2^-27 of it at a thousand values, 2^-14 at 115,000).
+        outcomes: what became of the assets: a relation with the columns asset, channel (optional; the
+            one that failed), failed_at (a time as in ``health``) and healthy. The series of a failed
+            asset is that of its failed channel and ends at ``failed_at``; each channel of a healthy
+            asset counts; what is not named counts neither way. None: monotonicity, correlation and
+            robustness are averaged over all channels, and there are no other metrics.
+        engine: None for DuckDB in memory, the path of a DuckDB file, or an open DuckDB connection.
+        conventions: forms of the metrics, and how chance and spread are sampled.
+        threads: processor threads; None leaves DuckDB's own choice.
+
+    Raises:
+        UserError: see its subclasses; the message says what to mend.
+    """
+    with borrowed(engine, threads) as session:
+        return evaluated(session, health, outcomes, conventions or Conventions())
+
+
+def evaluated(
+    session: Session,
+    health: Any,
+    outcomes: Any,
+    conventions: Conventions,
+    on_step: Listener = lambda _: None,
+) -> Evaluation:
+    """Evaluate in an open session; ``on_step`` is called with the name of each step before it is run."""
+    table = health_table(session, health)
+    known: list[Outcome] | None = None
+    if outcomes is not None:
+        known = outcomes_of(session, outcomes, table.kind)
+
+    look = looking_steps(table.indicator)
+    on_step("indicator")
+    indicator = session.keep("indicator", look.query("indicator"))
+    rows = session.fetch(look.query("candidates", {"indicator": indicator})).to_pylist()
+    found = members(rows, table, known, conventions.values_per_window)
+    if known and unmatched(known, found) == len(known):
+        raise SourceError("The outcomes speak of no asset or channel of the health indicators.")
+    units = sampling.units(sampling.largest_weight(found))
+    steps = evaluation_steps(conventions, table.counts, units, known is not None)
+    placed = {
+        "indicator": indicator,
+        "members": _given(session, as_table(found)),
+        "drawings": _given(session, sampling.drawings(found, conventions)),
+        "life_shares": _given(session, _life_shares()),
+    }
+    for step in KEPT:
+        on_step(step)
+        placed[step] = session.keep(step, steps.query(step, placed))
+    rates = session.fetch(steps.query("rates", placed))
+    on_step("chance")
+    placed["chance"] = _given(session, _chance(session, found, rates, table.counts, conventions))
+    on_step("summary")
+    channels = session.fetch(steps.query("channel_summary", placed))
+    # A column called corr is refused by some engines.
+    names = ["corr" if name == "corr_size" else name for name in channels.column_names]
+    return Evaluation(
+        channels.rename_columns(names),
+        session.fetch(steps.query("fleet_summary", placed)),
+        0 if known is None else unmatched(known, found),
+    )
+
+
+def _chance(
+    session: Session, found: list[Member], rates: pa.Table, counts: bool, conventions: Conventions
+) -> pa.Table:
+    """Return the step *chance*: a row per series, with its chance level or why it has none."""
+    known = {row["series_id"]: row for row in rates.to_pylist()}
+    reasons: list[dict[str, Any]] = []
+    drawn: list[tuple[Member, int, int | None]] = []
+    for member in found:
+        row = known.get(member.series_id, {"k": 0, "novel_sum": None})
+        novel_sum = row["novel_sum"] if counts else None
+        reason = (
+            sampling.no_chance(member, row["k"], novel_sum) if conventions.surrogates else "not_asked"
+        )
+        if reason is None:
+            drawn.append((member, row["k"], novel_sum))
+        else:
+            reasons.append({"series_id": member.series_id, "chance_reason": reason})
+    parts = [pa.Table.from_pylist(reasons, _CHANCE)]
+    if not drawn:
+        return parts[0]
+    steps = chance_steps(conventions, sampling.units(conventions.surrogates))
+    for batch in sampling.batches(drawn, conventions):
+        with session.lent(batch.selected) as selected, session.lent(batch.surrogates) as surrogates:
+            placed = {"selected": selected, "surrogates": surrogates}
+            levels = session.fetch(steps.query("chance_levels", placed))
+        parts.append(
+            levels.append_column("chance_reason", pa.nulls(len(levels), pa.string())).cast(_CHANCE)
+        )
+    return pa.concat_tables(parts)
+
+
+def _given(session: Session, table: pa.Table) -> exp.Table:
+    return cast(exp.Table, session.relation(table))
+
+
+def _life_shares() -> pa.Table:
+    last = np.full(POINTS, POINTS - 1, np.int64)
+    return pa.table({"point_no": np.arange(POINTS), "last_point": last})

@@ -1,0 +1,99 @@
+"""The table of health indicators: which of its columns say what.
+
+This module owns how the tables of gam-db, and any other series of indicators, are told apart and read.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.clock import TimeKind
+from gam_db.engines.session import Session
+from gam_db.errors import SourceError, nearest
+from gam_db.pipeline import filled
+
+PLACES = ("bucket", "time", "index")
+"""Columns that order the values of a channel; the first that is there does."""
+
+
+@dataclass(frozen=True)
+class HealthTable:
+    """A table of health indicators.
+
+    Attributes:
+        indicator: the query of the step *indicator*.
+        kind: how it tells the time that ``failed_at`` is compared with; None if it tells none.
+        counts: whether the indicator is a count of novel vectors over a window.
+        buckets: whether its values are numbered buckets, of which the first ones are not full.
+    """
+
+    indicator: exp.Query
+    kind: TimeKind | None
+    counts: bool
+    buckets: bool
+
+
+def health_table(session: Session, relation: Any) -> HealthTable:
+    """Look at a table of health indicators.
+
+    Raises:
+        SourceError: it cannot be read, or a column is missing or of the wrong type.
+    """
+    node = session.relation(relation)
+    columns = session.describe(node)
+    for name in ("asset", "channel", "hi"):
+        if name not in columns:
+            raise SourceError(
+                f"The table of health indicators has no column {name!r}{nearest(name, columns)}; it "
+                "takes what gam run writes, or asset, channel, index and hi."
+            )
+    for name in ("asset", "channel"):
+        if not session.is_name(columns[name]):
+            raise SourceError(
+                f"The column {name!r} is of type {columns[name]}; it must be text or an integer."
+            )
+    if not session.is_numeric(columns["hi"]):
+        raise SourceError(f"The column 'hi' is of type {columns['hi']}; it must be a number.")
+    place = next((name for name in PLACES if name in columns), None)
+    if place is None:
+        raise SourceError(
+            "The table of health indicators has no column that orders its values; it takes "
+            f"{', '.join(PLACES[:-1])} or {PLACES[-1]}."
+        )
+    time = "last_time" if place == "bucket" and "last_time" in columns else place
+    kinds = {name: _kind(session, name, columns[name]) for name in (place, time)}
+    counts = "novel_in_window" in columns
+    integer_of = session.engine.micros_of
+    query = filled(
+        "lab/evaluation/indicator",
+        {
+            "asset": template.column("asset"),
+            "channel": template.column("channel"),
+            "place": integer_of(kinds[place], template.column(place)),
+            "time": integer_of(kinds[time], template.column(time)),
+            "hi": template.column("hi"),
+            "novel_in_window": template.column("novel_in_window") if counts else None,
+            "vectors_in_window": (
+                template.column("vectors_in_window") if "vectors_in_window" in columns else None
+            ),
+        },
+    )
+    read_from(query, "health", node)
+    return HealthTable(query, None if time == "bucket" else kinds[time], counts, place == "bucket")
+
+
+def read_from(query: exp.Query, name: str, relation: exp.Expr) -> None:
+    """Let a query read a relation where it names it; in place."""
+    for table in list(query.find_all(exp.Table)):
+        if table.name == name and not table.db:
+            table.replace(relation.copy())
+
+
+def _kind(session: Session, name: str, type_name: str) -> TimeKind:
+    kind = session.time_kind(type_name)
+    if kind is None or (name == "bucket" and not kind.is_counter):
+        wanted = "an integer" if name == "bucket" else "an integer or a timestamp"
+        raise SourceError(f"The column {name!r} is of type {type_name}; it must be {wanted}.")
+    return kind

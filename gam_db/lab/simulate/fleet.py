@@ -1,0 +1,278 @@
+"""A fleet: the readings of any robot of it, and the truth about them."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+from numpy.typing import NDArray
+
+from gam_db.errors import ParameterError
+from gam_db.lab.simulate.dirt import Rows, dirtied
+from gam_db.lab.simulate.joint import (
+    HERTZ,
+    Levels,
+    drawn_levels,
+    drawn_noise,
+    drawn_scale,
+    drifting,
+    followed,
+    measured,
+    reporting,
+    sampled,
+    twin_offset,
+)
+from gam_db.lab.simulate.program import Program, Timeline, drawn_program, drawn_timeline
+from gam_db.lab.simulate.roles import GROUP, JOINTS, Role, role_of
+from gam_db.lab.simulate.seeds import WHOLE_ROBOT, Purpose, stream
+from gam_db.lab.simulate.wear import grown, shown
+
+SAMPLES = 300_000
+FEWEST_SAMPLES = 2_000
+FIRST_TIME = 1_704_067_200_000_000
+"""Microseconds: 1 January 2024, UTC."""
+
+READINGS = pa.schema(
+    {
+        "asset": pa.string(),
+        "channel": pa.string(),
+        "time": pa.timestamp("us", "UTC"),
+        "value": pa.float64(),
+    }
+)
+TRUTH = pa.schema(
+    {
+        "asset": pa.string(),
+        "channel": pa.string(),
+        "kind": pa.string(),
+        "program": pa.string(),
+        "event": pa.string(),
+        "growth": pa.string(),
+        "amplitude": pa.float64(),
+        "onset": pa.timestamp("us", "UTC"),
+        "failed_at": pa.timestamp("us", "UTC"),
+        "null_rows": pa.int64(),
+        "nan_rows": pa.int64(),
+        "repeated_rows": pa.int64(),
+        "late_rows": pa.int64(),
+    }
+)
+
+_LIFE = (0.7, 1.0)  # of a robot that fails, as a share of the others'
+_ONSET = (0.4, 0.7)  # of its life
+_REPROGRAMMED_AT = 0.6
+_CHANGED_AT = (0.5, 0.7)  # re-zeroed, new payload
+_SILENT_FROM = (0.5, 0.8)
+_AMPLITUDE = (0.02, 0.08)  # of the joint's range, at the failure
+_REZEROED_BY = (0.03, 0.08)  # of the joint's range
+_PAYLOAD = (1.05, 1.2)  # gain
+
+
+@dataclass(frozen=True)
+class Joint:
+    """One joint of one robot.
+
+    Attributes:
+        readings: asset, channel, time, value; in the order of arrival.
+        truth: one row of the truth table (see TRUTH).
+    """
+
+    readings: pa.Table
+    truth: dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Fleet:
+    """A simulated fleet.
+
+    Robots are numbered from 1. Every two dozen have five that fail, sixteen healthy ones and three
+    controls: reprogrammed, re-zeroed, and with a new payload. Any robot is the same whether it is made
+    alone or with the others, and whatever their number.
+
+    Args:
+        seed: of everything; not negative.
+        samples: instants per joint at 5 Hz, at least 2,000; robots that fail end earlier, and while a
+            robot is switched off there are no rows.
+
+    Raises:
+        ParameterError: seed or samples are out of range.
+    """
+
+    seed: int = 0
+    samples: int = SAMPLES
+
+    def __post_init__(self) -> None:
+        if self.seed < 0:
+            raise ParameterError(f"seed is {self.seed}; it takes 0 or more.")
+        if self.samples < FEWEST_SAMPLES:
+            raise ParameterError(f"samples is {self.samples}; a fleet takes at least {FEWEST_SAMPLES}.")
+
+    def robot(self, number: int) -> Iterator[Joint]:
+        """Yield the joints of a robot, one after another.
+
+        Raises:
+            ParameterError: number is below 1.
+        """
+        if number < 1:
+            raise ParameterError(f"Robot {number} is asked for; robots are numbered from 1.")
+        robot = _Robot(self, number, role_of(self.seed, number))
+        for joint in range(1, JOINTS + 1):
+            yield robot.joint(joint)
+
+
+class _Robot:
+    """What the joints of a robot share: its role, its life, its programs and what it does when."""
+
+    def __init__(self, fleet: Fleet, number: int, role: Role) -> None:
+        self._fleet, self._number, self._role = fleet, number, role
+        self.name = f"robot_{number:02d}"
+        events = stream(fleet.seed, number, WHOLE_ROBOT, Purpose.EVENT)
+        failed = role.kind == "failed"
+        life = fleet.samples / HERTZ
+        self._seconds = life * float(events.uniform(*_LIFE)) if failed else life
+        self._onset = self._seconds * {
+            "failed": float(events.uniform(*_ONSET)),
+            "reprogrammed": _REPROGRAMMED_AT,
+        }.get(role.kind, float(events.uniform(*_CHANGED_AT)))
+        self._gain = float(events.uniform(*_PAYLOAD))
+        self._repeats, self._late = events.integers(1, JOINTS + 1, 2)
+        self._programs, self._timeline = self._worked()
+
+    def joint(self, joint: int) -> Joint:
+        """Return a joint: its readings and the truth about them."""
+        seed, number, role = self._fleet.seed, self._number, self._role
+        levels = self._levels(joint)
+        own = stream(seed, number, joint, Purpose.SCALE)
+        noise = drawn_noise(levels, own)
+        shared = stream(seed, role.program, joint, Purpose.SCALE)
+        scale = drawn_scale(noise, shared)
+        seconds = np.arange(int(self._seconds * HERTZ)) / HERTZ + scale.clock
+        moves, states = sampled(self._timeline, seconds)
+
+        signal = stream(seed, number, joint, Purpose.SIGNAL)
+        heights = followed(levels, moves, signal) + (0.0 if number == role.program else twin_offset(own))
+        heights += noise[levels.places[moves]] * signal.standard_normal(len(moves))
+        heights += drifting(scale, seconds)
+        event = stream(seed, number, joint, Purpose.EVENT)
+        truth = self._happened(joint, event)
+        onset = self._onset
+        if truth["event"] == "silent":
+            onset = self._seconds * float(event.uniform(*_SILENT_FROM))
+        heights = self._changed(heights, truth, seconds - onset, moves, levels, event)
+
+        values = measured(scale, heights, states)
+        if truth["event"] == "constant":
+            values = np.full_like(values, values[0])
+        kept = reporting(states)
+        if truth["event"] == "silent":
+            kept &= seconds < onset
+        times = FIRST_TIME + np.round(seconds * 1e6).astype(np.int64)
+        dirt = stream(seed, number, joint, Purpose.DIRT)
+        rows = dirtied(times[kept], values[kept], dirt, joint == self._repeats, joint == self._late)
+        if truth["event"] not in (None, "constant"):
+            truth["onset"] = FIRST_TIME + int(onset * 1e6)
+        if truth["event"] == role.fault and role.fault is not None:
+            truth["failed_at"] = int(times[-1])
+        return Joint(_readings(self.name, f"joint_{joint}", rows), truth | _dirt_of(rows))
+
+    def _worked(self) -> tuple[list[Program], Timeline]:
+        """Return the programs of the robot, one after another, and what it did when."""
+        seed, number = self._fleet.seed, self._number
+        random = stream(seed, self._role.program, WHOLE_ROBOT, Purpose.PROGRAM)
+        first = drawn_program(random)
+        doing = stream(seed, number, WHOLE_ROBOT, Purpose.TIMELINE)
+        # One second more, since the clocks of the joints lag by less than that.
+        timeline = drawn_timeline(first, doing, self._seconds + 1)
+        if self._role.kind != "reprogrammed":
+            return [first], timeline
+        second = drawn_program(random)
+        after = drawn_timeline(second, doing, self._seconds - self._onset + 1)
+        return [first, second], timeline.before(self._onset).then(after, first.moves)
+
+    def _levels(self, joint: int) -> Levels:
+        random = stream(self._fleet.seed, self._role.program, joint, Purpose.LEVELS)
+        levels = drawn_levels(self._programs[0], random)
+        for program in self._programs[1:]:
+            levels = levels.then(drawn_levels(program, random))
+        return levels
+
+    def _happened(self, joint: int, random: np.random.Generator) -> dict[str, Any]:
+        """Return the row of the truth table, still without onset, failure and dirt."""
+        role = self._role
+        event, amplitude = None, None
+        if role.silent == joint or role.constant == joint:
+            event = "silent" if role.silent == joint else "constant"
+        elif role.kind == "failed" and role.joint == joint:
+            event, amplitude = role.fault, float(random.uniform(*_AMPLITUDE))
+        elif role.kind == "rezeroed" and role.joint == joint:
+            event, amplitude = role.kind, float(random.uniform(*_REZEROED_BY))
+        elif role.kind in ("reprogrammed", "payload"):
+            event, amplitude = role.kind, self._gain - 1 if role.kind == "payload" else None
+        return {
+            "asset": self.name,
+            "channel": f"joint_{joint}",
+            "kind": role.kind,
+            "program": f"program_{role.program:02d}",
+            "event": event,
+            "growth": role.growth if event is not None and event == role.fault else None,
+            "amplitude": amplitude,
+            "onset": None,
+            "failed_at": None,
+        }
+
+    def _changed(
+        self,
+        heights: NDArray[np.float64],
+        truth: dict[str, Any],
+        since: NDArray[np.float64],
+        moves: NDArray[np.int64],
+        levels: Levels,
+        random: np.random.Generator,
+    ) -> NDArray[np.float64]:
+        """Return the heights with what happened to the joint, ``since`` seconds after its onset."""
+        event = truth["event"]
+        if event == "payload":
+            return np.asarray(np.where(since < 0, heights, self._gain * heights))
+        full_range = float(np.ptp(levels.heights))
+        if event == "rezeroed":
+            return np.asarray(np.where(since < 0, heights, heights + truth["amplitude"] * full_range))
+        if event is None or truth["growth"] is None:
+            return heights
+        size = grown(truth["growth"], since / (self._seconds - self._onset), random)
+        added = shown(event, size, moves, levels.places, random)
+        return np.asarray(heights + truth["amplitude"] * full_range * added)
+
+
+def _readings(asset: str, channel: str, rows: Rows) -> pa.Table:
+    count = len(rows.times)
+    return pa.table(
+        [
+            pa.array([asset]).take(pa.array(np.zeros(count, np.int64))),
+            pa.array([channel]).take(pa.array(np.zeros(count, np.int64))),
+            pa.array(rows.times).cast(pa.timestamp("us", "UTC")),
+            # Not from_pandas: NaN and NULL are both sent, and both are to be met.
+            pa.array(rows.values, mask=rows.null),
+        ],
+        schema=READINGS,
+    )
+
+
+def _dirt_of(rows: Rows) -> dict[str, int]:
+    return {
+        "null_rows": int(rows.null.sum()),
+        "nan_rows": int(np.isnan(rows.values).sum()),
+        "repeated_rows": rows.repeated,
+        "late_rows": rows.late,
+    }
+
+
+def robots_of(robots: int) -> range:
+    """Return the numbers of the first robots of a fleet.
+
+    Raises:
+        ParameterError: there is none.
+    """
+    if robots < 1:
+        raise ParameterError(f"robots is {robots}; a fleet has at least 1, by default {GROUP}.")
+    return range(1, robots + 1)

@@ -1,0 +1,377 @@
+"""ClickHouse: its types and times, its settings, and how it keeps the state."""
+
+import datetime as dt
+import re
+import time
+from decimal import Decimal
+from typing import Any
+
+import clickhouse_connect
+import pyarrow as pa
+import pytest
+import sqlglot
+from sqlglot import exp
+
+import engines
+import gam_db
+import harness
+import small_plant
+from gam_db.clock import TimeKind
+from gam_db.engines import clickhouse_driver
+from gam_db.engines.clickhouse_driver import ClickHouseDriver
+from gam_db.engines.warehouse import WarehouseSession
+from gam_db.errors import EngineError, SourceError
+from gam_db.pipeline import filled, place
+from gam_db.source import readings as reading_query
+from gam_db.stored import reading
+from gam_db.stored.monitor import Monitor
+from scripts import arrive
+from small_plant import FIRST, LENGTH, readings
+from visible import BUCKETS, NOVEL, visible
+
+
+@pytest.fixture
+def session() -> WarehouseSession:
+    found = engines.session("clickhouse")
+    assert isinstance(found, WarehouseSession)
+    return found
+
+
+def run(session: WarehouseSession, *statements: str) -> None:
+    for statement in statements:
+        session.driver.execute(statement)
+
+
+def table_of(session: WarehouseSession, columns: str, rows: str) -> str:
+    """Make a table of these columns and rows, and return its name."""
+    name = engines.fresh_name("plant")
+    run(session, f"CREATE TABLE {name} ({columns}) ENGINE = MergeTree ORDER BY tuple()")
+    run(session, f"INSERT INTO {name} {rows}")
+    return name
+
+
+def read(session: WarehouseSession, relation: Any, **columns: Any) -> list[tuple[Any, ...]]:
+    """Return (asset, channel, integer time, value) as gam-db reads them."""
+    source = gam_db.Source(relation, **columns)
+    node = session.relation(source.relation)
+    kind = session.time_kind(session.describe(node)[source.time])
+    assert kind is not None
+    query = reading_query(source, node, lambda time: session.engine.micros_of(kind, time))
+    found = session.fetch(query).to_pylist()
+    return sorted(tuple(row[c] for c in ("asset", "channel", "time", "reading")) for row in found)
+
+
+# Types and times
+
+
+@pytest.mark.parametrize(
+    ("type_name", "kind"),
+    [
+        ("Int8", TimeKind.COUNTER),
+        ("Nullable(UInt64)", TimeKind.COUNTER),
+        ("Date", TimeKind.TIMESTAMP),
+        ("DateTime", TimeKind.TIMESTAMP),
+        ("DateTime('Asia/Tokyo')", TimeKind.TIMESTAMP_WITH_ZONE),
+        ("LowCardinality(Nullable(DateTime))", TimeKind.TIMESTAMP),
+        ("DateTime64(6, 'UTC')", TimeKind.TIMESTAMP_WITH_ZONE),
+        ("DateTime64(7)", TimeKind.NANOSECONDS),
+        ("Nullable(DateTime64(9, 'UTC'))", TimeKind.NANOSECONDS_WITH_ZONE),
+        ("String", None),
+        ("Array(DateTime)", None),
+    ],
+)
+def test_how_columns_tell_time(type_name: str, kind: TimeKind | None) -> None:
+    assert ClickHouseDriver.time_kind(type_name) is kind
+
+
+@pytest.mark.parametrize(
+    ("type_name", "text", "micros"),
+    [
+        ("DateTime('Asia/Tokyo')", "2026-03-01 09:00:00", 1772323200000000),
+        ("DateTime", "2026-03-01 00:00:00", 1772323200000000),
+        ("DateTime64(3)", "2026-03-01 00:00:00.123", 1772323200123000),
+        ("DateTime64(6, 'America/New_York')", "2026-02-28 19:00:00.123456", 1772323200123456),
+        ("DateTime64(9)", "2026-03-01 00:00:00.123456999", 1772323200123456),
+        ("DateTime64(9)", "1969-12-31 23:59:59.999999001", -1),
+        ("DateTime64(7)", "1969-12-31 23:59:58.9999999", -1000001),
+        ("Date32", "1960-01-01", -315619200000000),
+        ("Nullable(DateTime64(6))", "2026-03-01 00:00:00.000001", 1772323200000001),
+    ],
+)
+def test_instants_are_exact_whatever_the_zone_of_the_server(
+    session: WarehouseSession, type_name: str, text: str, micros: int
+) -> None:
+    named = table_of(
+        session,
+        f"asset LowCardinality(String), channel FixedString(3), time {type_name}, value Float32",
+        f"VALUES ('a', 'x', '{text}', 1.5)",
+    )
+    assert read(session, named) == [("a", "x", micros, 1.5)]
+    with gam_db.connect(opened(session_timezone="America/New_York")) as other:
+        assert isinstance(other, WarehouseSession)
+        assert read(other, named) == [("a", "x", micros, 1.5)]
+
+
+def opened(**settings: Any) -> Any:
+    """Return a client of the user's, beside the session of the tests, with settings of its own."""
+    client = clickhouse_connect.get_client(interface="chdb")
+    for name, value in settings.items():
+        client.set_client_setting(name, value)
+    return client
+
+
+def test_decimals_enums_and_reserved_words(session: WarehouseSession) -> None:
+    named = table_of(
+        session,
+        "`select` Enum8('A' = 1, 'a' = 2), `order by` LowCardinality(Nullable(String)), "
+        '`time``stamp` UInt32, `va"l\\\\ue` Nullable(Decimal(18, 4))',
+        "VALUES ('A', 'X', 7, 0.1), ('a', 'x', 8, NULL)",
+    )
+    columns = {"asset": "select", "channel": "order by", "time": "time`stamp", "value": 'va"l\\ue'}
+    assert read(session, named, **columns) == [("A", "X", 7, 0.1), ("a", "x", 8, None)]
+
+
+def test_a_counter_beyond_64_bits_is_refused_not_wrapped(session: WarehouseSession) -> None:
+    named = table_of(
+        session,
+        "asset String, channel String, time UInt64, value Float64",
+        "VALUES ('a', 'x', 18446744073709551615, 1)",
+    )
+    with pytest.raises(SourceError, match="a counter needs 64 bits"):
+        gam_db.health_indicator(gam_db.Source(named), engine=session)
+
+
+def test_rows_come_back_as_on_other_engines(session: WarehouseSession) -> None:
+    found = session.driver.fetch(
+        "SELECT toUInt64(3) AS a, toLowCardinality('x') AS b, toFloat32(0.5) AS c, count() AS d, "
+        "toDateTime64('2026-03-01 00:00:00', 6, 'UTC') AS e, NULL AS f"
+    )
+    types = [pa.int64(), pa.string(), pa.float64(), pa.int64(), pa.timestamp("us", "UTC"), pa.null()]
+    assert found.schema.types == types
+
+
+def test_arrow_tables_go_in_and_come_out(session: WarehouseSession) -> None:
+    given = pa.table(
+        {
+            "a": pa.array([1, None], pa.uint16()),
+            "b": pa.array(["x", None]).dictionary_encode(),
+            "c": pa.array([Decimal("1.25"), None], pa.decimal128(10, 2)),
+            "d": pa.array([dt.datetime(2026, 3, 1), None], pa.timestamp("ms")),
+            "e": pa.array([float("nan"), None], pa.float64()),
+            "select": pa.array([dt.date(1960, 1, 1), None]),
+        }
+    )
+    with session.lent(given) as lent:
+        found = session.driver.fetch(f"SELECT * FROM {session.engine.text(lent)} ORDER BY a")
+        assert found["a"].to_pylist() == [1, None]
+        assert found["b"].to_pylist() == ["x", None]
+        assert found["c"].to_pylist() == [Decimal("1.25"), None]
+        assert found["d"][0].as_py() == dt.datetime(2026, 3, 1, tzinfo=dt.UTC)
+        assert found["e"][0].as_py() != found["e"][0].as_py()
+        assert found["select"].to_pylist() == [dt.date(1960, 1, 1), None]
+        name = lent.name
+    with pytest.raises(SourceError, match="no table or view"):
+        session.relation(name)
+    with pytest.raises(SourceError, match="a column of the type list"):
+        session.load(pa.table({"a": [[1]]}))
+
+
+# Settings
+
+
+def test_other_settings_of_a_client_change_nothing(session: WarehouseSession) -> None:
+    rows = readings(0, FIRST)
+    table = engines.fresh_name("telemetry")
+    with session.lent(harness.arrow(rows)) as lent:
+        run(
+            session, f"CREATE TABLE {table} ENGINE = Memory AS SELECT * FROM {session.engine.text(lent)}"
+        )
+    asked = (gam_db.Source(table), gam_db.Parameters(m=2, tau=3, bins=4, window=20, stride=5))
+    expected = gam_db.health_indicator(*asked, engine=session)
+    assert expected.num_rows > 0
+    odd: dict[str, Any] = {
+        "join_use_nulls": 1,
+        "group_by_use_nulls": 1,
+        "aggregate_functions_null_for_empty": 1,
+        "transform_null_in": 1,
+        "cast_keep_nullable": 1,
+        "session_timezone": "Asia/Tokyo",
+    }
+    client = opened(**odd)
+    with gam_db.connect(client) as other:
+        assert gam_db.health_indicator(*asked, engine=other).equals(expected)
+    values = client.query("SELECT getSetting('join_use_nulls'), getSetting('transform_null_in')")
+    assert values.result_rows == [(True, True)], "the client stays open, and as it was"
+    left = "SELECT name FROM system.tables WHERE is_temporary"
+    assert client.query(left).result_rows == []
+    client.close()
+
+
+def test_a_limit_is_an_error_and_not_a_part_of_the_rows(session: WarehouseSession) -> None:
+    client = opened(max_result_rows=3, result_overflow_mode="break", max_block_size=3)
+    refused = pytest.raises(EngineError, match="TOO_MANY_ROWS_OR_BYTES")
+    with gam_db.connect(client) as other, refused:
+        other.fetch(
+            sqlglot.parse_one("SELECT number FROM system.numbers LIMIT 10", dialect="clickhouse")
+        )
+    client.close()
+
+
+def test_a_user_who_may_only_read(session: WarehouseSession) -> None:
+    table = table_of(
+        session, "asset String, channel String, time Int64, value Float64", "VALUES ('a','x',1,1)"
+    )
+    client = opened()
+    client.command("SET readonly = 1")
+    with pytest.raises(EngineError, match="readonly = 2"):
+        gam_db.connect(client)
+    client.close()
+    client = opened()
+    client.command("SET readonly = 2")
+    with gam_db.connect(client) as other:
+        assert gam_db.check(gam_db.Source(table), engine=other)
+        with pytest.raises(EngineError, match="may only read"):
+            Monitor(other, gam_db.Source(table), prefix=engines.fresh_name("no")).migrate()
+    client.close()
+
+
+# State
+
+
+def test_compacting_survives_what_a_killed_process_left(
+    session: WarehouseSession, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    table = engines.fresh_name("telemetry")
+    with session.lent(harness.arrow(readings(0, FIRST))) as lent:
+        run(
+            session, f"CREATE TABLE {table} ENGINE = Memory AS SELECT * FROM {session.engine.text(lent)}"
+        )
+    parameters = gam_db.Parameters(m=2, tau=3, bins=4, window=20, stride=5)
+    prefix = engines.fresh_name("state")
+    source, calibration = gam_db.Source(table), gam_db.Calibration(fraction=0.7)
+    monitor = Monitor(session, source, parameters, calibration, prefix=prefix, lookback=7)
+    monitor.migrate()
+    monitor.calibrate()
+    arrive(session, exp.to_table(table), readings(FIRST, LENGTH))
+    monitor.score()
+    monitor.score()
+    stored = f"SELECT count() AS n FROM {prefix}bucket"
+    before = session.driver.fetch(stored)["n"][0].as_py()
+    left = f"gam_doomed_{int(time.time())}_00"
+    run(session, f"CREATE TABLE {left} (version_id Int64) ENGINE = MergeTree ORDER BY tuple()")
+    monitor.compact()
+    assert left in session.relations(), "it may be of a process at work"
+    monkeypatch.setattr(clickhouse_driver, "_STALE", 0)
+    monitor.compact()
+    assert not [name for name in session.relations() if name.startswith("gam_doomed")]
+    assert [visible(monitor, BUCKETS), visible(monitor, NOVEL)] == small_plant.whole()
+    assert session.driver.fetch(stored)["n"][0].as_py() < before
+
+
+def test_an_incremental_run_reads_its_range_only(session: WarehouseSession) -> None:
+    """Of a source and of buckets ordered by channel and time, a part of the marks is read."""
+    table = engines.fresh_name("telemetry")
+    run(
+        session,
+        f"CREATE TABLE {table} (asset String, channel String, time DateTime64(6), value Float64) "
+        "ENGINE = MergeTree ORDER BY (time) SETTINGS index_granularity = 100",
+        f"INSERT INTO {table} SELECT 'a', 'x', fromUnixTimestamp64Micro(toInt64(number) * 1000000), 1 "
+        "FROM numbers(10000)",
+    )
+    reader = reading.Reader(session, gam_db.Source(table), TimeKind.TIMESTAMP, "plant")
+    assert granules(session, reader.readings(earliest=9_900_000_000)) == (2, 100)
+
+    prefix = engines.fresh_name("state")
+    monitor = Monitor(session, gam_db.Source(table), prefix=prefix)
+    monitor.migrate()
+    run(
+        session,
+        f"INSERT INTO {prefix}bucket SELECT number % 16, intDiv(number, 16), 1, 0, 0, 0, 0, 0, 0, 0 "
+        "FROM numbers(16 * 10000)",
+        f"INSERT INTO {prefix}run SELECT 1, number, 0, 0, 0, 0, 0, 0, 0, 0, NULL, NULL, NULL, 0, 0 "
+        "FROM numbers(16)",
+    )
+    literal = (
+        f"SELECT bucket_no, novel FROM {prefix}visible_bucket WHERE version_id = 5 AND bucket_no >= 9900"
+    )
+    read_of, there = granules(session, sqlglot.parse_one(literal))
+    assert (read_of, there) == (1, 312)
+    group = [{"version_id": 5, "first_bucket": 9950}]
+    asked = filled("stored/past_buckets", {"buckets": 50, "near": reading.near(group, 50)})
+    cohort = pa.table({"channel_id": [5], "version_id": [5], "first_bucket": [9950]})
+    with session.lent(cohort) as lent:
+        place(asked, {**monitor.state.tables.placed(), "cohort": lent})
+        before = marks(session)
+        assert session.fetch(asked).num_rows == 50
+        assert marks(session) - before <= 6, "of 312, and the runs"
+
+
+def test_what_a_run_reads_does_not_grow_with_what_is_stored(session: WarehouseSession) -> None:
+    """By the engine's own count of rows: the new ones, and little beside the buckets there are."""
+    table = engines.fresh_name("telemetry")
+    ordered = "ENGINE = MergeTree ORDER BY time SETTINGS index_granularity = 128"
+    columns = "asset String, channel String, time Int64, value Float64"
+    run(session, f"CREATE TABLE {table} ({columns}) {ordered}")
+
+    def arrive_from(start: int, end: int) -> None:
+        time = f"({start} + intDiv(number, 8))"
+        run(
+            session,
+            f"INSERT INTO {table} SELECT concat('a', toString(number % 8)), 'x', {time}, {time} % 5 "
+            f"FROM numbers({8 * (end - start)})",
+        )
+
+    parameters = gam_db.Parameters(m=2, tau=3, bins=4, window=20, stride=5)
+    calibration = gam_db.Calibration(intervals=[(0, 200)])
+    source, prefix = gam_db.Source(table), engines.fresh_name("state")
+    monitor = Monitor(session, source, parameters, calibration, lookback=20, prefix=prefix)
+    monitor.migrate()
+    arrive_from(0, 40_000)
+    monitor.calibrate()
+    monitor.score()
+    arrive_from(40_000, 40_100)
+    before = counted(session, "SelectedRows")
+    report = monitor.score()
+    there = 8 * (40_000 // 5)
+    assert 0 < sum(row["rows_read"] for row in report.channels) < 8 * 150
+    assert counted(session, "SelectedRows") - before < there / 2
+
+
+def marks(session: WarehouseSession) -> int:
+    """Return how many marks were read since the engine was started."""
+    return counted(session, "SelectedMarks")
+
+
+def counted(session: WarehouseSession, event: str) -> int:
+    """Return how often something happened since the engine was started."""
+    found = session.driver.fetch(f"SELECT value FROM system.events WHERE event = '{event}'")
+    return sum(found["value"].to_pylist())
+
+
+def granules(session: WarehouseSession, query: exp.Expr) -> tuple[int, int]:
+    """Return how many marks of its first table a query reads, and how many there are."""
+    explained = session.driver.fetch(f"EXPLAIN indexes = 1 {session.engine.text(query)}")
+    plan = "\n".join(explained["explain"].to_pylist())
+    counts = re.findall(r"Granules: (\d+)/(\d+)", plan.split("ReadFromMergeTree")[1])
+    return int(counts[-1][0]), int(counts[0][1])
+
+
+def test_a_second_writer_is_noticed(session: WarehouseSession) -> None:
+    table = table_of(
+        session, "asset String, channel String, time Int64, value Float64", "VALUES ('a','x',1,1)"
+    )
+    monitor = Monitor(session, gam_db.Source(table), prefix=engines.fresh_name("state"))
+    monitor.migrate()
+    channel = pa.table(
+        {"channel_id": [1, 1], "monitor_id": [1, 1], "asset": ["a"] * 2, "channel": ["x"] * 2}
+    )
+
+    def calibrate(keys: dict[str, int]) -> None:
+        with monitor.state.alone(keys):
+            monitor.state.append_rows("channel", channel)
+
+    keys = monitor.state.keys()
+    with pytest.raises(EngineError, match="some channels are there twice"):
+        calibrate(dict(keys))
+    with pytest.raises(EngineError, match="Run it again"):
+        calibrate(keys)

@@ -1,0 +1,62 @@
+"""What is said of the engines is what the tests run: no more, and in the same versions."""
+
+import datetime as dt
+import importlib
+import json
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+import engine_page
+import engines
+from evidence import version_of
+from gam_db.cli import app
+from gam_db.engines import NAMES, engine_named
+from gam_db.engines.evidence import CLASSES, evidence
+
+ROOT = Path(__file__).parents[2]
+
+
+def test_every_engine_has_its_row() -> None:
+    assert tuple(evidence()) == NAMES
+    for row in evidence().values():
+        assert row.evidence in CLASSES
+        assert (ROOT / row.tests).is_file()
+        assert dt.date(2026, 11, 1) <= dt.date.fromisoformat(row.date) <= dt.date.today()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_version_is_the_one_that_the_tests_run(name: str, request: pytest.FixtureRequest) -> None:
+    """The file of the tests says itself that it runs the engine, and finds the version where it runs."""
+    if request.config.getoption("--engines") != "all":
+        pytest.skip("left out: the table tells of runs with --engines all")
+    row = evidence()[name]
+    assert row.version.split(".")[:2] == version_of(row)().split(".")[:2], "run tests/tools/evidence.py"
+
+
+def test_executed_is_what_the_tests_run_on() -> None:
+    executed = [row for row in evidence().values() if row.evidence == "executed"]
+    assert {row.engine for row in executed} == set(engines.OPENERS) == set(engines.VERSIONS)
+    assert [row.by for row in executed] == [engine_named(row.engine).title for row in executed]
+
+
+@pytest.mark.parametrize("name", engines.OPENERS)
+def test_an_older_version_is_refused_where_the_table_says_so(name: str) -> None:
+    module = {"duckdb": "duckdb_session", "spark": "spark_opening"}.get(name, f"{name}_driver")
+    oldest = importlib.import_module(f"gam_db.engines.{module}").OLDEST
+    assert engine_named(name).oldest == ".".join(map(str, oldest))
+
+
+def test_the_command_says_what_the_table_says() -> None:
+    found = json.loads(CliRunner().invoke(app, ["engines", "--json"]).stdout)
+    assert [row["engine"] for row in found] == list(NAMES)
+    shown = CliRunner().invoke(app, ["engines"]).stdout
+    for row in found:
+        assert row["evidence"] == evidence()[row["engine"]].evidence
+        assert f"{row['title']} ({row['engine']}): {row['evidence']}\n  by {row['by']}" in shown
+
+
+def test_the_page_is_up_to_date() -> None:
+    page = ROOT / "docs" / "engines.md"
+    assert page.read_text(encoding="utf-8") == engine_page.text(), "python tests/tools/engine_page.py"

@@ -1,0 +1,149 @@
+"""The wall round the laboratory, and what is loaded when: the core never imports the laboratory."""
+
+import ast
+import importlib
+import subprocess
+import sys
+from collections.abc import Iterator
+from importlib.metadata import entry_points
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+import gam_db
+from gam_db.cli import app, commands
+
+PACKAGE = Path(gam_db.__file__).parent
+#: Lower modules first; a module may import what stands in lines above its own, and its own package.
+LAYERS = [
+    ["errors", "version"],
+    ["address", "clock", "extras", "langevin"],
+    ["parameters", "calibration"],
+    ["template"],
+    ["source", "pipeline"],
+    ["method"],
+    ["engines"],
+    ["look", "running", "connecting"],
+    ["script", "study"],
+    ["health", "checking", "findings", "selection"],
+    ["stored"],
+    ["gam_db"],
+    ["config"],
+    ["guess"],
+    ["export"],
+    ["cli"],
+    ["lab.estimators", "lab.evaluation"],
+    ["lab.benchmark", "lab.simulate", "lab.baselines"],
+    ["lab.reproduce"],
+]
+
+HEAVY = ("duckdb", "numpy", "pyarrow", "sqlglot", "rich.console")
+
+
+def loaded_by(code: str) -> set[str]:
+    """Return the modules that a fresh process has loaded after some code."""
+    told = "import sys; print('\\n' + ' '.join(sys.modules))"
+    done = subprocess.run(
+        [sys.executable, "-c", f"{code}\n{told}"], check=True, capture_output=True, text=True
+    )
+    return set(done.stdout.splitlines()[-1].split())
+
+
+def imported(source: str) -> Iterator[str]:
+    """The rooms of gam_db that a module imports, wherever in its text; not for the type checker only."""
+    tree = ast.parse(source)
+    for node in ast.walk(tree):
+        if (
+            isinstance(node, ast.If)
+            and isinstance(node.test, ast.Name)
+            and node.test.id == "TYPE_CHECKING"
+        ):
+            node.body = []
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            names = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom) and node.level:
+            raise AssertionError("relative import")
+        elif isinstance(node, ast.ImportFrom) and node.module in ("gam_db", "gam_db.lab"):
+            names = [f"{node.module}.{alias.name}" for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            names = [node.module or ""]
+        else:
+            continue
+        for name in names:
+            if name == "gam_db" or name.startswith("gam_db."):
+                yield room(tuple(name.split(".")[1:]))
+
+
+def room(parts: tuple[str, ...]) -> str:
+    """The room of a module: its first name below gam_db, in the laboratory its first two."""
+    return ".".join(parts[: 2 if parts[:1] == ("lab",) else 1]) or "gam_db"
+
+
+def too_high(subject: str, source: str) -> list[str]:
+    """The imports of a module that stand no lower than itself; a module without layer is a top one."""
+    level = {name: number for number, names in enumerate(LAYERS) for name in names}
+    own = level.get(subject, len(LAYERS))
+    return [name for name in imported(source) if name != subject and level.get(name, len(LAYERS)) >= own]
+
+
+def test_the_check_of_layers_finds_a_wrong_import() -> None:
+    assert too_high("clock", "from gam_db.method import Method") == ["method"]
+    assert too_high("template", "def f():\n    import gam_db.cli.run") == ["cli"]
+    assert too_high("parameters", "from gam_db import calibration") == ["calibration"]
+    assert too_high("source", "import gam_db") == ["gam_db"]
+    assert too_high("cli", "from gam_db.lab.evaluation import evaluate") == ["lab.evaluation"]
+    assert too_high("stored", "from gam_db import lab") == ["lab"]
+    assert not too_high("method", "from gam_db import template\nimport numpy")
+
+
+def test_lower_modules_do_not_import_higher_ones() -> None:
+    """And so the core never imports the laboratory, whose rooms are the highest."""
+    wrong = {}
+    for path in PACKAGE.rglob("*.py"):
+        parts = path.relative_to(PACKAGE).with_suffix("").parts
+        subject = room(() if parts == ("__init__",) else parts)
+        if found := too_high(subject, path.read_text(encoding="utf-8")):
+            wrong[str(path.relative_to(PACKAGE))] = found
+    assert not wrong
+
+
+def test_importing_loads_nothing_that_is_not_needed() -> None:
+    assert not loaded_by("import gam_db").intersection(HEAVY)
+    assert "numpy" in loaded_by("import gam_db; gam_db.Monitor"), "what is asked for is loaded"
+
+
+@pytest.mark.parametrize("words", [["--version"], ["--help"]])
+def test_help_reads_neither_the_laboratory_nor_sql(words: list[str]) -> None:
+    code = f"from gam_db.cli import app\ntry:\n    app({words})\nexcept SystemExit:\n    pass"
+    loaded = loaded_by(code)
+    assert not {name for name in loaded if name.startswith("gam_db.lab") or name == "gam_db.template"}
+    assert not loaded.intersection(HEAVY[:-1])
+
+
+def test_every_public_name_is_there() -> None:
+    for name in gam_db.__all__:
+        assert getattr(gam_db, name) is not None
+        assert name in dir(gam_db)
+    with pytest.raises(AttributeError, match="no attribute 'nothing'"):
+        _ = gam_db.nothing
+
+
+def test_every_command_is_listed_with_its_own_words() -> None:
+    stand_ins = {command.name: command for command in commands.listed()}
+    assert {entry.name for entry in commands.laboratory()} == set(commands.OF_LABORATORY)
+    for name, stand_in in stand_ins.items():
+        own = " ".join((commands.loaded(str(name)).help or "").split("\n\n")[0].split())
+        assert own == stand_in.help, name
+
+
+def test_help_shows_three_panels() -> None:
+    shown = CliRunner().invoke(app, ["--help"]).stdout
+    panels = [shown.index(f"─ {panel} ─") for panel in ("Watch", "Once", "Laboratory")]
+    assert panels == sorted(panels)
+
+
+def test_estimators_come_by_an_entry_point() -> None:
+    (entry,) = entry_points(group="gam_db.estimators")
+    assert importlib.import_module(entry.value) is entry.load()

@@ -1,0 +1,84 @@
+"""The contract of the stored form: whatever the batches, what is stored equals one full recompute."""
+
+import contextlib
+from collections.abc import Iterator
+from typing import Any
+
+import duckdb
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import frozen
+import gam_db
+import harness
+from batches import CHANNELS, KINDS, History, history
+from gam_db.stored import scoring
+from gam_db.stored.monitor import Monitor
+from gam_db.stored.tables import TABLES
+from visible import BUCKETS, NOVEL, CrashError, crashing, put, rows_of
+
+#: Histories of each kind; each is one of several channels, whose rows arrive each in their own way.
+EXAMPLES = 10
+
+
+def play(connection: duckdb.DuckDBPyConnection, monitor: Monitor, history: History) -> None:
+    """Let a history happen."""
+    put(connection, history.first)
+    monitor.calibrate(limit=history.limit)
+    for batch in history.batches:
+        put(connection, batch.rows)
+        for kind, number in batch.runs:
+            options: dict[str, Any] = {"limit": history.limit}
+            if kind in ("full", "everything"):
+                options[kind] = True
+            if kind != "crash":
+                monitor.score(**options)
+                continue
+            with contextlib.suppress(CrashError):
+                monitor.score(on_step=crashing(number), **options)
+
+
+@pytest.fixture(scope="module")
+def connection() -> Iterator[duckdb.DuckDBPyConnection]:
+    """A database for all histories; each begins from an empty one."""
+    with duckdb.connect() as connection:
+        connection.execute("SET threads = 1")  # sharing a few rows out takes longer than working on them
+        connection.execute(
+            "CREATE TABLE telemetry (asset VARCHAR, channel VARCHAR, time BIGINT, value DOUBLE)"
+        )
+        with Monitor(connection, gam_db.Source("telemetry")) as monitor:
+            monitor.migrate()
+        yield connection
+
+
+def empty(connection: duckdb.DuckDBPyConnection) -> None:
+    """Take back all that a history has left."""
+    for table in ("telemetry", *(f"gam_{table}" for table in TABLES if table != "migration")):
+        connection.execute(f"TRUNCATE {table}")
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@settings(max_examples=max(EXAMPLES, settings().max_examples // 10))
+@given(seed=st.integers(0, 2**32))
+def test_any_history_ends_in_the_tables_of_one_full_run(
+    connection: duckdb.DuckDBPyConnection, kind: str, seed: int
+) -> None:
+    told = history(kind, seed)
+    parameters, calibration = harness.made(told.parameters, told.calibration)
+    empty(connection)
+    source = gam_db.Source("telemetry")
+    reach: dict[str, Any] = {"lookback": told.lookback, "park_after": told.park_after}
+    with (
+        pytest.MonkeyPatch.context() as patched,
+        Monitor(connection, source, parameters, calibration, **reach) as monitor,
+    ):
+        patched.setattr(scoring, "TRUSTED_FROM", told.trusted_from)
+        play(connection, monitor, told)
+    asked = (told.first, told.final, parameters, calibration)
+    harness.assert_same(frozen.buckets(*asked), rows_of(connection, BUCKETS), "buckets")
+    harness.assert_same(frozen.novel_cells(*asked), rows_of(connection, NOVEL), "novel cells")
+
+
+def test_there_are_two_thousand_histories() -> None:
+    assert len(KINDS) * EXAMPLES * CHANNELS >= 2000

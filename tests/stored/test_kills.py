@@ -1,0 +1,339 @@
+"""Killed at any moment (kill -9), a run leaves a state that it passes through, and a plain run goes on.
+
+What a run passes through is watched on a copy of the database file, where it is left alone. The killed
+ones are real processes on a real file; some are killed again before anyone looks.
+"""
+
+import itertools
+import random
+import re
+import shutil
+import struct
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import frozen
+import gam_db
+import harness
+from gam_db.engines.duckdb_session import DuckSession
+from gam_db.errors import EngineError, StateError
+from gam_db.stored.migration_files import files
+from gam_db.stored.monitor import Monitor
+from gam_db.stored.tables import TABLES
+from killed_plant import CALIBRATION, LOOKBACK, METHOD, PARAMETERS, plant
+from strategies import Row
+from test_migrations import catalog
+from victims import Moment, Victims, carry_out
+from visible import BUCKETS, NOVEL, put, rows_of
+
+#: How many running processes are killed of each command.
+KILLS = {"migrate": 20, "calibrate": 22, "score": 58}
+
+#: Most rows that a run works on at once, so that it takes several transactions.
+GROUP = 1000
+
+#: What calibration leaves, and what says of which version it is.
+LEARNT = {
+    "calibration": "version_id",
+    "bounds": "support_id",
+    "block": "support_id",
+    "support": "support_id",
+}
+
+SIZES = "SELECT table_name, estimated_size FROM duckdb_tables() WHERE NOT temporary ORDER BY ALL"
+
+#: DuckDB 2.0 writes its list of contents over the old one when a file is closed, and the kernel may stop
+#: in the middle of that write when the process is killed: one in some thousands of files is lost to it,
+#: see docs/quirks.md. More would be ours.
+TORN = 1
+
+#: How a DuckDB file is laid out, in bytes.
+PAGE, BLOCK = 4096, 2**18
+
+#: Columns that differ from run to run.
+STAMPS = ("run_id", "created", "started", "committed", "applied_at")
+
+State = dict[str, list[tuple[Any, ...]]]
+Look = Callable[[DuckSession], Any]
+
+
+@pytest.fixture(scope="module")
+def program() -> Iterator[Victims]:
+    victims = Victims()
+    yield victims
+    victims.close()
+
+
+@pytest.fixture
+def victims(program: Victims) -> Victims:
+    program.killed = 0
+    return program
+
+
+@contextmanager
+def opened(path: Path) -> Iterator[DuckSession]:
+    with DuckSession(path, threads=1, writable=True) as session:
+        yield session
+
+
+def monitor(session: DuckSession) -> Monitor:
+    parameters, calibration = harness.made(PARAMETERS, CALIBRATION)
+    return Monitor(session, gam_db.Source("telemetry"), parameters, calibration, lookback=LOOKBACK)
+
+
+def founded(path: Path, rows: list[Row]) -> Path:
+    """Make a database file that holds rows of the source."""
+    with opened(path) as session:
+        session.connection.execute(
+            "CREATE TABLE telemetry (asset VARCHAR, channel VARCHAR, time BIGINT, value DOUBLE)"
+        )
+        put(session.connection, rows)
+    return path
+
+
+def stored(session: DuckSession) -> State:
+    """Return all rows of the state tables, hidden or not, but for what differs from run to run."""
+    there = session.relations()
+    state: State = {}
+    for table in TABLES:
+        columns = [column for column in there[f"gam_{table}"] if column not in STAMPS]
+        query = f"SELECT {', '.join(columns)} FROM gam_{table} ORDER BY ALL"
+        state[table] = session.connection.execute(query).fetchall()
+    return state
+
+
+def results(session: DuckSession) -> list[Any]:
+    """Return what is seen and what was learnt, names in the place of numbers."""
+    connection = session.connection
+    found: list[Any] = [rows_of(connection, BUCKETS), rows_of(connection, NOVEL)]
+    for table, key in LEARNT.items():
+        query = f"""
+            SELECT named.asset, named.channel, frozen.version_no, learnt.*
+            FROM gam_{table} AS learnt JOIN gam_version AS frozen USING ({key})
+            JOIN gam_channel AS named ON named.channel_id = frozen.channel_id
+        """
+        rows = [
+            tuple((name, value) for name, value in row.items() if not name.endswith("_id"))
+            for row in rows_of(connection, query)
+        ]
+        found.append(sorted(rows, key=repr))
+    return found
+
+
+def by_channel(session: DuckSession) -> dict[tuple[str, str], list[Any]]:
+    """Return what is seen of each channel; that nothing else is there is checked."""
+    seen: dict[tuple[str, str], list[Any]] = {}
+    for table, query in (("bucket", BUCKETS), ("novel", NOVEL)):
+        rows = rows_of(session.connection, query)
+        kept = session.connection.execute(f"SELECT COUNT(*) FROM gam_{table}").fetchall()
+        assert kept == [(len(rows),)], "rows that are hidden, or of no run, are left"
+        for row in rows:
+            seen.setdefault((row["asset"], row["channel"]), []).append(row)
+    return seen
+
+
+# Killing
+
+
+@dataclass
+class Course:
+    """What an uninterrupted run goes through.
+
+    Attributes:
+        seconds: it takes, from when the file is open until it is closed.
+        states: those before it, after each of its transactions, and in the end.
+        steps: what it announces, that the file is open first of all.
+    """
+
+    seconds: float
+    states: list[Any] = field(default_factory=list)
+    steps: list[str] = field(default_factory=lambda: ["open"])
+
+
+def course(victims: Victims, before: Path, look: Look, **order: Any) -> Course:
+    """Let a command run to its end on copies of a file, and note the states on the way."""
+    copy = before.with_suffix(".course")
+    passed = Course(victims.lifetime(database=str(shutil.copy(before, copy)), **order, **METHOD))
+    shutil.copy(before, copy)
+
+    sizes: list[Any] = []
+
+    def note(step: str = "") -> None:
+        passed.steps += [step] * bool(step)
+        # Looking takes a while; what is to be seen has changed only if some table has grown.
+        now = session.connection.execute(SIZES).fetchall()
+        if not sizes or sizes[-1] != now:
+            sizes.append(now)
+            passed.states.append(look(session))
+
+    with opened(copy) as session:
+        carry_out(monitor(session), order["command"], order["options"], note)
+        note()
+    copy.unlink()
+    return passed
+
+
+def moments(chance: random.Random, passed: Course) -> Iterator[Moment]:
+    """Yield random moments: any time, on a step, and shortly after what precedes a transaction."""
+    before = [n for n, step in enumerate(passed.steps, 1) if step in ("writing", "verdicts", "run_up")]
+    while True:
+        yield Moment(1, chance.uniform(0, passed.seconds))
+        yield Moment(chance.randint(1, len(passed.steps)))
+        if before:
+            yield Moment(chance.choice(before))
+            yield Moment(chance.choice(before), chance.uniform(0, 0.2 * passed.seconds))
+
+
+def hit(
+    victims: Victims,
+    chosen: Iterator[Moment],
+    before: Path,
+    path: Path,
+    again: bool = False,
+    **order: Any,
+) -> tuple[Moment, bool]:
+    """Kill a process at work on a copy of a file; return when, and whether the next one was hit, too.
+
+    One that was faster does not count, nor does one whose file DuckDB itself damaged. With ``again``
+    the process that goes on with the copy is killed as well, unless it is faster.
+    """
+    wal = path.with_name(f"{path.name}.wal")
+    for moment in itertools.islice(chosen, 50):
+        wal.unlink(missing_ok=True)
+        shutil.copy(before, path)
+        if not victims.kill(moment, database=str(path), **order, **METHOD):
+            continue
+        twice = again and victims.kill(next(chosen), database=str(path), **order, **METHOD)
+        if not is_torn(path):
+            return moment, twice
+        victims.torn += 1
+        assert victims.torn <= TORN, "files are damaged more often than DuckDB alone would do it"
+    raise AssertionError("fifty processes ended before they were killed")
+
+
+def is_torn(path: Path) -> bool:
+    """Tell whether DuckDB cannot read its list of contents any more; other damage is raised."""
+    try:
+        DuckSession(path, threads=1).close()
+    except EngineError as error:
+        place = contents(path) if "is damaged" in str(error) else None
+        if not re.search(rf"block at location {place}\b", str(error.__cause__)):
+            raise
+        return True
+    return False
+
+
+def contents(path: Path) -> int:
+    """Return where the block lies that the newer header of a DuckDB file names.
+
+    Three pages are before all blocks; the second and third are headers: a checksum, how often the file
+    was written, and the block in the lower 56 bits of what follows.
+    """
+    pages = path.read_bytes()[: 3 * PAGE]
+    _, pointer = max(struct.unpack_from("<QQ", pages, page * PAGE + 8) for page in (1, 2))
+    return 3 * PAGE + int(pointer) % 2**56 * BLOCK
+
+
+def test_only_a_torn_list_of_contents_is_forgiven(tmp_path: Path) -> None:
+    path = founded(tmp_path / "plant.duckdb", plant().first)
+    assert not is_torn(path)
+    whole, place = path.read_bytes(), contents(path)
+    path.write_bytes(whole[:place] + bytes(BLOCK // 2) + whole[place + BLOCK // 2 :])
+    assert is_torn(path)
+    path.write_bytes(b"no database")
+    with pytest.raises(EngineError, match="cannot be opened as a DuckDB file"):
+        is_torn(path)
+
+
+def test_at_least_a_hundred_processes_are_killed() -> None:
+    assert sum(KILLS.values()) >= 100
+
+
+def test_killed_while_migrating(tmp_path: Path, victims: Victims) -> None:
+    chance = random.Random(1)
+    empty = founded(tmp_path / "empty.duckdb", plant().first[:50])
+    path = tmp_path / "plant.duckdb"
+
+    def look(session: DuckSession) -> Any:
+        there = "gam_migration" in session.relations()
+        query = "SELECT number, name, checksum FROM gam_migration ORDER BY number"
+        return catalog(session), session.connection.execute(query).fetchall() if there else []
+
+    order: dict[str, Any] = {"command": "migrate", "options": {}}
+    passed = course(victims, empty, look, **order)
+    chosen = moments(chance, passed)
+    while victims.killed < KILLS["migrate"]:
+        moment, _ = hit(victims, chosen, empty, path, **order)
+        with opened(path) as session:
+            assert look(session) in passed.states, moment
+            if look(session) != passed.states[-1]:
+                with pytest.raises(StateError, match="run `gam migrate`"):
+                    monitor(session).score()
+            monitor(session).migrate()
+            assert look(session) == passed.states[-1], moment
+    assert len(passed.states) == 1 + len(files())
+
+
+def test_killed_while_calibrating(tmp_path: Path, victims: Victims) -> None:
+    chance = random.Random(2)
+    path = tmp_path / "plant.duckdb"
+    before = founded(tmp_path / "before.duckdb", plant().first)
+    with opened(before) as session:
+        monitor(session).migrate()
+    order: dict[str, Any] = {"command": "calibrate", "options": {"limit": GROUP}}
+    passed = course(victims, before, stored, **order)
+    assert len(passed.states) >= 5, "before, the monitor, and at least three groups"
+    chosen = moments(chance, passed)
+    while victims.killed < KILLS["calibrate"]:
+        moment, _ = hit(victims, chosen, before, path, chance.random() < 0.3, **order)
+        with opened(path) as session:
+            assert stored(session) in passed.states, moment
+            monitor(session).calibrate(limit=GROUP)
+            assert stored(session) == passed.states[-1], moment
+
+
+def test_killed_while_scoring(tmp_path: Path, victims: Victims) -> None:
+    chance = random.Random(3)
+    before, path = tmp_path / "before.duckdb", tmp_path / "plant.duckdb"
+    with opened(founded(before, plant().first)) as session:
+        monitor(session).migrate()
+        monitor(session).calibrate(limit=GROUP)
+    rounds = [plant().first[:0], *plant().batches, []]
+    each = -(-KILLS["score"] // len(rounds))
+    transactions = 0
+    for number, rows in enumerate(rounds, start=1):
+        with opened(before) as session:
+            put(session.connection, rows)
+        # The first run reads everything, and so does the last; between them there are few rows.
+        limit = {1: GROUP, len(rounds): 2 * GROUP}.get(number, GROUP // 2)
+        options: dict[str, Any] = {"limit": limit, "full": number == len(rounds)}
+        order: dict[str, Any] = {"command": "score", "options": options}
+        passed = course(victims, before, by_channel, **order)
+        transactions += passed.steps.count("writing")
+        start, end = passed.states[0], passed.states[-1]
+        chosen = moments(chance, passed)
+        while victims.killed < min(number * each, KILLS["score"]):
+            moment, twice = hit(victims, chosen, before, path, chance.random() < 0.3, **order)
+            with opened(path) as session:
+                found = by_channel(session)
+                for name in end:
+                    assert found.get(name) in (start.get(name), end[name]), (name, moment)
+                assert twice or found in passed.states, moment
+                monitor(session).score(**options)
+                assert by_channel(session) == end, moment
+        shutil.copy(path, before)
+    assert transactions >= 2 * len(rounds)
+    with opened(before) as session, opened(founded(tmp_path / "fresh.duckdb", plant().first)) as fresh:
+        monitor(fresh).migrate()
+        monitor(fresh).calibrate()
+        put(fresh.connection, list(itertools.chain(*plant().batches)))
+        monitor(fresh).score()
+        assert results(session) == results(fresh)
+        asked = (plant().first, plant().final, *harness.made(PARAMETERS, CALIBRATION))
+        harness.assert_same(frozen.buckets(*asked), rows_of(session.connection, BUCKETS), "buckets")
+        harness.assert_same(frozen.novel_cells(*asked), rows_of(session.connection, NOVEL), "novel")

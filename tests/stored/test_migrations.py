@@ -1,0 +1,316 @@
+"""Migrations: fresh, twice, from an older state, cut short; what is refused; every engine."""
+
+import hashlib
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from sqlglot import exp
+
+import dictionary
+import sql_lint
+from gam_db.engines.duckdb import ENGINE
+from gam_db.engines.duckdb_session import DuckSession
+from gam_db.errors import ConfigurationError, EngineError, InternalError, StateError, TemplateError
+from gam_db.stored import migration_files, migrations
+from gam_db.stored.migration_files import Migration, files
+from gam_db.stored.migrations import migrate, rendered, require, status
+from gam_db.stored.tables import TABLES, VIEWS, StateTables
+
+STATE = StateTables()
+ALL = [migration.name for migration in files()]
+
+
+@pytest.fixture
+def session() -> Iterator[DuckSession]:
+    """A database in memory."""
+    with DuckSession(writable=True) as opened:
+        yield opened
+
+
+def rows(session: DuckSession, query: str) -> list[tuple[object, ...]]:
+    found: list[tuple[object, ...]] = session.connection.execute(query).fetchall()
+    return found
+
+
+def catalog(session: DuckSession) -> list[tuple[object, ...]]:
+    """Everything that a database says of its tables, views, columns and comments."""
+    return [
+        *rows(session, "SELECT schema_name, table_name, sql, comment FROM duckdb_tables() ORDER BY ALL"),
+        *rows(
+            session,
+            "SELECT schema_name, view_name, sql, comment FROM duckdb_views() WHERE NOT internal "
+            "ORDER BY ALL",
+        ),
+        *rows(
+            session,
+            "SELECT schema_name, table_name, column_name, data_type, is_nullable, comment "
+            "FROM duckdb_columns() WHERE NOT internal ORDER BY ALL",
+        ),
+    ]
+
+
+def test_the_names_are_those_of_the_files() -> None:
+    assert [name for name in ALL if name not in VIEWS] == list(TABLES)
+    assert set(ALL) - {*TABLES} <= set(VIEWS)
+
+
+# Applying
+
+
+def test_a_fresh_database_gets_every_table_with_its_comments(session: DuckSession) -> None:
+    assert [migration.name for migration in migrate(session, STATE)] == ALL
+    require(session, STATE)
+    said = {
+        (f"gam_{migration.name}", name): comment.name
+        for migration in files()
+        for name, comment in migration.definition.columns.items()
+    }
+    query = "SELECT table_name, column_name, comment FROM duckdb_columns() WHERE NOT internal"
+    assert {(table, column): comment for table, column, comment in rows(session, query)} == said
+    query = "SELECT table_name, comment FROM duckdb_tables() UNION ALL SELECT view_name, comment "
+    whole = {f"gam_{migration.name}": migration.definition.comment.name for migration in files()}
+    found = rows(session, query + "FROM duckdb_views() WHERE NOT internal")
+    assert dict(found) == whole  # type: ignore[arg-type]
+    recorded = rows(session, "SELECT number, name, checksum FROM gam_migration ORDER BY number")
+    assert recorded == [(one.number, one.name, one.checksum) for one in files()]
+
+
+def test_a_second_time_nothing_is_done(session: DuckSession) -> None:
+    migrate(session, STATE)
+    rows(session, "INSERT INTO gam_channel VALUES (1, 2, 'a', 'c')")
+    before = catalog(session), rows(session, "FROM gam_migration")
+    assert migrate(session, STATE) == ()
+    assert (catalog(session), rows(session, "FROM gam_migration")) == before
+    assert rows(session, "FROM gam_channel") == [(1, 2, "a", "c")]
+
+
+@pytest.mark.parametrize("number", [1, 5, 12])
+def test_from_an_older_state(session: DuckSession, monkeypatch: pytest.MonkeyPatch, number: int) -> None:
+    """What is missing is applied; rows that were there stay."""
+    with monkeypatch.context() as older:
+        older.setattr(migrations, "files", lambda: files()[:number])
+        migrate(session, STATE)
+    with pytest.raises(
+        StateError, match=f"{len(ALL) - number} migrations are pending; run `gam migrate`"
+    ):
+        require(session, STATE)
+    kept = rows(session, "FROM gam_migration")
+    seen: list[str] = []
+    assert [one.number for one in migrate(session, STATE, seen.append)] == [
+        *range(number + 1, len(ALL) + 1)
+    ]
+    assert seen == ALL[number:]
+    assert rows(session, f"FROM gam_migration WHERE number <= {number}") == kept
+    require(session, STATE)
+
+
+@pytest.mark.parametrize("migration", files(), ids=ALL)
+def test_cut_short_before_the_record(session: DuckSession, migration: Migration) -> None:
+    """An engine without transactions: the statement was executed, the record was not written."""
+    with pytest.MonkeyPatch.context() as older:
+        older.setattr(migrations, "files", lambda: files()[: migration.number - 1])
+        migrate(session, STATE)
+    for statement in migration.statements(ENGINE, STATE):
+        session.execute(statement)
+    migrate(session, STATE)
+    require(session, STATE)
+    with DuckSession(writable=True) as other:
+        migrate(other, STATE)
+        assert catalog(session) == catalog(other)
+
+
+def test_on_duckdb_a_migration_and_its_record_are_one(
+    session: DuckSession, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    execute = session.execute
+
+    def failing(statement: exp.Expr) -> None:
+        if isinstance(statement, exp.Insert) and "'run'" in ENGINE.text(statement):
+            raise EngineError("the power went")
+        execute(statement)
+
+    monkeypatch.setattr(session, "execute", failing)
+    with pytest.raises(EngineError, match="power"):
+        migrate(session, STATE)
+    assert [row.name for row in status(session, STATE).applied] == ALL[: ALL.index("run")]
+    assert "gam_run" not in session.relations()
+
+
+def test_several_states_share_a_database(session: DuckSession) -> None:
+    places = [
+        STATE,
+        StateTables(prefix="press_"),
+        StateTables('the "plant"', ""),
+        StateTables("m", "x_"),
+    ]
+    for tables in places:
+        assert len(migrate(session, tables)) == len(ALL)
+    rows(session, "INSERT INTO press_channel VALUES (1, 2, 'a', 'c')")
+    for tables in places:
+        require(session, tables)
+    assert (
+        rows(
+            session, 'FROM gam_channel UNION ALL FROM m.x_channel UNION ALL FROM "the ""plant""".channel'
+        )
+        == []
+    )
+
+
+@pytest.mark.parametrize("tables", [STATE, StateTables("plant", "x_")], ids=str)
+def test_the_script_is_what_migrate_does(session: DuckSession, tables: StateTables) -> None:
+    """Run twice by hand on DuckDB it leaves what ``gam migrate`` would, and is known to be applied."""
+    script = rendered(ENGINE, tables)
+    session.connection.execute(script)
+    session.connection.execute(script)
+    require(session, tables)
+    with DuckSession(writable=True) as other:
+        migrate(other, tables)
+        assert catalog(session) == catalog(other)
+
+
+# What is refused
+
+
+def test_without_any_state(session: DuckSession) -> None:
+    assert status(session, STATE).applied == ()
+    with pytest.raises(StateError, match=r"There are no state tables gam_\*.*gam migrate"):
+        require(session, STATE)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ("INSERT INTO gam_migration VALUES (99, 'x', 'y', 0, '7.1')", r"gam-db 7\.1 \(migration 99\)"),
+        ("UPDATE gam_migration SET checksum = 'x' WHERE number = 3", r"Migration 3 \(channel\).*text"),
+        ("DELETE FROM gam_migration WHERE number = 3", "changed by hand: it lacks number 3"),
+        ("INSERT INTO gam_migration FROM gam_migration WHERE number = 3", "it is there twice"),
+        ("DROP TABLE gam_support", "gam_support was made once and is no longer there"),
+        ("DROP VIEW gam_visible_novel", "gam_visible_novel was made once"),
+        ("ALTER TABLE gam_migration RENAME name TO title", "a gam_migration .* no state table"),
+    ],
+)
+def test_a_state_that_was_changed_is_refused(session: DuckSession, change: str, message: str) -> None:
+    migrate(session, STATE)
+    rows(session, change)
+    before = catalog(session)
+    for refusing in (status, migrate, require):
+        with pytest.raises(StateError, match=message):
+            refusing(session, STATE)
+    assert catalog(session) == before
+
+
+@pytest.mark.parametrize(
+    "taken",
+    [
+        "CREATE TABLE gam_support (asset VARCHAR, channel VARCHAR, lo DOUBLE)",
+        "CREATE VIEW GAM_visible_bucket AS SELECT 1 AS asset",
+    ],
+)
+def test_tables_of_others_under_our_names_are_left_alone(session: DuckSession, taken: str) -> None:
+    """``gam run --out`` and the view form of ``gam compile`` make a gam_support, too."""
+    rows(session, taken)
+    before = catalog(session)
+    with pytest.raises(StateError, match=r"no state table of gam-db; give another --prefix or --schema"):
+        migrate(session, STATE)
+    assert catalog(session) == before
+    migrate(session, StateTables(prefix="state_"))
+
+
+@pytest.mark.parametrize("number", [0, 5, len(ALL)])
+def test_a_status_writes_nothing(tmp_path: Path, number: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "plant.duckdb"
+    with monkeypatch.context() as older, DuckSession(path, writable=True) as opened:
+        older.setattr(migrations, "files", lambda: files()[:number])
+        migrate(opened, STATE)
+    before = hashlib.sha256(path.read_bytes()).hexdigest()
+    with DuckSession(path) as reading:
+        found = status(reading, STATE)
+        assert [len(found.applied), len(found.pending)] == [number, len(ALL) - number]
+        if found.pending:
+            with pytest.raises(EngineError, match="reading only"):
+                migrate(reading, STATE)
+    assert [file.name for file in tmp_path.iterdir()] == [path.name]
+    assert hashlib.sha256(path.read_bytes()).hexdigest() == before
+
+
+def test_an_open_transaction_of_the_user_is_refused_and_left(session: DuckSession) -> None:
+    rows(session, "BEGIN")
+    rows(session, "CREATE TABLE mine (a INTEGER)")
+    with pytest.raises(EngineError, match="transaction open"):
+        migrate(session, STATE)
+    rows(session, "COMMIT")
+    assert set(session.relations()) == {"mine"}
+    migrate(session, STATE)
+
+
+@pytest.mark.parametrize(
+    ("schema", "prefix"),
+    [
+        (None, "a b"),
+        (None, "x.y"),
+        (None, "1x"),
+        (None, "ö"),
+        (None, "x" * 41),
+        (None, ""),
+        ("", "gam_"),
+    ],
+)
+def test_a_place_that_is_none_is_refused(schema: str | None, prefix: str) -> None:
+    with pytest.raises(ConfigurationError, match=r"prefix|schema"):
+        StateTables(schema, prefix)
+
+
+def test_there_are_no_other_tables() -> None:
+    with pytest.raises(InternalError, match="'runs'"):
+        STATE.table("runs")
+
+
+# The files
+
+TABLE = "CREATE TABLE IF NOT EXISTS stored_{0} (a BIGINT NOT NULL);\n"
+SAID = "COMMENT ON TABLE stored_{0} IS 'x'; COMMENT ON COLUMN stored_{0}.a IS 'y';"
+GOOD = TABLE + SAID
+
+
+@pytest.mark.parametrize(
+    ("made", "message"),
+    [
+        ({"0001_run": GOOD, "0003_block": GOOD}, "number 2 is missing"),
+        ({"0001_run": GOOD, "0001_block": GOOD}, "number 2 is there twice"),
+        ({"1_run": GOOD}, "1_run.sql is not called like"),
+        ({"0001_run": "CREATE TABLE"}, "cannot be parsed"),
+        ({"0001_run": GOOD.replace(" IF NOT EXISTS", "")}, "something else"),
+        ({"0001_run": GOOD + "DROP TABLE stored_run"}, "something else"),
+        ({"0001_run": "-- nothing"}, "something else"),
+        ({"0001_run": TABLE}, "with a comment"),
+        ({"0001_run": GOOD.replace("{0}.a IS", "{0}.b IS")}, "with a comment"),
+        ({"0001_run": TABLE + SAID.replace("{0}", "block")}, "with a comment"),
+        ({"0001_run": GOOD.replace("{0}", "block")}, "must make stored_run"),
+    ],
+)
+def test_a_file_that_breaks_the_form_is_refused(
+    tmp_path: Path, made: dict[str, str], message: str
+) -> None:
+    for name, text in made.items():
+        (tmp_path / f"{name}.sql").write_text(text.replace("{0}", name.partition("_")[2]))
+    with pytest.raises(TemplateError, match=message):
+        migration_files.read(tmp_path)
+
+
+def test_a_checksum_is_that_of_the_bytes(tmp_path: Path) -> None:
+    text = GOOD.replace("{0}", "run")
+    (tmp_path / "0001_run.sql").write_bytes(text.encode())
+    (first,) = migration_files.read(tmp_path)
+    assert first.checksum == hashlib.sha256(text.encode()).hexdigest()
+
+
+@pytest.mark.parametrize("migration", files(), ids=ALL)
+def test_a_query_of_a_view_breaks_no_rule(migration: Migration) -> None:
+    query = migration.definition.create.expression
+    assert query is None or [str(found) for found in sql_lint.lint(query)] == []
+
+
+def test_the_data_dictionary_is_up_to_date() -> None:
+    page = Path(__file__).parents[2] / "docs" / "tables.md"
+    assert page.read_text(encoding="utf-8") == dictionary.text(), "python tests/tools/dictionary.py"

@@ -1,0 +1,209 @@
+"""Planning: a run relies on what the last one recorded, and looks at no more of what is stored.
+
+The tests of PostgreSQL, ClickHouse and Spark show the same of these engines.
+"""
+
+import json
+import sqlite3
+from collections.abc import Container, Iterator
+from contextlib import closing
+from functools import partial
+
+import duckdb
+import pyarrow as pa
+import pytest
+from sqlglot import exp
+
+import gam_db
+import small_plant
+from gam_db.engines.base import deletion
+from gam_db.pipeline import filled, place
+from gam_db.stored import reading, scoring
+from gam_db.stored.planning import Row
+from gam_db.stored.pruning import Retention, prune
+from gam_db.stored.reading import near, plan_rows, searched_plan_rows
+from gam_db.stored.steps import plan_steps
+from small_plant import FIRST, LENGTH, LOOKBACK, monitor, readings, seen, source
+from test_views import scanned
+from visible import put
+
+
+@pytest.fixture
+def plant() -> Iterator[duckdb.DuckDBPyConnection]:
+    with duckdb.connect() as connection:
+        source(connection, readings(0, FIRST))
+        monitor(connection).migrate()
+        monitor(connection).calibrate()
+        yield connection
+
+
+def planned(connection: duckdb.DuckDBPyConnection, lookback: int, is_searched: bool) -> list[Row]:
+    with monitor(connection) as mine:
+        plan = searched_plan_rows if is_searched else plan_rows
+        rows = plan(mine.state, 1, lookback)
+    return sorted(({**row, "oldest_bucket": 0} for row in rows), key=lambda row: str(row["asset"]))
+
+
+@pytest.fixture
+def searches(monkeypatch: pytest.MonkeyPatch) -> list[int | None]:
+    """The lookbacks of all plans that looked at the buckets."""
+    found: list[int | None] = []
+
+    def noted(state: object, monitor_id: int, lookback: int | None, *more: int | None) -> list[Row]:
+        found.append(lookback)
+        return searched_plan_rows(state, monitor_id, lookback, *more)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(scoring, "searched_plan_rows", noted)
+    monkeypatch.setattr("gam_db.stored.reading.searched_plan_rows", noted)
+    return found
+
+
+def test_what_was_recorded_is_what_a_search_finds(
+    plant: duckdb.DuckDBPyConnection, searches: list[int | None]
+) -> None:
+    ends = [FIRST + 1, FIRST + 4, 150, 151, 200, LENGTH]
+    for start, end in zip([FIRST, *ends], ends, strict=False):
+        put(plant, readings(start, end))
+        monitor(plant).score()
+        assert planned(plant, LOOKBACK, False) == planned(plant, LOOKBACK, True)
+    assert searches == []
+    assert max(row["first_bucket"] for row in planned(plant, LOOKBACK, False)) > 20
+    assert seen(plant) == small_plant.whole()
+
+
+def among(assets: Container[str], asset: str, _: str) -> bool:
+    return asset in assets
+
+
+def test_many_versions_are_bounded_by_a_range(
+    plant: duckdb.DuckDBPyConnection, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(reading, "_LISTED", 1)
+    rows: list[Row] = [{"version_id": version, "first_bucket": 4} for version in (7, 3)]
+    assert near(rows, 1).sql() == "bucket.version_id BETWEEN 3 AND 7 AND bucket.bucket_no >= 3"
+    put(plant, readings(FIRST, 200))
+    monitor(plant).score()
+    put(plant, readings(200, LENGTH))
+    # Two groups, each within the range of the other's versions: neither touches what is the other's.
+    for assets in ({"a", "d"}, {"b", "c"}):
+        asked = scoring.Wanted(LOOKBACK, chosen=partial(among, assets))
+        with monitor(plant) as mine:
+            scoring.score(mine.state, mine.source, mine.name, asked)
+    assert seen(plant) == small_plant.whole()
+
+
+def test_the_plan_reads_no_bucket() -> None:
+    tables = {table.name for table in plan_steps(1, LOOKBACK).query("plan").find_all(exp.Table)}
+    assert "stored_run" in tables
+    assert not {name for name in tables if "bucket" in name}
+
+
+def test_a_run_that_reads_nothing_leaves_the_record_as_it_was(
+    plant: duckdb.DuckDBPyConnection, searches: list[int | None]
+) -> None:
+    put(plant, readings(FIRST, LENGTH))
+    monitor(plant).score()
+    before = planned(plant, LOOKBACK, False)
+    plant.execute("CREATE TABLE aside AS FROM telemetry; DELETE FROM telemetry WHERE asset <> 'a'")
+    monitor(plant).score()
+    plant.execute("DELETE FROM telemetry; INSERT INTO telemetry FROM aside")
+    kept = ("asset", "first_bucket", "first_scored", "read_from")
+    after = planned(plant, LOOKBACK, False)
+    assert [[row[name] for name in kept] for row in after] == [
+        [row[name] for name in kept] for row in before
+    ]
+    monitor(plant).score()
+    assert seen(plant) == small_plant.whole()
+    assert searches == []
+
+
+def test_later_rows_than_the_last_run_allowed_for_are_searched_for(
+    plant: duckdb.DuckDBPyConnection, searches: list[int | None]
+) -> None:
+    put(plant, readings(FIRST, 200))
+    monitor(plant).score()
+    put(plant, readings(200, LENGTH))
+    assert planned(plant, 50, False) == planned(plant, 50, True)
+    assert searches == [50]
+    assert planned(plant, 0, False) == planned(plant, LOOKBACK, False), "a shorter one reads more"
+    with gam_db.connect(plant) as session:
+        own = monitor(session)
+        longer = gam_db.Monitor(session, own.source, own.parameters, own.calibration, lookback=50)
+        longer.score()
+    assert searches == [50, 50]
+    assert planned(plant, 50, False) == planned(plant, 50, True)
+    assert searches == [50, 50]
+    assert seen(plant) == small_plant.whole()
+
+
+def test_pruning_leaves_the_window_before_what_was_recorded(
+    plant: duckdb.DuckDBPyConnection, searches: list[int | None]
+) -> None:
+    put(plant, readings(FIRST, 200))
+    monitor(plant).score()
+    with monitor(plant) as mine:
+        prune(mine.session, mine.state.tables, retention=Retention(keep=0, lookback=0))
+    put(plant, readings(200, LENGTH))
+    monitor(plant).score()
+    assert searches == []
+    left, all_there = seen(plant)[0], small_plant.whole()[0]
+    assert 4 * 20 < len(left) < len(all_there)
+    assert [row for row in all_there if row in left] == left
+
+
+def test_pruning_leaves_the_newest_record(plant: duckdb.DuckDBPyConnection) -> None:
+    """Of a run that only hid buckets, with nothing read since: an older one would say too much."""
+    put(plant, readings(FIRST, LENGTH))
+    monitor(plant).score()
+    plant.execute("DELETE FROM telemetry WHERE time >= 200")
+    monitor(plant).score(since=200)
+    hidden = planned(plant, LOOKBACK, False)
+    plant.execute("DELETE FROM telemetry WHERE asset <> 'a'; DELETE FROM telemetry WHERE time > 0")
+    monitor(plant).score()
+    with monitor(plant) as mine:
+        prune(mine.session, mine.state.tables)
+    kept = ("asset", "first_bucket", "first_scored", "read_from")
+    left = [[row[name] for name in kept] for row in planned(plant, LOOKBACK, False)]
+    assert left == [[row[name] for name in kept] for row in hidden]
+
+
+def test_the_past_window_is_found_by_literals(plant: duckdb.DuckDBPyConnection) -> None:
+    """The condition reaches the scan; DuckDB says how many rows come out of it."""
+    plant.execute(
+        "INSERT INTO gam_bucket SELECT 1, n, 7, n, n, n, 1, 0, 0, 0 FROM range(200000) AS others(n)"
+    )
+    plant.execute("INSERT INTO gam_run SELECT 7, 1, 0, 0, 0, 0, 0, NULL, NULL, 0, 0, 0, 0, 0, 0")
+    group = [{"version_id": 1, "first_bucket": 199_000}]
+    query = filled("stored/past_buckets", {"buckets": 4, "near": near(group, 4)})
+    with monitor(plant) as mine:
+        place(query, mine.state.tables.placed())
+        plant.execute(
+            "CREATE TEMP TABLE cohort AS SELECT 1 channel_id, 1 version_id, 199000 first_bucket"
+        )
+        text = mine.session.engine.text(query)
+    assert len(plant.execute(text).fetchall()) == 4
+    said = plant.execute(f"EXPLAIN (ANALYZE, FORMAT JSON) {text}").fetchall()[0][1]
+    assert sum(scanned(json.loads(said)["operator"], "gam_bucket")) <= 1004
+
+
+def test_sqlite_finds_what_is_stored_by_its_key() -> None:
+    """The window that stays, and the rows that a run has replaced; SQLite says how it looks for them."""
+    group = [{"version_id": key, "first_bucket": 500} for key in (3, 5)]
+    cohort = pa.table({"channel_id": [3, 5], "version_id": [3, 5], "first_bucket": [500, 500]})
+    with closing(sqlite3.connect(":memory:")) as connection, gam_db.connect(connection) as session:
+        connection.execute("CREATE TABLE telemetry (asset TEXT, channel TEXT, time BIGINT, value REAL)")
+        mine = gam_db.Monitor(session, gam_db.Source("telemetry"))
+        mine.migrate()
+        stored = mine.state.tables.placed()
+        past = filled("stored/past_buckets", {"buckets": 50, "near": near(group, 50)})
+        bucket = stored["stored_bucket"]
+        hidden = filled("stored/hidden", {"run_id": 7, "after": 4, "near": near(group)})
+        place(hidden, {**stored, "appended": bucket})
+        gone = deletion(bucket, hidden.named_selects, hidden)
+        with session.lent(cohort) as lent:
+            place(past, {**stored, "cohort": lent})
+            for asked in (past, gone):
+                text = f"EXPLAIN QUERY PLAN {session.engine.text(asked)}"
+                plan = [row[3] for row in connection.execute(text)]
+                assert any("gam_bucket_key (version_id=? AND bucket_no>?)" in step for step in plan)
+                assert not [step for step in plan if step in ("SCAN written", "SCAN gam_bucket")]

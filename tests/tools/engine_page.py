@@ -1,0 +1,47 @@
+"""The page on engines, from the code: ``python tests/tools/engine_page.py > docs/engines.md``."""
+
+from gam_db.engines import NAMES, engine_named
+from gam_db.engines.evidence import CLASSES, evidence
+
+HEAD = """\
+# Engines
+
+What `gam engines` prints. gam-db's SQL is written once and rendered for each engine; how much is
+known of it at work differs. Version and date are those of the last run of the tests.
+"""
+
+LIMITS = """\
+## What the weaker kinds of evidence show
+
+A relative knows the same words, but not what only the engine itself has; what was left out is in the
+file of its tests. A grammar sees that a statement can be parsed, and little else: of 39 mistakes planted
+in statements like these, the strictest grammar tried (sqlfluff) refused 17, and sqlglot's own 4. A name,
+type or function that the engine has not goes unseen. GoogleSQL's reference implementation resolves
+every name and type as BigQuery does and runs the statements, but it is not the service.
+"""
+
+
+def text() -> str:
+    """Return the whole page."""
+    lines = [HEAD, "| engine | evidence | by | date | accepted from | extra | transactions |"]
+    lines.append("|---|---|---|---|---|---|---|")
+    for name in NAMES:
+        engine, row = engine_named(name), evidence()[name]
+        cells = (
+            engine.title,
+            row.evidence,
+            f"{row.by} {row.version} (`{row.tests}`)",
+            row.date,
+            engine.oldest or "",
+            f"`{engine.extra}`" if engine.extra else "",
+            "yes" if engine.transactions else "no",
+        )
+        lines.append(f"| {' | '.join(cells)} |")
+    lines += ["", *(f"- **{name}**: {said}." for name, said in CLASSES.items()), ""]
+    lines += ["## What an engine cannot promise", ""]
+    lines += [f"- {engine_named(name).title}: {engine_named(name).limits}" for name in NAMES]
+    return "\n".join([*lines, "", LIMITS])
+
+
+if __name__ == "__main__":
+    print(text(), end="")

@@ -1,0 +1,143 @@
+"""Engines under test: which are asked for, and an open session on each.
+
+``pytest --engines fast`` (the default) runs on DuckDB and SQLite, ``all`` on every engine that is called
+executed, on the stand-ins for others, and dbt; ``NAME,...`` runs on those named. One that is asked for
+and cannot be started is a failure.
+"""
+
+import atexit
+import importlib
+import itertools
+import os
+import shutil
+import sqlite3
+import tempfile
+from collections.abc import Callable
+from functools import cache
+
+import duckdb
+import pytest
+import sqlglot
+from hypothesis import settings
+
+import postgres_server
+from gam_db.connecting import connect
+from gam_db.engines.session import Session
+
+FAST = ("duckdb", "sqlite")
+
+#: Java that starts quickly, and never gets as fast as it could. What it compiles in all the tests of a
+#: process needs more room than it is given by itself; without room nothing is compiled any more.
+QUICK_JAVA = "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC -XX:ReservedCodeCacheSize=256m"
+
+
+def spark() -> Session:
+    """Open Spark in this process, small and quick to start; its tables go with the process."""
+    os.environ.setdefault("SPARK_MASTER", "local[2]")
+    os.environ.setdefault("SPARK_DRIVER_MEMORY", "1g")
+    os.environ.setdefault("JDK_JAVA_OPTIONS", QUICK_JAVA)
+    folder = tempfile.mkdtemp(prefix="gam-tests-")
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return connect(f"spark://{folder}")
+
+
+#: engine -> what opens a session on it, once in every process of the tests
+OPENERS: dict[str, Callable[[], Session]] = {
+    "duckdb": lambda: connect(),
+    "sqlite": lambda: connect("sqlite://"),
+    "postgres": lambda: connect(postgres_server.server().url),
+    "clickhouse": lambda: connect("chdb://"),
+    "spark": spark,
+}
+
+#: engine -> the version that the tests see
+VERSIONS: dict[str, Callable[[], str]] = {
+    "duckdb": lambda: duckdb.__version__,
+    "sqlite": lambda: sqlite3.sqlite_version,
+    "postgres": postgres_server.version,
+    "clickhouse": lambda: clickhouse_version(),
+    "spark": lambda: importlib.import_module("pyspark").__version__,
+}
+
+#: engine -> random cases of the agreement tests, about as many as take the same time on each
+EXAMPLES = {"duckdb": 40, "sqlite": 30, "postgres": 10, "clickhouse": 5, "spark": 1}
+
+
+def examples(name: str) -> int:
+    """Return how many random cases an engine is given; HYPOTHESIS_PROFILE=many gives more of them."""
+    return max(EXAMPLES[name] * settings().max_examples // 100, 1)
+
+
+#: Where all engines are asked for, some run one case of each file of the specification by these tests.
+SHORTENED = {"test_case": ("spark",), "test_case_by_script": ("postgres", "clickhouse")}
+
+#: And those that take seconds for every question leave these out; asked for by name, they run all.
+#: (What is pooled or overridden on Spark is in the tests of kills, compared with the reference as well.)
+OMITTED = {
+    "test_case": ("spark-pooling", "spark-overrides"),
+    "test_case_by_script": ("spark", "clickhouse-eq", "clickhouse-overrides"),
+    "test_scripts_equal_the_reference": ("spark",),
+    "test_any_history_ends_in_the_tables_of_one_full_run": ("spark",),
+    "test_all_that_is_shown_is_what_duckdb_shows": ("spark",),
+    "test_reference_counts_on_spark": ("1/", "3/5/", "3/1/20"),
+}
+
+#: What else can be asked for: engines that are run on a stand-in, and the tools beside them.
+STAND_INS = ("bigquery", "relatives", "dbt")
+
+_numbers = itertools.count()
+
+
+def asked_for(asked: str) -> tuple[str, ...]:
+    """Return all that an option of the command line asks for."""
+    known = (*OPENERS, *STAND_INS)
+    names = {"fast": FAST, "all": known}.get(asked, tuple(asked.split(",")))
+    for name in names:
+        if name not in known:
+            raise pytest.UsageError(f"--engines: there is no {name!r}; fast, all or {', '.join(known)}")
+    return names
+
+
+def chosen(asked: str) -> list[str]:
+    """Return the engines among them on which a session is opened."""
+    return [name for name in asked_for(asked) if name in OPENERS]
+
+
+def is_left_out(file: str, asked: str) -> bool:
+    """Tell whether a file, ``test_NAME.py`` or ``test_NAME_....py``, is of a NAME not asked for."""
+    names = [name for name in (*OPENERS, *STAND_INS) if f"{file[:-3]}_".startswith(f"test_{name}_")]
+    return bool(names) and names[0] not in asked_for(asked)
+
+
+def shortened(tests: list[pytest.Item], asked: str) -> list[pytest.Item]:
+    """Return the tests without those that would take too long together, those on Spark first.
+
+    So one process of the tests runs them all, and Java is started, and gets warm, but once.
+    """
+    if asked != "all":
+        return tests
+    kept: dict[str, pytest.Item] = {}
+    for test in tests:
+        name, _, case = test.name.partition("[")
+        if case.startswith(OMITTED.get(name, ())):
+            continue
+        short = case.startswith(SHORTENED.get(name, ()))
+        kept.setdefault(f"{name} {case.partition(':')[0]}" if short else test.nodeid, test)
+    return sorted(kept.values(), key=lambda test: "spark" not in test.nodeid)
+
+
+@cache
+def session(name: str) -> Session:
+    """Return the session on an engine; it stays open for the tests that follow."""
+    return OPENERS[name]()
+
+
+def clickhouse_version() -> str:
+    """Return the version of ClickHouse inside this process."""
+    found = session("clickhouse").fetch(sqlglot.parse_one("SELECT VERSION() AS version"))
+    return str(found["version"][0].as_py())
+
+
+def fresh_name(stem: str) -> str:
+    """Return the name of a table or a prefix that no test has used before."""
+    return f"{stem}{next(_numbers)}_"

@@ -1,0 +1,70 @@
+"""A small plant whose monitor has scored a part of its source: what the tests of faults begin with."""
+
+from typing import Any
+
+import duckdb
+
+import gam_db
+from gam_db.stored.monitor import Monitor
+from gam_db.stored.tables import TABLES
+from strategies import Row
+from visible import BUCKETS, NOVEL, put, rows_of
+
+FIRST, LENGTH, LOOKBACK = 120, 300, 7
+
+
+def readings(start: int, end: int) -> list[Row]:
+    """Four channels that repeat a pattern, and later on less so."""
+    return [
+        (asset, "x", time, float(time % (5 + number) if time % (37 - time // 10 % 30) else time % 11))
+        for number, asset in enumerate("abcd")
+        for time in range(start, end)
+    ]
+
+
+def source(connection: duckdb.DuckDBPyConnection, rows: list[Row]) -> None:
+    connection.execute(
+        "CREATE TABLE telemetry (asset VARCHAR, channel VARCHAR, time BIGINT, value DOUBLE)"
+    )
+    put(connection, rows)
+
+
+def monitor(engine: Any) -> Monitor:
+    parameters = gam_db.Parameters(m=2, tau=3, bins=4, window=20, stride=5)
+    calibration = gam_db.Calibration(fraction=0.7)
+    return Monitor(engine, gam_db.Source("telemetry"), parameters, calibration, lookback=LOOKBACK)
+
+
+def stored(connection: duckdb.DuckDBPyConnection) -> dict[str, list[tuple[Any, ...]]]:
+    """Return every row of every state table."""
+    query = "SELECT table_name FROM duckdb_tables() WHERE table_name LIKE 'gam%'"
+    there = {name for (name,) in connection.execute(query).fetchall()}
+    return {
+        table: connection.execute(f"FROM gam_{table} ORDER BY ALL").fetchall()
+        for table in TABLES
+        if f"gam_{table}" in there
+    }
+
+
+def seen(connection: duckdb.DuckDBPyConnection) -> list[Any]:
+    return [rows_of(connection, BUCKETS), rows_of(connection, NOVEL)]
+
+
+def whole() -> list[Any]:
+    """Return what is seen after one run over everything."""
+    with duckdb.connect() as connection:
+        source(connection, readings(0, FIRST))
+        monitor(connection).migrate()
+        monitor(connection).calibrate()
+        put(connection, readings(FIRST, LENGTH))
+        monitor(connection).score()
+        return seen(connection)
+
+
+def begin(connection: duckdb.DuckDBPyConnection) -> None:
+    source(connection, readings(0, FIRST))
+    monitor(connection).migrate()
+    monitor(connection).calibrate()
+    put(connection, readings(FIRST, 200))
+    monitor(connection).score()
+    put(connection, readings(200, LENGTH))
