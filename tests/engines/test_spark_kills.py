@@ -1,8 +1,10 @@
 """Killed at any moment (kill -9, Java and all), a run on Spark leaves a state that it passes through.
 
-A victim scores one batch more than the one before it; every second one is killed while it writes. What
-is in the folder is looked at by DuckDB, so that looking takes no second Spark. One is killed where the
-tests run on Spark; GAM_SPARK_KILLS=30 kills thirty, in some minutes.
+What a kill leaves is the folder as it is at that moment. So the first set stops all processes of a run,
+Java included, for as long as the folder is copied (``kill -STOP``), tens of times in a run, and looks at
+the copies; it costs one warm run instead of a cold Java for every kill. The full set kills: a victim
+scores one batch more than the one before it, and every second one is killed while it writes. What is in
+a folder is looked at by DuckDB, so that looking takes no second Spark.
 """
 
 import io
@@ -12,11 +14,13 @@ import random
 import signal
 import subprocess
 import sys
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import duckdb
+import pytest
 
 import engines
 import frozen
@@ -31,7 +35,11 @@ from killed_plant import CALIBRATION, PARAMETERS, plant
 from victims import Moment, is_at_work
 from visible import BUCKETS, NOVEL, rows_of
 
-KILLS = int(os.environ.get("GAM_SPARK_KILLS", "1"))
+#: In the full set; a kill takes some twenty seconds.
+KILLS = int(os.environ.get("GAM_SPARK_KILLS", "10"))
+
+#: Copies of the folder that are looked at in the first set, and those of them that are gone on with.
+COPIES, RESUMED = 30, 3
 
 #: What is seen of each channel.
 Seen = dict[tuple[str, str], list[dict[str, Any]]]
@@ -99,6 +107,76 @@ def by_channel(tables: list[list[dict[str, Any]]]) -> Seen:
     return seen
 
 
+class Stopping(threading.Thread):
+    """Copies a folder again and again while all that writes to it stands still.
+
+    A process of its own stops this one and its Java, copies, and lets them go on. A copy is that of
+    the moment, as a kill would have left it: what was written lies with the kernel.
+    """
+
+    def __init__(self, folder: Path, copies: Path, java: int, chance: random.Random) -> None:
+        super().__init__(daemon=True)
+        self.folder, self.copies, self.java, self.chance = folder, copies, java, chance
+        self.made: list[Path] = []
+        self.over, self.one = threading.Event(), threading.Lock()
+
+    def run(self) -> None:
+        while not self.over.wait(self.chance.uniform(0, 0.5)):
+            self.copy()
+
+    def copy(self) -> None:
+        order = 'kill -STOP $1 $2 && cp -r "$3" "$4"; code=$?; kill -CONT $1 $2; exit $code'
+        with self.one:
+            copy = self.copies / str(len(self.made))
+            words = (str(word) for word in (os.getpid(), self.java, self.folder, copy))
+            subprocess.run(["sh", "-c", order, "sh", *words], check=True)
+            self.made.append(copy)
+
+
+def java_of_spark() -> int:
+    """Return the number of the process in which Spark works."""
+    from pyspark.sql import SparkSession
+
+    context: Any = SparkSession.builder.getOrCreate().sparkContext
+    return int(context._jvm.java.lang.ProcessHandle.current().pid())
+
+
+def test_what_kills_leave(tmp_path: Path) -> None:
+    chance = random.Random(5)
+    folder, copies = tmp_path / "plant", tmp_path / "copies"
+    copies.mkdir()
+    states = [expected(arrived) for arrived in (0, len(plant().batches))]
+    engines.session("spark")  # small and quick to start
+    with gam_db.connect(f"spark://{folder}") as session:
+        first = spark_victim.monitor(session, 0)
+        first.migrate()
+        first.calibrate()
+        first.score()
+        assert look(folder) == states[0]
+        stopping = Stopping(folder, copies, java_of_spark(), chance)
+        stopping.start()
+        # Shown and copied at every step, too: what is between two statements is a moment as any other.
+        spark_victim.monitor(session, len(plant().batches)).score(on_step=lambda _: stopping.copy())
+        stopping.over.set()
+        stopping.join()
+        assert look(folder) == states[1]
+    assert len(stopping.made) >= COPIES, "the run was over before there were enough copies"
+    seen = {copy: look(copy) for copy in stopping.made}
+    for copy, found in seen.items():
+        for channel in states[1]:
+            assert found.get(channel) in (states[0].get(channel), states[1].get(channel)), copy.name
+    early = [copy for copy, found in seen.items() if found != states[1]]
+    assert early, "no copy is of a moment before the end"
+    for copy in chance.sample(early, min(RESUMED, len(early))):
+        with gam_db.connect(f"spark://{copy}") as session:
+            monitor = spark_victim.monitor(session, len(plant().batches))
+            monitor.score()
+            assert look(copy) == states[1]
+            monitor.compact()
+            assert look(copy) == states[1]
+
+
+@pytest.mark.full
 def test_killed_while_scoring(tmp_path: Path) -> None:
     chance = random.Random(4)
     engines.session("spark")  # small and quick to start, and so are the victims
