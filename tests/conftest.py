@@ -8,6 +8,9 @@ from hypothesis import HealthCheck, Phase, settings
 
 import engines
 
+#: Counts what is compared with the NumPy reference.
+pytest_plugins = ["comparisons"]
+
 # The same cases in every run; more, and other ones, by HYPOTHESIS_PROFILE=many.
 settings.register_profile(
     "few",

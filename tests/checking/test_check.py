@@ -7,6 +7,7 @@ import pyarrow as pa
 import pytest
 from hypothesis import given, settings
 
+import comparisons
 import gam_db
 import harness
 import look_reference
@@ -41,6 +42,7 @@ def test_figures_are_those_of_numpy(case: Case) -> None:
         for left, right in zip(learnt, found.to_pylist(), strict=True):
             assert left["calibration_samples"] == right["calibration_samples"]
             assert (left["lo"], left["hi"]) == tuple(right[name] for name in OF_CALIBRATION[1:])
+        comparisons.compared("duckdb", "check", rows, *made)
 
 
 @pytest.mark.parametrize("period", [4, 7, 25, 300, 1000])

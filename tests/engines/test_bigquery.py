@@ -15,6 +15,7 @@ import pytest
 from hypothesis import given, settings
 from sqlglot import exp
 
+import comparisons
 import gam_db
 import googlesql
 import harness
@@ -78,6 +79,7 @@ def test_case(case: Worked) -> None:
     answers = {question: answer(question, *arguments) for question in asked(case)}
     case.expected = [table for table in case.expected if table[0] in answers]
     compare(case, answers)
+    comparisons.compared("bigquery", "exact", *arguments)
 
 
 @settings(max_examples=max(3, settings().max_examples // 30))
@@ -88,6 +90,7 @@ def test_random_sources_give_the_integers_of_the_reference(case: Case) -> None:
     for question in ("health_indicator", "support", "certificate"):
         expected = harness.by_reference(question, *arguments)
         harness.assert_same(expected, answer(question, *arguments), question)
+    comparisons.compared("bigquery", "exact", *arguments)
 
 
 def test_the_view_form_equals_the_reference() -> None:
@@ -108,6 +111,7 @@ def test_the_view_form_equals_the_reference() -> None:
         found = dicts(made.run(f"SELECT * FROM gam_live_{relation} ORDER BY {', '.join(order)}"))
         assert expected
         harness.assert_same(expected, found, question)
+    comparisons.compared("bigquery", "view", rows, parameters, calibration)
 
 
 @pytest.mark.parametrize("kind", ["TIMESTAMP", "DATETIME", "DATE"])

@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 
 import clickhouse_victims
+import comparisons
 import frozen
 import gam_db
 from small_plant import FIRST, readings
@@ -36,12 +37,9 @@ def victims() -> Iterator[Victims]:
 
 def reference(rows: list[Row]) -> list[Any]:
     """Return what one run over all rows must show, by NumPy."""
-    asked = (
-        readings(0, FIRST),
-        rows,
-        gam_db.Parameters(m=2, tau=3, bins=4, window=20, stride=5),
-        gam_db.Calibration(fraction=0.7),
-    )
+    parameters = gam_db.Parameters(m=2, tau=3, bins=4, window=20, stride=5)
+    asked = (readings(0, FIRST), rows, parameters, gam_db.Calibration(fraction=0.7))
+    comparisons.compared("clickhouse", "stored", rows, *asked[2:], asked[0])
     return [frozen.buckets(*asked), frozen.novel_cells(*asked)]
 
 

@@ -17,6 +17,7 @@ import pytest
 from hypothesis import given, settings
 from sqlfluff.core import FluffConfig, Linter
 
+import comparisons
 import engines
 import gam_db
 import harness
@@ -65,6 +66,8 @@ def checked(found: Answers, rows: list[harness.Row], parameters: Any, calibratio
         harness.assert_same(expected, found[question], question)
         if question == "health_indicator":
             harness.assert_same(expected, found["exact"], "exact")
+    for form in FORMS:
+        comparisons.compared("redshift", form, rows, parameters, calibration)
 
 
 def shared(text: str) -> str:
@@ -192,6 +195,7 @@ def test_databricks_on_spark_gives_the_integers_of_the_reference(spark: Any) -> 
     spark.createDataFrame(harness.arrow(rows)).createOrReplaceTempView("telemetry")
     found = spark.sql(gam_db.render("exact", "databricks", SOURCE, *method)).toArrow().to_pylist()
     harness.assert_same(harness.by_reference("health_indicator", rows, *method), found)
+    comparisons.compared("databricks", "exact", rows, *method)
 
 
 @pytest.mark.parametrize("form", FORMS)

@@ -22,6 +22,7 @@ from typing import Any
 import duckdb
 import pytest
 
+import comparisons
 import engines
 import frozen
 import gam_db
@@ -32,6 +33,7 @@ from gam_db.engines.spark_folder import Folder
 from gam_db.stored.migration_files import files
 from gam_db.stored.tables import VIEWS, StateTables
 from killed_plant import CALIBRATION, PARAMETERS, plant
+from strategies import Row
 from victims import Moment, is_at_work
 from visible import BUCKETS, NOVEL, rows_of
 
@@ -94,9 +96,19 @@ def look(folder: Path) -> Seen:
 
 def expected(arrived: int) -> Seen:
     """Return what one run over all rows would show, by the reference."""
-    final = [*plant().first, *(row for batch in plant().batches[:arrived] for row in batch)]
-    asked = (plant().first, final, *harness.made(PARAMETERS, CALIBRATION))
+    asked = (plant().first, after(arrived), *harness.made(PARAMETERS, CALIBRATION))
     return by_channel([frozen.buckets(*asked), frozen.novel_cells(*asked)])
+
+
+def after(arrived: int) -> list[Row]:
+    """Return all rows after so many batches."""
+    return [*plant().first, *(row for batch in plant().batches[:arrived] for row in batch)]
+
+
+def noted(arrived: int) -> None:
+    """Note that what is seen after so many batches was compared with the reference."""
+    method = harness.made(PARAMETERS, CALIBRATION)
+    comparisons.compared("spark", "stored", after(arrived), *method, plant().first)
 
 
 def by_channel(tables: list[list[dict[str, Any]]]) -> Seen:
@@ -153,6 +165,7 @@ def test_what_kills_leave(tmp_path: Path) -> None:
         first.calibrate()
         first.score()
         assert look(folder) == states[0]
+        noted(0)
         stopping = Stopping(folder, copies, java_of_spark(), chance)
         stopping.start()
         # Shown and copied at every step, too: what is between two statements is a moment as any other.
@@ -160,6 +173,7 @@ def test_what_kills_leave(tmp_path: Path) -> None:
         stopping.over.set()
         stopping.join()
         assert look(folder) == states[1]
+        noted(len(plant().batches))
     assert len(stopping.made) >= COPIES, "the run was over before there were enough copies"
     seen = {copy: look(copy) for copy in stopping.made}
     for copy, found in seen.items():
@@ -190,6 +204,7 @@ def test_killed_while_scoring(tmp_path: Path) -> None:
     states = [expected(arrived) for arrived in range(len(plant().batches) + 1)]
     found = look(folder)
     assert found == states[0]
+    noted(0)
     arrived = killed = 0
     for moment in itertools.islice(moments(chance, steps), 10 * KILLS):
         before, arrived = found, min(arrived + 1, len(plant().batches))
@@ -202,6 +217,7 @@ def test_killed_while_scoring(tmp_path: Path) -> None:
                 before.get(channel),
                 states[arrived].get(channel),
             ), f"{channel} after {killed} kills"
+        noted(arrived)
         if killed == KILLS:
             break
     assert killed == KILLS
@@ -209,5 +225,6 @@ def test_killed_while_scoring(tmp_path: Path) -> None:
         monitor = spark_victim.monitor(session, len(plant().batches))
         monitor.score()
         assert look(folder) == states[-1]
+        noted(len(plant().batches))
         monitor.compact()
         assert look(folder) == states[-1]

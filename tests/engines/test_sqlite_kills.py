@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 from sqlglot import exp
 
+import comparisons
 import frozen
 import gam_db
 import scripts
@@ -45,12 +46,9 @@ def seen(session: Session) -> list[Any]:
 
 def reference(rows: list[Row]) -> list[Any]:
     """Return what one run over all rows must show, by NumPy."""
-    asked = (
-        readings(0, FIRST),
-        rows,
-        gam_db.Parameters(**PARAMETERS),
-        gam_db.Calibration(**CALIBRATION),
-    )
+    method = gam_db.Parameters(**PARAMETERS), gam_db.Calibration(**CALIBRATION)
+    asked = (readings(0, FIRST), rows, *method)
+    comparisons.compared("sqlite", "stored", rows, *method, readings(0, FIRST))
     return [frozen.buckets(*asked), frozen.novel_cells(*asked)]
 
 

@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from typer.testing import CliRunner, Result
 
+import comparisons
 import frozen
 import gam_db
 import harness
@@ -88,6 +89,7 @@ def test_any_history_of_builds_equals_a_full_refresh(kind: str, seed: int) -> No
                 builder.build()
         found = builder.rows(BUCKETS)
         harness.assert_same(frozen.buckets(told.first, told.final, parameters, rule), found, "buckets")
+        comparisons.compared("duckdb", "dbt", told.final, parameters, rule, told.first)
         builder.build(full_refresh=True)
         harness.assert_same(builder.rows(BUCKETS), found, "a full refresh")
 

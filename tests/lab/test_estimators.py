@@ -13,6 +13,7 @@ from sklearn.ensemble import IsolationForest
 from sklearn.mixture import GaussianMixture
 from sklearn.svm import OneClassSVM
 
+import comparisons
 import estimator_reference
 import gam_db
 import reference
@@ -111,6 +112,7 @@ def test_centroid_on_any_source(case: Case) -> None:
         of_one = [r for r in found.to_pylist() if (r["asset"], r["channel"]) == (one.asset, one.name)]
         means = estimator_reference.moving_mean([r["score"] for r in of_one], one.settings.window)
         assert [row["hi"] for row in of_one] == means
+    comparisons.compared("duckdb", "estimators", rows, parameters, calibration)
 
 
 def wave(length: int) -> list[float | None]:

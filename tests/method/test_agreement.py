@@ -2,6 +2,7 @@
 
 from hypothesis import given, settings
 
+import comparisons
 import engines
 import harness
 import scripts
@@ -38,5 +39,6 @@ def test_scripts_equal_the_reference(engine: str) -> None:
         expected["exact"] = expected["health_indicator"]
         for question, answer in expected.items():
             harness.assert_same(answer, found[question], question)
+        comparisons.compared(engine, "exact", *arguments)
 
     agrees()

@@ -13,6 +13,7 @@ import duckdb
 import pytest
 from sqlglot import exp
 
+import comparisons
 import gam_db
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.engines.session import Session
@@ -107,6 +108,7 @@ def agrees(
             "novel_straddling": straddling["novel"],
         }
         assert found == {name: int(row[name]) for name in found}, channel
+        comparisons.compared_recording(session.engine.name, "exact", row["dataset"], *channel, *setting)
 
 
 def test_view_of_a_recording_equals_the_exact_form(recordings: Path) -> None:

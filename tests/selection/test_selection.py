@@ -8,6 +8,7 @@ import pyarrow as pa
 import pytest
 from numpy.typing import NDArray
 
+import comparisons
 import gam_db
 import reference
 from gam_db import langevin
@@ -186,6 +187,7 @@ def test_the_budget_is_the_certificate_of_each_dimension() -> None:
             assert row[column] == expected[column], (row["m"], column)
         assert row["vectors"] == expected["calibration_vectors"]
         assert row["floor"] == pytest.approx(expected["floor"], rel=1e-9)
+        comparisons.compared("duckdb", "select", rows, same, calibration)
     assert {row["verdict"] for row in budget} >= {"ready", "too_fine"}
     wanted = choice(found, "x")["m_fnn"] or parameters.m
     affordable = [row for row in budget if row["m"] <= wanted and row["finest_bins"]]

@@ -6,6 +6,7 @@ from typing import Any
 import duckdb
 import pytest
 
+import comparisons
 import frozen
 import gam_db
 import harness
@@ -65,6 +66,7 @@ def test_the_fleet_is_scored_as_by_the_reference(
 ) -> None:
     expected = frozen.buckets(ROWS, ROWS, PARAMETERS, CALIBRATION)
     harness.assert_same(expected, rows_of(fleet[0], BUCKETS), "buckets")
+    comparisons.compared("duckdb", "stored", ROWS, PARAMETERS, CALIBRATION, ROWS)
     assert {row["asset"] for row in expected} == set("abcdef")
 
 

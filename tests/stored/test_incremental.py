@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import comparisons
 import frozen
 import gam_db
 import harness
@@ -78,6 +79,7 @@ def test_any_history_ends_in_the_tables_of_one_full_run(
     asked = (told.first, told.final, parameters, calibration)
     harness.assert_same(frozen.buckets(*asked), rows_of(connection, BUCKETS), "buckets")
     harness.assert_same(frozen.novel_cells(*asked), rows_of(connection, NOVEL), "novel cells")
+    comparisons.compared("duckdb", "stored", told.final, parameters, calibration, told.first)
 
 
 def test_there_are_two_thousand_histories() -> None:

@@ -17,6 +17,7 @@ from typing import Any
 
 import pytest
 
+import comparisons
 import frozen
 import gam_db
 import harness
@@ -337,3 +338,4 @@ def test_killed_while_scoring(tmp_path: Path, victims: Victims) -> None:
         asked = (plant().first, plant().final, *harness.made(PARAMETERS, CALIBRATION))
         harness.assert_same(frozen.buckets(*asked), rows_of(session.connection, BUCKETS), "buckets")
         harness.assert_same(frozen.novel_cells(*asked), rows_of(session.connection, NOVEL), "novel")
+        comparisons.compared("duckdb", "stored", plant().final, *asked[2:], plant().first)

@@ -6,6 +6,7 @@ from contextlib import contextmanager
 import duckdb
 import pytest
 
+import comparisons
 import frozen
 import gam_db
 import harness
@@ -48,6 +49,7 @@ def watched() -> Iterator[tuple[duckdb.DuckDBPyConnection, Monitor]]:
 def assert_repaired(connection: duckdb.DuckDBPyConnection, rows: list[Row]) -> None:
     asked = (ROWS, rows, PARAMETERS, CALIBRATION)
     harness.assert_same(frozen.buckets(*asked), rows_of(connection, BUCKETS), "buckets")
+    comparisons.compared("duckdb", "stored", rows, PARAMETERS, CALIBRATION, ROWS)
 
 
 def test_a_state_in_order_differs_in_nothing(

@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sqlglot import exp
 
+import comparisons
 import engines
 import frozen
 import gam_db
@@ -64,6 +65,7 @@ def test_any_history_ends_in_the_tables_of_one_full_run(engine: str) -> None:
         monitor.compact()
         harness.assert_same(buckets, visible(monitor, BUCKETS), "buckets after compacting")
         harness.assert_same(novel, visible(monitor, NOVEL), "novel cells after compacting")
+        comparisons.compared(engine, "stored", told.final, parameters, calibration, told.first)
         # Late rows may change calibration, which stays as it was frozen; nothing that is scored differs.
         assert set(monitor.check_state()["part"].to_pylist()) <= {"calibration"}
         assert monitor.status().num_rows == len({row[:2] for row in told.first})

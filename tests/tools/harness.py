@@ -9,6 +9,7 @@ from typing import Any
 
 import pyarrow as pa
 
+import comparisons
 import engines
 import gam_db
 import reference
@@ -61,6 +62,7 @@ def by_engine(engine: str) -> Form:
         with session.lent(arrow(rows)) as table:
             source = gam_db.Source(table.name)
             found: Answer = QUESTIONS[question][1](source, parameters, calibration, session).to_pylist()
+        comparisons.compared(engine, "exact", rows, parameters, calibration)
         return found
 
     return answer
@@ -71,6 +73,7 @@ def all_by_engine(
 ) -> dict[str, Answer]:
     """Answer every question by the exact form on an engine, from one study."""
     session = engines.session(engine)
+    comparisons.compared(engine, "exact", rows, parameters, calibration)
     with session.lent(arrow(rows)) as table:
         study = Study(session, gam_db.Source(table.name), parameters, calibration)
         try:

@@ -7,6 +7,7 @@ import pyarrow as pa
 import sqlglot
 from sqlglot import exp
 
+import comparisons
 import engines
 import gam_db
 from gam_db.engines.duckdb_session import DuckSession
@@ -48,6 +49,7 @@ def _answers(
         query = exp.select("*").from_(exp.to_table(f"{prefix}{relation}")).order_by(*order)
         found[question] = session.fetch(query).to_pylist()
     clear(session, table.name, prefix)
+    comparisons.compared(name, "view", rows, parameters, calibration)
     return found
 
 
