@@ -1,0 +1,210 @@
+"""Mutants: does a test fail when one operator, constant or column of the SQL is another?
+
+``mutants.txt`` lists the changes. Each is made in a copy of the tree in a temporary folder, never here,
+and the tests of DuckDB run there until one fails. By hand, from the root of the checkout:
+
+    python -m tests.guard.mutants                      all of them, in some twenty minutes
+    python -m tests.guard.mutants stored/plan cert*    those of some files
+    python -m tests.guard.mutants --processes 2        two at a time
+    python -m tests.guard.mutants --list               only show them
+
+It ends with 1 if a mutant survives. A fingerprint of a text would catch them all and prove nothing, so
+the guard's own tests are not among those that run, and nor is what only reads the SQL.
+"""
+
+import argparse
+import contextlib
+import fnmatch
+import multiprocessing
+import multiprocessing.connection
+import os
+import shutil
+import sys
+import tempfile
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+LIST = Path(__file__).with_name("mutants.txt")
+
+#: The folders of ``sql/`` of which every file has a mutant.
+FOLDERS = (
+    *("source", "support", "embedding", "score", "health", "calibration", "certificate", "stored"),
+)
+
+#: Seconds after which a run is stopped: a mutant that never ends is caught, too.
+LONGEST = 600
+
+_METHOD = ("test_spec", "test_agreement")
+_STORED = (
+    *("test_outside_the_contract", "test_fleet", "test_planning", "test_pruning", "test_status"),
+    *("test_visible", "test_incremental", "test_faults", "test_copying", "test_migrations"),
+    *("test_cli_stored", "test_cli_state", "test_migrate_and_drop", "test_check_notes"),
+)
+
+#: What is copied: enough to run the tests.
+_COPIED = ("gam_db", "sql", "migrations", "tests", "docs", "README.md", "pyproject.toml", "CHANGELOG.md")
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """One change of one file: ``before``, which stands there once, becomes ``after``."""
+
+    file: str
+    before: str
+    after: str
+
+    def __str__(self) -> str:
+        return f"{self.file}: {self.before} -> {self.after}"
+
+    def changed(self, text: str) -> str:
+        """Return the text of the file with the change made.
+
+        Raises:
+            ValueError: what is to be changed does not stand there once.
+        """
+        lines = text.splitlines(keepends=True)
+        head = next(number for number, line in enumerate(lines) if not line.startswith("--"))
+        query = "".join(lines[head:])
+        if query.count(self.before) != 1:
+            raise ValueError(f"{self}: stands there {query.count(self.before)} times, not once")
+        return "".join(lines[:head]) + query.replace(self.before, self.after)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of a mutant: the test that caught it, None if it survived."""
+
+    mutant: Mutant | None
+    caught_by: str | None
+    seconds: float
+
+
+def listed(file: Path = LIST) -> list[Mutant]:
+    """Return the mutants of the list."""
+    found = []
+    for line in file.read_text(encoding="utf-8").splitlines():
+        if line and not line.startswith("#"):
+            name, change = line.split(": ", 1)
+            before, after = change.split(" -> ")
+            found.append(Mutant(name, before, after))
+    return found
+
+
+def tests_of(mutant: Mutant | None) -> Sequence[str]:
+    """Return the names of the files of tests that may catch it, those that most often do first."""
+    stored_only = mutant is not None and mutant.file.startswith("stored/")
+    return _STORED if stored_only else (*_METHOD, *_STORED)
+
+
+class Watch:
+    """A plugin of pytest that remembers the first thing that failed."""
+
+    def __init__(self) -> None:
+        self.failed: str | None = None
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        """Remember a test."""
+        if report.failed and self.failed is None:
+            self.failed = report.nodeid
+
+    def pytest_collectreport(self, report: pytest.CollectReport) -> None:
+        """Remember a file that cannot be collected."""
+        if report.failed and self.failed is None:
+            self.failed = report.nodeid
+
+
+def copied(folder: Path) -> None:
+    """Copy what the tests need of the tree into a folder."""
+    for name in _COPIED:
+        if (ROOT / name).is_dir():
+            shutil.copytree(ROOT / name, folder / name)
+        else:
+            shutil.copy2(ROOT / name, folder / name)
+
+
+def run(mutant: Mutant | None, folder: Path, told: Connection) -> None:
+    """Make the change in the copy in a folder, run the tests there, and tell which one failed."""
+    os.chdir(folder)
+    sys.path[:] = [str(folder), *(path for path in sys.path if Path(path or ".").resolve() != ROOT)]
+    if mutant is not None:
+        path = folder / "sql" / f"{mutant.file}.sql"
+        path.write_text(mutant.changed(path.read_text(encoding="utf-8")), encoding="utf-8")
+    template: Any = __import__("gam_db.template").template
+    assert template.sql_folder() == folder / "sql", "the tests would not run the copy"
+    files = {path.stem: str(path) for path in sorted((folder / "tests").rglob("test_*.py"))}
+    watch = Watch()
+    with (folder / "output.txt").open("w") as output, contextlib.redirect_stdout(output):
+        words = ["-x", "-q", "-n", "0", "-p", "no:cacheprovider", "--engines", "duckdb"]
+        code = pytest.main([*words, *(files[name] for name in tests_of(mutant))], plugins=[watch])
+    told.send(watch.failed or (None if code == 0 else f"pytest ended with {code}"))
+
+
+def outcomes(mutants: Sequence[Mutant | None], processes: int) -> Iterator[Outcome]:
+    """Yield what becomes of each mutant, in the order in which they are done; None is no change."""
+    # What takes long to load is loaded once; nothing of gam_db or its tests may be.
+    for name in ("duckdb", "hypothesis", "numpy", "pyarrow", "sqlglot", "typer"):
+        __import__(name)
+    context = multiprocessing.get_context("fork")
+    waiting = list(reversed(mutants))
+    running: dict[int, tuple[Any, Mutant | None, Connection, Path, float]] = {}
+    while waiting or running:
+        while waiting and len(running) < processes:
+            mutant = waiting.pop()
+            folder = Path(tempfile.mkdtemp(prefix="gam-mutant-")).resolve()
+            copied(folder)
+            ours, theirs = context.Pipe(duplex=False)
+            process = context.Process(target=run, args=(mutant, folder, theirs))
+            process.start()
+            theirs.close()
+            running[process.sentinel] = (process, mutant, ours, folder, time.monotonic())
+        multiprocessing.connection.wait(list(running), timeout=5)
+        for sentinel, (process, mutant, ours, folder, began) in list(running.items()):
+            seconds = time.monotonic() - began
+            if process.is_alive() and seconds < LONGEST:
+                continue
+            process.kill()
+            process.join()
+            ended = f"nothing said, ended with {process.exitcode} after {seconds:.0f} s"
+            caught = ours.recv() if ours.poll() else ended
+            ours.close()
+            shutil.rmtree(folder, ignore_errors=True)
+            del running[sentinel]
+            yield Outcome(mutant, caught, seconds)
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Run what is asked for; return 0 if every mutant was caught."""
+    parser = argparse.ArgumentParser(prog="python -m tests.guard.mutants")
+    parser.add_argument("files", nargs="*", default=["*"], help="patterns of files, such as stored/*")
+    parser.add_argument("--processes", type=int, default=1)
+    parser.add_argument("--list", action="store_true", help="only show them")
+    said = parser.parse_args(words)
+    chosen = [one for one in listed() if any(fnmatch.fnmatch(one.file, glob) for glob in said.files)]
+    if said.list:
+        print("\n".join(map(str, chosen)))
+        return 0
+    survivors: list[Mutant] = []
+    for number, found in enumerate(outcomes([None, *chosen], said.processes)):
+        if found.mutant is None:
+            if found.caught_by is not None:
+                print(f"The tests fail with nothing changed: {found.caught_by}.")
+                return 2
+            continue
+        fate = f"caught by {found.caught_by}" if found.caught_by else "SURVIVED"
+        print(f"{number}/{len(chosen)} {found.seconds:.0f} s {found.mutant}: {fate}", flush=True)
+        if found.caught_by is None:
+            survivors.append(found.mutant)
+    print(f"{len(chosen) - len(survivors)} of {len(chosen)} mutants were caught.")
+    print("\n".join(f"survived: {one}" for one in survivors))
+    return 1 if survivors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
