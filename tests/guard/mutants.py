@@ -41,15 +41,42 @@ FOLDERS = (
 #: Seconds after which a run is stopped: a mutant that never ends is caught, too.
 LONGEST = 600
 
+#: Files of tests in the order in which they run; after a bracket, only those
+#: of a file whose names hold a word.
 _METHOD = ("test_spec", "test_agreement")
 _STORED = (
-    *("test_outside_the_contract", "test_fleet", "test_planning", "test_pruning", "test_status"),
-    *("test_visible", "test_incremental", "test_faults", "test_copying", "test_migrations"),
+    *("test_outside_the_contract", "test_fleet", "test_incremental", "test_planning", "test_pruning"),
+    *("test_status", "test_visible", "test_faults", "test_copying", "test_migrations"),
     *("test_cli_stored", "test_cli_state", "test_migrate_and_drop", "test_check_notes"),
 )
 
+#: Files of ``sql/`` -> the tests that are about them and so are tried first.
+_ABOUT = {
+    "certificate/*": "test_spec[certificate",
+    "stored/doomed_*": "test_pruning",
+    "stored/aged_buckets": "test_pruning",
+    "stored/horizons": "test_pruning",
+    "stored/pruned_versions": "test_pruning",
+    "stored/state_sizes": "test_pruning",
+    "stored/course": "test_status",
+    "stored/status_rows": "test_status",
+    "stored/looks": "test_planning",
+    "stored/wanted_names": "test_planning",
+    "stored/health_rows": "test_cli_stored",
+    "stored/doubled": "test_faults",
+    "stored/last_numbers": "test_faults",
+    "stored/migration_record": "test_migrations",
+}
+
 #: What is copied: enough to run the tests.
 _COPIED = ("gam_db", "sql", "migrations", "tests", "docs", "README.md", "pyproject.toml", "CHANGELOG.md")
+
+
+#: How pytest is run; what was loaded before cannot be rewritten, which is of no concern here.
+_WORDS = (
+    *("-x", "-q", "-n", "0", "-p", "no:cacheprovider", "--engines", "duckdb"),
+    *("-W", "ignore::pytest.PytestAssertRewriteWarning"),
+)
 
 
 @dataclass(frozen=True)
@@ -97,10 +124,13 @@ def listed(file: Path = LIST) -> list[Mutant]:
     return found
 
 
-def tests_of(mutant: Mutant | None) -> Sequence[str]:
-    """Return the names of the files of tests that may catch it, those that most often do first."""
-    stored_only = mutant is not None and mutant.file.startswith("stored/")
-    return _STORED if stored_only else (*_METHOD, *_STORED)
+def tests_of(mutant: Mutant | None) -> list[str]:
+    """Return which tests may catch it, file by file, those that most likely do first."""
+    if mutant is None:
+        return [*_METHOD, *_STORED]
+    first = [name for glob, name in _ABOUT.items() if fnmatch.fnmatch(mutant.file, glob)]
+    after = _STORED if mutant.file.startswith("stored/") else (*_METHOD, *_STORED)
+    return list(dict.fromkeys([*first, *after]))
 
 
 class Watch:
@@ -141,9 +171,13 @@ def run(mutant: Mutant | None, folder: Path, told: Connection) -> None:
     files = {path.stem: str(path) for path in sorted((folder / "tests").rglob("test_*.py"))}
     watch = Watch()
     with (folder / "output.txt").open("w") as output, contextlib.redirect_stdout(output):
-        words = ["-x", "-q", "-n", "0", "-p", "no:cacheprovider", "--engines", "duckdb"]
-        code = pytest.main([*words, *(files[name] for name in tests_of(mutant))], plugins=[watch])
-    told.send(watch.failed or (None if code == 0 else f"pytest ended with {code}"))
+        for name in tests_of(mutant):  # one after another: collecting them all takes longer than most
+            file, _, word = name.partition("[")
+            code = pytest.main([*_WORDS, files[file], "-k", word], plugins=[watch])
+            if code != 0:
+                break
+    if code == 0 or watch.failed is not None:
+        told.send(watch.failed)
 
 
 def outcomes(mutants: Sequence[Mutant | None], processes: int) -> Iterator[Outcome]:
@@ -171,12 +205,25 @@ def outcomes(mutants: Sequence[Mutant | None], processes: int) -> Iterator[Outco
                 continue
             process.kill()
             process.join()
-            ended = f"nothing said, ended with {process.exitcode} after {seconds:.0f} s"
-            caught = ours.recv() if ours.poll() else ended
-            ours.close()
+            caught = _told(ours, process.exitcode, folder)
             shutil.rmtree(folder, ignore_errors=True)
             del running[sentinel]
             yield Outcome(mutant, caught, seconds)
+
+
+def _told(ours: Connection, code: int, folder: Path) -> str | None:
+    """Return what a process told: the test that failed, or None; one that was killed was caught.
+
+    Raises:
+        RuntimeError: it ended by itself and told nothing, so that nothing was tested.
+    """
+    with ours, contextlib.suppress(EOFError):
+        if ours.poll():
+            answer: str | None = ours.recv()
+            return answer
+    if code < 0:
+        return f"its end by signal {-code}"
+    raise RuntimeError(f"pytest tested nothing: see {folder / 'output.txt'}")
 
 
 def main(words: Sequence[str] | None = None) -> int:
@@ -185,20 +232,22 @@ def main(words: Sequence[str] | None = None) -> int:
     parser.add_argument("files", nargs="*", default=["*"], help="patterns of files, such as stored/*")
     parser.add_argument("--processes", type=int, default=1)
     parser.add_argument("--list", action="store_true", help="only show them")
+    parser.add_argument("--trust", action="store_true", help="that the tests pass with nothing changed")
     said = parser.parse_args(words)
     chosen = [one for one in listed() if any(fnmatch.fnmatch(one.file, glob) for glob in said.files)]
     if said.list:
         print("\n".join(map(str, chosen)))
         return 0
     survivors: list[Mutant] = []
-    for number, found in enumerate(outcomes([None, *chosen], said.processes)):
+    unchanged = [] if said.trust else [None]
+    for found in outcomes([*unchanged, *chosen], said.processes):
         if found.mutant is None:
             if found.caught_by is not None:
                 print(f"The tests fail with nothing changed: {found.caught_by}.")
                 return 2
             continue
         fate = f"caught by {found.caught_by}" if found.caught_by else "SURVIVED"
-        print(f"{number}/{len(chosen)} {found.seconds:.0f} s {found.mutant}: {fate}", flush=True)
+        print(f"{found.seconds:.0f} s  {found.mutant}: {fate}", flush=True)
         if found.caught_by is None:
             survivors.append(found.mutant)
     print(f"{len(chosen) - len(survivors)} of {len(chosen)} mutants were caught.")
