@@ -45,13 +45,14 @@ LONGEST = 600
 #: of a file whose names hold a word.
 _METHOD = ("test_spec", "test_agreement")
 _STORED = (
-    *("test_outside_the_contract", "test_fleet", "test_incremental", "test_planning", "test_pruning"),
-    *("test_status", "test_visible", "test_faults", "test_copying", "test_migrations"),
+    *("test_learnt", "test_outside_the_contract", "test_fleet", "test_incremental", "test_planning"),
+    *("test_pruning", "test_status", "test_visible", "test_faults", "test_copying", "test_migrations"),
     *("test_cli_stored", "test_cli_state", "test_migrate_and_drop", "test_check_notes"),
 )
 
 #: Files of ``sql/`` -> the tests that are about them and so are tried first.
 _ABOUT = {
+    "source/names": "test_learnt",
     "certificate/*": "test_spec[certificate",
     "stored/doomed_*": "test_pruning",
     "stored/aged_buckets": "test_pruning",
@@ -60,11 +61,13 @@ _ABOUT = {
     "stored/state_sizes": "test_pruning",
     "stored/course": "test_status",
     "stored/status_rows": "test_status",
+    "stored/active": "test_cli_stored",
+    "stored/known_channels": "test_cli_stored",
     "stored/looks": "test_planning",
     "stored/wanted_names": "test_planning",
     "stored/health_rows": "test_cli_stored",
     "stored/doubled": "test_faults",
-    "stored/last_numbers": "test_faults",
+    "stored/last_numbers": "test_cli_stored",
     "stored/migration_record": "test_migrations",
 }
 
