@@ -13,7 +13,7 @@ import reference
 import scripts
 from batches import KINDS, history
 from gam_db.stored.monitor import Monitor
-from test_incremental import put, rows_of
+from visible import put, rows_of
 
 BOUNDS = """
     SELECT asset, channel, lo, hi, calibration_samples, calibration_vectors, cells, seen_once, blocks,
