@@ -16,7 +16,7 @@ from gam_db.study import Study
 
 torch_needed = pytest.mark.skipif(
     importlib.util.find_spec("torch") is None,
-    reason='left out: pip install "gam-db[benchmark]" to run it (the checks before a change lands do)',
+    reason='left out: pip install "gam-db[benchmark]" to run it (the full set needs it)',
 )
 
 SAMPLES = 2_000
@@ -47,6 +47,7 @@ def scored(
         return study.table("score_health"), losses
 
 
+@pytest.mark.full
 @torch_needed
 @pytest.mark.parametrize("name", BASELINES)
 def test_training_lowers_the_loss_and_an_anomaly_separates(name: str) -> None:
@@ -62,6 +63,7 @@ def test_training_lowers_the_loss_and_an_anomaly_separates(name: str) -> None:
         assert hi[-1] > 1.3 * hi[0]
 
 
+@pytest.mark.full
 @torch_needed
 @pytest.mark.parametrize("name", ["vae_rec", "mlp"])
 def test_a_seed_means_one_result(name: str) -> None:
@@ -74,6 +76,7 @@ def test_a_seed_means_one_result(name: str) -> None:
     assert torch.equal(torch.random.get_rng_state(), state), "the state of others is left alone"
 
 
+@pytest.mark.full
 @torch_needed
 def test_every_row_of_a_vector_with_a_missing_sample_is_left_out() -> None:
     """A sample that is missing spoils m vectors, and for a forecast also those a sample later."""
