@@ -104,4 +104,8 @@ def _table(
 ) -> pa.Table:
     with borrowed(engine) as session:
         study = Study(session, source, parameters or Parameters(), calibration or Calibration())
-        return study.table(step)
+        try:
+            return study.table(step)
+        finally:
+            if session is engine:  # it stays open, and nobody asks this study again
+                study.forget()

@@ -30,8 +30,8 @@ class Step:
     reads: frozenset[str]
 
 
-#: What a query depends on: how many steps there are, which are small, and which are tables, and where.
-_Key = tuple[int, frozenset[str], frozenset[tuple[str, ...]]]
+#: What a query depends on beside its steps: which of them are small, and the tables that it reads.
+_Key = tuple[frozenset[str], frozenset[tuple[str, ...]]]
 
 
 @dataclass
@@ -46,7 +46,7 @@ class Pipeline:
 
     steps: dict[str, Step] = field(default_factory=dict)
     small: frozenset[str] = frozenset()
-    _made: dict[str, tuple[_Key, exp.Query]] = field(default_factory=dict, repr=False)
+    _made: dict[tuple[str, bool], tuple[_Key, exp.Query]] = field(default_factory=dict, repr=False)
 
     def add(
         self,
@@ -74,6 +74,14 @@ class Pipeline:
         if name in self.steps:
             raise InternalError(f"The step {name} is there twice.")
         self.steps[name] = Step(name, query, comment, frozenset(reads))
+        self._made = {}  # not emptied: it may serve another pipeline; see copied
+
+    def copied(self) -> "Pipeline":
+        """Return a pipeline of the same steps, to which others can be added.
+
+        Until then both know what was composed of either.
+        """
+        return Pipeline(dict(self.steps), self.small, self._made)
 
     def needed(self, targets: Iterable[str], given: Iterable[str] = ()) -> list[Step]:
         """Return the steps that the targets need, in order, without what is given and its inputs."""
@@ -107,15 +115,18 @@ class Pipeline:
         placed = placed or {}
         if commented:
             return self._composed(target, placed, True)
-        key = self._key(placed)
-        if target not in self._made or self._made[target][0] != key:
-            self._made[target] = key, self._composed(target, placed, False)
-        return self._made[target][1]
+        key = self._key(target, placed)
+        asked = target, target in placed  # a step is made first, and read from its table later on
+        if asked not in self._made or self._made[asked][0] != key:
+            self._made[asked] = key, self._composed(target, placed, False)
+        return self._made[asked][1]
 
-    def _key(self, placed: Mapping[str, exp.Table]) -> _Key:
-        """Return all that the query of a step depends on."""
-        places = ((name, *(part.name for part in table.parts)) for name, table in placed.items())
-        return len(self.steps), frozenset(self.small), frozenset(places)
+    def _key(self, target: str, placed: Mapping[str, exp.Table]) -> _Key:
+        """Return all that the query of a step depends on, beside the steps."""
+        steps = self.needed([target], placed)
+        read = {target}.union(*(step.reads for step in steps)) & placed.keys()
+        places = ((name, *(part.name for part in placed[name].parts)) for name in read)
+        return self.small & {step.name for step in steps}, frozenset(places)
 
     def _composed(self, target: str, placed: Mapping[str, exp.Table], commented: bool) -> exp.Query:
         if target in placed:

@@ -70,9 +70,9 @@ def render(
     parameters, calibration = parameters or Parameters(), calibration or Calibration()
     chosen = engine_named(engine)
     source, kind, found = _looked_at(source, parameters, calibration, chosen)
-    method = Method(parameters, calibration, kind, lambda node: chosen.instant_of(kind, node))
+    method = Method(parameters, calibration, kind)
     relation = _relation(source, chosen)
-    steps = pipeline(method, _readings(source, relation, kind, chosen))
+    steps = _steps(method, source, relation, chosen)
     head = [
         f"gam-db, form {form}, for {chosen.name}. {_described(parameters)}",
         f"Time: {kind.value}"
@@ -87,7 +87,7 @@ def render(
     only = None
     if chosen.macros:
         named = dataclasses.replace(source, where=_only_channel(source))
-        only = pipeline(method, _readings(named, relation, kind, chosen))
+        only = _steps(method, named, relation, chosen)
     parts = _view_statements(steps, only, method, chosen, prefix)
     body = "\n".join(
         f"{_commented(comment.splitlines())}\n{chosen.text(statement, pretty=True)};\n"
@@ -172,8 +172,10 @@ def _only_channel(source: AnySource) -> exp.Expr:
     return exp.paren(exp.and_(*conditions))
 
 
-def _readings(source: AnySource, relation: exp.Expr, kind: TimeKind, engine: Engine) -> exp.Query:
-    return readings(source, relation, lambda node: engine.micros_of(kind, node))
+def _steps(method: Method, source: AnySource, relation: exp.Expr, engine: Engine) -> Pipeline:
+    kind = method.kind
+    rows = readings(source, relation, lambda node: engine.micros_of(kind, node))
+    return pipeline(method, rows, lambda node: engine.instant_of(kind, node))
 
 
 def _relation(source: AnySource, engine: Engine) -> exp.Expr:

@@ -3,6 +3,8 @@
 This module owns the order of work: look at the source, resolve what was asked, make the steps.
 """
 
+import dataclasses
+from functools import lru_cache
 from pathlib import Path
 
 import pyarrow as pa
@@ -10,11 +12,16 @@ from sqlglot import exp
 
 from gam_db import look, template
 from gam_db.calibration import Calibration
+from gam_db.engines.base import Engine
 from gam_db.engines.session import Session
 from gam_db.method import Method, pipeline
 from gam_db.parameters import Parameters
+from gam_db.pipeline import Pipeline
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource, is_file, parsed_condition, readings
+
+#: Studies whose filled and composed steps are kept; each has a few thousand nodes of trees.
+LATELY = 16
 
 
 class Study:
@@ -42,17 +49,16 @@ class Study:
         strict: bool = True,
     ) -> None:
         self.session = session
+        self._is_lent = not isinstance(source.relation, (str, Path, tuple, list))
         self.relation = relation = session.relation(source.relation)
         self.columns = columns = session.describe(relation)
         if source.where is not None:
             session.check_condition(relation, parsed_condition(source.where), str(source.where))
         self.source = look.resolved(source, columns, session)
         kind = look.kind_of(self.source, columns, session)
-        self.method = Method(
-            parameters, calibration, kind, lambda node: session.engine.instant_of(kind, node)
-        )
-        rows = readings(self.source, relation, lambda node: session.engine.micros_of(kind, node))
-        self.steps = pipeline(self.method, rows)
+        self.method = Method(parameters, calibration, kind)
+        unread = dataclasses.replace(self.source, relation=None)  # the node counts
+        self.steps = _filled(self.method, unread, relation, session.engine).copied()
         if is_file(source.relation) and not str(source.relation).lower().endswith((".parquet", ".pq")):
             # Text is parsed once, not once per step.
             self.steps.small |= {"readings"}
@@ -73,6 +79,31 @@ class Study:
         """Write the rows of a step as Parquet, or as a table of a DuckDB file."""
         self.running.write(step, path, table)
 
+    def instant_of(self, time: exp.Expr) -> exp.Expr:
+        """Return integer time as the source has it."""
+        return self.session.engine.instant_of(self.method.kind, time)
+
+    def forget(self) -> None:
+        """Drop the tables that were kept, and let go of an Arrow table: the session stays open."""
+        self.running.forget()
+        if self._is_lent and isinstance(self.relation, exp.Table):
+            self.session.forget(self.relation)
+
     def _looked(self) -> pa.Table:
         self.running.keep("names")
         return self.session.fetch(self.steps.query("names", self.running.placed))
+
+
+@lru_cache(maxsize=LATELY)
+def _filled(method: Method, source: AnySource, relation: exp.Expr, engine: Engine) -> Pipeline:
+    """Return the steps of a method, which nobody may add to; asked again, the same ones.
+
+    Args:
+        method: what the user asked for.
+        source: how the relation is read; its own relation does not matter.
+        relation: the node to read from.
+        engine: knows the way from the source's time to integers, and back.
+    """
+    kind = method.kind
+    rows = readings(source, relation, lambda node: engine.micros_of(kind, node))
+    return pipeline(method, rows, lambda node: engine.instant_of(kind, node))

@@ -5,9 +5,9 @@ This module owns the bounds of the work. The formulas are in ``sql/check``.
 
 from sqlglot import exp
 
-from gam_db.method import Method
 from gam_db.method.adding import add, add_stacked
 from gam_db.pipeline import Pipeline, filled
+from gam_db.source import TimeNode
 
 SUMMARY = "check_summary"
 
@@ -35,12 +35,12 @@ _SMALL = frozenset(
 )
 
 
-def add_look(steps: Pipeline, method: Method) -> None:
+def add_look(steps: Pipeline, instant_of: TimeNode) -> None:
     """Add the steps of the look to those of a method, over the same samples.
 
     Args:
         steps: of the method; *check_summary* is the last step that is added.
-        method: knows the way back from integer time.
+        instant_of: turns integer time into what the source has.
     """
     add(steps, "check/ordered_samples")
     add(steps, "check/step_counts", {"longest_sample": LONGEST_SAMPLE})
@@ -68,8 +68,6 @@ def add_look(steps: Pipeline, method: Method) -> None:
     add(steps, "check/correlations")
     add(steps, "check/peaks")
     add(steps, "check/cycles")
-    edges = {
-        name: method.instant_of(exp.column(name, table="known")) for name in ("first_time", "last_time")
-    }
+    edges = {name: instant_of(exp.column(name, table="known")) for name in ("first_time", "last_time")}
     add(steps, "check/check_summary", edges)
     steps.small |= _SMALL

@@ -63,9 +63,7 @@ class Package:
         engine = engine_named(self.engine)
         adapter = adapter_of(self.engine)
         kind = declared_kind(self.source) or TimeKind.COUNTER
-        method = Method(
-            self.parameters, self.calibration, kind, lambda node: engine.instant_of(kind, node)
-        )
+        method = Method(self.parameters, self.calibration, kind)
         prefix = StateTables("any", self.prefix).prefix
         lookback = lengths.lookback(self.lookback, kind)
         of = Modelled(self.source, method, engine, adapter, prefix, lookback)

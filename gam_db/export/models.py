@@ -200,7 +200,7 @@ def checks(of: Modelled) -> list[Model]:
 
 def _calibration(of: Modelled) -> list[Model]:
     """Return the models that are built once: a later build leaves their rows as they are."""
-    steps = pipeline(of.method, of.readings())
+    steps = pipeline(of.method, of.readings(), of.instant)
     add(steps, "stored/recount")
     hashes = {"settings_hash": of.settings_hash, "method_hash": method_hash()}
     slots: dict[str, template.Slot] = {key: template.text(said) for key, said in hashes.items()}

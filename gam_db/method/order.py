@@ -10,6 +10,7 @@ from gam_db.method.resolved import Method
 from gam_db.method.scoring import add_bucket_counts, add_buckets, add_run_up, add_scoring
 from gam_db.method.source import add_source
 from gam_db.pipeline import Pipeline
+from gam_db.source import TimeNode
 
 #: Steps whose sets are put under one another.
 _JOINED_HEALTH = ("window_counts",)
@@ -27,8 +28,13 @@ _JOINED_CERTIFICATE = (
 )
 
 
-def pipeline(method: Method, readings: exp.Query) -> Pipeline:
+def pipeline(method: Method, readings: exp.Query, instant_of: TimeNode) -> Pipeline:
     """Return all steps of the method over the given readings.
+
+    Args:
+        method: what the user asked for.
+        readings: the step *readings*.
+        instant_of: turns integer time into what the source has, for the last steps.
 
     The last steps are *health_indicator* (a row per scored vector), *bucket_health* (a row per full
     bucket), *novel_cells*, *support_summary* (a row per channel) and *certificate* (a row per block).
@@ -45,14 +51,14 @@ def pipeline(method: Method, readings: exp.Query) -> Pipeline:
         add_bucket_counts(steps, method, number)
         add_certificate(steps, method, number)
     join_sets(steps, method, (*_JOINED_HEALTH, *_JOINED_BUCKETS, *_JOINED_CERTIFICATE))
-    add_results(steps, method)
+    add_results(steps, instant_of)
     return steps
 
 
-def add_results(steps: Pipeline, method: Method) -> None:
+def add_results(steps: Pipeline, instant_of: TimeNode) -> None:
     """Add the last steps: names and instants instead of integers, and the only divisions."""
-    add(steps, "health/health_indicator", {"time": method.instant_of(_counted("time"))})
-    edges = {name: method.instant_of(_counted(name)) for name in ("first_time", "last_time")}
+    add(steps, "health/health_indicator", {"time": instant_of(_counted("time"))})
+    edges = {name: instant_of(_counted(name)) for name in ("first_time", "last_time")}
     add(steps, "health/bucket_health", edges)
     add(steps, "certificate/verdicts")
     add(steps, "certificate/support_summary")

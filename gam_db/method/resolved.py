@@ -5,7 +5,6 @@ from dataclasses import dataclass, field
 from gam_db.calibration import Calibration, Rule, resolve
 from gam_db.clock import TimeKind, length
 from gam_db.parameters import Parameters
-from gam_db.source import TimeNode
 
 #: Steps that are small: a row per channel, interval, bucket or cell. They may be kept on the way.
 #: So may ``collapsed``, which has a row per sample of channels with repeated instants only.
@@ -28,11 +27,14 @@ SMALL_OF_SET = frozenset(
 class Method:
     """What the user asked for, resolved: the input of every pipeline.
 
+    It is data: two methods are equal, and have one hash, where the same steps follow from them.
+
     Attributes:
         parameters: with their overrides.
-        calibration: with its overrides and pools.
+        calibration: with its overrides and pools, as the user gave it.
         kind: how the source tells time.
-        instant_of: turns integer time into what the source has, for the last steps.
+        assets: the patterns of the calibration's overrides; that of number n has rule n + 1.
+        pools: groups of asset patterns.
         settings: the distinct sets of parameters; number 0 is the general one.
         rules: calibration in integers; number 0 is the general one.
         gaps: max_gap of each set, in steps of the clock.
@@ -42,15 +44,18 @@ class Method:
     """
 
     parameters: Parameters
-    calibration: Calibration
+    calibration: Calibration = field(compare=False)  # may hold a dict; what is made of it is compared
     kind: TimeKind
-    instant_of: TimeNode
+    assets: tuple[str, ...] = field(init=False)
+    pools: tuple[tuple[str, ...], ...] = field(init=False)
     settings: tuple[Parameters, ...] = field(init=False)
     rules: tuple[Rule, ...] = field(init=False)
     gaps: tuple[int | None, ...] = field(init=False)
 
     def __post_init__(self) -> None:
         distinct = tuple(dict.fromkeys(self.parameters.variants()))
+        object.__setattr__(self, "assets", tuple(self.calibration.overrides))
+        object.__setattr__(self, "pools", self.calibration.pools)
         object.__setattr__(self, "settings", distinct)
         object.__setattr__(self, "rules", tuple(resolve(self.calibration, self.kind)))
         object.__setattr__(

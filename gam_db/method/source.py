@@ -32,13 +32,13 @@ def add_source(steps: Pipeline, method: Method) -> None:
             "calibration_no": _chosen(
                 [
                     (named_like("asset", asset), None, number)
-                    for number, asset in enumerate(method.calibration.overrides, start=1)
+                    for number, asset in enumerate(method.assets, start=1)
                 ]
             ),
             "pool_no": _chosen(
                 [
                     (named_like("asset", asset), None, number)
-                    for number, group in enumerate(method.calibration.pools, start=1)
+                    for number, group in enumerate(method.pools, start=1)
                     for asset in group
                 ]
             ),

@@ -255,4 +255,4 @@ def _method(setting: Setting, kind: TimeKind) -> Method:
     start = None
     if setting.has_start:
         start = 0 if kind.is_counter else dt.date(1970, 1, 1)
-    return Method(parameters, Calibration(score_from=start), kind, lambda node: node)
+    return Method(parameters, Calibration(score_from=start), kind)

@@ -60,9 +60,9 @@ def answer(
     if question == "health_indicator":
         text = gam_db.render("exact", "bigquery", SOURCE, parameters, calibration)
     else:
-        method = Method(parameters, calibration, TimeKind.COUNTER, lambda node: node)
+        method = Method(parameters, calibration, TimeKind.COUNTER)
         read = readings(SOURCE, exp.to_table("telemetry"), lambda node: node)
-        text = BIGQUERY.text(pipeline(method, read).query(harness.STEPS[question]))
+        text = BIGQUERY.text(pipeline(method, read, lambda node: node).query(harness.STEPS[question]))
     return dicts(plant(rows).run(text))
 
 

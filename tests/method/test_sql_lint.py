@@ -497,10 +497,10 @@ def steps(
     parameters: gam_db.Parameters, calibration: gam_db.Calibration, source: Source | WideSource
 ) -> list[tuple[str, exp.Query]]:
     """The filled steps of the method, in order, over a source that counts time."""
-    method = Method(parameters, calibration, TimeKind.COUNTER, lambda node: node)
+    method = Method(parameters, calibration, TimeKind.COUNTER)
     rows = readings(source, exp.to_table("telemetry"), lambda node: node)
-    made = pipeline(method, rows)
-    add_look(made, method)
+    made = pipeline(method, rows, lambda node: node)
+    add_look(made, lambda node: node)
     return [(step.name, step.query) for step in made.steps.values()]
 
 
@@ -531,8 +531,9 @@ def test_a_file_breaks_no_rule(name: str) -> None:
 
 def selection_steps() -> list[tuple[str, exp.Query]]:
     """The filled steps of the method and of a selection on top, with every round of its searches."""
-    method = Method(PARAMETERS[0], CALIBRATIONS[0], TimeKind.COUNTER, lambda node: node)
-    made = pipeline(method, readings(SOURCES[0], exp.to_table("telemetry"), lambda node: node))
+    method = Method(PARAMETERS[0], CALIBRATIONS[0], TimeKind.COUNTER)
+    rows = readings(SOURCES[0], exp.to_table("telemetry"), lambda node: node)
+    made = pipeline(method, rows, lambda node: node)
     search = Search(m_max=4, theiler=3)
     add_samples(made, search)
     add_delays(made, search, samples=1300)

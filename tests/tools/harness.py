@@ -79,7 +79,7 @@ def all_by_engine(
         try:
             return {question: study.table(step).to_pylist() for question, step in STEPS.items()}
         finally:
-            study.running.forget()
+            study.forget()
 
 
 def made(parameters: dict[str, Any], calibration: dict[str, Any]) -> tuple[Any, Any]:

@@ -6,6 +6,7 @@ from gam_db import template
 from gam_db.method.adding import add, add_of_set, join_sets
 from gam_db.method.resolved import Method
 from gam_db.pipeline import Pipeline
+from gam_db.source import TimeNode
 
 #: Running sums stay below 2^62: two of them are added.
 _CAPACITY = 2**62
@@ -47,8 +48,8 @@ def add_points(steps: Pipeline, method: Method, number: int) -> None:
     steps.small |= {method.named(name, number) for name in ("learnt_points", "learnt_counts", "scores")}
 
 
-def add_moving_average(steps: Pipeline, method: Method) -> None:
-    """Add Eq. 2 over the scores of all sets, and the last steps made of it."""
+def add_moving_average(steps: Pipeline, method: Method, instant_of: TimeNode) -> None:
+    """Add Eq. 2 over the scores of all sets, and the last steps, with instants as in the source."""
     for number, setting in enumerate(method.settings):
         slots: dict[str, template.Slot] = {"window": setting.window}
         units = {**slots, "most": _CAPACITY // setting.window}
@@ -56,10 +57,10 @@ def add_moving_average(steps: Pipeline, method: Method) -> None:
         sums = {**slots, "stride": setting.bucket_length}
         add_of_set(steps, method, number, "lab/estimators/moving_sums", sums)
     join_sets(steps, method, ("moving_sums",))
-    time = method.instant_of(exp.column("time", table="counted"))
+    time = instant_of(exp.column("time", table="counted"))
     add(steps, "lab/estimators/score_health", {"time": time})
     add(steps, "lab/estimators/score_bucket_health", {"time": time})
-    latest = method.instant_of(exp.column("time", table="latest"))
+    latest = instant_of(exp.column("time", table="latest"))
     add(steps, "lab/estimators/last_scores", {"time": latest})
 
 

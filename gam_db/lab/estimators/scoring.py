@@ -136,7 +136,7 @@ def add_estimator(study: Study, name: str, seed: int = 0, sample: int = SAMPLE) 
             estimator.add_scores(steps, method, number)
         else:
             add_of_set(steps, method, number, "lab/estimators/no_scores", name="scores")
-    add_moving_average(steps, method)
+    add_moving_average(steps, method, study.instant_of)
 
 
 def _put_fitted(study: Study, fit: Fit, number: int, seed: int, sample: int) -> bool:
