@@ -1,4 +1,4 @@
-"""Asking again in an open session: nothing is filled, composed or written as text a second time."""
+"""The public calls in an open session: they equal the reference, and nothing is made twice."""
 
 from collections import Counter
 from typing import Any
@@ -58,6 +58,8 @@ def test_asking_again_composes_nothing(kind: str, engine: str, made: Counter[str
     before = session.relations()
     study._filled.cache_clear()
     first = answers(session, source, PARAMETERS)
+    for name, answer in harness.all_by_reference(ROWS, PARAMETERS, CALIBRATION).items():
+        harness.assert_same(answer, first[name], name)
     assert set(made) == {"fill_template", "_composed", "_written"}
     made.clear()
     assert answers(session, source, PARAMETERS) == first

@@ -6,7 +6,7 @@ nothing of the method but the key of a cell that is written as its codes.
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from pathlib import Path
@@ -14,6 +14,7 @@ from typing import Any
 
 import pytest
 
+import gathering
 import harness
 import scripts
 
@@ -144,11 +145,9 @@ def of_rule(name: str, text: str) -> Any:
     return number(text)
 
 
-def answers_of(case: Case, form: harness.Form) -> dict[str, harness.Answer]:
-    """Ask a form what the case asks, each question once."""
-    arguments = (case.rows, *harness.made(case.parameters, case.calibration))
-    questions = dict.fromkeys(question for question, _, _ in case.expected)
-    return {question: form(question, *arguments) for question in questions}
+def arguments_of(case: Case) -> tuple[Any, Any, Any]:
+    """Return the rows of a case, its parameters and its calibration."""
+    return (case.rows, *harness.made(case.parameters, case.calibration))
 
 
 def compare(case: Case, answers: dict[str, harness.Answer]) -> None:
@@ -167,33 +166,93 @@ FILES = sorted(FOLDER.glob("*.txt"))
 CASES = [case for path in FILES for case in cases(path)]
 
 
+def settings_of(case: Case) -> str:
+    """Name the parameters of a case and the form of its vectors, in which it is like others."""
+    sets = gathering.sets_of(case.parameters)
+    usual = {**gathering.USUAL, "asset": "*", "channel": "*"}
+    shown = [" ".join(f"{key}={one[key]}" for key in usual if one[key] != usual[key]) for one in sets]
+    return f"{' or '.join(shown)}{', in pieces' * gathering.is_in_pieces(case.calibration)}"
+
+
+def grouped() -> dict[str, list[Case]]:
+    """Return the cases that can be one source, by how many there are and what they share."""
+    groups: dict[str, list[Case]] = {}
+    for case in CASES:
+        groups.setdefault(settings_of(case), []).append(case)
+    return {
+        f"{len(group)} case{'s' * (len(group) > 1)}: {said}": group for said, group in groups.items()
+    }
+
+
+GROUPS = grouped()
+
+
+def compare_all(group: list[Case], answered: Callable[..., dict[str, harness.Answer]]) -> None:
+    """Let one source answer for all cases of a group, and name each case that it answers wrongly."""
+    source = gathering.Gathered(
+        {case.name: (case.rows, case.parameters, case.calibration) for case in group}
+    )
+    found = answered(source.rows, source.parameters, source.calibration)
+    wrong = []
+    for case in group:
+        try:
+            compare(case, source.answers(found, case.name))
+        except AssertionError as error:
+            wrong.append(f"{case.name}: {error}")
+    assert not wrong, "\n".join(wrong)
+
+
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
 def test_case_by_reference(case: Case) -> None:
-    compare(case, answers_of(case, harness.by_reference))
+    compare(case, harness.all_by_reference(*arguments_of(case)))
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
-def test_case(case: Case, engine: str) -> None:
-    compare(case, answers_of(case, harness.by_engine(engine)))
+def test_case_alone(case: Case) -> None:
+    """With no other case in its source, and its settings as they are written."""
+    compare(case, harness.all_by_engine("sqlite", *arguments_of(case)))
 
 
-def by_script(case: Case) -> Case:
-    """Return what of a case the scripts answer: they write no buckets."""
-    return replace(case, expected=[table for table in case.expected if table[0] in scripts.RELATIONS])
+@pytest.mark.parametrize("group", GROUPS)
+def test_cases(group: str, engine: str) -> None:
+    compare_all(GROUPS[group], lambda *asked: harness.all_by_engine(engine, *asked))
 
 
-@pytest.mark.parametrize(
-    "case", [case for case in CASES if by_script(case).expected], ids=lambda case: case.name
-)
-def test_case_by_script(case: Case, engine: str) -> None:
-    asked = by_script(case)
-    compare(asked, scripts.on(engine, case.rows, *harness.made(case.parameters, case.calibration)))
+@pytest.mark.parametrize("group", GROUPS)
+def test_cases_by_script(group: str, engine: str) -> None:
+    """What the scripts answer: they write no buckets."""
+    asked = [
+        replace(case, expected=[one for one in case.expected if one[0] in scripts.RELATIONS])
+        for case in GROUPS[group]
+    ]
+    compare_all(asked, lambda *asked: scripts.on(engine, *asked))
 
 
 def test_every_file_has_cases() -> None:
     assert len(FILES) >= 9
     assert {path.stem for path in FILES} == {case.name.partition(":")[0] for case in CASES}
     assert len({case.name for case in CASES}) == len(CASES)
+    assert sorted(case.name for group in GROUPS.values() for case in group) == sorted(
+        case.name for case in CASES
+    )
+
+
+def test_each_case_that_is_answered_wrongly_is_named() -> None:
+    """In a source of many, those whose rows differ are named, and no others."""
+    group = next(group for group in GROUPS.values() if len(group) > 9)
+    wrong = {group[2].name, group[7].name}
+
+    def answered(rows: list[harness.Row], *settings: Any) -> dict[str, harness.Answer]:
+        found = harness.all_by_reference(rows, *settings)
+        for question, answer in found.items():
+            prefixes = ("002:", "007:")
+            found[question] = [row for row in answer if not row["asset"].startswith(prefixes)]
+        return found
+
+    compare_all(group, harness.all_by_reference)
+    with pytest.raises(AssertionError) as error:
+        compare_all(group, answered)
+    assert {case.name for case in group if case.name in str(error.value)} == wrong
 
 
 def test_a_wrong_entry_is_noticed() -> None:
@@ -206,7 +265,7 @@ def test_a_wrong_entry_is_noticed() -> None:
         answer[1:],
         [*answer, answer[-1]],
     ]
-    answers = answers_of(case, harness.by_reference)
+    answers = harness.all_by_reference(*arguments_of(case))
     compare(case, answers)
     for table in wrong:
         with pytest.raises(AssertionError):

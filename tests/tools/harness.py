@@ -52,6 +52,13 @@ def by_reference(
     return QUESTIONS[question][0](rows, parameters, calibration)
 
 
+def all_by_reference(
+    rows: list[Row], parameters: gam_db.Parameters, calibration: gam_db.Calibration
+) -> dict[str, Answer]:
+    """Answer every question by the NumPy reference."""
+    return {question: by_reference(question, rows, parameters, calibration) for question in QUESTIONS}
+
+
 def by_engine(engine: str) -> Form:
     """Return what answers by the exact form on an engine, through the public call."""
 

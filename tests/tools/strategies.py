@@ -8,8 +8,9 @@ Everything is plain data, so nothing of gam_db is needed here. ``cases()`` gives
     calibration  keyword arguments; "overrides" maps an asset pattern to such arguments, or to None
 
 A series repeats a short pattern of few values and is then damaged here and there: so cells recur,
-and most cases have something to learn and something to score. Target floors are odd numbers on
-purpose: on a round one the mean of some shares may fall exactly, and engines add in other orders.
+and most cases have something to learn and something to score. Each follows from one number: drawn value
+by value, hypothesis would spend its time on twenty of them. Target floors are odd numbers on purpose: on
+a round one the mean of some shares may fall exactly, and engines add in other orders.
 """
 
 import random
@@ -23,6 +24,7 @@ Case = tuple[list[Row], Arguments, Arguments]
 
 # Names that are wildcards to LIKE or GLOB, or equal to one another when case is not heeded.
 ASSETS = ["a1", "A1", "a_1", "[a]1", "b%"]
+CHANNELS = ["x", "X", "y*", "y_"]
 ASSET_PATTERNS = ["*", "?1", "a*", "a?1", "A1", "[a]*", "b%", "a_1", "nobody"]
 CHANNEL_PATTERNS = ["*", "?", "x", "y*"]
 
@@ -36,33 +38,41 @@ def often(usual: list[Any], rare: list[Any]) -> st.SearchStrategy[Any]:
     return st.sampled_from(usual * 4 * len(rare) + rare * len(usual))
 
 
-@st.composite
-def series(draw: st.DrawFn, bins: int) -> list[tuple[int, float | None]]:
+def series(chance: random.Random, bins: int) -> list[tuple[int, float | None]]:
     """The rows of one channel: a pattern repeated over time, then gaps, damage and doubles."""
-    length = draw(often([MOST, 50, 40], [30, 12, 3, 1]))
-    lo = draw(often([0.0, -1.0, 0.1], [-0.0, -1e300]))
-    width = draw(often([1.0, 0.7, 1e-3], [3e150, 0.0]))  # 0: a constant channel
+    length = chance.choice([MOST, 50, 40] * 3 + [30, 12, 3, 1])
+    lo = chance.choice([0.0, -1.0, 0.1] * 3 + [-0.0, -1e300])
+    width = chance.choice([1.0, 0.7, 1e-3] * 3 + [3e150, 0.0])  # 0: a constant channel
     # Levels on the edges of bins and inside them, as doubles come out of just this arithmetic.
     levels = [lo + width * (k / (2 * bins)) for k in range(2 * min(bins, 8) + 1)] + [lo + width]
-    level = st.sampled_from(levels)
-    pattern = draw(st.lists(level, min_size=2, max_size=5, unique=width > 0))
+    pattern = [chance.choice(levels) for _ in range(chance.randint(2, 5))]
     values: list[float | None] = [pattern[i % len(pattern)] for i in range(length)]
-    position = st.integers(0, length - 1)
-    drift = draw(st.sampled_from([length, length // 2, 2 * length // 3]))
-    for i in range(drift, length, draw(st.integers(1, 4))):  # later on, something else
-        values[i] = draw(level)
-    outside = st.sampled_from([lo - 1.0, lo + 2 * width + 1.0, -0.0, 0.0, 1e300])
-    damage = st.one_of(level, st.sampled_from(MISSING), outside)
-    for i, value in draw(st.lists(st.tuples(position, damage), max_size=6)):
-        values[i] = value
-    steps = dict(draw(st.lists(st.tuples(position, st.sampled_from([2, 3, 4, 9])), max_size=4)))
-    time, rows = draw(st.sampled_from([0, 1, -7, 5])), []
+    drift = chance.choice([length, length // 2, 2 * length // 3])
+    for i in range(drift, length, chance.randint(1, 4)):  # later on, something else
+        values[i] = chance.choice(levels)
+    outside = [lo - 1.0, lo + 2 * width + 1.0, -0.0, 0.0, 1e300]
+
+    def damage() -> float | None:
+        kinds: list[list[Any]] = [levels, MISSING, outside]
+        found: float | None = chance.choice(chance.choice(kinds))
+        return found
+
+    def position() -> int:
+        return chance.randrange(length)
+
+    def times(most: int) -> range:
+        return range(chance.randint(0, most))
+
+    for _ in times(6):
+        values[position()] = damage()
+    steps = {position(): chance.choice([2, 3, 4, 9]) for _ in times(4)}
+    time, rows = chance.choice([0, 1, -7, 5]), []
     for i, value in enumerate(values):
         time += steps.get(i, 1)
         rows.append((time, value))
-    twice = draw(st.lists(st.tuples(position, st.one_of(damage, st.none())), max_size=4))
-    rows += [(rows[i][0], value) for i, value in twice]  # a conflict, more often than not
-    rows += [rows[i] for i in draw(st.lists(position, max_size=2))]
+    # A conflict, more often than not.
+    rows += [(rows[position()][0], chance.choice([damage(), None])) for _ in times(4)]
+    rows += [rows[position()] for _ in times(2)]
     return rows
 
 
@@ -139,18 +149,13 @@ def calibrations(draw: st.DrawFn) -> Arguments:
 
 
 @st.composite
-def cases(draw: st.DrawFn) -> Case:
-    """A source with up to three assets of up to two channels, its parameters and calibration."""
+def cases(draw: st.DrawFn, most: int = 5) -> Case:
+    """A source of ``most`` series or a few less, its parameters and its calibration."""
     chosen, calibration = draw(parameters()), draw(calibrations())
-    number = draw(st.sampled_from([2, 1, 3]))
-    assets = draw(st.permutations(ASSETS))[:number]
+    chance = random.Random(draw(st.integers(0, 2**32 - 1)))
+    names = [(asset, channel) for channel in CHANNELS for asset in ASSETS]
     rows: list[Row] = []
-    for asset in assets:
-        for channel in draw(st.sampled_from([["x"], ["x", "X"], ["y*", "x"], ["y*"]])):
-            found = draw(series(chosen["bins"]))
-            rows += [(asset, channel, time, value) for time, value in found]
-    # One number instead of a permutation: cheaper to draw, and 0 shrinks to rows in order.
-    seed = draw(st.integers(0, 1000))
-    if seed:
-        random.Random(seed).shuffle(rows)
+    for asset, channel in chance.sample(names, draw(st.integers(max(most - 3, 1), most))):
+        rows += [(asset, channel, *reading) for reading in series(chance, chosen["bins"])]
+    chance.shuffle(rows)
     return rows, chosen, calibration
