@@ -1,6 +1,9 @@
 """The documentation is tested: what it shows is there, and does what it says."""
 
+import os
 import re
+import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -40,3 +43,34 @@ def test_the_readme_claims_no_more_than_the_evidence(name: str) -> None:
     rows = [line for line in README.splitlines() if line.startswith(f"| {evidence()[name].evidence} |")]
     assert len(rows) == 1
     assert engine_named(name).title in rows[0]
+
+
+def test_trying_it_takes_two_commands() -> None:
+    assert [line.partition(" ")[0] for line in tries()[0]] == ["python3", ".venv/bin/python"]
+    assert [line.split()[:2] for line in tries()[1]] == [["uv", "run"]] * 2
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("number", [0, 1])
+def test_the_two_commands_work_in_a_clean_clone(number: int, tmp_path: Path) -> None:
+    """As a newcomer would type them: nothing but Python (or uv) is there, and no recordings."""
+    if number == 1 and shutil.which("uv") is None:
+        pytest.skip("left out: uv is not installed")
+    clone = tmp_path / "gam-db"
+    subprocess.run(["git", "clone", "--quiet", str(ROOT), str(clone)], check=True)
+    kept = ("VIRTUAL_ENV", "PYTHONPATH", "GAM_TEST_DATA", "GAM_DBT", "PYTEST_XDIST_WORKER")
+    environment = {name: value for name, value in os.environ.items() if name not in kept}
+    found = [
+        subprocess.run(line, shell=True, cwd=clone, env=environment, capture_output=True, text=True)
+        for line in tries()[number]
+    ]
+    for done in found:
+        assert done.returncode == 0, (done.stdout + done.stderr)[-3000:]
+    assert "verdicts: 1 ready" in found[0].stdout
+    assert re.search(r"\d{3,} passed", found[1].stdout)
+
+
+def tries() -> list[list[str]]:
+    """Return the commands of each of the two ways to try it."""
+    section = README.partition("## Try it")[2].partition("\n## ")[0]
+    return [block.strip().splitlines() for block in re.findall(r"```sh\n(.*?)```", section, re.DOTALL)]

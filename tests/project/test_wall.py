@@ -2,6 +2,7 @@
 
 import ast
 import importlib
+import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -37,6 +38,9 @@ LAYERS = [
     ["lab.benchmark", "lab.simulate", "lab.baselines"],
     ["lab.reproduce"],
 ]
+
+#: Tests of the checkout as it is, and what is no test.
+APART = ("project", "guard", "tools", "reference", "spec", "conftest.py")
 
 HEAVY = ("duckdb", "numpy", "pyarrow", "sqlglot", "rich.console")
 
@@ -147,3 +151,37 @@ def test_help_shows_three_panels() -> None:
 def test_estimators_come_by_an_entry_point() -> None:
     (entry,) = entry_points(group="gam_db.estimators")
     assert importlib.import_module(entry.value) is entry.load()
+
+
+@pytest.mark.full
+def test_the_core_stands_without_the_laboratory(tmp_path: Path) -> None:
+    """With its folders gone, all tests of the core pass but those of the project as a whole."""
+    kept = copied(tmp_path / "core")
+    for folder in ("gam_db", "sql", "tests"):
+        shutil.rmtree(kept / folder / "lab")
+    rooms = sorted(str(path) for path in (kept / "tests").iterdir() if path.name not in APART)
+    words = ["-q", "-n", "2", "--engines", "duckdb", "-p", "no:cacheprovider", *rooms]
+    done = subprocess.run(
+        [sys.executable, "-m", "pytest", *words], cwd=kept, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stdout[-3000:]
+    for words, said in (
+        (["benchmark"], "gam benchmark is part of the laboratory"),
+        (["run", "none.parquet", "--estimator", "forest"], "all but dse are part of the laboratory"),
+    ):
+        gam = [sys.executable, "-c", "from gam_db.cli import main; main()", *words]
+        told = subprocess.run(gam, cwd=kept, capture_output=True, text=True)
+        assert (told.returncode, told.stderr.count(said)) == (1, 1), told.stderr
+
+
+def copied(folder: Path) -> Path:
+    """Copy what git knows of the checkout, as it lies here."""
+    root = PACKAGE.parent
+    names = subprocess.run(
+        ["git", "ls-files", "-co", "--exclude-standard"], cwd=root, check=True, capture_output=True
+    ).stdout.decode()
+    for name in names.splitlines():
+        if (root / name).is_file():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(root / name, folder / name)
+    return folder
