@@ -12,6 +12,7 @@ import spark_fleet
 CHANNELS, SAMPLES = 6, 20_000
 
 
+@pytest.mark.full
 def test_a_cluster_counts_as_duckdb_does(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("JDK_JAVA_OPTIONS", engines.QUICK_JAVA)
     spark_fleet.write(tmp_path, CHANNELS, SAMPLES)
