@@ -7,6 +7,7 @@
     │   ├── SourceError         the relation, a column of it, or its rows are not usable
     │   ├── ConfigurationError  gam.toml or an option of the command line
     │   ├── EngineError         an unknown engine, or one that cannot do what is asked
+    │   │   └── ConflictError   another writer was faster; running again is all there is to do
     │   └── StateError          the state tables are missing, changed, or of another gam-db
     └── InternalError           our fault; the command line exits with 3
         ├── TemplateError       a file in sql/ breaks a rule, or its slots were not filled
@@ -45,6 +46,12 @@ class ConfigurationError(UserError):
 
 class EngineError(UserError):
     """An unknown engine, or one that cannot do what is asked."""
+
+
+class ConflictError(EngineError):
+    """Another writer was faster: nothing was lost, and running again is all there is to do."""
+
+    code = "conflict"
 
 
 class StateError(UserError):

@@ -13,7 +13,7 @@ from sqlglot.errors import ErrorLevel, UnsupportedError
 
 from gam_db import template
 from gam_db.clock import TimeKind
-from gam_db.engines.storage import Definition, with_statements
+from gam_db.engines.storage import Addition, Definition, added_with_statements, with_statements
 from gam_db.errors import EngineError
 
 Rewrite = Callable[[exp.Expr], exp.Expr]
@@ -43,6 +43,7 @@ class Engine:
         rewrites: from tree to tree, each with its reason in its docstring.
         create_table: CREATE TABLE ... AS with what the engine wants to know of storage.
         define: a table or view of the state, with keys, formats and comments as the engine has them.
+        extend: columns that a table of the state gets later, with comments in the same way.
         schemas: whether CREATE SCHEMA is known.
         flow_hint: whether a WITH entry can be marked NOT MATERIALIZED.
         reads_files: whether a Parquet or CSV path can stand in FROM.
@@ -62,6 +63,7 @@ class Engine:
     rewrites: Sequence[Rewrite] = ()
     create_table: Callable[[exp.Table, exp.Query], exp.Create] = table_as
     define: Callable[[Definition], list[exp.Expr]] = with_statements
+    extend: Callable[[Addition], list[exp.Expr]] = added_with_statements
     schemas: bool = True
     flow_hint: bool = False
     reads_files: bool = False

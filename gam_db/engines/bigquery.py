@@ -4,7 +4,7 @@ from sqlglot import exp
 
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter, escape_by_backslash
-from gam_db.engines.storage import Definition, clustered, with_notes
+from gam_db.engines.storage import Addition, Definition, added_with_notes, clustered, with_notes
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
@@ -24,9 +24,18 @@ def define(definition: Definition) -> list[exp.Expr]:
     return with_notes(
         definition,
         [clustered(definition)],
-        column_note=lambda said: exp.Properties(expressions=[_described(said)]),
+        column_note=_described_column,
         note=_described,
     )
+
+
+def extend(addition: Addition) -> list[exp.Expr]:
+    """Return the statements that add columns, with comments as OPTIONS."""
+    return added_with_notes(addition, column_note=_described_column)
+
+
+def _described_column(said: exp.Expr) -> exp.Expr:
+    return exp.Properties(expressions=[_described(said)])
 
 
 def _described(said: exp.Expr) -> exp.Expr:
@@ -81,5 +90,6 @@ ENGINE = Engine(
     micros_of=micros_of,
     instant_of=instant_of,
     define=define,
+    extend=extend,
     rewrites=(escape_by_backslash, name_rows_apart, find_keys_as_structs),
 )

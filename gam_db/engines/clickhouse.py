@@ -8,7 +8,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter, escape_by_backslash, table_as
-from gam_db.engines.storage import Definition, with_notes
+from gam_db.engines.storage import Addition, Definition, added_with_notes, with_notes
 
 _UTC = "UTC"
 _PLAN_STEPS = 1_000_000
@@ -82,14 +82,26 @@ def define(definition: Definition) -> list[exp.Expr]:
     if {"version_id", "bucket_no"} <= definition.columns.keys():
         properties = [*properties, _partition(), _marks()]
     (create,) = with_notes(definition, properties)
-    for column in create.find_all(exp.ColumnDef):
+    _say_null_by_type(create)
+    return [create]
+
+
+def extend(addition: Addition) -> list[exp.Expr]:
+    """Return the statements that add columns, with comments inside."""
+    statements = added_with_notes(addition)
+    for statement in statements:
+        _say_null_by_type(statement)
+    return statements
+
+
+def _say_null_by_type(statement: exp.Expr) -> None:
+    for column in statement.find_all(exp.ColumnDef):
         present = [
             rule for rule in column.constraints if isinstance(rule.kind, exp.NotNullColumnConstraint)
         ]
         for rule in present:
             rule.pop()
         column.args["kind"].set("nullable", not present)
-    return [create]
 
 
 def _merge_tree(key: exp.Expr) -> list[exp.Expr]:
@@ -145,4 +157,5 @@ ENGINE = Engine(
     rewrites=(escape_by_backslash, allow_long_plans),
     create_table=create_table,
     define=define,
+    extend=extend,
 )

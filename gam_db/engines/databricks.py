@@ -3,7 +3,7 @@
 from sqlglot import exp
 
 from gam_db.engines.base import Engine
-from gam_db.engines.spark import instant_of, micros_of
+from gam_db.engines.spark import extend, instant_of, micros_of
 from gam_db.engines.storage import Definition, clustered, with_notes
 
 
@@ -21,4 +21,5 @@ ENGINE = Engine(
     micros_of=micros_of,
     instant_of=instant_of,
     define=define,
+    extend=extend,
 )

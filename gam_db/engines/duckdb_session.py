@@ -17,7 +17,7 @@ from gam_db.engines.duckdb import ENGINE, file_reader
 from gam_db.engines.duckdb_opening import attached, check_settings, is_among, opened, rows_at_once
 from gam_db.engines.duckdb_types import check_columns, is_name, is_numeric, is_text, time_kind
 from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY
-from gam_db.errors import EngineError, SourceError, StatementError, nearest
+from gam_db.errors import ConflictError, EngineError, SourceError, StatementError, nearest
 from gam_db.source import is_file, table_names
 
 OLDEST = (2, 0)
@@ -188,7 +188,7 @@ class DuckSession:
             if "Could not write file" in str(error.__cause__):
                 raise EngineError(FULL) from error
             if isinstance(error.__cause__, duckdb.TransactionException):
-                raise EngineError(CONFLICT) from error
+                raise ConflictError(CONFLICT) from error
             if "read-only" in str(error.__cause__):
                 raise EngineError(READ_ONLY) from error
             raise

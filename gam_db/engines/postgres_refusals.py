@@ -4,7 +4,7 @@ import re
 from typing import Any
 
 from gam_db.engines.session import CONFLICT, FULL
-from gam_db.errors import EngineError, SourceError, UserError
+from gam_db.errors import ConflictError, EngineError, SourceError, UserError
 
 REFUSED_TRANSACTION = (
     "The connection to PostgreSQL is in a transaction that has failed, or still busy; roll it back, or "
@@ -25,10 +25,10 @@ _SAID: dict[str, UserError] = {
     "57P": EngineError(LOST),
     "25006": EngineError(READ_ONLY),
     "25P02": EngineError(REFUSED_TRANSACTION),
-    "40": EngineError(CONFLICT),
-    "55P03": EngineError(CONFLICT),
-    "23505": EngineError(CONFLICT),
-    "42P07": EngineError(CONFLICT),
+    "40": ConflictError(CONFLICT),
+    "55P03": ConflictError(CONFLICT),
+    "23505": ConflictError(CONFLICT),
+    "42P07": ConflictError(CONFLICT),
     "53100": EngineError(FULL),
     "58030": EngineError(FULL),
     "53200": EngineError(
@@ -118,7 +118,7 @@ def of_statement(error: Any, statement: str, closed: bool) -> UserError | None:
     if state == "42501":
         return _denied(error.diag.message_primary or "", statement)
     if state == "XX000" and "concurrently" in (error.diag.message_primary or ""):
-        return EngineError(CONFLICT)
+        return ConflictError(CONFLICT)
     for length in (5, 3, 2):
         found = _SAID.get(state[:length])
         if found is not None:

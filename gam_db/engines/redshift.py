@@ -6,7 +6,7 @@ from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter
 from gam_db.engines.postgres import instant_of
-from gam_db.engines.storage import Definition, with_statements
+from gam_db.engines.storage import Addition, Definition, added_with_statements, with_statements
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
@@ -26,6 +26,11 @@ def define(definition: Definition) -> list[exp.Expr]:
     return [create, *comments]
 
 
+def extend(addition: Addition) -> list[exp.Expr]:
+    """Return the statements that add columns: Redshift has no IF NOT EXISTS here."""
+    return added_with_statements(addition, twice=False)
+
+
 ENGINE = Engine(
     name="redshift",
     title="Redshift",
@@ -35,4 +40,5 @@ ENGINE = Engine(
     micros_of=micros_of,
     instant_of=instant_of,
     define=define,
+    extend=extend,
 )

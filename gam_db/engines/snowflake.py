@@ -4,7 +4,7 @@ from sqlglot import exp
 
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter
-from gam_db.engines.storage import Definition, clustered, with_notes
+from gam_db.engines.storage import Definition, added_with_notes, clustered, with_notes
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
@@ -36,4 +36,5 @@ ENGINE = Engine(
     micros_of=micros_of,
     instant_of=instant_of,
     define=define,
+    extend=added_with_notes,
 )

@@ -10,7 +10,7 @@ from sqlglot import exp
 
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter, table_as
-from gam_db.engines.storage import Definition, clustered, with_notes
+from gam_db.engines.storage import Addition, Definition, added_with_notes, clustered, with_notes
 
 #: Groups of channels, by hash, that the large tables are stored in: a look at one machine opens the
 #: files of one group, in which rows are ordered. Every run writes a file for each, so they are few.
@@ -59,6 +59,11 @@ def define(definition: Definition) -> list[exp.Expr]:
             )
         )
     return with_notes(definition, stored)
+
+
+def extend(addition: Addition) -> list[exp.Expr]:
+    """Return the statements that add columns: Spark has no IF NOT EXISTS here."""
+    return added_with_notes(addition, twice=False)
 
 
 def define_delta(definition: Definition) -> list[exp.Expr]:
@@ -117,6 +122,7 @@ ENGINE = Engine(
     instant_of=instant_of,
     create_table=create_table,
     define=define,
+    extend=extend,
     rewrites=(rebalanced,),
 )
 

@@ -3,7 +3,7 @@
 from typing import Any
 
 from gam_db.engines.session import CONFLICT, FULL
-from gam_db.errors import EngineError, SourceError, UserError
+from gam_db.errors import ConflictError, EngineError, SourceError, UserError
 
 _MEMORY = (
     "Spark ran out of memory; give it more (SPARK_DRIVER_MEMORY for one process, spark.executor.memory "
@@ -52,10 +52,10 @@ _BY_TEXT: tuple[tuple[tuple[str, ...], UserError], ...] = (
     (("No space left on device",), EngineError(FULL)),
     (("is not a Parquet file", "CANNOT_READ_FILE_FOOTER"), SourceError("A file is no Parquet file.")),
     (("OutOfMemoryError", "UNABLE_TO_ACQUIRE_MEMORY", "MEMORY_LIMIT"), EngineError(_MEMORY)),
-    (("ConcurrentAppendException", "CommitFailedException"), EngineError(CONFLICT)),
+    (("ConcurrentAppendException", "CommitFailedException"), ConflictError(CONFLICT)),
     (
         ("FileNotFoundException", "FAILED_READ_FILE", "CANNOT_RENAME", "Failed to rename"),
-        EngineError(_CONFLICT),
+        ConflictError(_CONFLICT),
     ),
     (("Permission denied", "AccessControlException"), EngineError("Spark may not write there.")),
     (

@@ -21,7 +21,7 @@ from gam_db.engines.session import CONFLICT
 from gam_db.engines.spark_folder import Entry, Folder
 from gam_db.engines.spark_opening import scratch
 from gam_db.engines.spark_rewriting import Run, rewritten
-from gam_db.errors import EngineError
+from gam_db.errors import ConflictError, EngineError
 
 
 class Tables(Protocol):
@@ -100,7 +100,7 @@ class FolderTables:
             return
         if self._folder.entries().get(entry.key) != entry or _files(self._folder.place(entry)) != before:
             self._folder.sweep(entry.schema, entry.name, [entry.data or ""])
-            raise EngineError(CONFLICT)
+            raise ConflictError(CONFLICT)
         self._folder.put(dataclasses.replace(entry, data=data))
         self.ready(table.name)
         self._folder.sweep(entry.schema, entry.name, [data])

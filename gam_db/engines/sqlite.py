@@ -7,7 +7,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import SECOND, TimeKind
 from gam_db.engines.base import Engine, called, counter
-from gam_db.engines.storage import Definition, key_index
+from gam_db.engines.storage import Addition, Definition, added, key_index
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
@@ -110,6 +110,11 @@ def define(definition: Definition) -> list[exp.Expr]:
     return [exp.Drop(tables=[create.this.copy()], kind="VIEW", exists=True), create]
 
 
+def extend(addition: Addition) -> list[exp.Expr]:
+    """Return the statements that add columns: SQLite has no comments, and no IF NOT EXISTS here."""
+    return added(addition, twice=False)
+
+
 ENGINE = Engine(
     name="sqlite",
     title="SQLite",
@@ -120,6 +125,7 @@ ENGINE = Engine(
     instant_of=instant_of,
     range_of=range_of,
     define=define,
+    extend=extend,
     schemas=False,
     flow_hint=True,
     rewrites=(glob_for_like,),

@@ -17,7 +17,7 @@ from gam_db.clock import TimeKind
 from gam_db.engines.base import called, deletion
 from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY
 from gam_db.engines.sqlite import ENGINE
-from gam_db.errors import EngineError, SourceError, UserError
+from gam_db.errors import ConflictError, EngineError, SourceError, UserError
 
 #: Window functions, hints on WITH entries and mathematical functions are all there.
 OLDEST = (3, 35)
@@ -218,7 +218,7 @@ class SqliteDriver:
         """Return what the user can do about an error; None if it is none of the user's."""
         said = str(error)
         if "locked" in said:
-            return EngineError(CONFLICT)
+            return ConflictError(CONFLICT)
         if "readonly" in said:
             return EngineError(READ_ONLY)
         if "full" in said or "disk I/O" in said:

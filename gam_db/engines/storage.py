@@ -40,24 +40,39 @@ class Definition:
         return [exp.column(column.this.copy()) for column in list(present)[:2]]
 
 
+@dataclass(frozen=True)
+class Addition:
+    """Columns that a table gets later; rows that are there have NULL in them.
+
+    Attributes:
+        table: that is changed.
+        columns: what is added, by name, in order.
+        comments: what each column means, by its name.
+    """
+
+    table: exp.Table
+    columns: Mapping[str, exp.ColumnDef]
+    comments: Mapping[str, exp.Expr]
+
+
 def with_statements(definition: Definition) -> list[exp.Expr]:
     """Return the definition with a COMMENT ON for itself and each of its columns."""
     create = definition.create.copy()
     target = create.this.this if isinstance(create.this, exp.Schema) else create.this
-    about = [
-        exp.Comment(this=target.copy(), kind=create.kind, expression=definition.comment.copy()),
-        *(
-            exp.Comment(
-                this=exp.Column(
-                    this=exp.to_identifier(name), table=target.this, db=target.args.get("db")
-                ),
-                kind="COLUMN",
-                expression=said.copy(),
-            )
-            for name, said in definition.columns.items()
-        ),
+    whole = exp.Comment(this=target.copy(), kind=create.kind, expression=definition.comment.copy())
+    return [create, whole, *_about(target, definition.columns)]
+
+
+def _about(table: exp.Table, columns: Mapping[str, exp.Expr]) -> list[exp.Expr]:
+    """Return a COMMENT ON for each column."""
+    return [
+        exp.Comment(
+            this=exp.Column(this=exp.to_identifier(name), table=table.this, db=table.args.get("db")),
+            kind="COLUMN",
+            expression=said.copy(),
+        )
+        for name, said in columns.items()
     ]
-    return [create, *about]
 
 
 def with_notes(
@@ -85,6 +100,40 @@ def with_notes(
     stored = [] if definition.is_view else list(properties)
     create.set("properties", exp.Properties(expressions=[*stored, note(definition.comment.copy())]))
     return [create]
+
+
+def added(addition: Addition, twice: bool = True) -> list[exp.Expr]:
+    """Return an ALTER TABLE for each column, without comments.
+
+    Args:
+        addition: what is added.
+        twice: whether the engine can be told to leave a column alone that is there already.
+    """
+    statements: list[exp.Expr] = []
+    for column in addition.columns.values():
+        made = column.copy()
+        made.set("exists", twice or None)
+        statements.append(exp.Alter(this=addition.table.copy(), kind="TABLE", actions=[made]))
+    return statements
+
+
+def added_with_statements(addition: Addition, twice: bool = True) -> list[exp.Expr]:
+    """Return the same, and a COMMENT ON for each column."""
+    return [*added(addition, twice), *_about(addition.table, addition.comments)]
+
+
+def added_with_notes(
+    addition: Addition,
+    twice: bool = True,
+    column_note: Note = lambda said: exp.CommentColumnConstraint(this=said),
+) -> list[exp.Expr]:
+    """Return the same with the comments inside; see :func:`with_notes`."""
+    statements = added(addition, twice)
+    for statement in statements:
+        (column,) = statement.args["actions"]
+        said = addition.comments[column.name].copy()
+        column.append("constraints", exp.ColumnConstraint(kind=column_note(said)))
+    return statements
 
 
 def key_index(definition: Definition) -> exp.Expr:

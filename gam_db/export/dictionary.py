@@ -4,12 +4,10 @@ This module owns where a description comes from: the migrations for columns, the
 models. Nothing is said twice.
 """
 
-from functools import cache
-
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.stored.migration_files import Migration, files
+from gam_db.stored.migration_files import definitions
 
 #: Columns that a package has and the state tables have not.
 _OWN = {
@@ -32,7 +30,7 @@ def meaning(table: str, column: str) -> str:
     if column in _OWN:
         return _OWN[column]
     for name in (table, *_ELSEWHERE):
-        columns = _migrations()[name].definition.columns
+        columns = definitions()[name].columns
         if column in columns:
             return columns[column].name
     raise KeyError(column)
@@ -41,13 +39,8 @@ def meaning(table: str, column: str) -> str:
 def is_always_there(table: str, column: str) -> bool:
     """Tell whether a column of a table is never NULL; nothing is said of views but of their names."""
     for name in (table, "channel", "version"):
-        definition = _migrations()[name].definition
+        definition = definitions()[name]
         if column in definition.columns and not definition.is_view:
             (found,) = (one for one in definition.create.this.expressions if one.name == column)
             return found.find(exp.NotNullColumnConstraint) is not None
     return False
-
-
-@cache
-def _migrations() -> dict[str, Migration]:
-    return {migration.name: migration for migration in files()}

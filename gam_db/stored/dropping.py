@@ -46,8 +46,8 @@ def removals(session: Session, tables: StateTables, monitor: str | None = None) 
         StateError: there is no state, no such monitor, or a newer gam-db made the state.
     """
     there = session.relations(tables.schema)
-    made = [row.name for row in recorded(session, tables, there) if row.name in (*TABLES, *VIEWS)]
-    present = [name for name in made if tables.folded(name) in there]
+    made = {row.name for row in recorded(session, tables, there)}
+    present = [name for name in (*TABLES, *VIEWS) if name in made and tables.folded(name) in there]
     if not present:
         raise StateError(f"There are no state tables {tables}* in this database.")
     if monitor is not None:

@@ -1,12 +1,12 @@
 """The files of ``migrations/``: read, checked, placed where the state lies, rendered for an engine.
 
-A file makes one table or one view, with its comments; it is safe to run twice, and calls the tables
-``stored_run`` and so on. Its checksum is that of its bytes.
+A file makes one table or one view, or adds columns to a table, with the comments of all that; it is safe
+to run twice, and calls the tables ``stored_run`` and so on. Its checksum is that of its bytes.
 """
 
 import hashlib
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -19,10 +19,10 @@ from sqlglot.errors import SqlglotError
 from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine
-from gam_db.engines.storage import Definition
+from gam_db.engines.storage import Addition, Definition
 from gam_db.errors import TemplateError
 from gam_db.pipeline import filled, place
-from gam_db.stored.tables import StateTables
+from gam_db.stored.tables import TABLES, VIEWS, StateTables
 from gam_db.version import __version__
 
 RECORD = ("number", "name", "checksum", "applied_at", "gam_version")
@@ -36,18 +36,32 @@ class Migration:
 
     Attributes:
         number: 1, 2, ... without a gap.
-        name: the table or view that it makes, without prefix.
+        name: the table or view that it makes or changes, without prefix. A view may be made again.
         checksum: SHA-256 of its bytes.
-        definition: what it makes, in the words of the file.
+        definition: what it makes or adds, in the words of the file.
     """
 
     number: int
     name: str
     checksum: str
-    definition: Definition
+    definition: Definition | Addition
 
-    def statements(self, engine: Engine, tables: StateTables) -> list[exp.Expr]:
-        """Return the statements for an engine, with the tables in their place."""
+    def statements(
+        self, engine: Engine, tables: StateTables, present: Collection[str] = ()
+    ) -> list[exp.Expr]:
+        """Return the statements for an engine, with the tables in their place.
+
+        Args:
+            engine: what runs them.
+            tables: where the state lies.
+            present: columns of the table that are there already, and are not added.
+        """
+        if isinstance(self.definition, Addition):
+            missing = {
+                name: column for name, column in self.definition.columns.items() if name not in present
+            }
+            added = Addition(tables.table(self.name), missing, self.definition.comments)
+            return engine.extend(added)
         create = self.definition.create.copy()
         target = create.this.this if isinstance(create.this, exp.Schema) else create.this
         target.replace(tables.table(self.name))
@@ -79,6 +93,21 @@ class Migration:
 
 
 @cache
+def definitions() -> dict[str, Definition]:
+    """Return what all migrations make together, by name: tables, then views after what they read."""
+    made: dict[str, Definition] = {}
+    for migration in files():
+        about = migration.definition
+        if isinstance(about, Addition):
+            before = made[migration.name]
+            create = before.create.copy()
+            create.this.set("expressions", [*create.this.expressions, *about.columns.values()])
+            about = Definition(create, before.comment, {**before.columns, **about.comments})
+        made[migration.name] = about
+    return {name: made[name] for name in (*TABLES, *VIEWS)}
+
+
+@cache
 def files() -> tuple[Migration, ...]:
     """Return the migrations of this gam-db, in order."""
     installed = Path(__file__).parent.parent / "migrations"
@@ -99,6 +128,11 @@ def read(folder: Path) -> tuple[Migration, ...]:
                 f"The migrations in {folder.name}/ are not numbered 1, 2, ...: number {place_of} is "
                 f"{'there twice' if migration.number < place_of else 'missing'}."
             )
+        made = [earlier.name for earlier in found[: place_of - 1]]
+        if isinstance(migration.definition, Addition) and migration.name not in made:
+            raise TemplateError(
+                f"The migration number {place_of} adds columns to a table that no file before it makes."
+            )
     return tuple(found)
 
 
@@ -117,7 +151,8 @@ def _read(path: Path) -> Migration:
             node.comments = None
             node._meta = None
     number, name = int(matched[1]), matched[2]
-    definition = _definition(path.name, name, statements)
+    made = _addition if statements and isinstance(statements[0], exp.Alter) else _definition
+    definition = made(path.name, name, statements)
     return Migration(number, name, hashlib.sha256(content).hexdigest(), definition)
 
 
@@ -152,6 +187,33 @@ def _definition(file: str, name: str, statements: Sequence[exp.Expr]) -> Definit
             "column, in order."
         )
     return Definition(made, whole[0], said)
+
+
+def _addition(file: str, name: str, statements: Sequence[exp.Expr]) -> Addition:
+    """Return which columns a file adds to the table that it is called after, with all comments."""
+    changes = [one for one in statements if isinstance(one, exp.Alter)]
+    about = [one for one in statements if isinstance(one, exp.Comment)]
+    columns = {
+        action.name: action
+        for change in changes
+        for action in change.args["actions"]
+        # Rows that are there have nothing to say in it.
+        if isinstance(action, exp.ColumnDef) and action.args.get("exists") and not action.constraints
+    }
+    said = {one.this.name: one.expression for one in about if one.args["kind"] == "COLUMN"}
+    if (
+        [*changes, *about] != list(statements)
+        or len(columns) != len(changes)
+        or any(change.this.name != f"stored_{name}" for change in changes)
+        or list(said) != list(columns)
+        or len(about) != len(said)
+        or any(_table_of(one) != f"stored_{name}" for one in about)
+    ):
+        raise TemplateError(
+            f"migrations/{file} must add columns to stored_{name}, one by one (add column if not "
+            "exists, NULL in the rows that are there), with a comment on each, in order."
+        )
+    return Addition(exp.to_table(f"stored_{name}"), columns, said)
 
 
 def _table_of(comment: exp.Expr) -> str:

@@ -5,7 +5,7 @@ undone, and a state that a newer gam-db made is refused.
 """
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -14,7 +14,8 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.engines.base import Engine
 from gam_db.engines.session import CONFLICT, Session
-from gam_db.errors import EngineError, StateError
+from gam_db.engines.storage import Addition, Definition
+from gam_db.errors import ConflictError, EngineError, StateError
 from gam_db.stored.migration_files import RECORD, Migration, files
 from gam_db.stored.tables import StateTables
 from gam_db.version import __version__
@@ -86,7 +87,8 @@ def status(session: Session, tables: StateTables) -> Status:
             )
     pending = known[len(applied) :]
     for migration in pending:
-        if migration.name not in made and tables.folded(migration.name) in there:
+        makes = isinstance(migration.definition, Definition)
+        if makes and migration.name not in made and tables.folded(migration.name) in there:
             _check_own(tables, migration.name, there, tuple(migration.definition.columns))
     return Status(applied, pending)
 
@@ -114,8 +116,12 @@ def migrate(
             record = {tables.folded("migration"): RECORD}
             there = session.relations(tables.schema) if migration.number == 1 else record
             if len(recorded(session, tables, there)) >= migration.number:
-                raise EngineError(CONFLICT)
-            for statement in _complete(migration, session.engine, tables, time.time_ns() // 1000):
+                raise ConflictError(CONFLICT)
+            present: tuple[str, ...] = ()
+            if isinstance(migration.definition, Addition):  # some may be there, if it was cut short
+                present = session.relations(tables.schema)[tables.folded(migration.name)]
+            now = time.time_ns() // 1000
+            for statement in _complete(migration, session.engine, tables, now, present):
                 session.execute(statement)
     return pending
 
@@ -139,6 +145,9 @@ def require(session: Session, tables: StateTables) -> None:
 def rendered(engine: Engine, tables: StateTables) -> str:
     """Return all migrations as a script of an engine; it can be run on an empty or an older state.
 
+    Where an engine has no ADD COLUMN IF NOT EXISTS, what adds a column says so, and is left out where it
+    was applied.
+
     Raises:
         EngineError: the engine has no schemas, and one is named.
     """
@@ -149,6 +158,8 @@ def rendered(engine: Engine, tables: StateTables) -> str:
     for migration in files():
         title = f"-- Migration {migration.number}: {tables.shown(migration.name)}."
         statements = _complete(migration, engine, tables, now)
+        if any(_adds_once(statement) for statement in statements):
+            title += f" Only where it is pending: {engine.title} cannot be told to add a column once."
         parts.append(
             "\n".join([title, *(f"{engine.text(statement, pretty=True)};" for statement in statements)])
         )
@@ -156,10 +167,15 @@ def rendered(engine: Engine, tables: StateTables) -> str:
 
 
 def _complete(
-    migration: Migration, engine: Engine, tables: StateTables, applied_at: int
+    migration: Migration,
+    engine: Engine,
+    tables: StateTables,
+    applied_at: int,
+    present: Collection[str] = (),
 ) -> Sequence[exp.Expr]:
     """Return all statements of a migration; the first makes the schema, the last is the record."""
-    statements = [*migration.statements(engine, tables), migration.record(tables, applied_at)]
+    changes = migration.statements(engine, tables, present)
+    statements = [*changes, migration.record(tables, applied_at)]
     if tables.schema is None:
         return statements
     if not engine.schemas:
@@ -168,6 +184,12 @@ def _complete(
         schema = exp.Table(db=template.name(tables.schema))
         statements.insert(0, exp.Create(this=schema, kind="SCHEMA", exists=True))
     return statements
+
+
+def _adds_once(statement: exp.Expr) -> bool:
+    """Tell whether a statement fails where the column that it adds is there."""
+    actions = statement.args["actions"] if isinstance(statement, exp.Alter) else []
+    return not all(action.args.get("exists") for action in actions)
 
 
 def _check_record(applied: Sequence[Applied], tables: StateTables) -> None:

@@ -127,7 +127,6 @@ def compact(session: Session, tables: StateTables, monitor: str = "default") -> 
     Arguments, errors and the result are those of :func:`prune`.
     """
     migrations.require(session, tables)
-    State(session, tables).monitor(monitor)
     return _deleted(session, tables, monitor, {**dict.fromkeys(_LIMITS, FAR_AHEAD), "lookback": 0})
 
 
@@ -138,6 +137,8 @@ def _deleted(
     limits: Mapping[str, template.Slot],
     dry_run: bool = False,
 ) -> pa.Table:
+    state = State(session, tables)
+    monitor_id = state.monitor(monitor)["monitor_id"]
     # A run that is seen without its end, where there are transactions, was cut short; else it may go on.
     unfinished = FAR_AHEAD if session.transactions else first_run_at(now() - DAY)
     slots = {
@@ -150,6 +151,8 @@ def _deleted(
     sizes = filled("stored/state_sizes", {"monitor": slots["monitor"]})
     place(sizes, tables.placed())
     with contextlib.suppress(_UndoneError), session.transaction():
+        if session.transactions:  # a run that publishes now is there as a whole, or not yet
+            state.lock(monitor_id)
         before = session.fetch(sizes)
         kept: dict[str, exp.Table] = {}
         for step in _STEPS:

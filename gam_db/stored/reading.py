@@ -5,7 +5,7 @@ which channels are read from where on.
 """
 
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import pyarrow as pa
@@ -20,7 +20,7 @@ from gam_db.stored.planning import Row
 from gam_db.stored.state import State
 from gam_db.stored.steps import plan_steps, searched_plan_steps
 
-#: Versions that a condition lists; of more it says in which range they are.
+#: Keys that a condition lists; of more it says in which range they are.
 _LISTED = 1000
 
 
@@ -131,13 +131,17 @@ def near(rows: Sequence[Row], buckets_before: int = 0) -> exp.Expr:
     first = min(row["first_bucket"] for row in rows) - buckets_before
     number = exp.column("bucket_no", table="bucket")
     version = exp.column("version_id", table="bucket")
-    keys = sorted(row["version_id"] for row in rows)
+    among = listed(version, (row["version_id"] for row in rows))
+    return exp.and_(among, exp.GTE(this=number, expression=template.node_of(max(first, 0))))
+
+
+def listed(column: exp.Expr, found: Iterable[int]) -> exp.Expr:
+    """Return the condition that a column is one of some keys; of many, that it is in their range."""
+    keys = sorted(found)
     if len(keys) > _LISTED:
         ends = [exp.Literal.number(key) for key in (keys[0], keys[-1])]
-        among: exp.Expr = exp.Between(this=version, low=ends[0], high=ends[1])
-    else:
-        among = exp.In(this=version, expressions=[exp.Literal.number(key) for key in keys])
-    return exp.and_(among, exp.GTE(this=number, expression=template.node_of(max(first, 0))))
+        return exp.Between(this=column, low=ends[0], high=ends[1])
+    return exp.In(this=column, expressions=[exp.Literal.number(key) for key in keys])
 
 
 def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
@@ -164,7 +168,7 @@ _COHORT = pa.schema(
             for name in (
                 *("channel_id", "version_id", "support_id", "first_bucket", "first_scored"),
                 *("read_from", "read_until", "context_expected", "calibration_end"),
-                *("oldest_bucket", "recounted", "settled"),
+                *("oldest_bucket", "recounted", "settled", "planned_from"),
             )
         ),
         *((name, pa.string()) for name in ("asset", "channel")),

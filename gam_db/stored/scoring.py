@@ -2,7 +2,8 @@
 
 This module owns the steps of a run and its publication. Rows are appended first and one row per version
 in ``gam_run`` last: that is the commit. Where an engine has transactions, all of it is one, and rows
-that are now hidden go in the same.
+that are now hidden go in the same. It counts only if nobody else wrote meanwhile
+(:mod:`gam_db.stored.publishing`).
 """
 
 from collections.abc import Callable, Collection, Mapping, Sequence
@@ -13,12 +14,13 @@ from sqlglot import exp
 
 from gam_db import look, template
 from gam_db.clock import FAR_AHEAD, shown_instant
-from gam_db.errors import ParameterError, SourceError
+from gam_db.errors import ConflictError, ParameterError, SourceError
 from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline, filled, place
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
 from gam_db.stored.planning import Cohort, Row, assets_of, planned, portions, resumed
+from gam_db.stored.publishing import GONE, NOTHING, Standings, publication, standings
 from gam_db.stored.reading import (
     Reader,
     cohort_of,
@@ -109,6 +111,7 @@ def score(
     Raises:
         UserError: there is no such monitor, or the source cannot be used; groups of channels that were
             scored before stay scored.
+        ConflictError: another process changed what is stored meanwhile; likewise.
     """
     run = _Run(state, source, name, wanted, on_step)
     return run.go(dry_run)
@@ -122,6 +125,7 @@ class _Run:
         self.monitor = state.monitor(name)
         self.reader = Reader(state.session, source, kind_of(self.monitor), name)
         self.started = now()
+        self.planned: Standings = {}
         self.report = Report()
 
     def go(self, dry_run: bool) -> Report:
@@ -170,6 +174,8 @@ class _Run:
 
     def _plan(self) -> list[Row]:
         monitor_id = self.monitor["monitor_id"]
+        # Before the plan: what changes between the two is noticed then.
+        self.planned = standings(self.state)
         if self.wanted.full or self.wanted.repair_from is not None:
             lookback = None if self.wanted.full else self.wanted.lookback
             rows = searched_plan_rows(self.state, monitor_id, lookback, self.wanted.repair_from)
@@ -268,6 +274,7 @@ class _Run:
             if not group:
                 return doubtful
             running.put("past_buckets", self._past(group, running))
+            self._check_past(group, running)
             for part in PUBLISHED:
                 running.prepare(part)
             made = {row["channel_id"]: row for row in running.table("new_counts").to_pylist()}
@@ -282,8 +289,11 @@ class _Run:
             }
             running.load("stamp", pa.Table.from_pylist([stamp]))
             after = min(row["first_scored"] for row in group) - 1
-            with self.session.transaction():
+            monitor_id = self.monitor["monitor_id"]
+            with publication(self.state, monitor_id, group, self.planned, run_id) as compare_again:
                 for part in PUBLISHED:
+                    if part == PUBLISHED[-1]:
+                        compare_again()
                     self.state.append(part.removesuffix("_rows"), running.query(part))
                 if self.session.transactions:  # else `gam compact` does it now and then
                     for table in ("bucket", "novel"):
@@ -301,10 +311,20 @@ class _Run:
         place(past, running.placed)
         return past
 
+    def _check_past(self, group: Sequence[Row], running: Running) -> None:
+        """Refuse to sum a window of which buckets went since the run was planned."""
+        counts = running.table("past_counts").to_pylist()
+        there = {row["channel_id"]: row["past_buckets"] for row in counts}
+        for row in group:
+            wanted = min(row["first_bucket"], row["window_length"] // row["stride"])
+            if there.get(row["channel_id"], 0) != wanted:
+                raise ConflictError(GONE)
+
     def _cohort(self, group: Sequence[Row]) -> pa.Table:
         until = FAR_AHEAD if self.wanted.until is None else self.wanted.until
         due = [int(self._is_due(row)) for row in group]
-        return cohort_of(group, read_until=until, recounted=due)
+        planned = [self.planned.get(row["version_id"], NOTHING).newest_run for row in group]
+        return cohort_of(group, read_until=until, recounted=due, planned_from=planned)
 
     def _is_due(self, row: Row) -> bool:
         """Tell whether the rows of a channel's calibration are to be counted anew."""

@@ -16,7 +16,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.engines.session import CONFLICT, Session
-from gam_db.errors import ConfigurationError, EngineError, nearest
+from gam_db.errors import ConfigurationError, ConflictError, EngineError, nearest
 from gam_db.pipeline import filled, place
 from gam_db.stored.tables import StateTables
 
@@ -108,23 +108,22 @@ class State:
     def alone(self, keys: dict[str, int]) -> Iterator[None]:
         """Do all inside as one transaction, whose new keys no other writer gives.
 
-        Two scoring runs at once do no harm, since the larger run id hides the other; two calibrations
-        would give the same keys twice. So each touches one row, which only one of them may, and one
-        that begins when the other has ended finds other keys than it was made for. Without transactions
-        the other is noticed at the end.
+        Two calibrations at once would give the same keys twice. So each touches one row, which only one
+        of them may, and one that begins when the other has ended finds other keys than it was made for.
+        Without transactions the other is noticed at the end.
 
         Args:
             keys: what :meth:`keys` said before the decision on what to write; brought up to date.
 
         Raises:
-            EngineError: another connection was faster; nothing of this transaction was written. Without
-                transactions: another one wrote at the same time, and both are there.
+            ConflictError: another connection was faster; nothing of this transaction was written.
+            EngineError: without transactions: another one wrote at the same time, and both are there.
         """
         with self.session.transaction():
             if self.session.transactions:
-                self._touch()
+                self._touch("migration", "number", 1, "applied_at")
             if self.keys() != keys:
-                raise EngineError(CONFLICT)
+                raise ConflictError(CONFLICT)
             yield
             keys.update(self.keys())
             if self.fetch("stored/doubled").num_rows:
@@ -134,20 +133,28 @@ class State:
                     "one process at a time."
                 )
 
-    def _touch(self) -> None:
+    def lock(self, monitor_id: int) -> None:
+        """Let nobody else publish or prune runs of a monitor until this transaction ends.
+
+        Raises:
+            ConflictError: another one does so, and the engine does not wait for it.
+        """
+        self._touch("monitor", "monitor_id", monitor_id, "created")
+
+    def _touch(self, table: str, key: str, value: int, column: str) -> None:
         """Change a row and change it back: the same value alone would be no change to DuckDB."""
-        one = exp.Literal.number(1)
         for change in (exp.Add, exp.Sub):
-            applied = exp.column("applied_at")
-            changed = exp.EQ(this=applied, expression=change(this=applied.copy(), expression=one.copy()))
-            first = exp.Where(this=exp.EQ(this=exp.column("number"), expression=one.copy()))
-            record = self.tables.table("migration")
-            self.session.execute(exp.Update(this=record, expressions=[changed], where=first))
+            touched = exp.column(column)
+            again = change(this=touched.copy(), expression=exp.Literal.number(1))
+            row = exp.Where(this=exp.column(key).eq(exp.Literal.number(value)))
+            changed = exp.EQ(this=touched, expression=again)
+            target = self.tables.table(table)
+            self.session.execute(exp.Update(this=target, expressions=[changed], where=row))
 
     def next_run(self) -> int:
-        """Return a run id above all others."""
+        """Return a run id above all others, which no other writer gives at the same time."""
         newest = self.last_numbers()["run"]
-        return max(newest + 1, first_run_at(now()) + secrets.randbits(_RANDOM_BITS))
+        return max(newest + 1, first_run_at(now())) + secrets.randbits(_RANDOM_BITS)
 
 
 def kind_of(monitor: Mapping[str, Any]) -> TimeKind:

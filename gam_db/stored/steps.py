@@ -138,7 +138,7 @@ def scoring_steps(setting: Setting, kind: TimeKind, trusting: bool = False) -> P
     add_counting(steps, setting, kind, trusting=trusting)
     if trusting:
         add(steps, "stored/doubtful")
-    for name in ("new_counts", "settled"):
+    for name in ("past_counts", "new_counts", "settled"):
         add(steps, f"stored/{name}")
     for part in PUBLISHED:
         add(steps, f"stored/{part}")

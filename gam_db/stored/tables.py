@@ -24,7 +24,7 @@ TABLES = (
     "novel",
     "run",
 )
-VIEWS = ("visible_bucket", "visible_novel", "health", "fleet", "quarantine")
+VIEWS = ("finished_run", "visible_bucket", "visible_novel", "health", "fleet", "quarantine")
 
 _PREFIX = re.compile(r"([A-Za-z_][A-Za-z0-9_]{0,39})?")
 

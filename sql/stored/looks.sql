@@ -1,5 +1,5 @@
 -- Looks: when each version was last read, how far, and when its calibration was last counted anew.
--- Reads:  stored_run, active
+-- Reads:  stored_finished_run, active
 -- A row:  one version that was ever read.
 -- Slots:  :long_ago  an instant before all others
 SELECT
@@ -13,6 +13,6 @@ SELECT
       ELSE CAST(:long_ago AS BIGINT)
     END
   ) AS counted_at
-FROM stored_run AS looked
+FROM stored_finished_run AS looked
 JOIN active AS frozen ON frozen.version_id = looked.version_id
 GROUP BY looked.version_id

@@ -1,6 +1,6 @@
 -- Recorded: the last bucket that stays, as the newest run that read anything recorded it: no bucket is looked
 -- at. It holds for late rows up to the lookback of that run; who allows for later ones has to search (restart).
--- Reads:  stored_run
+-- Reads:  stored_finished_run
 -- A row:  one version of which that is known; last_staying is -1 where none stays, and the times are NULL.
 -- Slots:  :at_least  lookback that the run must have allowed for, in the unit of time
 SELECT
@@ -9,10 +9,10 @@ SELECT
   run.settled_bucket AS last_staying,
   run.settled_time AS last_time,
   run.settled_context AS context_time
-FROM stored_run AS run
+FROM stored_finished_run AS run
 JOIN (
   SELECT version_id, MAX(run_id) AS newest_id
-  FROM stored_run
+  FROM stored_finished_run
   WHERE settled_bucket IS NOT NULL
   GROUP BY version_id
 ) AS reading ON reading.version_id = run.version_id AND reading.newest_id = run.run_id

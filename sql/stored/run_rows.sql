@@ -35,7 +35,8 @@ SELECT
       END
   END AS settled_context,
   stamp.started AS started,
-  stamp.committed AS committed
+  stamp.committed AS committed,
+  member.planned_from AS planned_from
 FROM cohort AS member
 CROSS JOIN stamp
 LEFT JOIN (

@@ -24,9 +24,10 @@ from gam_db.selection.lags import add_delays, add_samples
 from gam_db.selection.neighbours import add_dimensions, add_embedding
 from gam_db.selection.search import Search
 from gam_db.source import Source, WideSource, readings
-from gam_db.stored.migration_files import files
+from gam_db.stored.migration_files import definitions
 from gam_db.stored.migrations import rendered
 from gam_db.stored.monitor import Monitor
+from gam_db.stored.publishing import withdraw
 from gam_db.stored.steps import Setting, comparing_steps, relearning_steps, scoring_steps
 from gam_db.stored.tables import StateTables
 from harness import arrow
@@ -579,6 +580,7 @@ def watch_once() -> None:
             assert monitor.check_state().num_rows == 0
             assert monitor.status()["scored"].to_pylist() == [32]
             monitor.prune()
+        withdraw(monitor.state, 0)
 
 
 def test_filled_queries_of_a_selection_break_no_rule() -> None:
@@ -600,12 +602,12 @@ def test_views_and_queries_of_the_state_break_no_rule() -> None:
     """With the kinds that the migrations give to the columns; an instant counts as the integer it is."""
     known: dict[str, sql_lint.Columns] = {}
     queries: list[tuple[str, exp.Expr]] = []
-    for migration in files():
-        made = migration.definition.create
+    for name, definition in definitions().items():
+        made = definition.create
         if made.kind == "VIEW":
-            queries.append((f"stored_{migration.name}", made.expression.copy()))
+            queries.append((f"stored_{name}", made.expression.copy()))
         else:
-            known[f"stored_{migration.name}"] = {
+            known[f"stored_{name}"] = {
                 column.name: sql_lint.CASTS[column.kind.this] for column in made.this.expressions
             }
     for name in OF_STATE:

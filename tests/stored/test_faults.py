@@ -18,7 +18,7 @@ import pytest
 
 import gam_db
 from gam_db.engines.duckdb_session import DuckSession
-from gam_db.errors import EngineError, UserError
+from gam_db.errors import ConflictError, EngineError, UserError
 from gam_db.running import Listener
 from gam_db.stored import migrations
 from gam_db.stored.migration_files import files
@@ -348,7 +348,7 @@ def test_two_calibrations_at_once_do_not_double_versions(expected: list[Any]) ->
         source(connection, readings(0, FIRST))
         monitor(connection).migrate()
         found = at_once(connection, lambda mine, meet: mine.calibrate(on_step=meet), "names")
-        assert [type(error) for error in found] == [EngineError]
+        assert [type(error) for error in found] == [ConflictError]
         assert str(found[0]).startswith("Another connection changed")
         monitor(connection).calibrate()
         assert at_once(connection, lambda mine, meet: mine.calibrate(on_step=meet), "names") == []

@@ -66,7 +66,7 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
                 "support": f"{key + 200}, 1, 2, 0, 0, 0, 1",
                 "bucket": f"{key + 100}, 0, 1, 0, 1, 0, 1, 1, 0, NULL",
                 "novel": f"{key + 100}, 0, 1, 1, 1, 1, 1",
-                "run": f"1, {key + 100}, 0, 0, 0, 0, 0, NULL, NULL, 0, NULL, NULL, NULL, 0, 0",
+                "run": f"1, {key + 100}, 0, 0, 0, 0, 0, NULL, NULL, 0, NULL, NULL, NULL, 0, 0, 0, NULL",
             }.items():
                 connection.execute(f"INSERT INTO gam_{table} VALUES ({values})")
 

@@ -7,7 +7,7 @@ import sql_lint
 from gam_db.clock import TimeKind
 from gam_db.pipeline import Pipeline
 from gam_db.source import Source, readings
-from gam_db.stored.migration_files import files
+from gam_db.stored.migration_files import definitions
 from gam_db.stored.reading import cohort_of
 from gam_db.stored.steps import (
     Setting,
@@ -33,16 +33,16 @@ SETTINGS = [
 def given() -> dict[str, sql_lint.Columns]:
     """The kinds of the state tables, by their migrations, and of what each run puts beside them."""
     known: dict[str, sql_lint.Columns] = {}
-    for migration in files():
-        made = migration.definition.create
+    for name, definition in definitions().items():
+        made = definition.create
         if isinstance(made.this, exp.Schema):
-            known[f"stored_{migration.name}"] = {
+            known[f"stored_{name}"] = {
                 column.name: TYPES[column.args["kind"].sql("duckdb")]
                 for column in made.this.expressions
                 if isinstance(column, exp.ColumnDef)
             }
         else:
-            known[f"stored_{migration.name}"] = sql_lint.kinds(made.expression, known).columns
+            known[f"stored_{name}"] = sql_lint.kinds(made.expression, known).columns
     cohort = cohort_of([])
     known["cohort"] = {
         field.name: TYPES[{"int64": "BIGINT", "double": "DOUBLE", "string": "VARCHAR"}[str(field.type)]]

@@ -1,6 +1,7 @@
 """The data dictionary, from the migrations: ``python tests/tools/dictionary.py > docs/tables.md``."""
 
-from gam_db.stored.migration_files import Migration, files
+from gam_db.engines.storage import Definition
+from gam_db.stored.migration_files import definitions
 
 HEAD = """\
 # The tables of the state
@@ -10,11 +11,10 @@ integers: microseconds since 1970 (UTC), or steps of the source's counter.
 """
 
 
-def section(migration: Migration) -> str:
+def section(name: str, definition: Definition) -> str:
     """One table or view."""
-    definition = migration.definition
     kind = "view" if definition.is_view else "table"
-    lines = [f"## gam_{migration.name} ({kind})", "", f"{definition.comment.name}.", ""]
+    lines = [f"## gam_{name} ({kind})", "", f"{definition.comment.name}.", ""]
     columns = {} if definition.is_view else {one.name: one for one in definition.create.this.expressions}
     lines += ["| column | type | |", "|---|---|---|"] if columns else ["| column | |", "|---|---|"]
     for name, said in definition.columns.items():
@@ -30,7 +30,7 @@ def section(migration: Migration) -> str:
 
 def text() -> str:
     """The whole page."""
-    return "\n".join([HEAD, *(section(migration) for migration in files())])
+    return "\n".join([HEAD, *(section(*made) for made in definitions().items())])
 
 
 if __name__ == "__main__":

@@ -1,0 +1,289 @@
+"""One writer at a time, enforced: what commits while a run is at work is never lost.
+
+A second writer works from beginning to end inside the first one, at each step that the first announces.
+Then either both count, or the first one is refused and does it again; the tables are those of one full
+run, by the NumPy reference.
+"""
+
+import contextlib
+import itertools
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import pytest
+
+import engines
+import frozen
+import gam_db
+import harness
+import scripts
+from gam_db.engines.session import Session
+from gam_db.errors import ConflictError
+from gam_db.running import Listener
+from gam_db.stored import publishing
+from gam_db.stored.monitor import Monitor
+from strategies import Row
+from test_incremental import BUCKETS, NOVEL
+from test_stored_on_engines import visible
+
+PARAMETERS = gam_db.Parameters(m=2, tau=1, bins=4, window=8, stride=2)
+CALIBRATION = gam_db.Calibration(fraction=0.8)
+ASSETS = ("a", "b")
+FIRST, LOOKBACK = 40, 1
+
+ACTIVE = "WHERE version_id IN (SELECT MAX(version_id) FROM gam_version GROUP BY channel_id)"
+
+#: New rows of each channel before a run, and how far behind their end one of them comes a run too late.
+NEW, LATE = 9, 7
+
+
+@dataclass
+class Plant:
+    """A monitor over a source that grows; each time some rows come later than a run allows for."""
+
+    session: Session
+    rows: list[Row] = field(default_factory=list)
+    end: int = 0
+    table: Any = None
+    prefix: str = ""
+
+    def begin(self) -> None:
+        """Freeze calibration."""
+        first = self.grown(FIRST, late=False)
+        self.table = scripts.telemetry(self.session, first)
+        self.prefix = engines.fresh_name("writers")
+        self.first = list(first)
+        mine = self.monitor()
+        mine.migrate()
+        mine.calibrate()
+        self.arrive(self.grown(NEW))
+        mine.score()
+
+    def monitor(self, lookback: int = LOOKBACK) -> Monitor:
+        source = gam_db.Source(self.table.name)
+        return Monitor(
+            self.session, source, PARAMETERS, CALIBRATION, lookback=lookback, prefix=self.prefix
+        )
+
+    def grown(self, length: int, late: bool = True) -> list[Row]:
+        """Return the next rows: one of each channel is left out, and comes with the call after it."""
+        times = range(self.end, self.end + length)
+        made = [
+            (asset, "x", time, float((time * (number + 1)) % 5 if time % 6 else 7 * number))
+            for number, asset in enumerate(ASSETS)
+            for time in times
+        ]
+        held = {self.end + length - LATE} if late else set()
+        before, self.left = getattr(self, "left", []), [row for row in made if row[2] in held]
+        self.end += length
+        return [row for row in made if row[2] not in held] + [(*row[:3], 99.0) for row in before]
+
+    def arrive(self, rows: list[Row]) -> None:
+        scripts.arrive(self.session, self.table, rows)
+        self.rows += rows
+
+    def assert_as_one_full_run(self, is_pruned: bool = False) -> None:
+        """Compare what is seen of the active versions; of pruned ones the buckets that are left."""
+        asked = (self.first, [*self.first, *self.rows], PARAMETERS, CALIBRATION)
+        for expected, query in ((frozen.buckets, BUCKETS), (frozen.novel_cells, NOVEL)):
+            found = visible(self.monitor(), query.replace("ORDER", f"{ACTIVE} ORDER"))
+            wanted = expected(*asked)
+            if is_pruned:
+                assert found
+                left = {(row["asset"], row["bucket"]) for row in found}
+                wanted = [row for row in wanted if (row["asset"], row["bucket"]) in left]
+            harness.assert_same(wanted, found, query)
+
+    def steps(self, command: Callable[[Listener], Any]) -> list[str]:
+        """Return the steps that a command announces, each once."""
+        found: list[str] = []
+        command(found.append)
+        return list(dict.fromkeys(found))
+
+
+#: What a second writer does, so that the late rows count.
+REPAIRS: dict[str, Callable[[Plant], Any]] = {
+    "from": lambda plant: plant.monitor().score(since=plant.end - NEW - LATE),
+    "full": lambda plant: plant.monitor().score(full=True),
+    "lookback": lambda plant: plant.monitor(lookback=3 * NEW).score(),
+}
+
+
+def inside(step: str, second: Callable[[], Any]) -> Listener:
+    """Return a listener in which a second writer works from beginning to end, once, at a step."""
+    waiting = [step]
+
+    def listen(announced: str) -> None:
+        if announced in waiting:
+            waiting.remove(announced)
+            second()
+
+    listen.waiting = waiting  # type: ignore[attr-defined]
+    return listen
+
+
+@pytest.fixture
+def plant(engine: str) -> Plant:
+    made = Plant(engines.session(engine))
+    made.begin()
+    return made
+
+
+def played(plant: Plant, steps: dict[str, Callable[[Plant], Any]]) -> list[str]:
+    """Let a second writer work at each step of a run of its own; return where the run was refused."""
+    refused = []
+    for step, second in steps.items():
+        plant.arrive(plant.grown(NEW))
+        listen = inside(step, lambda second=second: second(plant))  # type: ignore[misc]
+        try:
+            plant.monitor().score(on_step=listen)
+        except ConflictError as error:
+            refused.append(step)
+            said = str(error)
+            assert re.search("run it again", said, re.IGNORECASE), said  # noqa: PT017
+            plant.monitor().score()
+        assert not listen.waiting, step  # type: ignore[attr-defined]
+        plant.assert_as_one_full_run()
+    return refused
+
+
+def steps_of_a_run(plant: Plant) -> list[str]:
+    """Return the steps that a run announces."""
+    plant.arrive(plant.grown(NEW))
+    steps = plant.steps(lambda heard: plant.monitor().score(on_step=heard))
+    plant.monitor().score(full=True)
+    return steps
+
+
+def test_a_repair_inside_a_run_is_not_lost(plant: Plant) -> None:
+    """Each kind of repair at every third step; all at all steps are in the full set."""
+    steps = dict(zip(steps_of_a_run(plant), itertools.cycle(REPAIRS.values()), strict=False))
+    assert "writing" in played(plant, steps)
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("repair", REPAIRS)
+def test_no_repair_inside_a_run_is_lost(plant: Plant, repair: str) -> None:
+    steps = dict.fromkeys(steps_of_a_run(plant), REPAIRS[repair])
+    assert {"writing", "past_buckets"} <= set(played(plant, steps))
+
+
+#: What else may change what a run was planned from.
+OTHERS: dict[str, Callable[[Plant], Any]] = {
+    "calibrate": lambda plant: plant.monitor().calibrate(again=True),
+    "prune": lambda plant: plant.monitor().prune(keep=NEW),
+    "compact": lambda plant: plant.monitor().compact(),
+}
+
+
+@pytest.mark.parametrize("other", OTHERS)
+def test_versions_and_pruning_beside_a_repair(plant: Plant, other: str) -> None:
+    """Calibrating and pruning inside a repair that begins before all that is kept."""
+    is_pruned = other == "prune"  # what comes late to pruned buckets is not counted any more
+    plant.arrive(plant.grown(NEW, late=not is_pruned))
+    plant.monitor().score(full=True)
+    for step in ("looking at the source", "past_buckets", "writing"):
+        plant.arrive(plant.grown(NEW, late=not is_pruned))
+        plant.monitor().score()
+        listen = inside(step, lambda: OTHERS[other](plant))
+        since = plant.end - 4 * NEW
+        if other == "calibrate":
+            with pytest.raises(ConflictError, match="Run it again"):
+                plant.monitor().score(since=since, on_step=listen)
+            plant.first = [*plant.first, *plant.rows]
+            plant.monitor().score()
+        else:
+            with contextlib.suppress(ConflictError):
+                plant.monitor().score(since=since, on_step=listen)
+            plant.monitor().score(since=since)
+        assert not listen.waiting, step  # type: ignore[attr-defined]
+        plant.assert_as_one_full_run(is_pruned)
+
+
+def test_two_monitors_of_one_name_give_no_key_twice(engine: str) -> None:
+    """One calibrates inside the other, at every step of it."""
+    first = Plant(engines.session(engine))
+    first.table = scripts.telemetry(first.session, first.grown(FIRST, late=False))
+    first.prefix = engines.fresh_name("writers")
+    first.monitor().migrate()
+    steps = first.steps(lambda heard: first.monitor().calibrate(on_step=heard))
+    until_written = steps[: steps.index("writing") + 1]
+    for step in until_written if engine == "duckdb" else ("names", "writing"):
+        again = Plant(first.session, table=first.table, prefix=engines.fresh_name("writers"))
+        again.monitor().migrate()
+        listen = inside(step, lambda plant=again: plant.monitor().calibrate())  # type: ignore[misc]
+        with pytest.raises(ConflictError, match="Run it again"):
+            again.monitor().calibrate(on_step=listen)
+        assert again.monitor().calibrate().num_rows == 0
+        found = again.monitor().state.keys()
+        assert (found["monitor"], found["channel"], found["version"]) == (1, len(ASSETS), len(ASSETS))
+
+
+# Engines without transactions
+
+
+@pytest.mark.parametrize("first_to_look", ["smaller", "larger", "larger before the other's row"])
+def test_of_two_that_were_planned_from_the_same_one_stays(
+    engine: str, first_to_look: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Both are stopped between their last row and their look at what others wrote."""
+    session = engines.session(engine)
+    if session.transactions:
+        return  # a second writer waits or is refused inside the transaction: the tests of each engine
+    plant = Plant(session)
+    plant.begin()
+    for _ in range(2):
+        plant.arrive(plant.grown(NEW))
+    compare, look = publishing._compare, publishing._look_again
+    compared: list[Any] = []
+    looks: dict[str, Callable[[], None]] = {}
+
+    def comparing(*asked: Any) -> None:
+        """Let the second one run once the first has compared for the last time."""
+        compare(*asked)
+        compared.append(asked)
+        if len(compared) == 2:
+            plant.monitor().score(full=True)
+
+    def looking(*asked: Any) -> None:
+        if not looks:
+            looks["larger"] = lambda: look(*asked)
+            if first_to_look.startswith("larger before"):
+                look(*asked)
+            return
+        looks["smaller"] = lambda: look(*asked)
+        assert run_ids(plant) == 2
+        shown = [(row["asset"], row["bucket"]) for row in visible(plant.monitor(), BUCKETS)]
+        assert len(shown) == len(set(shown))
+        refused = []
+        for which in sorted(looks, key=lambda which: which != first_to_look.split()[0]):
+            try:
+                if which == "smaller" or not first_to_look.endswith("row"):
+                    looks[which]()
+            except ConflictError:
+                refused.append(which)
+        outcomes.extend(refused)
+        if "smaller" in refused:
+            raise ConflictError("the first")
+
+    outcomes: list[str] = []
+    monkeypatch.setattr(publishing, "_PATIENCE", 0.2)
+    monkeypatch.setattr(publishing, "_compare", comparing)
+    monkeypatch.setattr(publishing, "_look_again", looking)
+    with contextlib.suppress(ConflictError):
+        plant.monitor().score()
+    monkeypatch.undo()
+    # The larger one gives way where it still looks; where it has ended, its result stays.
+    assert outcomes == ["larger" if first_to_look == "larger" else "smaller"]
+    plant.monitor().score(full=outcomes == ["larger"])
+    plant.assert_as_one_full_run()
+    plant.monitor().compact()
+    plant.assert_as_one_full_run()
+
+
+def run_ids(plant: Plant) -> int:
+    """Return how many runs have rows since the first one."""
+    counted = "SELECT COUNT(DISTINCT run_id) - 1 AS runs FROM gam_run WHERE withdrawn IS NULL"
+    return int(visible(plant.monitor(), counted)[0]["runs"])
