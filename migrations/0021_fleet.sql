@@ -119,7 +119,7 @@ LEFT JOIN (
     version_id,
     1 AS hit,
     MAX(run.read_to) AS read_to,
-    MAX(run.committed) AS committed,
+    MAX(CASE WHEN run_id = newest_id THEN run.committed END) AS committed,
     CAST(SUM(differs) AS BIGINT) AS differing,
     MIN(CASE WHEN differs = 1 THEN read_from END) AS repair_from,
     MAX(CASE WHEN run_id = counted_id THEN run.calibration_readings END) AS calibration_readings
@@ -128,6 +128,7 @@ LEFT JOIN (
       version_id,
       run_id,
       counted_id,
+      newest_id,
       read_from,
       read_to,
       committed,
@@ -154,7 +155,8 @@ LEFT JOIN (
           PARTITION BY version_id ORDER BY run_id DESC ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING
         ) AS read_since,
         MAX(CASE WHEN calibration_readings IS NOT NULL THEN run_id END)
-          OVER (PARTITION BY version_id) AS counted_id
+          OVER (PARTITION BY version_id) AS counted_id,
+        MAX(run_id) OVER (PARTITION BY version_id) AS newest_id
       FROM stored_finished_run
     ) AS finished
   ) AS run
@@ -204,9 +206,9 @@ COMMENT ON COLUMN stored_fleet.repair_from_time
   IS 'Score again from here to mend that (UTC); NULL where the source counts time, or all is well';
 COMMENT ON COLUMN stored_fleet.repair_from_tick
   IS 'The same in microseconds since 1970 (UTC), or as the counter of the source';
-COMMENT ON COLUMN stored_fleet.calibration_readings IS 'Rows inside calibration when it was learnt';
+COMMENT ON COLUMN stored_fleet.calibration_readings IS 'Different readings inside calibration when it was learnt';
 COMMENT ON COLUMN stored_fleet.calibration_readings_now
-  IS 'Rows inside calibration when they were last counted again; NULL if they never were';
+  IS 'The same when it was last counted again; NULL if it never was';
 COMMENT ON COLUMN stored_fleet.calibration_vectors IS 'Vectors that were learnt from';
 COMMENT ON COLUMN stored_fleet.cells IS 'Cells that they visited: the size of the support';
 COMMENT ON COLUMN stored_fleet.calibrated_lo

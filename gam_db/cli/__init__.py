@@ -6,6 +6,7 @@ This module owns the list of commands, how errors are told, and the exit codes:
 * 1: something the user can mend; one paragraph on stderr says what,
 * 2: done, and a channel needs attention (see :mod:`gam_db.findings`),
 * 3: our fault,
+* 75: another writer was faster; run it again,
 * 130: interrupted.
 """
 
@@ -18,10 +19,10 @@ import typer
 from typer.core import TyperGroup
 
 from gam_db.cli import commands
-from gam_db.errors import StatementError, UserError
+from gam_db.errors import ConflictError, StatementError, UserError
 from gam_db.version import __version__
 
-FINE, USER_ERROR, OUR_FAULT, INTERRUPTED = 0, 1, 3, 130
+FINE, USER_ERROR, OUR_FAULT, RUN_AGAIN, INTERRUPTED = 0, 1, 3, 75, 130
 
 #: What Typer raises for options it cannot parse; it does not export the name.
 _UsageError: type[Exception] = typer.BadParameter.__bases__[0]
@@ -71,7 +72,8 @@ app = typer.Typer(
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
     help="A health indicator for every machine channel, computed where the telemetry lies.",
-    epilog="Exit codes: 0 fine, 1 something for you to mend, 2 a channel needs attention, 3 our fault.",
+    epilog="Exit codes: 0 fine, 1 something for you to mend, 2 a channel needs attention, 3 our fault, "
+    "75 another writer was faster: run it again.",
 )
 
 
@@ -111,7 +113,7 @@ def _told(error: Exception, debug: bool) -> int:
         return USER_ERROR
     if isinstance(error, UserError):
         print(f"gam: {error}", file=sys.stderr)
-        return USER_ERROR
+        return RUN_AGAIN if isinstance(error, ConflictError) else USER_ERROR
     kind = "" if type(error).__module__.startswith("gam_db") else f"{type(error).__name__}: "
     print(
         f"gam: this is a fault of gam-db, not yours. {kind}{str(error).partition(chr(10))[0]} "

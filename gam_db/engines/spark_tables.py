@@ -81,6 +81,8 @@ class FolderTables:
         elif isinstance(tree, exp.Create) and str(tree.kind) == "VIEW":
             self.ready(text)
             self._create_view(tree, text)
+        elif isinstance(tree, exp.Alter):
+            self._add_columns(tree)
         elif isinstance(tree, exp.Drop):
             self.ready(text)
             self._drop(tree, text)
@@ -188,6 +190,16 @@ class FolderTables:
         kept = dataclasses.replace(entry, columns=columns, statement=tree.sql(dialect="spark"))
         self._folder.put(kept)
         self._known[kept.key] = kept, _changed(self._folder.place(kept))
+
+    def _add_columns(self, tree: exp.Alter) -> None:
+        """Let a table have more columns: NULL in the files that are there, without them."""
+        entry = self._folder.entries()[_key(tree.this)]
+        create = sqlglot.parse_one(entry.statement, dialect="spark")
+        more = [column for column in tree.args["actions"] if isinstance(column, exp.ColumnDef)]
+        create.this.set("expressions", [*create.this.expressions, *(one.copy() for one in more)])
+        columns = (*entry.columns, *(one.name for one in more))
+        statement = create.sql(dialect="spark")
+        self._folder.put(dataclasses.replace(entry, columns=columns, statement=statement))
 
     def _create_view(self, tree: exp.Create, text: str) -> None:
         target = tree.find(exp.Table)

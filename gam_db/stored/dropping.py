@@ -102,6 +102,7 @@ def _conditions(tables: StateTables, monitor_id: int) -> dict[str, exp.Expr]:
         **dict.fromkeys(("block", "support", "bounds"), of_supports),
         "version": of_channels,
         "channel": of_monitor,
+        "unplaced": of_monitor,
         "monitor": of_monitor,
     }
 

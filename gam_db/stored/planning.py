@@ -77,7 +77,7 @@ def planned(
     for row in known:
         if park_after is None or newest - row["read_from"] <= lookback + park_after:
             active.append(row)
-        elif everything or now - row["looked_at"] >= DAY:
+        elif everything or is_due(row["looked_at"], now):
             due.append(row)
         else:
             parked.append(row)
@@ -87,6 +87,11 @@ def planned(
     if not groups and parked:
         return Plan((Cohort((), newest - lookback, True),), tuple(parked))
     return Plan(tuple(_cohort(group, number == 0) for number, group in enumerate(groups)), tuple(parked))
+
+
+def is_due(last: int, now: int) -> bool:
+    """Tell whether what is done once a day is due again; a time after now is of a clock that was ahead."""
+    return not 0 <= now - last < DAY
 
 
 def resumed(parked: Iterable[Row], names: Iterable[Row], lookback: int) -> list[Cohort]:

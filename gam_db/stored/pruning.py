@@ -52,7 +52,11 @@ class Retention:
 _STEPS = (
     *("pruned_versions", "recorded", "aged_buckets", "horizons"),
     *("doomed_buckets", "doomed_novel", "doomed_runs", "doomed_versions", "doomed_supports"),
+    "doomed_unplaced",
 )
+
+#: How long it stays known how many rows runs could give to no channel, in microseconds: a year.
+_UNPLACED = 365 * DAY
 
 #: What is deleted: the state table, and the step that lists the keys of its rows. Versions come last: as
 #: long as one is there, what is left of it is found again, should the work be cut short on an engine
@@ -61,6 +65,7 @@ _DOOMED = {
     "bucket": "doomed_buckets",
     "novel": "doomed_novel",
     "run": "doomed_runs",
+    "unplaced": "doomed_unplaced",
     "calibration": "doomed_versions",
     "support": "doomed_supports",
     "block": "doomed_supports",
@@ -139,11 +144,18 @@ def _deleted(
 ) -> pa.Table:
     state = State(session, tables)
     monitor_id = state.monitor(monitor)["monitor_id"]
-    # A run that is seen without its end, where there are transactions, was cut short; else it may go on.
-    unfinished = FAR_AHEAD if session.transactions else first_run_at(now() - DAY)
+    # A run that is seen without its end, where there are transactions, was cut short; else it may go on
+    # for a day. What seems to begin later than that did so while a clock stood ahead, and counts as cut
+    # short, unless finished runs did so, too: then run ids go on from theirs.
+    begun = (FAR_AHEAD, FAR_AHEAD)
+    if not session.transactions:
+        latest = max(first_run_at(now() + DAY), state.last_numbers()["run"] + first_run_at(1))
+        begun = (first_run_at(now() - DAY), latest)
     slots = {
         "monitor": template.text(monitor),
-        "unfinished_from": unfinished,
+        "unfinished_from": begun[0],
+        "unfinished_to": begun[1],
+        "unplaced_from": now() - _UNPLACED,
         "at_least": 0,  # whatever the next run's lookback, it may rely on what the last one recorded
         **limits,
     }

@@ -19,7 +19,7 @@ from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline, filled, place
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
-from gam_db.stored.planning import Cohort, Row, assets_of, planned, portions, resumed
+from gam_db.stored.planning import Cohort, Row, assets_of, is_due, planned, portions, resumed
 from gam_db.stored.publishing import GONE, NOTHING, Standings, publication, standings
 from gam_db.stored.reading import (
     Reader,
@@ -31,7 +31,6 @@ from gam_db.stored.reading import (
 )
 from gam_db.stored.state import State, kind_of, now
 from gam_db.stored.steps import (
-    DAY,
     PUBLISHED,
     can_trust,
     reading_steps,
@@ -170,6 +169,8 @@ class _Run:
                 self._score(rest, cohort, False)
         self.report.parked = len(parked)
         self.report.undated = self._undated()
+        if not dry_run:
+            self._keep_unplaced()
         return self.report
 
     def _plan(self) -> list[Row]:
@@ -220,6 +221,19 @@ class _Run:
         steps.add("readings", self.reader.undated())
         add(steps, "stored/undated")
         return int(self.session.fetch(steps.query("undated"))["undated"][0].as_py())
+
+    def _keep_unplaced(self) -> None:
+        """Append what was given to no channel or instant, if there was any."""
+        report = self.report
+        found = {
+            "nameless": report.nameless,
+            "undated": report.undated,
+            "strangers": sum(report.strangers.values()),
+            "stranger_channels": len(report.strangers),
+        }
+        if any(found.values()):
+            run = {"monitor_id": self.monitor["monitor_id"], "started": self.started}
+            self.state.append_rows("unplaced", pa.Table.from_pylist([{**run, **found}]))
 
     def _note_strangers(self, names: Sequence[Row], known: set[tuple[str, str]]) -> None:
         for row in names:
@@ -328,7 +342,7 @@ class _Run:
 
     def _is_due(self, row: Row) -> bool:
         """Tell whether the rows of a channel's calibration are to be counted anew."""
-        return bool(self.wanted.everything or self.started - row["counted_at"] >= DAY)
+        return self.wanted.everything or is_due(row["counted_at"], self.started)
 
     def _note(self, group: Sequence[Row], made: Mapping[int, Row], seen: Mapping[int, Row]) -> None:
         for row in group:

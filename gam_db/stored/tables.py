@@ -23,8 +23,17 @@ TABLES = (
     "bucket",
     "novel",
     "run",
+    "unplaced",
 )
-VIEWS = ("finished_run", "visible_bucket", "visible_novel", "health", "fleet", "quarantine")
+VIEWS = (
+    "finished_run",
+    "visible_bucket",
+    "visible_novel",
+    "health",
+    "fleet",
+    "quarantine",
+    "unplaced_day",
+)
 
 _PREFIX = re.compile(r"([A-Za-z_][A-Za-z0-9_]{0,39})?")
 

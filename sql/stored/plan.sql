@@ -33,7 +33,7 @@ SELECT
   CASE WHEN seen.hit = 1 THEN seen.read_until ELSE CAST(:long_ago AS BIGINT) END AS read_until,
   CASE WHEN seen.hit = 1 THEN seen.looked_at ELSE CAST(:long_ago AS BIGINT) END AS looked_at,
   CASE
-    WHEN seen.hit = 1 AND seen.counted_at > frozen.created THEN seen.counted_at
+    WHEN seen.hit = 1 AND seen.counted_at > CAST(:long_ago AS BIGINT) THEN seen.counted_at
     ELSE frozen.created
   END AS counted_at
 FROM active AS frozen

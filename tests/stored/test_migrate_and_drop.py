@@ -19,7 +19,7 @@ from gam_db.stored.tables import StateTables
 
 STATE = StateTables()
 FILE = "plant.duckdb"
-TABLES_OF_A_MONITOR = 10
+TABLES_OF_A_MONITOR = 11
 
 
 @pytest.fixture(autouse=True)
@@ -55,6 +55,7 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
             f"INSERT INTO gam_monitor VALUES ({monitor}, 'm{monitor}', 's', 'long', 'a', 'c', 't', 'v', "
             "NULL, 'counter', 0)"
         )
+        connection.execute(f"INSERT INTO gam_unplaced VALUES ({monitor}, 0, 1, 2, 3, 4)")
         for key in (10 * monitor, 10 * monitor + 1):
             for table, values in {
                 "channel": f"{key}, {monitor}, 'a', 'c{key}'",

@@ -22,7 +22,7 @@ ALL = [migration.name for migration in files()]
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_script_of_an_engine_can_be_parsed(name: str) -> None:
-    """Each migration makes or changes one thing and is recorded; the engine's grammar knows all of it."""
+    """Each migration makes or changes one thing and is recorded; the grammar knows all of it."""
     engine = engine_named(name)
     parsed = [one for one in sqlglot.parse(rendered(engine, STATE), dialect=engine.dialect) if one]
     assert not [one for one in parsed if one.find(exp.Command)]

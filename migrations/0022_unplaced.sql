@@ -1,0 +1,19 @@
+-- Unplaced: rows of the source that a run could give to no channel, or to no instant.
+CREATE TABLE IF NOT EXISTS stored_unplaced (
+  monitor_id BIGINT NOT NULL,
+  started BIGINT NOT NULL,
+  nameless BIGINT NOT NULL,
+  undated BIGINT NOT NULL,
+  strangers BIGINT NOT NULL,
+  stranger_channels BIGINT NOT NULL
+);
+
+COMMENT ON TABLE stored_unplaced
+  IS 'Rows that a run could give to no channel or instant; one row per run that found any';
+COMMENT ON COLUMN stored_unplaced.monitor_id IS 'The monitor';
+COMMENT ON COLUMN stored_unplaced.started
+  IS 'When the run began, in microseconds since 1970 (UTC); also in its rows of run';
+COMMENT ON COLUMN stored_unplaced.nameless IS 'Rows of its range without asset or channel';
+COMMENT ON COLUMN stored_unplaced.undated IS 'Rows of the source without a time';
+COMMENT ON COLUMN stored_unplaced.strangers IS 'Rows of its range of channels that have no calibration';
+COMMENT ON COLUMN stored_unplaced.stranger_channels IS 'How many such channels there were';
