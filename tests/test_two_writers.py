@@ -202,16 +202,18 @@ def test_versions_and_pruning_beside_a_repair(plant: Plant, other: str) -> None:
         plant.assert_as_one_full_run(is_pruned)
 
 
-def test_two_monitors_of_one_name_give_no_key_twice(engine: str) -> None:
-    """One calibrates inside the other, at every step of it."""
+@pytest.mark.parametrize(
+    "steps", [("names", "writing"), pytest.param((), marks=pytest.mark.full)], ids=["two", "all"]
+)
+def test_two_monitors_of_one_name_give_no_key_twice(engine: str, steps: tuple[str, ...]) -> None:
+    """One calibrates inside the other, at a step of it, up to the one that writes."""
     first = Plant(engines.session(engine))
     first.table = scripts.telemetry(first.session, first.grown(FIRST, late=False))
     first.prefix = engines.fresh_name("writers")
     first.monitor().migrate()
-    steps = first.steps(lambda heard: first.monitor().calibrate(on_step=heard))
+    announced = first.steps(lambda heard: first.monitor().calibrate(on_step=heard))
     refused = []
-    until_written = steps[: steps.index("writing") + 1]
-    for step in until_written if engine == "duckdb" else ("names", "writing"):
+    for step in steps or announced[: announced.index("writing") + 1]:
         again = Plant(first.session, table=first.table, prefix=engines.fresh_name("writers"))
         again.monitor().migrate()
         listen = inside(step, lambda plant=again: plant.monitor().calibrate())  # type: ignore[misc]

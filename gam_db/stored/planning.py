@@ -90,7 +90,7 @@ def planned(
 
 
 def is_due(last: int, now: int) -> bool:
-    """Tell whether what is done once a day is due again; a time after now is of a clock that was ahead."""
+    """Tell whether what is done once a day is due; a time after now is of a clock that stood ahead."""
     return not 0 <= now - last < DAY
 
 

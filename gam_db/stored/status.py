@@ -55,8 +55,9 @@ def status(
       run looked (UTC)
     * ``differing_contexts``: runs that found other samples than were scored, since rows came later than
       lookback allows or were taken away; ``repair_from``: scoring again from there mends it
-    * ``calibration_rows``: rows inside calibration when it was learnt; ``calibration_rows_added``: how
-      many more there are since (less than 0: fewer); NULL if they were not counted again
+    * ``calibration_rows``: different readings inside calibration when it was learnt (one that comes
+      again unchanged counts once); ``calibration_rows_added``: how many more there are since (less than
+      0: fewer); NULL if they were not counted again
     * ``settings_hash``, ``method_hash``: what the version was made under
     * ``remarks``: what is to be known, in plain words
 

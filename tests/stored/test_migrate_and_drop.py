@@ -55,7 +55,9 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
             f"INSERT INTO gam_monitor VALUES ({monitor}, 'm{monitor}', 's', 'long', 'a', 'c', 't', 'v', "
             "NULL, 'counter', 0)"
         )
-        connection.execute(f"INSERT INTO gam_unplaced VALUES ({monitor}, 0, 1, 2, 3, 4)")
+        connection.execute(
+            f"INSERT INTO gam_unplaced VALUES ({monitor}, 0, 1, 2, 3, 4), ({monitor}, 1, 1, 2, 3, 4)"
+        )
         for key in (10 * monitor, 10 * monitor + 1):
             for table, values in {
                 "channel": f"{key}, {monitor}, 'a', 'c{key}'",
