@@ -25,8 +25,7 @@ from gam_db.running import Listener
 from gam_db.stored import publishing
 from gam_db.stored.monitor import Monitor
 from strategies import Row
-from visible import BUCKETS, NOVEL
-from visible import visible
+from visible import BUCKETS, NOVEL, visible
 
 PARAMETERS = gam_db.Parameters(m=2, tau=1, bins=4, window=8, stride=2)
 CALIBRATION = gam_db.Calibration(fraction=0.8)

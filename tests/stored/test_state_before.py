@@ -8,9 +8,8 @@ from gam_db.errors import StateError
 from gam_db.stored import migrations
 from gam_db.stored.migration_files import files
 from gam_db.stored.tables import VIEWS, StateTables
-from visible import BUCKETS, NOVEL
-from visible import visible
 from test_two_writers import NEW, Plant
+from visible import BUCKETS, NOVEL, visible
 
 #: The last migration before runs recorded what they were planned from.
 BEFORE = 16
