@@ -636,7 +636,7 @@ def test_filled_queries_of_a_selection_break_no_rule() -> None:
 OF_STATE = (
     *("status_rows", "course", "pruned_versions", "aged_buckets", "horizons"),
     *("doomed_buckets", "doomed_novel", "doomed_runs", "doomed_versions", "doomed_supports"),
-    "state_sizes",
+    *("new_horizons", "doomed_horizons", "last_proofs", "state_sizes"),
 )
 
 

@@ -23,8 +23,11 @@ TABLES = (
     "bucket",
     "novel",
     "run",
+    "checksum",
+    "horizon",
+    "proof",
 )
-VIEWS = ("visible_bucket", "visible_novel", "health", "fleet", "quarantine")
+VIEWS = ("visible_bucket", "visible_novel", "health", "fleet", "quarantine", "stand_in")
 
 _PREFIX = re.compile(r"([A-Za-z_][A-Za-z0-9_]{0,39})?")
 
