@@ -53,11 +53,19 @@ FROM (
       WHEN own.hit = 1
         THEN CASE
           WHEN own.last_time > run.read_to THEN 1
-          WHEN run.run_id = run.reading_id AND own.settled_bucket <> run.settled_bucket THEN 1
+          WHEN run.run_id = run.reading_id
+            AND own.settled_bucket <> run.settled_bucket
+            AND (
+              own.settled_bucket >= version.first_bucket OR run.settled_bucket >= version.first_bucket
+            )
+            THEN 1
           WHEN own.samples > run.rows_read - run.context_rows THEN 1
           ELSE 0
         END
-      WHEN run.run_id = run.reading_id AND run.settled_bucket <> run.last_staying THEN 1
+      WHEN run.run_id = run.reading_id
+        AND run.settled_bucket <> run.last_staying
+        AND run.from_bucket >= version.first_bucket
+        THEN 1
       ELSE 0
     END AS unsound
   FROM (
