@@ -1,15 +1,15 @@
 """Whatever column of whatever state table is wrong, ``gam check --state`` finds it, or here is why not.
 
-The columns are those of the migrations, so that a new one cannot be forgotten. A state of many like channels
-has one falsified value in each, so that one check judges them all, each by its own channel.
+The columns are those of the migrations, so that a new one cannot be forgotten. A state of many like
+channels has one falsified value in each, so that one check judges them all, each by its own channel.
 """
 
 import itertools
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from typing import Any
 
 import pyarrow as pa
-import pytest
 from sqlglot import exp
 
 import engines
@@ -25,7 +25,7 @@ PARAMETERS = gam_db.Parameters(m=2, tau=2, bins=4, window=8, stride=4)
 LOOKBACK = 6
 ENDS = (60, 85, 110, 130)
 
-#: What may differ without being wrong: columns that no number depends on, or that nothing can be held to.
+#: What may differ without being wrong: columns no number depends on, or that nothing can be held to.
 MAY_DIFFER = {
     ("run", "started"): "a clock",
     ("run", "committed"): "a clock; it says when a channel was last looked at",
@@ -56,12 +56,15 @@ CHOSEN: dict[str, dict[str, Callable[[Rows], dict[str, Any]]]] = {
     "run": {"newest": lambda rows: rows[-1]},
 }
 
+#: Tables of which a row that is there twice is harmless: the largest counts, or each speaks for itself.
+MAY_DOUBLE = ("horizon",)
+
 #: Tables whose rows are not of one channel; each of their columns is falsified alone.
 SHARED = ("migration", "monitor", "channel", "proof")
 
 
 def columns() -> Iterator[tuple[str, str, bool]]:
-    """Every column of every state table, and whether it may be NULL."""
+    """Give every column of every state table, and whether it may be NULL."""
     for migration in files():
         if not migration.definition.is_view:
             for column in migration.definition.create.this.expressions:
@@ -81,15 +84,55 @@ def other(column: str, value: Any) -> Any:
     return value + (10**6 if column.endswith("_id") or column == "lookback" else 1)
 
 
-def cases() -> list[tuple[str, str, str, bool]]:
-    """Table, column, which row, and whether it becomes NULL: one channel each."""
-    return [
-        (table, column, which, empty)
+#: What is done to a row of a channel.
+CHANGED, EMPTIED, DELETED, DOUBLED = "changed", "NULL", "deleted", "twice"
+
+
+@dataclass(frozen=True)
+class Case:
+    """One wrong thing in one table, of one channel."""
+
+    table: str
+    which: str
+    done: str
+    column: str = ""
+
+    @property
+    def place(self) -> tuple[str, str]:
+        """What is said of it where it may be so."""
+        return self.table, f"{self.column} IS NULL" if self.done == EMPTIED else self.column or self.done
+
+    def spoil(self, rows: Rows, all_rows: Rows) -> bool:
+        """Make the rows of a channel wrong, and tell whether that was possible."""
+        row = CHOSEN[self.table][self.which](rows)
+        if self.done == DELETED:
+            all_rows.remove(row)
+        elif self.done == DOUBLED:
+            all_rows.append(dict(row))
+        elif self.done == EMPTIED and row[self.column] is None:
+            return False
+        else:
+            row[self.column] = None if self.done == EMPTIED else other(self.column, row[self.column])
+        return True
+
+
+def cases() -> list[Case]:
+    """Return what can be wrong in the rows of a channel."""
+    changed = [
+        Case(table, which, done, column)
         for table, column, may_be_null in columns()
         if table not in SHARED
         for which in CHOSEN[table]
-        for empty in ((False, True) if may_be_null else (False,))
+        for done in ((CHANGED, EMPTIED) if may_be_null else (CHANGED,))
     ]
+    whole = [
+        Case(table, which, done)
+        for table, chosen in CHOSEN.items()
+        for which in chosen
+        for done in (DELETED, DOUBLED)
+        if table != "version" and not (done == DOUBLED and table in MAY_DOUBLE)
+    ]
+    return [*changed, *whole]
 
 
 def series(asset: str, end: int) -> list[Row]:
@@ -148,30 +191,63 @@ def differing(monitor: Monitor) -> list[dict[str, Any]]:
     return found
 
 
-def test_a_wrong_value_in_any_column_is_found(engine: str) -> None:
+def test_whatever_is_wrong_in_a_table_is_found(engine: str) -> None:
     asked = {f"c{number:03}": case for number, case in enumerate(cases())}
     monitor = made(engine, list(asked))
     assert differing(monitor) == []
     owned = owners(monitor)
-    unchanged = set()
+    untouched = set()
     for table in CHOSEN:
         rows = stored(monitor, table)
-        key = "support_id" if "support_id" in rows.column_names[:1] else "version_id"
+        key = "support_id" if rows.column_names[0] == "support_id" else "version_id"
         of_asset: dict[str, Rows] = {}
         changed = rows.to_pylist()
         for row in changed:
             of_asset.setdefault(owned[key].get(row[key], ""), []).append(row)
-        for asset, (of_table, column, which, empty) in asked.items():
-            if of_table == table:
-                row = CHOSEN[table][which](of_asset[asset])
-                if empty and row[column] is None:
-                    unchanged.add(asset)
-                row[column] = None if empty else other(column, row[column])
+        for asset, case in asked.items():
+            if case.table == table and not case.spoil(of_asset[asset], changed):
+                untouched.add(asset)
         put_back(monitor, table, pa.Table.from_pylist(changed, schema=rows.schema))
     found = {row["asset"] for row in differing(monitor)}
-    missed = {
-        (table, f"{column} IS NULL" if empty else column)
-        for asset, (table, column, _, empty) in asked.items()
-        if asset not in found | unchanged
-    }
+    missed = {case.place for asset, case in asked.items() if asset not in found | untouched}
     assert missed == {place for place in MAY_DIFFER if place[0] in CHOSEN}
+    emptied = {case.place for asset, case in asked.items() if asset in untouched}
+    assert emptied <= {("version", "max_gap IS NULL"), ("version", "score_from IS NULL")}
+
+
+def found_by_command(monitor: Monitor) -> bool:
+    """Tell whether the check finds anything, with the source that the tables name."""
+    try:
+        row = monitor.state.monitor(monitor.name)
+        monitor.source = source_of(row, ["x"])
+        return bool(differing(monitor))
+    except UserError:
+        return True
+
+
+def test_whatever_is_wrong_in_what_channels_share_is_found() -> None:
+    monitor = made("duckdb", ["one"])
+    monitor.check_state()
+    assert not found_by_command(monitor)
+    missed = set()
+    for table, column, _ in columns():
+        if table in SHARED:
+            rows = stored(monitor, table)
+            changed = rows.to_pylist()
+            changed[-1][column] = other(column, changed[-1][column] or (0, "")[is_text(rows, column)])
+            put_back(monitor, table, pa.Table.from_pylist(changed, schema=rows.schema))
+            if not found_by_command(monitor):
+                missed.add((table, column))
+            put_back(monitor, table, rows)
+    assert missed == {place for place in MAY_DIFFER if place[0] in SHARED}
+    for table in ("monitor", "channel", "version"):
+        rows = stored(monitor, table)
+        for spoilt in (rows.slice(0, len(rows) - 1), pa.concat_tables([rows, rows])):
+            put_back(monitor, table, spoilt)
+            assert found_by_command(monitor), table
+        put_back(monitor, table, rows)
+    assert not found_by_command(monitor)
+
+
+def is_text(rows: pa.Table, column: str) -> bool:
+    return bool(pa.types.is_string(rows.schema.field(column).type))
