@@ -70,6 +70,7 @@ def happen(monitor: Monitor, chance: random.Random, rows: list[Row]) -> None:
         monitor.score(asset=rows[-1][0])
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("kind", KINDS)
 @settings(max_examples=max(1, settings().max_examples // 50))
 @given(seed=st.integers(0, 2**32))
