@@ -1,6 +1,7 @@
 """``gam check --state``: what is printed, what is recorded, and what ``gam status`` says of it."""
 
 import json
+from functools import cache
 from pathlib import Path
 
 import duckdb
@@ -14,13 +15,20 @@ from gam_db.stored.proving import Proof
 from test_incremental import put
 
 
+@cache
+def begun() -> bytes:
+    """A database file with a state in order; making it takes longer than a test."""
+    with duckdb.connect("begun.duckdb") as connection:
+        small_plant.begin(connection)
+    return Path("begun.duckdb").read_bytes()
+
+
 @pytest.fixture
 def plant(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A file with a state in order, in a folder of its own."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("COLUMNS", "120")
-    with duckdb.connect("plant.duckdb") as connection:
-        small_plant.begin(connection)
+    Path("plant.duckdb").write_bytes(begun())
     return tmp_path / "plant.duckdb"
 
 
