@@ -33,8 +33,9 @@ def check(
         bool,
         typer.Option(
             "--state",
-            help="Instead, compare what gam score has stored with the source: rows that came too late, "
-            "were corrected or went. Reads all of it; ends with 2 if anything differs.",
+            help="Instead, compare all that is stored with the source, and with itself: rows that came "
+            "too late, were corrected or went, and what was damaged in the tables. Reads all of it, and "
+            "records that it did; ends with 2 if anything differs.",
             rich_help_panel=_STATE,
         ),
     ] = False,

@@ -15,13 +15,18 @@ import gam_db
 from gam_db.cli import monitor_options, report
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.clock import TimeKind, shown_instant
+from gam_db.errors import EngineError
 from gam_db.stored import migrations
 from gam_db.stored.monitor import Monitor
+from gam_db.stored.proving import Proof, keep
 from gam_db.stored.sources import source_of
 from gam_db.stored.state import State, kind_of
 
 #: Differences that are shown unless all are asked for.
 _SHOWN = 20
+
+#: Parts that follow from the source, and of which is told what was counted.
+_MENDED = ("scored", "calibration")
 
 Row = dict[str, Any]
 
@@ -83,38 +88,67 @@ def check_state(
             schema=tables.schema,
             prefix=tables.prefix,
         )
-        rows = monitor.check_state(on_step=progress.on_step).to_pylist()
-    kind = kind_of(known)
-    if as_json:
-        print(
-            json.dumps(_figures(said.name, channels.num_rows, rows, kind), ensure_ascii=False, indent=1)
+        found = monitor.checked_state(on_step=progress.on_step)
+    # Only now, and shortly: a DuckDB file that is open for writing is open for nobody else.
+    unkept = None
+    try:
+        _keep(
+            found.proof,
+            file=config,
+            database=database,
+            name=name,
+            schema=schema,
+            prefix=prefix,
+            threads=threads,
         )
+    except EngineError as error:
+        unkept = str(error)
+    kind, rows = kind_of(known), found.differences.to_pylist()
+    if as_json:
+        figures = _figures(said.name, found.proof, unkept, rows, kind)
+        print(json.dumps(figures, ensure_ascii=False, indent=1))
     elif not quiet:
-        _show(report.console(), said.name, channels.num_rows, rows, kind, everything)
+        _show(report.console(), said.name, found.proof, rows, kind, everything)
+        if unkept is not None:
+            report.say(report.console(), f"that this was checked could not be recorded: {unkept}")
     return bool(rows)
 
 
-def _figures(name: str, channels: int, rows: Sequence[Row], kind: TimeKind) -> Row:
+def _keep(proof: Proof, **where: Any) -> None:
+    """Record the check, in a session that can write."""
+    session, tables, settings = monitor_options.opened(**where, writable=True, must_exist=True)
+    with session:
+        state = State(session, tables)
+        keep(state, state.monitor(settings.monitor.name)["monitor_id"], proof)
+
+
+def _figures(name: str, proof: Proof, unkept: str | None, rows: Sequence[Row], kind: TimeKind) -> Row:
     return {
         "gam_db": gam_db.__version__,
         "monitor": name,
-        "channels": channels,
+        "checked_at": shown_instant(proof.proved_at, TimeKind.TIMESTAMP),
+        "recorded": unkept is None,
+        "channels": proof.channels,
+        "versions": proof.versions,
+        "buckets": proof.buckets,
         "differences": [{**row, "day": _day(row), "since": _since(row, kind)} for row in rows],
     }
 
 
 def _show(
-    out: Console, name: str, channels: int, rows: Sequence[Row], kind: TimeKind, everything: bool
+    out: Console, name: str, proof: Proof, rows: Sequence[Row], kind: TimeKind, everything: bool
 ) -> None:
     if not rows:
         report.say(
             out,
-            f"monitor {name}: {channels:,} channels, every settled bucket and every cell of calibration "
-            "is what the source gives",
+            f"monitor {name}: {proof.channels:,} channels, {proof.buckets:,} buckets: all of it is what "
+            "the source gives, and what calibration froze",
         )
         return
-    others = {(row["asset"], row["channel"]) for row in rows}
-    report.say(out, f"monitor {name}: {len(others):,} of {channels:,} channels differ from the source")
+    others = {(row["asset"], row["channel"]) for row in rows if row["asset"] is not None}
+    report.say(
+        out, f"monitor {name}: {len(others):,} of {proof.channels:,} channels are not as they should be"
+    )
     for row in rows if everything else rows[:_SHOWN]:
         report.say(out, f"  {_line(row, kind)}")
     if not everything and len(rows) > _SHOWN:
@@ -124,9 +158,18 @@ def _show(
         report.say(out, f"gam score --from {shown_instant(min(since), kind)} scores them anew")
     if any(row["part"] == "calibration" for row in rows):
         report.say(out, "gam calibrate --again makes new versions of the calibration as it is now")
+    if any(row["part"] not in _MENDED and row["since"] is None for row in rows):
+        report.say(
+            out,
+            "what no scoring mends was changed or damaged in the tables: put them back from a copy of "
+            "the database; or gam calibrate --again makes new versions, and gam prune --keep-versions 0 "
+            "removes the others",
+        )
 
 
 def _line(row: Row, kind: TimeKind) -> str:
+    if row["part"] not in _MENDED:
+        return _damage(row, kind)
     named = report.printable(f"{row['asset']} {row['channel']}")
     counted = f"{row['samples_then']:,} then, {row['samples_now']:,} now"
     if row["part"] == "calibration":
@@ -137,6 +180,17 @@ def _line(row: Row, kind: TimeKind) -> str:
         f"{named}:{when} samples {counted}; {row['differing']:,} buckets differ, from "
         f"{shown_instant(row['since'], kind)} on"
     )
+
+
+def _damage(row: Row, kind: TimeKind) -> str:
+    """Return what is said of a difference that the source did not make."""
+    said = f"{row['part']}: {row['what']} ({row['differing']:,})"
+    if row["since"] is not None:
+        said += f", from {shown_instant(row['since'], kind)} on"
+    if row["asset"] is None:
+        return said
+    named = report.printable(f"{row['asset']} {row['channel']}")
+    return f"{named}: version {row['version']}: {said}"
 
 
 def _day(row: Row) -> str | None:

@@ -19,11 +19,12 @@ from rich.text import Text
 import gam_db
 from gam_db.cli import monitor_options, options, report
 from gam_db.cli.figures import plain
-from gam_db.clock import TimeKind
+from gam_db.clock import TimeKind, shown_instant
 from gam_db.errors import ConfigurationError
 from gam_db.findings import any_needs_attention, share
 from gam_db.parameters import pattern_matches
 from gam_db.stored import status as stored_status
+from gam_db.stored.proving import Proof
 
 NEEDS_ATTENTION = 2
 
@@ -73,6 +74,7 @@ def status(
     silence = settings.monitor.park_after if park_after is None else options.length(park_after)
     with session:
         channels = stored_status.status(session, tables, monitor, silence)
+        proof = stored_status.proved(session, tables, monitor)
     unheard = stored_status.unheard_for(channels, silence, dt.datetime.now(dt.UTC))
     if asset is not None:
         channels = _of_assets(channels, asset)
@@ -84,6 +86,7 @@ def status(
             "database": settings.source.shown_database,
             "monitor": monitor,
             "no_data_for_seconds": None if unheard is None else unheard.total_seconds(),
+            "proved": None if proof is None else _proved(proof),
             "channels": plain(channels.to_pylist()),
             "assets": plain(stored_status.by_asset(channels).to_pylist()),
             "needs_attention": code == NEEDS_ATTENTION,
@@ -95,6 +98,7 @@ def status(
         report.say(out, _heading(channels, f"{settings.source.shown_database}, monitor {monitor}"))
         if unheard is not None:
             report.say(out, _silence(unheard))
+        report.say(out, _proof(proof, dt.datetime.now(dt.UTC)))
         out.print()
         _show(out, channels, everything)
     if code:
@@ -121,6 +125,21 @@ def _heading(channels: pa.Table, where: str) -> str:
 def _silence(unheard: dt.timedelta) -> str:
     length = stored_status.shown_length(unheard // dt.timedelta(microseconds=1), TimeKind.TIMESTAMP)
     return f"no data at all for {length}: is the source filled, and is gam score run?"
+
+
+def _proof(proof: Proof | None, now: dt.datetime) -> str:
+    if proof is None:
+        return "the state was never compared with its source; gam check --state does it"
+    epoch = dt.datetime(1970, 1, 1, tzinfo=dt.UTC)
+    age = (now - epoch) // dt.timedelta(microseconds=1) - proof.proved_at
+    ago = stored_status.shown_length(age, TimeKind.TIMESTAMP)
+    found = f"{proof.differences:,} differences" if proof.differences else "no difference"
+    return f"the state was last compared with its source {ago} ago: {found} (gam check --state)"
+
+
+def _proved(proof: Proof) -> dict[str, Any]:
+    said = {name: value for name, value in vars(proof).items() if name != "extent"}
+    return {**said, "proved_at": shown_instant(proof.proved_at, TimeKind.TIMESTAMP)}
 
 
 def _show(out: Console, channels: pa.Table, everything: bool) -> None:

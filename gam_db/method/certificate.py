@@ -7,6 +7,12 @@ from gam_db.pipeline import Pipeline, filled
 
 
 def add_certificate(steps: Pipeline, method: Method, number: int) -> None:
+    """Add what calibration says about itself, for one set, and what the channel lacks (section 5)."""
+    add_judgement(steps, method, number)
+    add_of_set(steps, method, number, "certificate/missing_vectors")
+
+
+def add_judgement(steps: Pipeline, method: Method, number: int) -> None:
     """Add what calibration says about itself, for one set (section 5)."""
     setting = method.settings[number]
     add_of_set(steps, method, number, "certificate/learnt", {"window": setting.window})
@@ -37,4 +43,3 @@ def add_certificate(steps: Pipeline, method: Method, number: int) -> None:
             f"certificate/{name}",
             {"target_floor": float(setting.target_floor)},
         )
-    add_of_set(steps, method, number, "certificate/missing_vectors")

@@ -17,6 +17,7 @@ from gam_db.method import Method
 from gam_db.method.adding import add
 from gam_db.parameters import Parameters, pattern_matches
 from gam_db.pipeline import filled, place
+from gam_db.stored import sums
 from gam_db.stored.planning import Row, whole_pools
 from gam_db.stored.sources import SOURCE_COLUMNS, described
 from gam_db.stored.state import State, now
@@ -26,7 +27,13 @@ from gam_db.study import Study
 _METHOD = ("source", "calibration", "embedding", "support", "certificate", "score", "health")
 
 #: What is appended, in this order; a version is committed by its own row.
-_WRITTEN = ("calibration", "bounds", "block", "support", "version")
+_WRITTEN = ("calibration", "bounds", "block", "support", "checksum", "version")
+
+#: What a checksum is made of: of a version that is being written, the steps that its tables are given.
+_SUMMED = {
+    "frozen": "version_rows",
+    **{f"stored_{part}": f"{part}_rows" for part in ("bounds", "support", "calibration")},
+}
 
 #: What is told of a new version, as its support says it.
 _TOLD = (
@@ -66,6 +73,7 @@ def calibrate(
     add(steps, "stored/version_rows", {"long_ago": LONG_AGO, "created": now()})
     for part in ("calibration", "bounds", "block", "support"):
         add(steps, f"stored/{part}_rows")
+    add(steps, "stored/checksum_rows", sums.slots(), tables=_SUMMED)
     versions = {
         (row["asset"], row["channel"]): row
         for row in state.fetch("stored/active", {"monitor_id": monitor["monitor_id"]}).to_pylist()

@@ -1,28 +1,72 @@
-"""Checking the state against the source: is what was scored still what one run over everything gives?
+"""Checking the state: is what is stored what one run over everything gives, and does it hold together?
 
-This module owns the comparison. It writes nothing. It covers what lies outside the contract: rows later
-than the lookback, corrected and deleted ones, and rows of calibration that came or went. What the next
-run will read anyway is left out.
+This module owns the comparison. It writes nothing. Three things are looked at: the checksums of what
+calibration froze; what must hold between the tables, whatever the source; and the source itself, over
+which every bucket, every novel cell and all that calibration taught is computed again. What the next run
+will read anyway is left out, unless no row came since the last one.
+
+Retired versions are held to their checksums and to what must hold between the tables, not to the source:
+it may have changed since, which is why they were retired.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from itertools import groupby
 from typing import Any
 
 import pyarrow as pa
 
-from gam_db.clock import LONG_AGO
+from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
 from gam_db.stored.planning import Row, assets_of, portions, whole_pools
+from gam_db.stored.proving import STATE, Proof, mismatched
 from gam_db.stored.reading import Reader, cohort_of, plan_rows, searched_plan_rows
-from gam_db.stored.state import State, kind_of
+from gam_db.stored.state import State, kind_of, now
 from gam_db.stored.steps import (
     comparing_steps,
     reading_steps,
     relearning_steps,
     setting_of,
+    soundness_steps,
 )
+
+#: Parts of the state, in the order in which they are told.
+PARTS = (
+    *("frozen", "versions", "tables", "buckets", "novel cells", "runs"),
+    *("scored", "calibration", "certificate"),
+)
+
+_VERSIONS = {
+    "is_misnumbered": "its number, reason or predecessor does not follow from the one before",
+    "is_unbounded": "its bounds are missing, there twice, or contradict themselves",
+    "is_miscelled": "the cells of its support are not those that its bounds count",
+    "is_misblocked": "its blocks of calibration are not those that its bounds and cells count",
+}
+_BUCKETS = {
+    "torn": "numbers are missing or there twice",
+    "misplaced": "times out of order",
+    "miscounted": "counts out of their bounds",
+    "unsummed": "windows that are not the sum of their buckets",
+}
+_CERTIFICATE = {
+    "support": "cells of the support",
+    "block": "blocks of calibration",
+    "bounds": "figures of the certificate",
+}
+
+
+@dataclass(frozen=True)
+class Checked:
+    """What a check found.
+
+    Attributes:
+        differences: one row each; see :func:`check_state`.
+        proof: what was looked at, to be recorded.
+    """
+
+    differences: pa.Table
+    proof: Proof
 
 
 def check_state(
@@ -32,8 +76,8 @@ def check_state(
     lookback: int,
     limit: int | None = None,
     on_step: Listener = unheard,
-) -> pa.Table:
-    """Compare the stored buckets and the frozen calibration of a monitor with its source.
+) -> Checked:
+    """Compare all that is computed in the tables of a monitor with its source, and with one another.
 
     The whole source is read, a group of channels at a time.
 
@@ -41,79 +85,180 @@ def check_state(
         state: the state tables.
         source: where the telemetry lies.
         name: of the monitor.
-        lookback: buckets that the next run would write anew are not compared.
+        lookback: buckets that the next run would write anew are compared only where no row came since.
         limit: most readings to work on at once; None for what memory allows.
         on_step: called with what is done next.
 
     Returns:
-        One row per difference, ordered: asset, channel, part ("scored" or "calibration"), day (days
-        since 1970; NULL for counters and for calibration), samples_then and samples_now (of the day;
-        rows of the intervals for calibration), differing (buckets; visited cells for calibration),
-        since (integer time of the first bucket that differs: score from there on to repair; NULL for
-        calibration).
+        One row per difference, ordered: asset, channel (NULL for rows that belong to none), version (its
+        number within the channel), part (of :data:`PARTS`), what (in words; NULL where the part says
+        it), day (days since 1970; only of "scored", and not of counters), samples_then and samples_now
+        (of the day; rows of the intervals for "calibration"; else NULL), differing (buckets, cells or
+        rows), since (integer time of the first bucket that differs: score from there on to repair; NULL
+        where that repairs nothing).
 
     Raises:
         UserError: there is no such monitor, or the source cannot be used.
     """
     monitor = state.monitor(name)
     reader = Reader(state.session, source, kind_of(monitor), name)
-    monitor_id = monitor["monitor_id"]
-    settled = {row["version_id"]: row for row in plan_rows(state, monitor_id, lookback)}
-    rows = searched_plan_rows(state, monitor_id, None)
-    names = {row["channel_id"]: (row["asset"], row["channel"]) for row in rows}
     check = _Check(state, reader, on_step)
+    monitor_id, began = monitor["monitor_id"], now()
+    buckets = check.soundness(monitor_id)
+    usable = {key: row for key, row in check.versions.items() if key not in check.unusable}
+    active = {key for key, row in usable.items() if row["is_active"]}
+    settled = {row["version_id"]: row for row in plan_rows(state, monitor_id, lookback)}
+    rows = [row for row in searched_plan_rows(state, monitor_id, None) if row["version_id"] in active]
     readings, most = check.readings(), limit or state.session.rows_at_once()
-    found: list[Row] = []
     for group in portions(rows, readings, most):
-        found += check.scored(group, [settled[row["version_id"]] for row in group])
-    taught = [row for row in rows if row["calibration_end"] is not None]
-    for _, alike in groupby(sorted(taught, key=_setting), key=_setting):
+        check.scored(group, [settled[row["version_id"]] for row in group])
+    for _, alike in groupby(sorted(_taught(usable.values()), key=_learning), key=_learning):
         for group in whole_pools(alike, readings, most):
-            found += check.calibration(group)
-    made = [
-        {**row, **dict(zip(("asset", "channel"), names[row["channel_id"]], strict=True))}
-        for row in found
-    ]
-    made.sort(key=lambda row: (row["asset"], row["channel"], row["part"], row["since"] or LONG_AGO))
-    return pa.Table.from_pylist(made, schema=_RESULT)
+            check.calibration(group)
+    made = sorted(check.found, key=_place)
+    versions = check.versions.values()
+    channels = len({row["channel_id"] for row in versions})
+    proof = Proof(STATE, began, channels, len(versions), buckets, len(made))
+    return Checked(pa.Table.from_pylist(made, schema=_RESULT), proof)
 
 
 class _Check:
     def __init__(self, state: State, reader: Reader, on_step: Listener) -> None:
         self.state, self.session, self.reader, self.on_step = state, state.session, reader, on_step
+        self.versions: dict[int, Row] = {}
+        self.unusable: set[int] = set()
+        self.found: list[Row] = []
+
+    def note(self, version_id: int | None, part: str, **said: Any) -> None:
+        """Note a difference of a version, or of none."""
+        row = {} if version_id is None else self.versions[version_id]
+        named = {"asset": row.get("asset"), "channel": row.get("channel")}
+        self.found.append({**named, "version": row.get("version_no"), "part": part, **said})
+
+    def soundness(self, monitor_id: int) -> int:
+        """Look at what must hold whatever the source; return how many buckets there are."""
+        running = self._running(soundness_steps(monitor_id, self.session.transactions))
+        try:
+            rows = running.table("checked").to_pylist()
+            running.load("checked", pa.Table.from_pylist(rows, schema=_CHECKED))
+            self.versions = {row["version_id"]: row for row in rows}
+            self._frozen()
+            for row in running.table("unsound_versions").to_pylist():
+                for column, said in _VERSIONS.items():
+                    if row[column]:
+                        self.note(row["version_id"], "versions", what=said, differing=1)
+            buckets = running.table("unsound_buckets").to_pylist()
+            for row in buckets:
+                for column, said in _BUCKETS.items():
+                    if row[column]:
+                        since = self._mending(row)
+                        self.note(
+                            row["version_id"], "buckets", what=said, differing=row[column], since=since
+                        )
+            for row in running.table("unsound_novel").to_pylist():
+                what = "buckets whose novel vectors are not those of their cells"
+                since = self._mending(row)
+                self.note(
+                    row["version_id"], "novel cells", what=what, differing=row["differing"], since=since
+                )
+            self._runs(running.table("unsound_runs").to_pylist())
+            for row in running.table("lonely").to_pylist():
+                table = self.state.tables.shown(row["of_table"])
+                what = f"rows of {table} whose {row['lacks']} is not there"
+                if row["lacks"] == "another key":
+                    what = f"keys or names that are there twice in {table}"
+                self.note(None, "tables", what=what, differing=row["found"])
+        finally:
+            running.forget()
+        return sum(row["buckets"] for row in buckets)
+
+    def _frozen(self) -> None:
+        keys = pa.table({"version_id": pa.array(list(self.versions), pa.int64())})
+        wanted = self.session.load(keys)
+        try:
+            found = mismatched(self.state, wanted)
+        finally:
+            self.session.forget(wanted)
+        for row in found:
+            if not row["is_usable"]:
+                self.unusable.add(row["version_id"])
+            what = f"changed since calibration froze it: {row['said']}"
+            self.note(row["version_id"], "frozen", what=what, differing=1)
+
+    def _runs(self, rows: Iterable[Row]) -> None:
+        for strays, what in (
+            (0, "records of runs that do not agree with the buckets"),
+            (1, "runs that found other samples before their first bucket than were scored"),
+        ):
+            for key, told in _by_version(row for row in rows if row["strays"] == strays).items():
+                since = min(row["since"] for row in told) if strays and self._is_active(key) else None
+                self.note(key, "runs", what=what, differing=len(told), since=since)
+
+    def _mending(self, row: Row) -> int | None:
+        """Return from where on scoring mends what was found; None where nothing scores any more."""
+        return int(row["since"]) if self._is_active(row["version_id"]) else None
+
+    def _is_active(self, version_id: int) -> bool:
+        return bool(self.versions[version_id]["is_active"])
 
     def readings(self) -> dict[tuple[str, str], int]:
         steps = reading_steps(self.reader.readings())
         rows = self.session.fetch(steps.query("names")).to_pylist()
         return {(row["asset"], row["channel"]): row["readings"] for row in rows}
 
-    def scored(self, group: Sequence[Row], settled: Sequence[Row]) -> list[Row]:
-        """Compare the settled buckets of a group of one setting."""
+    def scored(self, group: Sequence[Row], settled: Sequence[Row]) -> None:
+        """Compare the buckets of a group of one setting: the settled ones, and all if no row came."""
         running = self._running(comparing_steps(setting_of(group[0]), self.reader.kind))
-        ends = [row["first_scored"] - 1 for row in settled]
+        known = [self.versions[row["version_id"]] for row in group]
+        ends = [
+            row["first_scored"] - 1 if version["read_to"] is None else version["read_to"]
+            for row, version in zip(settled, known, strict=True)
+        ]
+        novel_from = [row["first_novel"] for row in known]
+        versions = {row["channel_id"]: row["version_id"] for row in group}
         try:
-            running.load(
-                "cohort",
-                cohort_of(group, read_until=ends, settled=[row["first_bucket"] for row in settled]),
-            )
+            running.load("cohort", cohort_of(group, read_until=ends))
             earliest = min(row["read_from"] for row in group)
             rows = reading_steps(self.reader.readings(assets_of(group), earliest))
             running.put("identified", rows.query("identified", running.placed))
+            again = {row["channel_id"]: row for row in running.table("reread").to_pylist()}
+            same = [_is_same(again.get(row["channel_id"])) for row in group]
+            until = [
+                end if is_same else row["first_scored"] - 1
+                for row, end, is_same in zip(settled, ends, same, strict=True)
+            ]
+            first = [
+                FAR_AHEAD if is_same else row["first_bucket"]
+                for row, is_same in zip(settled, same, strict=True)
+            ]
+            cohort = cohort_of(group, read_until=until, settled=first, novel_from=novel_from)
+            running.load("cohort", cohort)
             differences = running.table("compared").to_pylist()
+            cells = running.table("compared_novel").to_pylist()
         finally:
             running.forget()
-        return [
-            {
-                **row,
-                "part": "scored",
-                "day": None if self.reader.kind.is_counter else row["day_no"],
-            }
-            for row in differences
-        ]
+        for row in differences:
+            day = None if self.reader.kind.is_counter else row["day_no"]
+            said = {name: row[name] for name in _COUNTED}
+            self.note(versions[row["channel_id"]], "scored", day=day, since=row["since"], **said)
+        told = {row["channel_id"] for row in differences}
+        for row in cells:
+            if row["channel_id"] not in told:  # else it follows from the buckets
+                what = "novel cells that the source does not give"
+                said = {name: row[name] for name in ("differing", "since")}
+                self.note(versions[row["channel_id"]], "novel cells", what=what, **said)
+        for key, row in again.items():
+            if not row["ends_now"] and key not in told:
+                what = "the last run ended at an instant at which the source has no row"
+                self.note(versions[key], "runs", what=what, differing=1)
 
-    def calibration(self, group: Sequence[Row]) -> list[Row]:
+    def calibration(self, group: Sequence[Row]) -> None:
         """Compare what the frozen intervals of pools of one setting teach now with what they taught."""
-        running = self._running(relearning_steps(setting_of(group[0]), self.reader.kind))
+        # Blocks are numbered in the order of names. A channel may be of two pools, one of them retired.
+        group = sorted(group, key=lambda row: (row["asset"].encode(), row["channel"].encode()))
+        group = [{**row, "channel_id": number} for number, row in enumerate(group, start=1)]
+        setting, target = setting_of(group[0]), group[0]["target_floor"]
+        running = self._running(relearning_steps(setting, self.reader.kind, target))
         ends = [row["calibration_end"] for row in group]
         try:
             cohort = cohort_of(group, read_from=LONG_AGO, read_until=ends, first_bucket=0)
@@ -125,35 +270,87 @@ class _Check:
             running.put("identified", rows.query("identified", running.placed))
             counted = self.session.fetch(rows.query("recount", running.placed)).to_pylist()
             changed = running.table("relearnt").to_pylist()
+            otherwise = running.table("certified").to_pylist()
         finally:
             running.forget()
         cells = {row["support_id"]: row["differing"] for row in changed}
-        now = {row["channel_id"]: row["calibration_readings"] for row in counted}
-        return [
-            {
-                "channel_id": row["channel_id"],
-                "part": "calibration",
-                "day": None,
-                "samples_then": row["calibration_readings"],
-                "samples_now": now.get(row["channel_id"], 0),
-                "differing": cells.get(row["support_id"], 0),
-                "since": None,
-            }
-            for row in group
-            if row["support_id"] in cells or now.get(row["channel_id"], 0) != row["calibration_readings"]
-        ]
+        now_read = {row["channel_id"]: row["calibration_readings"] for row in counted}
+        came = set(cells)
+        for row in group:
+            then, found = row["calibration_readings"], now_read.get(row["channel_id"], 0)
+            if found != then:
+                came.add(row["support_id"])
+            elif row["is_active"] and row["counted_readings"] not in (None, found):
+                what = "the last run that counted rows of calibration found another number"
+                self.note(row["version_id"], "runs", what=what, differing=1)
+            if row["is_active"] and (found != then or row["support_id"] in cells):
+                self.note(
+                    row["version_id"],
+                    "calibration",
+                    samples_then=then,
+                    samples_now=found,
+                    differing=cells.get(row["support_id"], 0),
+                )
+        for row in otherwise:
+            if row["support_id"] in came:  # what else differs follows from that
+                continue
+            member = next(one for one in group if one["support_id"] == row["support_id"])
+            what = f"{_CERTIFICATE[row['part']]} are not what calibration gives"
+            self.note(member["version_id"], "certificate", what=what, differing=row["differing"])
 
     def _running(self, steps: Any) -> Running:
         return Running(self.session, steps, self.state.tables.placed(), self.on_step)
 
 
-def _setting(row: Row) -> str:
-    return repr(setting_of(row))
+def _is_same(again: Row | None) -> bool:
+    """Tell whether no row came since the last run, so that its last buckets can be compared, too."""
+    return again is not None and bool(again["rows_now"] == again["rows_then"])
 
+
+def _taught(versions: Iterable[Row]) -> list[Row]:
+    """Return the versions that have calibration, of the supports that a channel is scored by now."""
+    rows = [row for row in versions if row["calibration_end"] is not None and row["lo"] is not None]
+    used = {row["support_id"] for row in rows if row["is_active"]}
+    return [row for row in rows if row["support_id"] in used]
+
+
+def _by_version(rows: Iterable[Row]) -> dict[int, list[Row]]:
+    found: dict[int, list[Row]] = {}
+    for row in rows:
+        found.setdefault(row["version_id"], []).append(row)
+    return found
+
+
+def _learning(row: Row) -> str:
+    return repr((setting_of(row), row["target_floor"]))
+
+
+def _place(row: Row) -> tuple[Any, ...]:
+    since = row.get("since")
+    named = (row["asset"] or "", row["channel"] or "", row["version"] or 0)
+    return (*named, PARTS.index(row["part"]), LONG_AGO if since is None else since)
+
+
+_COUNTED = ("samples_then", "samples_now", "differing")
 
 _RESULT = pa.schema(
     [
-        *((name, pa.string()) for name in ("asset", "channel", "part")),
-        *((name, pa.int64()) for name in ("day", "samples_then", "samples_now", "differing", "since")),
+        *(("asset", pa.string()), ("channel", pa.string()), ("version", pa.int64())),
+        *(("part", pa.string()), ("what", pa.string())),
+        *((name, pa.int64()) for name in ("day", *_COUNTED, "since")),
+    ]
+)
+
+_CHECKED = pa.schema(
+    [
+        *(
+            (name, pa.int64())
+            for name in (
+                *("version_id", "channel_id", "support_id", "parent_id", "version_no"),
+                *("window_length", "stride", "context_rows", "run_up_from", "is_active"),
+                *("first_bucket", "first_novel"),
+            )
+        ),
+        *((name, pa.string()) for name in ("status", "reason")),
     ]
 )

@@ -1,7 +1,9 @@
 """The files of ``migrations/``: read, checked, placed where the state lies, rendered for an engine.
 
 A file makes one table or one view, or adds columns to a table, with the comments of all that; it is safe
-to run twice, and calls the tables ``stored_run`` and so on. Its checksum is that of its bytes.
+to run twice, and calls the tables ``stored_run`` and so on. Its checksum is that of its bytes. A table
+that repeats what others hold is given the rows that it lacks in an older state
+(:func:`gam_db.stored.sums.first_rows`).
 """
 
 import hashlib
@@ -22,6 +24,7 @@ from gam_db.engines.base import Engine
 from gam_db.engines.storage import Addition, Definition
 from gam_db.errors import TemplateError
 from gam_db.pipeline import filled, place
+from gam_db.stored import sums
 from gam_db.stored.tables import TABLES, VIEWS, StateTables
 from gam_db.version import __version__
 
@@ -71,7 +74,9 @@ class Migration:
                 found = engine.instant_of(TimeKind.TIMESTAMP, instant.this.copy())
                 instant.replace(exp.paren(found) if isinstance(instant.parent, exp.Binary) else found)
         about = self.definition
-        return engine.define(Definition(create, about.comment, about.columns))
+        made = engine.define(Definition(create, about.comment, about.columns))
+        rows = sums.first_rows(self.name)
+        return made if rows is None else [*made, _filling(tables, self.name, rows.copy())]
 
     def record(self, tables: StateTables, applied_at: int) -> exp.Expr:
         """Return the statement that records the migration, unless it is recorded already."""
@@ -154,6 +159,13 @@ def _read(path: Path) -> Migration:
     made = _addition if statements and isinstance(statements[0], exp.Alter) else _definition
     definition = made(path.name, name, statements)
     return Migration(number, name, hashlib.sha256(content).hexdigest(), definition)
+
+
+def _filling(tables: StateTables, name: str, rows: exp.Query) -> exp.Expr:
+    """Return the statement that gives a new table what an older state has to say."""
+    columns = [exp.to_identifier(column) for column in rows.named_selects]
+    place(rows, tables.placed())
+    return exp.Insert(this=exp.Schema(this=tables.table(name), expressions=columns), expression=rows)
 
 
 def _definition(file: str, name: str, statements: Sequence[exp.Expr]) -> Definition:

@@ -201,6 +201,12 @@ def _check_record(applied: Sequence[Applied], tables: StateTables) -> None:
                 f"The record {tables.shown('migration')} was changed by hand: it {what}; put it back "
                 "from a copy of the database."
             )
+        if row.name != known[row.number - 1].name:
+            raise StateError(
+                f"The record {tables.shown('migration')} was changed by hand: migration {row.number} is "
+                f"called {row.name!r} in it and made {tables.shown(known[row.number - 1].name)}; put it "
+                "back from a copy of the database."
+            )
         if row.checksum != known[row.number - 1].checksum:
             raise StateError(
                 f"Migration {row.number} ({row.name}) was applied by gam-db {row.gam_version} with "

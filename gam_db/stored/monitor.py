@@ -3,6 +3,7 @@
 This module owns the public calls of the stored form.
 """
 
+import contextlib
 from collections.abc import Callable
 from typing import Any, Literal
 
@@ -15,13 +16,15 @@ from gam_db.checking import look_at
 from gam_db.clock import Instant, Length, instant
 from gam_db.connecting import connect
 from gam_db.engines.session import Session
+from gam_db.errors import EngineError
 from gam_db.method.source import named_like
 from gam_db.parameters import Parameters, pattern_matches
 from gam_db.running import Listener, unheard
 from gam_db.source import AnySource
 from gam_db.stored import lengths, migrations
 from gam_db.stored.calibrating import calibrate
-from gam_db.stored.checking import check_state
+from gam_db.stored.checking import Checked, check_state
+from gam_db.stored.proving import Proof, keep
 from gam_db.stored.pruning import Retention, compact, prune
 from gam_db.stored.scoring import Report, Wanted, score
 from gam_db.stored.state import State, kind_of
@@ -178,23 +181,41 @@ class Monitor:
         return score(self.state, self.source, self.name, wanted, dry_run, on_step)
 
     def check_state(self, limit: int | None = None, on_step: Listener = unheard) -> pa.Table:
-        """Compare what is stored with the source; see :func:`gam_db.stored.checking.check_state`.
+        """Compare all that is stored with the source, and with itself.
+
+        That it was done is recorded in the state, as far as the session can write.
 
         Args:
             limit: most readings to work on at once; None for what memory allows.
             on_step: called with what is done next.
 
         Returns:
-            One row per difference: what came too late, was corrected, or went; none if all is as one
-            run over the whole source would have it.
+            One row per difference: what came too late, was corrected, or went, and what was changed or
+            damaged in the tables; none if all is as one run over the whole source would have it. See
+            :func:`gam_db.stored.checking.check_state` for the columns.
 
         Raises:
             UserError: there is no such monitor, or the source cannot be used.
         """
+        found = self.checked_state(limit, on_step)
+        with contextlib.suppress(EngineError):
+            self.keep_proof(found.proof)
+        return found.differences
+
+    def checked_state(self, limit: int | None = None, on_step: Listener = unheard) -> Checked:
+        """Return what :meth:`check_state` does, and what is to be recorded of it; nothing is written."""
         migrations.require(self.session, self.state.tables)
         kind = kind_of(self.state.monitor(self.name))
         lookback = lengths.lookback(self.lookback, kind)
         return check_state(self.state, self.source, self.name, lookback, limit, on_step)
+
+    def keep_proof(self, proof: Proof) -> None:
+        """Record that the state was checked.
+
+        Raises:
+            EngineError: the database cannot be written.
+        """
+        keep(self.state, self.state.monitor(self.name)["monitor_id"], proof)
 
     def status(self) -> pa.Table:
         """Return what the state says of each channel, the most urgent first; the source is not read.

@@ -52,7 +52,7 @@ class Retention:
 _STEPS = (
     *("pruned_versions", "recorded", "aged_buckets", "horizons"),
     *("doomed_buckets", "doomed_novel", "doomed_runs", "doomed_versions", "doomed_supports"),
-    "doomed_unplaced",
+    *("doomed_unplaced", "new_horizons", "doomed_horizons"),
 )
 
 #: How long it stays known how many rows runs could give to no channel, in microseconds: a year.
@@ -66,7 +66,9 @@ _DOOMED = {
     "novel": "doomed_novel",
     "run": "doomed_runs",
     "unplaced": "doomed_unplaced",
+    "horizon": "doomed_horizons",
     "calibration": "doomed_versions",
+    "checksum": "doomed_versions",
     "support": "doomed_supports",
     "block": "doomed_supports",
     "bounds": "doomed_supports",
@@ -170,6 +172,10 @@ def _deleted(
         for step in _STEPS:
             if step in steps.small:
                 kept[step] = session.keep(step, steps.query(step, kept))
+        # Recorded first: what is cut short then is too much kept, and not a loss.
+        told = steps.steps["new_horizons"].query.named_selects
+        horizons = exp.select(*(template.column(one) for one in told)).from_(kept["new_horizons"].copy())
+        State(session, tables).append("horizon", horizons)
         for table, step in _DOOMED.items():
             keys = steps.steps[step].query.named_selects
             found = exp.select(*(template.column(key) for key in keys)).from_(kept[step].copy())

@@ -157,7 +157,7 @@ def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
         said = {
             name: value[number] if isinstance(value, list) else value for name, value in columns.items()
         }
-        made.append({**row, "recounted": 0, "settled": 0, **said})
+        made.append({**row, "recounted": 0, "settled": 0, "novel_from": 0, **said})
     return pa.Table.from_pylist(made, schema=_COHORT)
 
 
@@ -168,7 +168,7 @@ _COHORT = pa.schema(
             for name in (
                 *("channel_id", "version_id", "support_id", "first_bucket", "first_scored"),
                 *("read_from", "read_until", "context_expected", "calibration_end"),
-                *("oldest_bucket", "recounted", "settled", "planned_from"),
+                *("oldest_bucket", "recounted", "settled", "planned_from", "novel_from"),
             )
         ),
         *((name, pa.string()) for name in ("asset", "channel")),

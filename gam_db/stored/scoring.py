@@ -20,6 +20,7 @@ from gam_db.pipeline import Pipeline, filled, place
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due, planned, portions, resumed
+from gam_db.stored.proving import verify, verify_daily
 from gam_db.stored.publishing import GONE, NOTHING, Standings, publication, standings
 from gam_db.stored.reading import (
     Reader,
@@ -135,6 +136,8 @@ class _Run:
                 f"No channel of the monitor {self.monitor['name']!r} matches the patterns of asset and "
                 "channel; * stands for any text, ? for one character."
             )
+        if not dry_run:
+            verify_daily(self.state, self.monitor)
         rows = self._plan()
         everything = wanted.everything or wanted.full or wanted.repair_from is not None
         plan = planned(rows, wanted.lookback, wanted.park_after, self.started, everything)
@@ -265,6 +268,7 @@ class _Run:
         earliest = min(row["read_from"] for row in group)
         try:
             running.load("cohort", self._cohort(group))
+            verify(self.state, running.placed["cohort"], group)
             # A part of a cohort is found by name, or each part would read the rows of all.
             assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
             due = any(self._is_due(row) for row in group)

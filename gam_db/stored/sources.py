@@ -10,7 +10,7 @@ from typing import Any
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.errors import ConfigurationError
+from gam_db.errors import ConfigurationError, StateError
 from gam_db.source import AnySource, Source, WideSource
 
 #: The columns of ``gam_monitor`` that tell of the source.
@@ -47,6 +47,7 @@ def source_of(monitor: Mapping[str, Any], channels: Sequence[str], relation: Any
 
     Raises:
         ConfigurationError: it was made from an Arrow table, and no relation is given.
+        StateError: its row says nothing that gam-db writes.
     """
     relation = monitor["source"] if relation is None else relation
     if isinstance(relation, str) and relation == _OBJECT:
@@ -59,6 +60,11 @@ def source_of(monitor: Mapping[str, Any], channels: Sequence[str], relation: Any
         "time": monitor["time_column"],
         "where": monitor["condition"],
     }
+    if monitor["layout"] not in ("long", "wide"):
+        raise StateError(
+            f"The row of the monitor {monitor['name']!r} was changed by hand: its layout is "
+            f"{monitor['layout']!r}, neither long nor wide. Put it back from a copy of the database."
+        )
     if monitor["layout"] == "wide":
         return WideSource(relation, channels=sorted(set(channels)) or None, **said)
     return Source(relation, channel=monitor["channel_column"], value=monitor["value_column"], **said)

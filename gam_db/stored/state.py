@@ -16,7 +16,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.engines.session import CONFLICT, Session
-from gam_db.errors import ConfigurationError, ConflictError, EngineError, nearest
+from gam_db.errors import ConfigurationError, ConflictError, EngineError, StateError, nearest
 from gam_db.pipeline import filled, place
 from gam_db.stored.tables import StateTables
 
@@ -158,5 +158,15 @@ class State:
 
 
 def kind_of(monitor: Mapping[str, Any]) -> TimeKind:
-    """Return how the source of a monitor tells time."""
-    return TimeKind(monitor["time_kind"])
+    """Return how the source of a monitor tells time.
+
+    Raises:
+        StateError: its row says nothing that gam-db writes.
+    """
+    try:
+        return TimeKind(monitor["time_kind"])
+    except ValueError as error:
+        raise StateError(
+            f"The row of the monitor {monitor['name']!r} was changed by hand: there is no kind of time "
+            f"{monitor['time_kind']!r}. Put it back from a copy of the database."
+        ) from error

@@ -23,6 +23,7 @@ from gam_db.findings import Course, Finding, Row, finding, urgency
 from gam_db.parameters import Parameters
 from gam_db.pipeline import filled, place
 from gam_db.stored import lengths, migrations
+from gam_db.stored.proving import STATE, Proof, last_proofs
 from gam_db.stored.state import State, kind_of
 from gam_db.stored.tables import StateTables
 from gam_db.template import Slot, text
@@ -91,6 +92,18 @@ def status(
         one = finding(row, _setting(row), _course(row, courses.get(row["version_id"])))
         found.append(dataclasses.replace(one, remarks=(*one.remarks, *_remarks(row, kind))))
     return _table(sorted(found, key=urgency), kind)
+
+
+def proved(session: Session, tables: StateTables, monitor: str = "default") -> Proof | None:
+    """Return when the state of a monitor was last compared with its source; None if it never was.
+
+    Raises:
+        StateError: there is no state of this gam-db.
+        ConfigurationError: there is no such monitor.
+    """
+    migrations.require(session, tables)
+    state = State(session, tables)
+    return last_proofs(state, state.monitor(monitor)["monitor_id"]).get(STATE)
 
 
 def by_asset(channels: pa.Table) -> pa.Table:

@@ -18,6 +18,8 @@ from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.method import Method
 from gam_db.method.adding import add, add_of_set
 from gam_db.method.calibration import add_breaks, until_calibration_end
+from gam_db.method.certificate import add_judgement
+from gam_db.method.resolved import SMALL_OF_SET
 from gam_db.method.scoring import add_bucket_counts, add_buckets, add_numbered
 from gam_db.method.vectors import add_vectors
 from gam_db.parameters import Parameters
@@ -180,19 +182,33 @@ def add_counting(
 
 @cache
 def comparing_steps(setting: Setting, kind: TimeKind) -> Pipeline:
-    """Return the steps from *identified* to *compared*: where the stored buckets are no longer right."""
+    """Return the steps from *identified* to where the stored buckets are no longer right.
+
+    The last are *reread*, *compared* and *compared_novel*.
+    """
     steps = _frozen()
-    method = _add_samples(steps, setting, kind)
-    _add_new_buckets(steps, method)
+    add_counting(steps, setting, kind, has_past=False)
+    add(steps, "stored/reread")
     add(steps, "stored/compared", {"day": FAR_AHEAD if kind.is_counter else DAY})
+    add(steps, "stored/compared_novel")
     return steps
 
 
 @cache
-def relearning_steps(setting: Setting, kind: TimeKind) -> Pipeline:
-    """Return the steps from *identified* to *relearnt*: whether calibration would teach other cells."""
-    steps = _frozen()
-    method = _add_samples(steps, setting, kind)
+def relearning_steps(
+    setting: Setting, kind: TimeKind, target_floor: float = Parameters.target_floor
+) -> Pipeline:
+    """Return the steps from *identified* to what calibration would teach and say now.
+
+    The last are *relearnt*, whether it would teach other cells, and *certified*, all else.
+
+    Args:
+        setting: that of all channels.
+        kind: how the source tells time.
+        target_floor: likewise of all.
+    """
+    steps = _frozen(SMALL_OF_SET)
+    method = _add_samples(steps, setting, kind, target_floor=target_floor)
     add_vectors(steps, method, 0, "calibration_", until_calibration_end())
     add_of_set(
         steps,
@@ -202,6 +218,31 @@ def relearning_steps(setting: Setting, kind: TimeKind) -> Pipeline:
         tables={"marked_vectors": "calibration_vectors"},
     )
     add(steps, "stored/relearnt")
+    add_judgement(steps, method, 0)
+    slots = {"bins": setting.bins, "window": setting.window_length}
+    add(steps, "stored/judged_bounds", slots)
+    add(steps, "certificate/verdicts", tables={"bounds": "judged_bounds"})
+    add(steps, "stored/certified")
+    return steps
+
+
+@cache
+def soundness_steps(monitor_id: int, is_whole: bool) -> Pipeline:
+    """Return the steps that tell what does not hold between the state tables, without the source.
+
+    The last are *checked*, *unsound_versions*, *unsound_buckets*, *unsound_novel*, *unsound_runs* and
+    *lonely*.
+
+    Args:
+        monitor_id: of the monitor; *lonely* is about all.
+        is_whole: whether a run is there as a whole or not at all.
+    """
+    steps = Pipeline(small=frozenset({"checked"}))
+    add(steps, "stored/checked", {"monitor_id": monitor_id})
+    for name in ("unsound_versions", "unsound_buckets", "unsound_novel"):
+        add(steps, f"stored/{name}")
+    add(steps, "stored/unsound_runs", {"nothing": FAR_AHEAD})
+    add(steps, "stored/lonely", {"whole": int(is_whole)})
     return steps
 
 
@@ -210,18 +251,24 @@ def can_trust(setting: Setting, kind: TimeKind) -> bool:
     return _method(setting, kind).is_short(0)
 
 
-def _frozen() -> Pipeline:
+def _frozen(kept: frozenset[str] = frozenset()) -> Pipeline:
     """Return the steps that give what is frozen of the channels of a cohort."""
-    steps = Pipeline(small=KEPT)
+    steps = Pipeline(small=KEPT | kept)
     for name in ("channels", "bounds", "calibration", "support"):
         add(steps, f"stored/{name}")
     add(steps, "stored/calibration_range")
     return steps
 
 
-def _add_samples(steps: Pipeline, setting: Setting, kind: TimeKind, trusting: bool = False) -> Method:
+def _add_samples(
+    steps: Pipeline,
+    setting: Setting,
+    kind: TimeKind,
+    trusting: bool = False,
+    target_floor: float = Parameters.target_floor,
+) -> Method:
     """Add the steps from *identified* to the samples, and return the method of the setting."""
-    method = _method(setting, kind)
+    method = _method(setting, kind, target_floor)
     add(steps, "stored/unrepeated" if trusting else "stored/repeats", name="timeline")
     for name in ("collapsed", "samples"):
         add(steps, f"source/{name}")
@@ -239,8 +286,11 @@ def _add_new_buckets(steps: Pipeline, method: Method, trusting: bool = False) ->
     add(steps, "stored/new_buckets")
 
 
-def _method(setting: Setting, kind: TimeKind) -> Method:
-    """Return the method of a stored version, for scoring alone; its calibration is in the tables."""
+def _method(setting: Setting, kind: TimeKind, target_floor: float = Parameters.target_floor) -> Method:
+    """Return the method of a stored version; its calibration is in the tables.
+
+    The target is not needed to score.
+    """
     gap: Any = setting.max_gap
     if gap is not None and not kind.is_counter:
         gap = dt.timedelta(microseconds=gap)
@@ -251,6 +301,7 @@ def _method(setting: Setting, kind: TimeKind) -> Method:
         window=setting.window_length,
         stride=setting.stride,
         max_gap=gap,
+        target_floor=target_floor,
     )
     start = None
     if setting.has_start:

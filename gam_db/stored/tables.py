@@ -24,6 +24,9 @@ TABLES = (
     "novel",
     "run",
     "unplaced",
+    "checksum",
+    "horizon",
+    "proof",
 )
 VIEWS = (
     "finished_run",

@@ -1,6 +1,6 @@
--- Compared: the buckets that are settled, as they are stored and as the source gives them now. A row that came
--- too late, was corrected or went changes the bucket that holds it, or moves all that follow.
--- Reads:  new_buckets, stored_visible_bucket, cohort
+-- Compared: the buckets that can be, as they are stored and as the source gives them now. A row that came too
+-- late, was corrected or went changes the bucket that holds it, or moves all that follow.
+-- Reads:  new_buckets, bucket_counts, stored_visible_bucket, cohort
 -- A row:  one channel and day (of the last vector of a bucket) on which they differ; since is the beginning of
 --         the first bucket that does.
 -- Slots:  :day  a day, in the unit of time
@@ -29,9 +29,11 @@ FROM (
       bucket_no,
       first_time,
       last_time,
+      context_time,
       samples,
       novel,
       out_of_range,
+      novel_in_window,
       CAST(SUM(is_stored) AS BIGINT) AS stored_rows,
       CAST(SUM(1 - is_stored) AS BIGINT) AS source_rows
     FROM (
@@ -40,9 +42,11 @@ FROM (
         bucket.bucket_no AS bucket_no,
         bucket.first_time AS first_time,
         bucket.last_time AS last_time,
+        bucket.context_time AS context_time,
         bucket.samples AS samples,
         bucket.novel AS novel,
         bucket.out_of_range AS out_of_range,
+        bucket.novel_in_window AS novel_in_window,
         1 AS is_stored
       FROM stored_visible_bucket AS bucket
       JOIN cohort AS member ON member.version_id = bucket.version_id
@@ -53,15 +57,29 @@ FROM (
         made.bucket_no AS bucket_no,
         made.first_time AS first_time,
         made.last_time AS last_time,
+        made.context_time AS context_time,
         made.samples AS samples,
         made.novel AS novel,
         made.out_of_range AS out_of_range,
+        counted.novel_in_window AS novel_in_window,
         0 AS is_stored
       FROM new_buckets AS made
+      JOIN bucket_counts AS counted
+        ON counted.channel_id = made.channel_id AND counted.bucket_no = made.bucket_no
       JOIN cohort AS member ON member.channel_id = made.channel_id
       WHERE made.bucket_no BETWEEN member.oldest_bucket AND member.settled - 1
+        AND made.last_time <= member.read_until
     ) AS both_sides
-    GROUP BY channel_id, bucket_no, first_time, last_time, samples, novel, out_of_range
+    GROUP BY
+      channel_id,
+      bucket_no,
+      first_time,
+      last_time,
+      context_time,
+      samples,
+      novel,
+      out_of_range,
+      novel_in_window
   ) AS matched
   GROUP BY channel_id, day_no
 ) AS summed

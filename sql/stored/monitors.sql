@@ -11,5 +11,6 @@ SELECT
   watched.time_column AS time_column,
   watched.value_column AS value_column,
   watched.condition AS condition,
-  watched.time_kind AS time_kind
+  watched.time_kind AS time_kind,
+  watched.created AS created
 FROM stored_monitor AS watched

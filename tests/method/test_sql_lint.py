@@ -594,7 +594,7 @@ def test_filled_queries_of_a_selection_break_no_rule() -> None:
 OF_STATE = (
     *("status_rows", "course", "pruned_versions", "aged_buckets", "horizons"),
     *("doomed_buckets", "doomed_novel", "doomed_runs", "doomed_versions", "doomed_supports"),
-    *("doomed_unplaced", "state_sizes"),
+    *("doomed_unplaced", "new_horizons", "doomed_horizons", "last_proofs", "state_sizes"),
 )
 
 

@@ -19,7 +19,7 @@ from gam_db.stored.tables import StateTables
 
 STATE = StateTables()
 FILE = "plant.duckdb"
-TABLES_OF_A_MONITOR = 11
+TABLES_OF_A_MONITOR = 14
 
 
 @pytest.fixture(autouse=True)

@@ -63,7 +63,7 @@ def test_a_row_within_the_lookback_is_left_to_the_next_run(
 ) -> None:
     connection, monitor = watched
     put(connection, [("r1", "torque", 370, 1.0)])
-    connection.execute("DELETE FROM telemetry WHERE asset = 'r1' AND time = 385").fetchall()
+    connection.execute("DELETE FROM telemetry WHERE asset = 'r2' AND time = 385").fetchall()
     assert monitor.check_state().num_rows == 0
 
 
@@ -103,7 +103,8 @@ def test_a_corrected_value_is_found_and_repaired(
     connection, monitor = watched
     connection.execute("UPDATE telemetry SET value = 17 WHERE asset = 'r2' AND time = 205").fetchall()
     found = monitor.check_state().to_pylist()
-    assert [(row["asset"], row["part"], row["differing"]) for row in found] == [("r2", "scored", 1)]
+    # Its bucket, and the next one, whose window holds it.
+    assert [(row["asset"], row["part"], row["differing"]) for row in found] == [("r2", "scored", 2)]
     assert found[0]["samples_then"] == found[0]["samples_now"]
     monitor.score(since=found[0]["since"])
     corrected = [(*row[:3], 17.0) if row[0] == "r2" and row[2] == 205 else row for row in ROWS]

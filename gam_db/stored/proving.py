@@ -1,0 +1,150 @@
+"""Proving: is what calibration froze still what it was, and when was the state last checked?
+
+A run verifies the checksum of what it reads whole before it scores by it, and that of all active
+versions once a day. It finds damage and slips; who can write the tables can write their sums, too.
+
+This module owns that, and the record of what was checked.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db.errors import StateError
+from gam_db.stored import sums
+from gam_db.stored.planning import Row
+from gam_db.stored.state import State, now
+from gam_db.stored.steps import DAY
+
+#: How much was checked: the whole state with its source, or the checksums of the active versions.
+STATE, CHECKSUMS = "state", "checksums"
+
+#: Columns of ``sql/stored/mismatched.sql``, and what each says.
+_SAID = {
+    "support_differs": "the cells of its support",
+    "intervals_differ": "its calibration intervals",
+    "figures_differ": "its integers",
+    "range_differs": "its range or target",
+    "words_differ": "its hashes",
+}
+
+#: Those without which nothing can be computed.
+_NEEDED = ("intervals_differ", "figures_differ", "range_differs")
+
+_SHOWN = 3
+
+
+@dataclass(frozen=True)
+class Proof:
+    """When the state was checked, and what came out.
+
+    Attributes:
+        extent: :data:`STATE` or :data:`CHECKSUMS`.
+        proved_at: in microseconds since 1970 (UTC).
+        channels, versions, buckets: over what.
+        differences: that were found.
+    """
+
+    extent: str
+    proved_at: int
+    channels: int
+    versions: int
+    buckets: int
+    differences: int
+
+
+def mismatched(state: State, wanted: exp.Table) -> list[Row]:
+    """Return the versions that are no longer what calibration froze.
+
+    Args:
+        state: the state tables.
+        wanted: the node of a table with the versions to look at (version_id).
+
+    Returns:
+        Rows with version_id; said, what of it differs, in words; is_usable, whether only cells do.
+    """
+    placed = {**state.tables.placed(), "wanted": wanted}
+    rows = state.session.fetch(sums.matching_steps().query("mismatched", placed)).to_pylist()
+    return [
+        {
+            "version_id": row["version_id"],
+            "said": _words(row),
+            "is_usable": row["summed"] and not any(row[name] for name in _NEEDED),
+        }
+        for row in rows
+    ]
+
+
+def verify(state: State, wanted: exp.Table, versions: Sequence[Row]) -> None:
+    """Refuse to go on with versions that are no longer what calibration froze.
+
+    Args:
+        state: the state tables.
+        wanted: the node of a table with the versions to look at (version_id).
+        versions: rows with version_id, asset and channel, for the message.
+
+    Raises:
+        StateError: what of which channel differs, and what to do.
+    """
+    found = mismatched(state, wanted)
+    if not found:
+        return
+    names = {row["version_id"]: f"{row['asset']} {row['channel']}" for row in versions}
+    told = [f"{names[row['version_id']]!r}: {row['said']}" for row in found[:_SHOWN]]
+    more = f"; and {len(found) - _SHOWN:,} more" if len(found) > _SHOWN else ""
+    raise StateError(
+        f"What calibration froze in {state.tables}* was changed or damaged since, of {len(found):,} "
+        f"channel{'s' * (len(found) != 1)} ({'; '.join(told)}{more}). Nothing is scored by it. Put the "
+        "tables back from a copy of the database, or learn anew by `gam calibrate --again`; `gam check "
+        "--state` says what else differs."
+    )
+
+
+def verify_daily(state: State, monitor: Row) -> None:
+    """Verify all active versions of a monitor, unless that was done within a day.
+
+    Args:
+        state: the state tables, in a session that can write.
+        monitor: its row.
+
+    Raises:
+        StateError: see :func:`verify`.
+    """
+    began = now()
+    proofs = last_proofs(state, monitor["monitor_id"])
+    times = [monitor["created"], *(one.proved_at for one in proofs.values() if not one.differences)]
+    if any(0 <= began - time < DAY for time in times):
+        return
+    rows = state.fetch("stored/active", {"monitor_id": monitor["monitor_id"]}).to_pylist()
+    keys = pa.array([row["version_id"] for row in rows], pa.int64())
+    wanted = state.session.load(pa.table({"version_id": keys}))
+    try:
+        verify(state, wanted, rows)
+    finally:
+        state.session.forget(wanted)
+    keep(state, monitor["monitor_id"], Proof(CHECKSUMS, began, len(rows), len(rows), 0, 0))
+
+
+def keep(state: State, monitor_id: int, proof: Proof) -> None:
+    """Record what was checked.
+
+    Raises:
+        EngineError: the database cannot be written.
+    """
+    row = {"monitor_id": monitor_id, **vars(proof)}
+    with state.session.transaction():
+        state.append_rows("proof", pa.Table.from_pylist([row]))
+
+
+def last_proofs(state: State, monitor_id: int) -> dict[str, Proof]:
+    """Return the newest record of each extent."""
+    slots = {"monitor_id": monitor_id, "now": now()}
+    return {row["extent"]: Proof(**row) for row in state.fetch("stored/last_proofs", slots).to_pylist()}
+
+
+def _words(row: Row) -> str:
+    if not row["summed"]:
+        return "its bounds or its checksum are not there just once"
+    return ", ".join(said for column, said in _SAID.items() if row[column])

@@ -1,0 +1,77 @@
+-- Checked: the versions of a monitor, retired ones too, with what the checks of them must know.
+-- Reads:  stored_version, stored_channel, stored_bounds, stored_horizon, stored_finished_run
+-- A row:  one version; is_active = 1 if its channel is scored by it now. read_to is that of the newest run that
+--         read anything, counted_readings what the newest run that counted calibration found.
+-- Slots:  :monitor_id
+SELECT
+  made.version_id AS version_id,
+  made.channel_id AS channel_id,
+  made.support_id AS support_id,
+  named.asset AS asset,
+  named.channel AS channel,
+  made.parent_id AS parent_id,
+  made.version_no AS version_no,
+  made.status AS status,
+  made.reason AS reason,
+  made.m AS m,
+  made.tau AS tau,
+  made.bins AS bins,
+  made.window_length AS window_length,
+  made.stride AS stride,
+  made.max_gap AS max_gap,
+  made.score_from AS score_from,
+  made.target_floor AS target_floor,
+  made.calibration_end AS calibration_end,
+  made.first_scored AS first_scored,
+  made.calibration_readings AS calibration_readings,
+  CASE WHEN made.m = 1 THEN 1 ELSE (made.m - 1) * made.tau END AS context_rows,
+  made.run_up_from AS run_up_from,
+  CASE WHEN scale.hit = 1 THEN scale.lo END AS lo,
+  CASE WHEN scale.hit = 1 THEN scale.hi END AS hi,
+  CASE WHEN latest.newest_id = made.version_id THEN 1 ELSE 0 END AS is_active,
+  CASE WHEN pruned.hit = 1 THEN pruned.first_bucket ELSE 0 END AS first_bucket,
+  CASE WHEN pruned.hit = 1 THEN pruned.first_novel ELSE 0 END AS first_novel,
+  CASE WHEN done.hit = 1 THEN done.read_to END AS read_to,
+  CASE WHEN done.hit = 1 THEN done.counted_readings END AS counted_readings
+FROM stored_version AS made
+JOIN stored_channel AS named ON named.channel_id = made.channel_id
+JOIN (
+  SELECT channel_id, MAX(version_id) AS newest_id
+  FROM stored_version
+  GROUP BY channel_id
+) AS latest ON latest.channel_id = made.channel_id
+LEFT JOIN (
+  SELECT support_id, MIN(learnt.lo) AS lo, MIN(learnt.hi) AS hi, 1 AS hit
+  FROM stored_bounds AS learnt
+  GROUP BY support_id
+) AS scale ON scale.support_id = made.support_id
+LEFT JOIN (
+  SELECT
+    version_id,
+    MAX(horizon.first_bucket) AS first_bucket,
+    MAX(horizon.first_novel) AS first_novel,
+    1 AS hit
+  FROM stored_horizon AS horizon
+  GROUP BY version_id
+) AS pruned ON pruned.version_id = made.version_id
+LEFT JOIN (
+  SELECT
+    version_id,
+    MAX(CASE WHEN run.run_id = reading_id THEN run.read_to END) AS read_to,
+    MAX(CASE WHEN run.run_id = counting_id THEN run.calibration_readings END) AS counted_readings,
+    1 AS hit
+  FROM (
+    SELECT
+      version_id,
+      run_id,
+      read_to,
+      calibration_readings,
+      MAX(CASE WHEN settled_bucket IS NOT NULL THEN run_id END) OVER (PARTITION BY version_id)
+        AS reading_id,
+      MAX(CASE WHEN calibration_readings IS NOT NULL THEN run_id END) OVER (PARTITION BY version_id)
+        AS counting_id
+    FROM stored_finished_run
+  ) AS run
+  GROUP BY version_id
+) AS done ON done.version_id = made.version_id
+WHERE named.monitor_id = :monitor_id

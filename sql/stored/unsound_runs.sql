@@ -1,0 +1,140 @@
+-- Unsound runs: what must hold between the records of runs and the buckets, whatever the source. A run begins
+-- after the bucket that it found settled, reads from that one's context, and says which bucket is settled now.
+-- What a later run wrote anew, or pruning took, says nothing any more.
+-- Reads:  checked, stored_finished_run, stored_visible_bucket
+-- A row:  one run of one version that breaks one of these rules; strays = 1 if it found other samples than were
+--         scored (see the view fleet), which is no fault of its record.
+-- Slots:  :nothing  from_bucket of a run that read nothing: beyond all buckets
+SELECT
+  version_id,
+  run_id,
+  strays,
+  read_from AS since
+FROM (
+  SELECT
+    run.version_id AS version_id,
+    run.run_id AS run_id,
+    run.read_from AS read_from,
+    CASE
+      WHEN run.read_to IS NOT NULL
+        AND run.context_rows <> run.context_expected
+        AND (run.runs_back = 1 OR run.read_from < run.read_since)
+        THEN 1
+      ELSE 0
+    END AS strays,
+    CASE
+      WHEN run.records <> 1 THEN 1
+      WHEN run.read_to IS NULL OR run.settled_bucket IS NULL OR run.from_bucket = :nothing
+        THEN CASE
+          WHEN run.read_to IS NOT NULL OR run.settled_bucket IS NOT NULL THEN 1
+          WHEN run.from_bucket <> :nothing OR run.rows_read <> 0 OR run.context_rows <> 0 THEN 1
+          WHEN run.settled_time IS NOT NULL OR run.settled_context IS NOT NULL THEN 1
+          WHEN run.context_expected <> version.context_rows THEN 1
+          WHEN run.run_id < run.reading_id THEN 0
+          WHEN run.read_from = version.run_up_from OR resumed.hit = 1 THEN 0
+          WHEN ending.hit = 1 AND run.read_from < ending.oldest_context THEN 0
+          ELSE 1
+        END
+      WHEN run.from_bucket = 0 AND run.context_expected IS NOT NULL THEN 1
+      WHEN run.from_bucket = 0 AND run.read_from <> version.run_up_from THEN 1
+      WHEN run.from_bucket > 0 AND run.context_expected IS NULL THEN 1
+      WHEN run.context_expected <> version.context_rows THEN 1
+      WHEN run.settled_bucket < run.last_staying THEN 1
+      WHEN stayed.hit = 1 AND stayed.run_id < run.run_id AND stayed.context_time <> run.read_from THEN 1
+      WHEN run.settled_bucket = -1
+        AND (run.settled_time IS NOT NULL OR run.settled_context IS NOT NULL)
+        THEN 1
+      WHEN run.settled_bucket > -1 AND (run.settled_time IS NULL OR run.settled_context IS NULL) THEN 1
+      WHEN settled.hit = 1
+        AND settled.run_id <= run.run_id
+        AND (settled.last_time <> run.settled_time OR settled.context_time <> run.settled_context)
+        THEN 1
+      WHEN run.rows_read < run.context_rows OR run.context_rows < 0 THEN 1
+      WHEN own.hit = 1
+        THEN CASE
+          WHEN own.last_time > run.read_to THEN 1
+          WHEN run.run_id = run.reading_id
+            AND own.settled_bucket <> run.settled_bucket
+            AND (
+              own.settled_bucket >= version.first_bucket OR run.settled_bucket >= version.first_bucket
+            )
+            THEN 1
+          WHEN own.samples > run.rows_read - run.context_rows THEN 1
+          ELSE 0
+        END
+      WHEN run.run_id = run.reading_id
+        AND run.settled_bucket <> run.last_staying
+        AND run.from_bucket >= version.first_bucket
+        THEN 1
+      ELSE 0
+    END AS unsound
+  FROM (
+    SELECT
+      version_id,
+      run_id,
+      from_bucket,
+      from_bucket - 1 AS last_staying,
+      read_from,
+      read_to,
+      rows_read,
+      context_rows,
+      context_expected,
+      settled_bucket,
+      settled_time,
+      settled_context,
+      CAST(COUNT(*) OVER (PARTITION BY version_id, run_id) AS BIGINT) AS records,
+      MAX(CASE WHEN settled_bucket IS NOT NULL THEN run_id END) OVER (PARTITION BY version_id)
+        AS reading_id,
+      CAST(ROW_NUMBER() OVER (PARTITION BY version_id ORDER BY run_id DESC) AS BIGINT) AS runs_back,
+      MIN(CASE WHEN read_to IS NOT NULL THEN read_from ELSE 4611686018427387904 END) OVER (
+        PARTITION BY version_id ORDER BY run_id DESC ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING
+      ) AS read_since
+    FROM stored_finished_run
+  ) AS run
+  JOIN checked AS version ON version.version_id = run.version_id
+  LEFT JOIN (
+    SELECT version_id, bucket_no, run_id, context_time, 1 AS hit
+    FROM stored_visible_bucket
+  ) AS stayed ON stayed.version_id = run.version_id AND stayed.bucket_no = run.last_staying
+  LEFT JOIN (
+    SELECT version_id, bucket_no, run_id, last_time, context_time, 1 AS hit
+    FROM stored_visible_bucket
+  ) AS settled ON settled.version_id = run.version_id AND settled.bucket_no = run.settled_bucket
+  LEFT JOIN (
+    SELECT DISTINCT version_id, context_time, 1 AS hit
+    FROM stored_visible_bucket
+  ) AS resumed ON resumed.version_id = run.version_id AND resumed.context_time = run.read_from
+  LEFT JOIN (
+    SELECT version_id, MIN(context_time) AS oldest_context, 1 AS hit
+    FROM stored_visible_bucket
+    GROUP BY version_id
+  ) AS ending ON ending.version_id = run.version_id
+  LEFT JOIN (
+    SELECT
+      written.version_id AS version_id,
+      written.run_id AS run_id,
+      MAX(written.last_time) AS last_time,
+      CAST(SUM(written.samples) AS BIGINT) AS samples,
+      MAX(
+        CASE
+          WHEN written.last_time < written.newest_time - maker.lookback THEN written.bucket_no
+          ELSE maker.from_bucket - 1
+        END
+      ) AS settled_bucket,
+      1 AS hit
+    FROM (
+      SELECT
+        version_id,
+        run_id,
+        bucket_no,
+        last_time,
+        samples,
+        MAX(last_time) OVER (PARTITION BY version_id, run_id) AS newest_time
+      FROM stored_visible_bucket
+    ) AS written
+    JOIN stored_finished_run AS maker
+      ON maker.version_id = written.version_id AND maker.run_id = written.run_id
+    GROUP BY written.version_id, written.run_id
+  ) AS own ON own.version_id = run.version_id AND own.run_id = run.run_id
+) AS judged
+WHERE unsound = 1 OR strays = 1

@@ -1,0 +1,123 @@
+"""``gam check --state``: what is printed, what is recorded, and what ``gam status`` says of it."""
+
+import json
+from functools import cache
+from pathlib import Path
+
+import duckdb
+import pytest
+from typer.testing import CliRunner, Result
+
+import small_plant
+from gam_db.cli import app, check_state
+from gam_db.errors import EngineError
+from gam_db.stored.proving import Proof
+from visible import put
+
+
+@cache
+def begun() -> bytes:
+    """A database file with a state in order; making it takes longer than a test."""
+    with duckdb.connect("begun.duckdb") as connection:
+        small_plant.begin(connection)
+    return Path("begun.duckdb").read_bytes()
+
+
+@pytest.fixture
+def plant(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A file with a state in order, in a folder of its own."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("COLUMNS", "120")
+    Path("plant.duckdb").write_bytes(begun())
+    return tmp_path / "plant.duckdb"
+
+
+def gam(*words: str) -> Result:
+    return CliRunner().invoke(app, [*words, "--database", "plant.duckdb"])
+
+
+def changed(statement: str) -> None:
+    with duckdb.connect("plant.duckdb") as connection:
+        connection.execute(statement).fetchall()
+
+
+def said(result: Result) -> str:
+    return " ".join(result.stdout.split())
+
+
+def test_a_check_is_recorded_and_told_by_status(plant: Path) -> None:
+    never = gam("status")
+    assert "the state was never compared with its source; gam check --state does it" in said(never)
+    assert json.loads(gam("status", "--json").stdout)["proved"] is None
+    sound = gam("check", "--state")
+    assert sound.exit_code == 0, sound.output
+    assert (
+        "monitor default: 4 channels, 92 buckets: all of it is what the source gives, and what "
+        "calibration froze" in said(sound)
+    )
+    assert "s ago: no difference (gam check --state)" in said(gam("status"))
+    changed("UPDATE gam_bucket SET novel_in_window = novel_in_window + 1 WHERE bucket_no = 9")
+    wrong = gam("check", "--state")
+    assert wrong.exit_code == 2, wrong.output
+    assert "4 of 4 channels are not as they should be" in said(wrong)
+    assert "a x: version 1: buckets: windows that are not the sum of their buckets (1), from" in said(
+        wrong
+    )
+    assert "gam score --from" in said(wrong)
+    assert "what no scoring mends" not in said(wrong)
+    told = json.loads(gam("status", "--json").stdout)["proved"]
+    assert (told["channels"], told["versions"], told["buckets"]) == (4, 4, 92)
+    assert told["differences"] == 8
+    assert "8 differences (gam check --state)" in said(gam("status"))
+
+
+def test_damage_says_what_to_do(plant: Path) -> None:
+    changed("UPDATE gam_bounds SET floor = floor / 2, cells = cells + 1 WHERE support_id = 1")
+    changed("INSERT INTO gam_run SELECT * REPLACE (77 AS version_id) FROM gam_run LIMIT 1")
+    result = gam("check", "--state", "--json")
+    figures = json.loads(result.stdout)
+    assert (result.exit_code, figures["recorded"]) == (2, True)
+    parts = {(row["asset"], row["part"]) for row in figures["differences"]}
+    assert {("a", "frozen"), ("a", "versions"), (None, "tables")} <= parts
+    text = said(gam("check", "--state"))
+    assert "a x: version 1: frozen: changed since calibration froze it: its integers (1)" in text
+    assert "tables: rows of gam_run whose version is not there (1)" in text
+    assert "1 of 4 channels are not as they should be" in text
+    assert "put them back from a copy of the database; or gam calibrate --again" in text
+    refused = gam("score")
+    assert refused.exit_code == 1
+    assert "Nothing is scored by it. Put the tables back" in " ".join(refused.stderr.split())
+
+
+def test_what_cannot_be_recorded_is_checked_all_the_same(
+    plant: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refusing(proof: Proof, **where: object) -> None:
+        raise EngineError("The database is open for reading only.")
+
+    monkeypatch.setattr(check_state, "_keep", refusing)
+    result = gam("check", "--state")
+    assert result.exit_code == 0, result.output
+    assert "that this was checked could not be recorded: The database is open" in said(result)
+    figures = json.loads(gam("check", "--state", "--json").stdout)
+    assert figures["recorded"] is False
+
+
+def test_what_a_clock_ahead_recorded_is_not_told(plant: Path) -> None:
+    changed("INSERT INTO gam_proof VALUES (1, 9000000000000000, 'state', 4, 4, 92, 0)")
+    assert "never compared with its source" in said(gam("status"))
+
+
+def test_rows_that_came_are_left_to_the_next_run(plant: Path) -> None:
+    """The newest buckets are compared as long as nothing came; then they are the next run's."""
+    with duckdb.connect("plant.duckdb") as connection:
+        newest = "bucket_no = (SELECT MAX(bucket_no) FROM gam_bucket)"
+        connection.execute(f"UPDATE gam_bucket SET samples = samples + 1 WHERE {newest}").fetchall()
+    wrong = gam("check", "--state")
+    assert wrong.exit_code == 2, wrong.output
+    with duckdb.connect("plant.duckdb") as connection:
+        put(connection, [(asset, "x", 198, 1.0) for asset in "abcd"])
+    left = gam("check", "--state")
+    assert left.exit_code == 0, left.output
+    assert gam("score").exit_code in (0, 2)  # 2: a channel needs attention
+    assert gam("check", "--state").exit_code == 0

@@ -1,0 +1,264 @@
+"""Whatever column of whatever state table is wrong, ``gam check --state`` finds it, or here is why not.
+
+The columns are those of the migrations, so that a new one cannot be forgotten. A state of many like
+channels has one falsified value in each, so that one check judges them all, each by its own channel.
+"""
+
+import itertools
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import pyarrow as pa
+import pytest
+from sqlglot import exp
+
+import engines
+import gam_db
+import scripts
+from gam_db.errors import UserError
+from gam_db.stored.migration_files import definitions
+from gam_db.stored.monitor import Monitor
+from gam_db.stored.sources import source_of
+from strategies import Row
+
+PARAMETERS = gam_db.Parameters(m=2, tau=2, bins=4, window=8, stride=4)
+LOOKBACK = 6
+ENDS = (60, 85, 110, 130)
+
+#: What may differ without being wrong: columns no number depends on, or that nothing can be held to.
+MAY_DIFFER = {
+    ("run", "started"): "a clock",
+    ("run", "committed"): "a clock; it says when a channel was last looked at",
+    ("run", "rows_read"): "rows may come and go within the lookback until the next run reads them",
+    ("run", "calibration_readings IS NULL"): "not every run counts; the one before speaks then",
+    ("horizon", "first_bucket"): "gam score --full brings older buckets back; one too small is found",
+    ("horizon", "first_novel"): "likewise",
+    ("monitor", "created"): "a clock",
+    ("migration", "applied_at"): "a clock",
+    ("migration", "gam_version"): "told for people",
+    **{
+        ("proof", column): "a record of what was found then; nothing is computed from it"
+        for column in ("proved_at", "extent", "channels", "versions", "buckets", "differences")
+    },
+}
+
+#: Of a table: which row of a channel is falsified, of those in the order of their first columns.
+Rows = list[dict[str, Any]]
+CHOSEN: dict[str, dict[str, Callable[[Rows], dict[str, Any]]]] = {
+    **{
+        table: {"": lambda rows: rows[-1]}
+        for table in ("version", "calibration", "bounds", "checksum", "horizon")
+    },
+    "block": {"": lambda rows: rows[1]},
+    "support": {"": lambda rows: rows[len(rows) // 2]},
+    "bucket": {"settled": lambda rows: rows[2], "newest": lambda rows: rows[-1]},
+    "novel": {"settled": lambda rows: rows[0], "newest": lambda rows: rows[-1]},
+    "run": {"newest": lambda rows: rows[-1]},
+}
+
+#: Tables of which a row that is there twice is harmless: the largest counts, or each speaks for itself.
+MAY_DOUBLE = ("horizon",)
+
+#: Tables whose rows are not of one channel; each of their columns is falsified alone.
+SHARED = ("migration", "monitor", "channel", "proof")
+
+
+def columns() -> Iterator[tuple[str, str, bool]]:
+    """Give every column of every state table, and whether it may be NULL."""
+    for name, definition in definitions().items():
+        for column in () if definition.is_view else definition.create.this.expressions:
+            rules = [rule.kind for rule in column.constraints]
+            present = any(isinstance(rule, exp.NotNullColumnConstraint) for rule in rules)
+            yield name, column.name, not present
+
+
+def other(column: str, value: Any) -> Any:
+    """A value that is not this one, and near it unless it is a key or a length."""
+    if value is None:
+        return 1
+    if isinstance(value, str):
+        return f"{value}0"
+    if isinstance(value, float):
+        return value + 0.125
+    return value + (10**6 if column.endswith("_id") or column == "lookback" else 1)
+
+
+#: What is done to a row of a channel.
+CHANGED, EMPTIED, DELETED, DOUBLED = "changed", "NULL", "deleted", "twice"
+
+
+@dataclass(frozen=True)
+class Case:
+    """One wrong thing in one table, of one channel."""
+
+    table: str
+    which: str
+    done: str
+    column: str = ""
+
+    @property
+    def place(self) -> tuple[str, str]:
+        """What is said of it where it may be so."""
+        return self.table, f"{self.column} IS NULL" if self.done == EMPTIED else self.column or self.done
+
+    def spoil(self, rows: Rows, all_rows: Rows) -> bool:
+        """Make the rows of a channel wrong, and tell whether that was possible."""
+        row = CHOSEN[self.table][self.which](rows)
+        if self.done == DELETED:
+            all_rows.remove(row)
+        elif self.done == DOUBLED:
+            all_rows.append(dict(row))
+        elif self.done == EMPTIED and row[self.column] is None:
+            return False
+        else:
+            row[self.column] = None if self.done == EMPTIED else other(self.column, row[self.column])
+        return True
+
+
+def cases() -> list[Case]:
+    """Return what can be wrong in the rows of a channel."""
+    changed = [
+        Case(table, which, done, column)
+        for table, column, may_be_null in columns()
+        if table not in SHARED
+        for which in CHOSEN[table]
+        for done in ((CHANGED, EMPTIED) if may_be_null else (CHANGED,))
+    ]
+    whole = [
+        Case(table, which, done)
+        for table, chosen in CHOSEN.items()
+        for which in chosen
+        for done in (DELETED, DOUBLED)
+        if table != "version" and not (done == DOUBLED and table in MAY_DOUBLE)
+    ]
+    return [*changed, *whole]
+
+
+def series(asset: str, end: int) -> list[Row]:
+    """A channel that repeats a pattern, and more and more often does not."""
+    values = ((time % 5 if time < 40 or time % 7 else time % 9) for time in range(end))
+    return [(asset, "x", time, float(value)) for time, value in enumerate(values)]
+
+
+def made(engine: str, assets: list[str]) -> Monitor:
+    """A monitor that was scored three times, and pruned, with a retired version of each channel."""
+    session = engines.session(engine)
+    table = scripts.telemetry(session, [row for asset in assets for row in series(asset, ENDS[0])])
+    reach: dict[str, Any] = {"lookback": LOOKBACK, "prefix": engines.fresh_name("state")}
+    calibration = gam_db.Calibration(intervals=[(0, 39)])
+    monitor = Monitor(session, gam_db.Source(table.name), PARAMETERS, calibration, **reach)
+    monitor.migrate()
+    monitor.calibrate()
+    monitor.score()
+    monitor.calibrate(again=True)
+    for start, end in itertools.pairwise(ENDS):
+        rows = [row for asset in assets for row in series(asset, end)[start:]]
+        scripts.arrive(session, table, rows)
+        monitor.score(everything=True)
+    monitor.prune(keep=60, keep_novel=45)
+    return monitor
+
+
+def stored(monitor: Monitor, table: str) -> pa.Table:
+    """All rows of a state table, in the order of their columns."""
+    node = monitor.state.tables.table(table)
+    names = list(monitor.session.describe(node))
+    chosen = [exp.column(exp.to_identifier(name)) for name in names]
+    return monitor.session.fetch(exp.select(*chosen).from_(node).order_by(*names))
+
+
+def put_back(monitor: Monitor, table: str, rows: pa.Table) -> None:
+    """Let a state table hold these rows and no others; every engine can do that."""
+    node = monitor.state.tables.table(table)
+    key = rows.column_names[0]
+    monitor.session.delete(node, [key], exp.select(exp.column(key)).distinct().from_(node))
+    monitor.state.append_rows(table, rows)
+
+
+def owners(monitor: Monitor) -> dict[str, dict[int, str]]:
+    """Which asset an active version, and its support, belong to."""
+    assets = {row["channel_id"]: row["asset"] for row in stored(monitor, "channel").to_pylist()}
+    newest = {row["channel_id"]: row for row in stored(monitor, "version").to_pylist()}
+    return {
+        key: {row[key]: assets[channel] for channel, row in newest.items()}
+        for key in ("version_id", "support_id")
+    }
+
+
+def differing(monitor: Monitor) -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = monitor.checked_state().differences.to_pylist()
+    return found
+
+
+def test_whatever_is_wrong_in_a_table_is_found() -> None:
+    find_all("duckdb")
+
+
+@pytest.mark.full
+def test_whatever_is_wrong_is_found_on_every_engine(engine: str) -> None:
+    find_all(engine)
+
+
+def find_all(engine: str) -> None:
+    """Spoil something in each of many channels, and look whether each is found."""
+    asked = {f"c{number:03}": case for number, case in enumerate(cases())}
+    monitor = made(engine, list(asked))
+    assert differing(monitor) == []
+    owned = owners(monitor)
+    untouched = set()
+    for table in CHOSEN:
+        rows = stored(monitor, table)
+        key = "support_id" if rows.column_names[0] == "support_id" else "version_id"
+        of_asset: dict[str, Rows] = {}
+        changed = rows.to_pylist()
+        for row in changed:
+            of_asset.setdefault(owned[key].get(row[key], ""), []).append(row)
+        for asset, case in asked.items():
+            if case.table == table and not case.spoil(of_asset[asset], changed):
+                untouched.add(asset)
+        put_back(monitor, table, pa.Table.from_pylist(changed, schema=rows.schema))
+    found = {row["asset"] for row in differing(monitor)}
+    missed = {case.place for asset, case in asked.items() if asset not in found | untouched}
+    assert missed == {place for place in MAY_DIFFER if place[0] in CHOSEN}
+    emptied = {case.place for asset, case in asked.items() if asset in untouched}
+    assert emptied <= {("version", "max_gap IS NULL"), ("version", "score_from IS NULL")}
+
+
+def found_by_command(monitor: Monitor) -> bool:
+    """Tell whether the check finds anything, with the source that the tables name."""
+    try:
+        row = monitor.state.monitor(monitor.name)
+        monitor.source = source_of(row, ["x"])
+        return bool(differing(monitor))
+    except UserError:
+        return True
+
+
+@pytest.mark.full
+def test_whatever_is_wrong_in_what_channels_share_is_found() -> None:
+    monitor = made("duckdb", ["one"])
+    monitor.check_state()
+    assert not found_by_command(monitor)
+    missed = set()
+    for table, column, _ in columns():
+        if table in SHARED:
+            rows = stored(monitor, table)
+            changed = rows.to_pylist()
+            changed[-1][column] = other(column, changed[-1][column] or (0, "")[is_text(rows, column)])
+            put_back(monitor, table, pa.Table.from_pylist(changed, schema=rows.schema))
+            if not found_by_command(monitor):
+                missed.add((table, column))
+            put_back(monitor, table, rows)
+    assert missed == {place for place in MAY_DIFFER if place[0] in SHARED}
+    for table in ("monitor", "channel", "version"):
+        rows = stored(monitor, table)
+        for spoilt in (rows.slice(0, len(rows) - 1), pa.concat_tables([rows, rows])):
+            put_back(monitor, table, spoilt)
+            assert found_by_command(monitor), table
+        put_back(monitor, table, rows)
+    assert not found_by_command(monitor)
+
+
+def is_text(rows: pa.Table, column: str) -> bool:
+    return bool(pa.types.is_string(rows.schema.field(column).type))
