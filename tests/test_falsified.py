@@ -7,6 +7,7 @@ channels has one falsified value in each, so that one check judges them all, eac
 import itertools
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import pyarrow as pa
@@ -62,6 +63,20 @@ MAY_DOUBLE = ("horizon",)
 
 #: Tables whose rows are not of one channel; each of their columns is falsified alone.
 SHARED = ("migration", "monitor", "channel", "proof")
+
+
+TYPES = {"BIGINT": pa.int64(), "DOUBLE": pa.float64(), "TEXT": pa.string(), "VARCHAR": pa.string()}
+
+
+@cache
+def kinds() -> dict[tuple[str, str], str]:
+    """Return the type of every column of every state table."""
+    return {
+        (migration.name, column.name): column.args["kind"].sql("duckdb")
+        for migration in files()
+        if not migration.definition.is_view
+        for column in migration.definition.create.this.expressions
+    }
 
 
 def columns() -> Iterator[tuple[str, str, bool]]:
@@ -166,7 +181,9 @@ def stored(monitor: Monitor, table: str) -> pa.Table:
     node = monitor.state.tables.table(table)
     names = list(monitor.session.describe(node))
     chosen = [exp.column(exp.to_identifier(name)) for name in names]
-    return monitor.session.fetch(exp.select(*chosen).from_(node).order_by(*names))
+    rows = monitor.session.fetch(exp.select(*chosen).from_(node).order_by(*names))
+    # A column without a value has no type on SQLite.
+    return rows.cast(pa.schema([(name, TYPES[kinds()[table, name]]) for name in names]))
 
 
 def put_back(monitor: Monitor, table: str, rows: pa.Table) -> None:
