@@ -92,7 +92,7 @@ def verify(state: State, wanted: exp.Table, versions: Sequence[Row]) -> None:
     if not found:
         return
     names = {row["version_id"]: f"{row['asset']} {row['channel']}" for row in versions}
-    told = [f"{names[row['version_id']]!r}: {row['said']}" for row in found[:_SHOWN]]
+    told = sorted(f"{names[row['version_id']]!r}: {row['said']}" for row in found)[:_SHOWN]
     more = f"; and {len(found) - _SHOWN:,} more" if len(found) > _SHOWN else ""
     raise StateError(
         f"What calibration froze in {state.tables}* was changed or damaged since, of {len(found):,} "

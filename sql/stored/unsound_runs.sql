@@ -1,6 +1,7 @@
 -- Unsound runs: what must hold between the records of runs and the buckets, whatever the source. A run begins
 -- after the bucket that it found settled, reads from that one's context, and says which bucket is settled now.
--- What a later run wrote anew, or pruning took, says nothing any more.
+-- It was planned from the finished run before it. What a later run wrote anew, or pruning took, says nothing
+-- any more.
 -- Reads:  checked, stored_finished_run, stored_visible_bucket
 -- A row:  one run of one version that breaks one of these rules; strays = 1 if it found other samples than were
 --         scored (see the view fleet), which is no fault of its record.
@@ -24,6 +25,8 @@ FROM (
     END AS strays,
     CASE
       WHEN run.records <> 1 THEN 1
+      WHEN run.planned_from >= run.run_id THEN 1
+      WHEN run.previous_id > 0 AND run.planned_from <> run.previous_id THEN 1
       WHEN run.read_to IS NULL OR run.settled_bucket IS NULL OR run.from_bucket = :nothing
         THEN CASE
           WHEN run.read_to IS NOT NULL OR run.settled_bucket IS NOT NULL THEN 1
@@ -82,6 +85,8 @@ FROM (
       settled_bucket,
       settled_time,
       settled_context,
+      planned_from,
+      LAG(run_id, 1) OVER (PARTITION BY version_id ORDER BY run_id) AS previous_id,
       CAST(COUNT(*) OVER (PARTITION BY version_id, run_id) AS BIGINT) AS records,
       MAX(CASE WHEN settled_bucket IS NOT NULL THEN run_id END) OVER (PARTITION BY version_id)
         AS reading_id,

@@ -70,6 +70,9 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
                 "bucket": f"{key + 100}, 0, 1, 0, 1, 0, 1, 1, 0, NULL",
                 "novel": f"{key + 100}, 0, 1, 1, 1, 1, 1",
                 "run": f"1, {key + 100}, 0, 0, 0, 0, 0, NULL, NULL, 0, NULL, NULL, NULL, 0, 0, 0, NULL",
+                "checksum": f"{key + 100}, 1, 2, 3, 0, 1, 0.05, 'h', 'h'",
+                "horizon": f"{key + 100}, 0, 1",
+                "proof": f"{monitor}, {key}, 'state', 2, 2, 2, 0",
             }.items():
                 connection.execute(f"INSERT INTO gam_{table} VALUES ({values})")
 
