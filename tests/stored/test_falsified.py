@@ -79,10 +79,10 @@ TYPES = {"BIGINT": pa.int64(), "DOUBLE": pa.float64(), "TEXT": pa.string(), "VAR
 def kinds() -> dict[tuple[str, str], str]:
     """Return the type of every column of every state table."""
     return {
-        (migration.name, column.name): column.args["kind"].sql("duckdb")
-        for migration in files()
-        if not migration.definition.is_view
-        for column in migration.definition.create.this.expressions
+        (name, column.name): column.args["kind"].sql("duckdb")
+        for name, definition in definitions().items()
+        if not definition.is_view
+        for column in definition.create.this.expressions
     }
 
 
