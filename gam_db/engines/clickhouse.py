@@ -148,7 +148,8 @@ ENGINE = Engine(
     oldest="24.12",
     extra="clickhouse",
     transactions=False,
-    limits="A run is seen once its commit row is there; a second writer is detected, not prevented. "
+    limits="A run is seen once its commit row is there; of two at once one gives way; "
+    "calibrations at once are detected, not prevented. "
     "Steps are kept in temporary tables of a session: behind a load balancer, one server must answer "
     "it. Inside this process (chdb) only one process opens a folder, and a process only one. It reads "
     "no files by path.",

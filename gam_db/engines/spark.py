@@ -117,7 +117,8 @@ ENGINE = Engine(
     oldest="3.5",
     extra="spark",
     transactions=False,
-    limits="A run is seen once its commit row is there; a second writer is detected, not prevented.",
+    limits="A run is seen once its commit row is there; of two at once one "
+    "gives way; calibrations at once are detected, not prevented.",
     micros_of=micros_of,
     instant_of=instant_of,
     create_table=create_table,

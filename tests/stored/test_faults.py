@@ -297,10 +297,13 @@ def test_a_file_that_was_damaged(plant: Path) -> None:
 
 
 def at_once(
-    connection: duckdb.DuckDBPyConnection, command: Callable[[Monitor, Listener], Any], step: str
+    connection: duckdb.DuckDBPyConnection,
+    command: Callable[[Monitor, Listener], Any],
+    step: str,
+    writers: int = 2,
 ) -> list[UserError]:
-    """Run a command twice at the same time, both past a step before either goes on; return refusals."""
-    barrier = threading.Barrier(2, timeout=60)
+    """Run a command several times at once, all past a step before any goes on; return refusals."""
+    barrier = threading.Barrier(writers, timeout=60)
     refused: list[Any] = []
 
     def run(mine: duckdb.DuckDBPyConnection) -> None:
@@ -316,7 +319,7 @@ def at_once(
         except UserError as error:
             refused.append(error)
 
-    threads = [threading.Thread(target=run, args=(connection.cursor(),)) for _ in range(2)]
+    threads = [threading.Thread(target=run, args=(connection.cursor(),)) for _ in range(writers)]
     for thread in threads:
         thread.start()
     for thread in threads:
@@ -324,7 +327,7 @@ def at_once(
     return refused
 
 
-def test_two_runs_at_once_do_not_double_rows(
+def test_of_three_runs_at_once_one_counts_and_no_hidden_row_stays(
     connection: duckdb.DuckDBPyConnection, expected: list[Any]
 ) -> None:
     for full in (False, False, True, True):
@@ -332,13 +335,12 @@ def test_two_runs_at_once_do_not_double_rows(
         def command(mine: Monitor, meet: Listener, full: bool = full) -> None:
             mine.score(full=full, on_step=meet)
 
-        found = at_once(connection, command, "writing")
-        assert [type(error) for error in found] == [ConflictError]
+        found = at_once(connection, command, "writing", writers=3)
+        assert [type(error) for error in found] == [ConflictError] * 2
         assert seen(connection) == expected
-    monitor(connection).score(full=True)
-    for table in ("bucket", "novel"):
-        kept = connection.execute(f"SELECT COUNT(*) FROM gam_{table}").fetchall()
-        assert kept == connection.execute(f"SELECT COUNT(*) FROM gam_visible_{table}").fetchall()
+        for table in ("bucket", "novel"):
+            kept = connection.execute(f"SELECT COUNT(*) FROM gam_{table}").fetchall()
+            assert kept == connection.execute(f"SELECT COUNT(*) FROM gam_visible_{table}").fetchall()
 
 
 def test_two_calibrations_at_once_do_not_double_versions(expected: list[Any]) -> None:

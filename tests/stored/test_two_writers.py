@@ -8,8 +8,10 @@ run, by the NumPy reference.
 import contextlib
 import itertools
 import re
+import threading
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -20,7 +22,7 @@ import gam_db
 import harness
 import scripts
 from gam_db.engines.session import Session
-from gam_db.errors import ConflictError
+from gam_db.errors import ConflictError, UserError
 from gam_db.running import Listener
 from gam_db.stored import publishing
 from gam_db.stored.monitor import Monitor
@@ -224,6 +226,44 @@ def test_two_monitors_of_one_name_give_no_key_twice(engine: str, steps: tuple[st
         found = again.monitor().state.keys()
         assert (found["monitor"], found["channel"], found["version"]) == (1, len(ASSETS), len(ASSETS))
     assert "writing" in refused
+
+
+def test_of_three_runs_at_once_on_sqlite_no_hidden_row_stays(tmp_path: Path) -> None:
+    """Each has planned before any writes; DuckDB and PostgreSQL have tests of their own."""
+    address = f"sqlite:///{tmp_path / 'plant.db'}"
+    with gam_db.connect(address) as session:
+        plant = Plant(session)
+        plant.begin()
+        plant.arrive(plant.grown(NEW, late=False))
+        plant.monitor().score(full=True)
+        for full in (False, True):
+            plant.arrive(plant.grown(NEW, late=False))
+            barrier = threading.Barrier(3, timeout=60)
+            refused: list[type] = []
+
+            def run(
+                full: bool = full,
+                barrier: threading.Barrier = barrier,
+                refused: list[type] = refused,
+            ) -> None:
+                with gam_db.connect(address) as own:
+                    mine = Plant(own, table=plant.table, prefix=plant.prefix).monitor()
+                    try:
+                        mine.score(full=full, on_step=inside("writing", barrier.wait))
+                    except UserError as error:
+                        refused.append(type(error))
+
+            threads = [threading.Thread(target=run) for _ in range(3)]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+            assert refused == [ConflictError] * 2
+            plant.assert_as_one_full_run()
+            for table in ("bucket", "novel"):
+                counted = f"SELECT COUNT(*) AS n FROM gam_{table}"
+                shown = f"SELECT COUNT(*) AS n FROM gam_visible_{table}"
+                assert visible(plant.monitor(), counted) == visible(plant.monitor(), shown)
 
 
 # Engines without transactions
