@@ -246,7 +246,10 @@ def find_all(engine: str) -> None:
     missed = {case.place for asset, case in asked.items() if asset not in found | untouched}
     assert missed == {place for place in MAY_DIFFER if place[0] in CHOSEN}
     emptied = {case.place for asset, case in asked.items() if asset in untouched}
-    assert emptied <= {("version", "max_gap IS NULL"), ("version", "score_from IS NULL")}
+    assert emptied <= {
+        *(("version", f"{column} IS NULL") for column in ("max_gap", "score_from")),
+        ("run", "withdrawn IS NULL"),
+    }
 
 
 def found_by_command(monitor: Monitor) -> bool:
