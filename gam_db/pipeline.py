@@ -22,12 +22,14 @@ class Step:
         query: the filled tree; tables that carry the name of a step are read from that step.
         comment: what it computes, for whoever reads the query.
         reads: the steps it reads.
+        tables: all names that a table may be placed for: the steps it reads, and what is no step.
     """
 
     name: str
     query: exp.Query
     comment: str
     reads: frozenset[str]
+    tables: frozenset[str]
 
 
 #: What a query depends on beside its steps: which of them are small, and the tables that it reads.
@@ -73,7 +75,8 @@ class Pipeline:
                 table.set("this", exp.to_identifier(step))
         if name in self.steps:
             raise InternalError(f"The step {name} is there twice.")
-        self.steps[name] = Step(name, query, comment, frozenset(reads))
+        named = frozenset(table.name for table in _plain_tables(query))
+        self.steps[name] = Step(name, query, comment, frozenset(reads), named)
         self._made = {}  # not emptied: it may serve another pipeline; see copied
 
     def copied(self) -> "Pipeline":
@@ -124,7 +127,7 @@ class Pipeline:
     def _key(self, target: str, placed: Mapping[str, exp.Table]) -> _Key:
         """Return all that the query of a step depends on, beside the steps."""
         steps = self.needed([target], placed)
-        read = {target}.union(*(step.reads for step in steps)) & placed.keys()
+        read = {target}.union(*(step.tables for step in steps)) & placed.keys()
         places = ((name, *(part.name for part in placed[name].parts)) for name in read)
         return self.small & {step.name for step in steps}, frozenset(places)
 

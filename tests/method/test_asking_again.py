@@ -83,6 +83,16 @@ def test_what_is_added_to_one_study_is_not_in_the_next() -> None:
         assert "added" not in study.Study(*asked).steps.steps
 
 
+def test_a_query_reads_the_table_that_is_placed_now() -> None:
+    """Also where what is placed is no step, as the rows that a run brings with it."""
+    steps = Pipeline()
+    steps.add("counted", exp.select("a").from_("stamp"))
+    steps.add("shown", exp.select("a").from_("counted"))
+    for name in ("one", "another"):
+        query = steps.query("shown", {"stamp": exp.to_table(name)})
+        assert name in {table.name for table in query.find_all(exp.Table)}
+
+
 def test_a_method_is_data() -> None:
     """Equal where the same steps follow, whatever the user's objects are; else not."""
 
