@@ -28,7 +28,14 @@ from gam_db.stored.migration_files import definitions
 from gam_db.stored.migrations import rendered
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.publishing import withdraw
-from gam_db.stored.steps import Setting, comparing_steps, relearning_steps, scoring_steps
+from gam_db.stored.steps import (
+    Setting,
+    comparing_steps,
+    relearning_steps,
+    scoring_steps,
+    soundness_steps,
+)
+from gam_db.stored.sums import first_rows, matching_steps
 from gam_db.stored.tables import StateTables
 from harness import arrow
 from sql_lint import Kind
@@ -651,7 +658,8 @@ def test_every_file_is_used() -> None:
         for form, engine in (("exact", "sqlite"), ("view", "duckdb")):
             gam_db.render(form, engine, source, gam_db.Parameters(), CALIBRATIONS[1])
         rendered(ENGINE, StateTables())
-        for made in (scoring_steps, comparing_steps, relearning_steps):
+        cached = (scoring_steps, comparing_steps, relearning_steps, soundness_steps)
+        for made in (*cached, matching_steps, first_rows):
             made.cache_clear()
         scoring_steps(Setting(3, 1, 100, 5000, 100, None, False), TimeKind.COUNTER, trusting=True)
         watch_once()
@@ -679,7 +687,7 @@ def check_head(path: Path) -> None:
     assert set(path.stem.split("_")) <= set(re.findall(r"[a-z]+", title)), "the title"
     said = " ".join(comment)
     tables = {table.name for table in found.tree.find_all(exp.Table)}
-    reads = re.search(r"Reads: +([a-z_, ]+)", "\n".join(comment).replace("\n  ", " "))
+    reads = re.search(r"Reads: +([a-z_, ]+)", "\n".join(comment).replace(",\n", ", "))
     named = set(re.findall(r"[a-z_]+", reads[1].split(", the ")[0])) if reads else set()
     assert named == tables, "what it reads"
     slots = set(re.findall(r"(?<!\w):([a-z_]+)", said.partition("Slots:")[2]))
