@@ -19,7 +19,8 @@ def filled(session: DuckSession, tables: StateTables = TABLES) -> DuckSession:
     """A session on the state of a channel."""
     plant = Plant()
     learnt = plant.support(cells=[1, 2])
-    version = plant.version(plant.channel(plant.monitor(), "it's", "j1"), learnt)
+    monitor = plant.monitor()
+    version = plant.version(plant.channel(monitor, "it's", "j1"), learnt)
     plant.run(version, [{7: 1}, {8: 2}])
     plant.run(version, [{9: 2}], from_bucket=1, committed=False)
     plant.add(
@@ -30,7 +31,9 @@ def filled(session: DuckSession, tables: StateTables = TABLES) -> DuckSession:
     hashes = dict.fromkeys(("settings_hash", "method_hash"), "h")
     plant.add("checksum", version_id=version.version_id, **sums, **hashes)
     counted = dict.fromkeys(("channels", "versions", "buckets", "differences"), 1)
-    plant.add("proof", monitor_id=1, proved_at=1, extent="state", **counted)
+    plant.add("proof", monitor_id=monitor, proved_at=1, extent="state", **counted)
+    counts = {"nameless": 1, "undated": 0, "strangers": 2, "stranger_channels": 1}
+    plant.add("unplaced", monitor_id=monitor, started=0, **counts)
     plant.write(session, tables)
     session.connection.execute("CREATE TABLE telemetry AS SELECT 1 AS reading")
     return session

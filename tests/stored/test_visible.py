@@ -18,12 +18,16 @@ from gam_db.stored.tables import StateTables
 
 @dataclass(frozen=True)
 class Run:
-    """Buckets from one on of one version, up to an end; perhaps cut short before its record."""
+    """Buckets from one on of one version, up to an end; perhaps cut short before its record.
+
+    One that was withdrawn has a second row.
+    """
 
     version: int
     start: int
     length: int
     is_finished: bool
+    is_withdrawn: bool = False
 
     @property
     def buckets(self) -> range:
@@ -38,6 +42,7 @@ RUNS = st.lists(
         st.integers(0, 6),
         st.integers(0, 5),
         st.sampled_from([True, True, False]),
+        st.sampled_from([False, False, True]),
     ),
     max_size=8,
 )
@@ -47,7 +52,7 @@ def expected(runs: Sequence[Run]) -> set[tuple[int, int, int]]:
     """Version, bucket and run of each visible row, by going through the runs one after another."""
     visible: dict[tuple[int, int], int] = {}
     for run_id, run in enumerate(runs, start=1):
-        if run.is_finished:
+        if run.is_finished and not run.is_withdrawn:
             visible = {
                 (version, bucket): by
                 for (version, bucket), by in visible.items()
@@ -79,15 +84,17 @@ def test_the_newest_finished_run_that_reached_a_bucket_is_seen(
 ) -> None:
     numbered = list(enumerate(runs, start=1))
     keys = [f"{run.version}, {bucket}, {by}" for by, run in numbered for bucket in run.buckets]
-    finished = [f"{by}, {run.version}, {run.start}" for by, run in numbered if run.is_finished]
+    nothing = "0, 0, 0, 0, NULL, NULL, 0, NULL, NULL, NULL, 0, 0, 0"
+    finished = [
+        f"({by}, {run.version}, {run.start}, {nothing}, {withdrawn})"
+        for by, run in numbered
+        for withdrawn in (("NULL", "1") if run.is_withdrawn else ("NULL",))
+        if run.is_finished
+    ]
     for connection in connections:
         write(connection, "gam_bucket", [f"({key}, 1, 2, 3, 4, 5, 6, NULL)" for key in keys])
         write(connection, "gam_novel", [f"({key}, 7, 8, 9, 10)" for key in keys])
-        write(
-            connection,
-            "gam_run",
-            [f"({run}, 0, 0, 0, 0, NULL, NULL, 0, NULL, NULL, NULL, 0, 0)" for run in finished],
-        )
+        write(connection, "gam_run", finished)
         for view, more in (("bucket", (1, 2, 3, 4, 5, 6, None)), ("novel", (7, 8, 9, 10))):
             found = connection.execute(f"SELECT * FROM gam_visible_{view}").fetchall()
             assert sorted(row[:3] for row in found) == sorted(expected(runs))
