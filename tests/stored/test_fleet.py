@@ -76,8 +76,8 @@ def test_calibration_is_compared_pool_by_pool(
 ) -> None:
     connection, monitor = fleet
     assert monitor.check_state(limit).num_rows == 0
-    # A cell of one pool goes, a reading of another channel comes, and comes again, which is no other one; and
-    # no vector of it is new.
+    # A cell of one pool goes; a reading of another channel comes, and comes again, which is no
+    # other one, and no vector of it is new.
     connection.execute("UPDATE telemetry SET value = 0 WHERE asset = 'c' AND time = 62").fetchall()
     put(connection, [("f", "torque", 102, 9.0), ("f", "torque", 102, 9.0)])
     found = [row for row in monitor.check_state(limit).to_pylist() if row["part"] == "calibration"]
