@@ -56,8 +56,8 @@ TORN = 1
 #: How a DuckDB file is laid out, in bytes.
 PAGE, BLOCK = 4096, 2**18
 
-#: Columns that differ from run to run.
-STAMPS = ("run_id", "created", "started", "committed", "applied_at")
+#: Columns that differ from run to run; what a checksum sums has the time of creation in it.
+STAMPS = ("run_id", "created", "started", "committed", "applied_at", "figures_sum")
 
 State = dict[str, list[tuple[Any, ...]]]
 Look = Callable[[DuckSession], Any]
