@@ -63,55 +63,47 @@ FROM (
   GROUP BY support_id, block, channel_id, first_time, last_time, vectors, novel
   HAVING COUNT(*) <> 2 * SUM(is_stored)
   UNION ALL
-  SELECT 'bounds' AS part, support_id, 0 AS place
-  FROM (
-    SELECT DISTINCT
+  SELECT 'bounds' AS part, learnt.support_id AS support_id, 0 AS place
+  FROM stored_bounds AS learnt
+  JOIN (
+    SELECT
       member.support_id AS support_id,
-      judged.vectors AS calibration_vectors,
-      judged.cells AS cells,
-      judged.seen_once AS seen_once,
-      judged.blocks AS blocks,
-      judged.verdict AS verdict,
-      judged.floor AS floor,
-      judged.floor_sd AS floor_sd,
-      judged.floor_max AS floor_max,
-      judged.finest_bins AS finest_bins,
-      judged.vectors_needed AS vectors_needed,
-      0 AS is_stored
+      MIN(judged.vectors) AS calibration_vectors,
+      MIN(judged.cells) AS cells,
+      MIN(judged.seen_once) AS seen_once,
+      MIN(judged.blocks) AS blocks,
+      MIN(judged.verdict) AS verdict,
+      MIN(judged.floor) AS floor,
+      MIN(judged.floor_sd) AS floor_sd,
+      MIN(judged.floor_max) AS floor_max,
+      MIN(judged.finest_bins) AS finest_bins,
+      MIN(judged.vectors_needed) AS vectors_needed
     FROM verdicts AS judged
     JOIN cohort AS member ON member.channel_id = judged.channel_id
-    UNION ALL
-    SELECT
-      learnt.support_id AS support_id,
-      learnt.calibration_vectors AS calibration_vectors,
-      learnt.cells AS cells,
-      learnt.seen_once AS seen_once,
-      learnt.blocks AS blocks,
-      learnt.verdict AS verdict,
-      learnt.floor AS floor,
-      learnt.floor_sd AS floor_sd,
-      learnt.floor_max AS floor_max,
-      learnt.finest_bins AS finest_bins,
-      learnt.vectors_needed AS vectors_needed,
-      1 AS is_stored
-    FROM stored_bounds AS learnt
-    JOIN (
-      SELECT DISTINCT support_id
-      FROM cohort
-    ) AS needed ON needed.support_id = learnt.support_id
-  ) AS both_bounds
-  GROUP BY
-    support_id,
-    calibration_vectors,
-    cells,
-    seen_once,
-    blocks,
-    verdict,
-    floor,
-    floor_sd,
-    floor_max,
-    finest_bins,
-    vectors_needed
-  HAVING COUNT(*) <> 2 * SUM(is_stored)
+    GROUP BY member.support_id
+  ) AS again ON again.support_id = learnt.support_id
+  WHERE CASE
+    WHEN again.calibration_vectors <> learnt.calibration_vectors THEN 1
+    WHEN again.cells <> learnt.cells THEN 1
+    WHEN again.seen_once <> learnt.seen_once THEN 1
+    WHEN again.blocks <> learnt.blocks THEN 1
+    WHEN again.verdict <> learnt.verdict THEN 1
+    WHEN again.floor <> learnt.floor THEN 1
+    WHEN again.floor IS NULL AND learnt.floor IS NOT NULL THEN 1
+    WHEN again.floor IS NOT NULL AND learnt.floor IS NULL THEN 1
+    WHEN again.floor_sd <> learnt.floor_sd THEN 1
+    WHEN again.floor_sd IS NULL AND learnt.floor_sd IS NOT NULL THEN 1
+    WHEN again.floor_sd IS NOT NULL AND learnt.floor_sd IS NULL THEN 1
+    WHEN again.floor_max <> learnt.floor_max THEN 1
+    WHEN again.floor_max IS NULL AND learnt.floor_max IS NOT NULL THEN 1
+    WHEN again.floor_max IS NOT NULL AND learnt.floor_max IS NULL THEN 1
+    WHEN again.finest_bins <> learnt.finest_bins THEN 1
+    WHEN again.finest_bins IS NULL AND learnt.finest_bins IS NOT NULL THEN 1
+    WHEN again.finest_bins IS NOT NULL AND learnt.finest_bins IS NULL THEN 1
+    WHEN again.vectors_needed <> learnt.vectors_needed THEN 1
+    WHEN again.vectors_needed IS NULL AND learnt.vectors_needed IS NOT NULL THEN 1
+    WHEN again.vectors_needed IS NOT NULL AND learnt.vectors_needed IS NULL THEN 1
+    ELSE 0
+  END = 1
 ) AS matched
 GROUP BY matched.part, matched.support_id

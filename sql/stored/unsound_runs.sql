@@ -1,7 +1,7 @@
 -- Unsound runs: what must hold between the records of runs and the buckets, whatever the source. A run begins
 -- after the bucket that it found settled, reads from that one's context, and says which bucket is settled now.
--- It was planned from the finished run before it. What a later run wrote anew, or pruning took, says nothing
--- any more.
+-- It was planned from the finished run before it, or from a later one that pruning took. What a later run
+-- wrote anew, or pruning took, says nothing any more.
 -- Reads:  checked, stored_finished_run, stored_visible_bucket
 -- A row:  one run of one version that breaks one of these rules; strays = 1 if it found other samples than were
 --         scored (see the view fleet), which is no fault of its record.
@@ -26,7 +26,7 @@ FROM (
     CASE
       WHEN run.records <> 1 THEN 1
       WHEN run.planned_from >= run.run_id THEN 1
-      WHEN run.previous_id > 0 AND run.planned_from <> run.previous_id THEN 1
+      WHEN run.previous_id > 0 AND run.planned_from < run.previous_id THEN 1
       WHEN run.read_to IS NULL OR run.settled_bucket IS NULL OR run.from_bucket = :nothing
         THEN CASE
           WHEN run.read_to IS NOT NULL OR run.settled_bucket IS NOT NULL THEN 1

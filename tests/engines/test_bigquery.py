@@ -26,8 +26,9 @@ from gam_db.engines.warehouse import WarehouseSession
 from gam_db.method import Method, pipeline
 from gam_db.source import readings
 from gam_db.stored import dropping, migrations
+from gam_db.stored.migration_files import files
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.tables import StateTables
+from gam_db.stored.tables import TABLES, VIEWS, StateTables
 from googlesql import GoogleSqlError, Plant, Table
 from googlesql_driver import GoogleSqlDriver
 from strategies import Case, cases
@@ -189,7 +190,8 @@ def test_the_migrations_can_be_run_twice() -> None:
     script = migrations.rendered(BIGQUERY, StateTables())
     for statement in [*googlesql.statements(script), *googlesql.statements(script)]:
         made.execute(statement)
-    assert len(made.tables["gam_migration"].rows) == len(made.relations())
+    assert len(made.tables["gam_migration"].rows) == len(files())
+    assert set(made.relations()) == {f"gam_{name}" for name in (*TABLES, *VIEWS)}
     schema, *_ = googlesql.statements(migrations.rendered(BIGQUERY, StateTables("plant")))
     assert googlesql.analyzed(schema, {})
 

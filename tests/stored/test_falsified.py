@@ -38,6 +38,7 @@ MAY_DIFFER = {
     ("monitor", "created"): "a clock",
     ("migration", "applied_at"): "a clock",
     ("migration", "gam_version"): "told for people",
+    ("run", "planned_from"): "the run that it names may be pruned; one too small is found",
     ("run", "planned_from IS NULL"): "runs of before it was recorded have none",
     **{
         ("unplaced", column): "a record of what a run met then; nothing is computed from it"

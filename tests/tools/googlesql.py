@@ -50,8 +50,8 @@ _FEATURES = (
 )
 
 _STATEMENT = re.compile(
-    r"(?P<doing>CREATE|DROP|INSERT INTO|DELETE FROM|UPDATE) (?:OR REPLACE )?(?:(?P<kind>TABLE|VIEW) )?"
-    r"(?:IF (?:NOT )?EXISTS )?`?(?P<name>\w+)`?(?P<rest>.*)",
+    r"(?P<doing>CREATE|ALTER|DROP|INSERT INTO|DELETE FROM|UPDATE) (?:OR REPLACE )?"
+    r"(?:(?P<kind>TABLE|VIEW) )?(?:IF (?:NOT )?EXISTS )?`?(?P<name>\w+)`?(?P<rest>.*)",
     re.DOTALL,
 )
 
@@ -177,8 +177,15 @@ def inserted(statement: str, name: str, tables: Mapping[str, Table]) -> Table:
     Raises:
         GoogleSqlError: it cannot be analysed, or fails on these rows.
     """
-    rows = [[_value(cell) for cell in row.cell] for row in _modified(statement, tables)]
-    return Table(tables[name].columns, [*tables[name].rows, *rows])
+    columns = tables[name].columns
+    given = re.search(r"\(([^()]*)\)\s+(WITH\b.*)", statement, re.DOTALL)
+    if given:  # the service takes such a query here, its reference implementation only by itself
+        order = [one.strip(" `\n") for one in given[1].split(",")]
+        found = [dict(zip(order, row, strict=True)) for row in run(given[2], tables).rows]
+        rows = [[row.get(column) for column in columns] for row in found]
+    else:
+        rows = [[_value(cell) for cell in row.cell] for row in _modified(statement, tables)]
+    return Table(columns, [*tables[name].rows, *rows])
 
 
 def deleted(statement: str, name: str, tables: Mapping[str, Table]) -> Table:
@@ -191,6 +198,15 @@ def deleted(statement: str, name: str, tables: Mapping[str, Table]) -> Table:
     for gone in _modified(statement, tables, name):
         rows.remove([_value(cell) for cell in gone.old_primary_key])
     return Table(tables[name].columns, rows)
+
+
+def widened(table: Table, statement: str) -> Table:
+    """Return a table with the columns that an analysed ALTER TABLE adds; they are NULL in its rows."""
+    said = re.findall(r"ADD COLUMN (?:IF NOT EXISTS )?`?(\w+)`? (\w+)", statement)
+    assert said, statement[:200]
+    new = {column: kind for column, kind in said if column not in table.columns}
+    rows = [[*row, *[None] * len(new)] for row in table.rows]
+    return Table({**table.columns, **new}, rows)
 
 
 def _modified(statement: str, tables: Mapping[str, Table], keyed: str | None = None) -> Any:
@@ -268,6 +284,9 @@ class Plant:
             return
         resolved = analyzed(statement, seen)
         if doing == "UPDATE":
+            return
+        if doing == "ALTER":
+            self.tables[name] = widened(self.tables[name], statement)
             return
         if doing == "DROP":
             self.tables.pop(name, None)
