@@ -3,7 +3,7 @@
 This module owns how steps refer to one another. It knows neither what they compute nor any engine.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import cast
 
@@ -31,6 +31,10 @@ class Step:
     reads: frozenset[str]
     tables: frozenset[str]
 
+
+#: Steps that were filled lately, by all that they were made of; and how many of them are kept.
+_LATELY: dict[Hashable, Step] = {}
+_KEPT = 4000
 
 #: What a query depends on beside its steps: which of them are small, and the tables that it reads.
 _Key = tuple[frozenset[str], frozenset[tuple[str, ...]]]
@@ -65,18 +69,43 @@ class Pipeline:
             comment: what it computes.
             tables: for a tree that calls its inputs otherwise: the name in the tree -> the step.
         """
-        reads = set()
-        for table in _plain_tables(query):
-            step = (tables or {}).get(table.name, table.name)
-            if step in self.steps:
-                reads.add(step)
-                if step != table.name and not table.args.get("alias"):
-                    table.set("alias", exp.TableAlias(this=table.this.copy()))
-                table.set("this", exp.to_identifier(step))
-        if name in self.steps:
-            raise InternalError(f"The step {name} is there twice.")
-        named = frozenset(table.name for table in _plain_tables(query))
-        self.steps[name] = Step(name, query, comment, frozenset(reads), named)
+        self._put(_step(name, query, comment, self._inputs(_names(query), tables or {})))
+
+    def fill(
+        self,
+        name: str,
+        path: str,
+        slots: Mapping[str, template.Slot] | None = None,
+        tables: Mapping[str, str] | None = None,
+    ) -> None:
+        """Add a step that is a file of ``sql/``.
+
+        What was filled lately in the same way is not filled again: copies of trees are most of what a
+        method costs that is asked for few rows.
+
+        Args:
+            name: of the step.
+            path: of the file, as ``folder/file``.
+            slots: of the file.
+            tables: as in :meth:`add`.
+        """
+        inputs = self._inputs(template.load(path).tables, tables or {})
+        key = name, path, tuple(sorted(inputs.items())), _slot_key(slots or {})
+        if key not in _LATELY:
+            if len(_LATELY) >= _KEPT:
+                _LATELY.clear()
+            _LATELY[key] = _step(name, filled(path, slots), template.load(path).comment, inputs)
+        self._put(_LATELY[key])
+
+    def _inputs(self, names: Iterable[str], tables: Mapping[str, str]) -> dict[str, str]:
+        """Return the steps that a query reads, by the names that it has for them."""
+        said = {name: tables.get(name, name) for name in names}
+        return {name: step for name, step in said.items() if step in self.steps}
+
+    def _put(self, step: Step) -> None:
+        if step.name in self.steps:
+            raise InternalError(f"The step {step.name} is there twice.")
+        self.steps[step.name] = step
         self._made = {}  # not emptied: it may serve another pipeline; see copied
 
     def copied(self) -> "Pipeline":
@@ -188,6 +217,29 @@ def filled(name: str, slots: Mapping[str, template.Slot] | None = None) -> exp.Q
     return cast(exp.Query, template.fill(name, slots))
 
 
+def _step(name: str, query: exp.Query, comment: str, inputs: Mapping[str, str]) -> Step:
+    """Return a step whose tree, which is changed for it, reads its inputs by their own names."""
+    for table in _plain_tables(query):
+        step = inputs.get(table.name)
+        if step is not None:
+            if step != table.name and not table.args.get("alias"):
+                table.set("alias", exp.TableAlias(this=table.this.copy()))
+            table.set("this", exp.to_identifier(step))
+    return Step(name, query, comment, frozenset(inputs.values()), _names(query))
+
+
+def _slot_key(slots: Mapping[str, template.Slot]) -> Hashable:
+    """Return what is equal where the same is filled in: 1 is not 1.0, and 0.0 not -0.0."""
+    said: list[Hashable] = []
+    for name in sorted(slots):
+        value = slots[name]
+        if isinstance(value, Sequence):
+            said.append((name, tuple(value)))
+        else:
+            said.append((name, value if isinstance(value, exp.Expr) else repr(value)))
+    return tuple(said)
+
+
 def _entry(step: str) -> exp.Table:
     """Return how a query names a step in its WITH list.
 
@@ -201,6 +253,10 @@ def _selected_from(union: exp.Query) -> exp.Query:
     """Wrap a union, since not every engine takes a WITH list before one."""
     columns = [exp.column(exp.to_identifier(name), table="rows_of") for name in union.named_selects]
     return exp.select(*(column.as_(column.name) for column in columns)).from_(union.subquery("rows_of"))
+
+
+def _names(query: exp.Expr) -> frozenset[str]:
+    return frozenset(table.name for table in _plain_tables(query))
 
 
 def _plain_tables(query: exp.Expr) -> list[exp.Table]:

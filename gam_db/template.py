@@ -33,12 +33,13 @@ LARGEST_INTEGER = 2**63 - 1
 
 @dataclass(frozen=True)
 class Template:
-    """A parsed file of ``sql/``: its name (``folder/file``), what it computes, its tree and slots."""
+    """A parsed file of ``sql/``: name (``folder/file``), what it computes, tree, slots, tables."""
 
     name: str
     comment: str
     tree: exp.Expr
     slots: frozenset[str]
+    tables: frozenset[str]
 
 
 def sql_folder() -> Path:
@@ -88,7 +89,8 @@ def parse(name: str, source: str) -> Template:
         if isinstance(node, exp.Command):
             raise TemplateError(f"sql/{name}.sql holds a statement that is not a query.")
     slots = frozenset(node.name for node in tree.find_all(exp.Placeholder))
-    return Template(name, comment, tree, slots)
+    tables = frozenset(node.name for node in tree.find_all(exp.Table))
+    return Template(name, comment, tree, slots, tables)
 
 
 def fill(name: str, slots: Mapping[str, Slot] | None = None) -> exp.Expr:

@@ -6,7 +6,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.method.resolved import Method
-from gam_db.pipeline import Pipeline, filled, union_of
+from gam_db.pipeline import Pipeline, union_of
 
 
 def add(
@@ -17,12 +17,7 @@ def add(
     tables: Mapping[str, str] | None = None,
 ) -> None:
     """Add the step of one file, called as the file unless named otherwise."""
-    steps.add(
-        name or path.rpartition("/")[2],
-        filled(path, slots),
-        template.load(path).comment,
-        tables,
-    )
+    steps.fill(name or path.rpartition("/")[2], path, slots, tables)
 
 
 def add_of_set(
@@ -35,14 +30,12 @@ def add_of_set(
     tables: Mapping[str, str] | None = None,
 ) -> None:
     """Add a step of one set, reading the steps of the same set where there are such."""
-    query = filled(path, slots)
     inputs = {}
-    for table in query.find_all(exp.Table):
-        step = (tables or {}).get(table.name, table.name)
+    for table in template.load(path).tables:
+        step = (tables or {}).get(table, table)
         own = method.named(step, number)
-        inputs[table.name] = own if own in steps.steps else step
-    own_name = method.named(name or path.rpartition("/")[2], number)
-    steps.add(own_name, query, template.load(path).comment, inputs)
+        inputs[table] = own if own in steps.steps else step
+    steps.fill(method.named(name or path.rpartition("/")[2], number), path, slots, inputs)
 
 
 def add_stacked(steps: Pipeline, name: str, path: str, rows: Sequence[exp.Query]) -> None:

@@ -164,6 +164,7 @@ class _Run:
                 )
             if dry_run:
                 continue
+            self._verify(cohort)
             limit = wanted.limit or self.session.rows_at_once()
             whole = {(row["asset"], row["channel"]) for row in names if not row["missing_readings"]}
             for group in portions(cohort.channels, counts, limit):
@@ -219,6 +220,11 @@ class _Run:
             raise SourceError(look.NO_ROW)
         return rows
 
+    def _verify(self, cohort: Cohort) -> None:
+        """Refuse to score by versions that are no longer what calibration froze."""
+        with self.session.lent(cohort_of(cohort.channels, read_until=0, planned_from=0)) as wanted:
+            verify(self.state, wanted, cohort.channels)
+
     def _undated(self) -> int:
         steps = Pipeline()
         steps.add("readings", self.reader.undated())
@@ -268,7 +274,6 @@ class _Run:
         earliest = min(row["read_from"] for row in group)
         try:
             running.load("cohort", self._cohort(group))
-            verify(self.state, running.placed["cohort"], group)
             # A part of a cohort is found by name, or each part would read the rows of all.
             assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
             due = any(self._is_due(row) for row in group)

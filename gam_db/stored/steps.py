@@ -40,6 +40,10 @@ KEPT = frozenset(
 )
 
 
+#: Steps of a plan: a row per version, read several times.
+_PLANNED = frozenset(("active", "restart", "newest", "looks"))
+
+
 class Setting(NamedTuple):
     """What channels must share to be scored by one query.
 
@@ -73,7 +77,7 @@ def plan_steps(monitor_id: int, lookback: int) -> Pipeline:
         monitor_id: of the monitor.
         lookback: in the unit of time.
     """
-    steps = Pipeline()
+    steps = Pipeline(small=_PLANNED)
     add(steps, "stored/active", {"monitor_id": monitor_id})
     add(steps, "stored/recorded", {"at_least": lookback}, name="restart")
     return _planned(steps)
@@ -87,7 +91,7 @@ def searched_plan_steps(monitor_id: int, lookback: int | None, repair_from: int 
         lookback: in the unit of time; None to begin anew.
         repair_from: the instant from which on to score anew, in any case; None for none.
     """
-    steps = Pipeline()
+    steps = Pipeline(small=_PLANNED)
     slots = {
         "lookback": FAR_AHEAD if lookback is None else lookback,
         "repair_from": FAR_AHEAD if repair_from is None else repair_from,

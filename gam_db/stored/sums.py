@@ -63,6 +63,7 @@ def first_rows(table: str) -> exp.Query | None:
 
 def _summing(steps: Pipeline | None = None) -> Pipeline:
     steps = steps or Pipeline()
+    steps.small |= {"frozen", "wanted"}  # read several times: planned once
     frozen: list[exp.Expr] = [
         exp.alias_(exp.column(name, table="made"), name) for name in OF_VERSION if name != "support_id"
     ]

@@ -15,11 +15,13 @@ import clickhouse_victims
 import comparisons
 import frozen
 import gam_db
+from sets import amounts
 from small_plant import FIRST, readings
 from strategies import Row
 from victims import Moment, Victims
 
-KILLS = 30
+#: In the first set and in the full one.
+KILLS = 10, 60
 
 #: New rows of each channel between two kills, and how far the rows before them come again.
 STEP, AGAIN = 6, 3
@@ -58,7 +60,8 @@ def by_channel(seen: list[Any]) -> dict[str, list[Any]]:
     return found
 
 
-def test_killed_while_scoring(tmp_path: Path, victims: Victims) -> None:
+@amounts("kills", *KILLS)
+def test_killed_while_scoring(tmp_path: Path, victims: Victims, kills: int) -> None:
     chance = random.Random(5)
     into = tmp_path / "seen.json"
     order: dict[str, Any] = {"database": f"chdb:///{tmp_path / 'plant'}", "into": str(into)}
@@ -67,7 +70,7 @@ def test_killed_while_scoring(tmp_path: Path, victims: Victims) -> None:
     late = arriving(0)
     seconds = victims.lifetime(**order, work=["score", "arrive"], rows=late)
     expected, unfinished, number = reference(rows), 0, 0
-    while victims.killed < KILLS:
+    while victims.killed < kills:
         rows += late
         number += 1
         before, expected = by_channel(expected), reference(rows)

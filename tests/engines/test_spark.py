@@ -165,8 +165,8 @@ def test_the_users_session_keeps_its_ways_and_its_tables(theirs: Any, tmp_path: 
         monitor = gam_db.Monitor(session, gam_db.Source("telemetry"), PARAMETERS, calibration)
         monitor.migrate()
         monitor.calibrate()
-        for _ in range(2):
-            monitor.score(full=True)
+        monitor.score()
+        monitor.score(full=True)
         found = monitor.health().to_pylist()
         monitor.compact()
         assert monitor.health().to_pylist() == found

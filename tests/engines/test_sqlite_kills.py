@@ -14,12 +14,14 @@ import gam_db
 import scripts
 from gam_db.engines.session import Session
 from gam_db.stored.monitor import Monitor
+from sets import amounts
 from small_plant import FIRST, LOOKBACK, readings
 from strategies import Row
 from victims import Moment, Victims
 from visible import BUCKETS, NOVEL, visible
 
-KILLS = 30
+#: In the first set and in the full one.
+KILLS = 10, 100
 
 #: New rows of each channel between two kills, and how far the rows before them come again.
 STEP, AGAIN = 6, 3
@@ -52,7 +54,8 @@ def reference(rows: list[Row]) -> list[Any]:
     return [frozen.buckets(*asked), frozen.novel_cells(*asked)]
 
 
-def test_killed_while_scoring(tmp_path: Path, victims: Victims) -> None:
+@amounts("kills", *KILLS)
+def test_killed_while_scoring(tmp_path: Path, victims: Victims, kills: int) -> None:
     chance = random.Random(7)
     database = f"sqlite:///{tmp_path / 'plant.db'}"
     table = exp.to_table("telemetry")
@@ -72,7 +75,7 @@ def test_killed_while_scoring(tmp_path: Path, victims: Victims) -> None:
         monitor(session).calibrate()
     seconds = victims.lifetime(**order)
     expected, number = reference(rows), 0
-    while victims.killed < KILLS:
+    while victims.killed < kills:
         late = readings(FIRST + number * STEP - AGAIN, FIRST + (number + 1) * STEP)
         with gam_db.connect(database) as session:
             scripts.arrive(session, table, late)

@@ -48,7 +48,7 @@ def scored(rows: Rows, calibration: gam_db.Calibration) -> tuple[Rows, Rows]:
         return connection.sql(BUCKETS).fetchall(), connection.sql(FLEET).fetchall()
 
 
-@pytest.mark.parametrize("engine", ["duckdb", "postgres"])
+@pytest.mark.parametrize("engine", ["duckdb", pytest.param("postgres", marks=pytest.mark.full)])
 def test_dbt_builds_what_gam_scores(engine: str, recording: Rows, tmp_path: Path) -> None:
     dbt_runs.executable()
     places: dict[str, Callable[[], dbt_runs.Warehouse]] = {

@@ -20,7 +20,7 @@ from gam_db.stored.tables import TABLES
 from visible import BUCKETS, NOVEL, CrashError, crashing, put, rows_of
 
 #: Histories of each kind; each is one of several channels, whose rows arrive each in their own way.
-EXAMPLES = 10
+EXAMPLES = 5
 
 
 def play(connection: duckdb.DuckDBPyConnection, monitor: Monitor, history: History) -> None:
@@ -60,7 +60,7 @@ def empty(connection: duckdb.DuckDBPyConnection) -> None:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@settings(max_examples=max(EXAMPLES, settings().max_examples // 10))
+@settings(max_examples=max(EXAMPLES, settings().max_examples // 20))
 @given(seed=st.integers(0, 2**32))
 def test_any_history_ends_in_the_tables_of_one_full_run(
     connection: duckdb.DuckDBPyConnection, kind: str, seed: int

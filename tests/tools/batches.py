@@ -3,7 +3,7 @@
 A *history* is plain data: the rows that are there when calibration is frozen, then batches of rows that
 arrive one after another, with what is done after each. Rows come late by up to ``lookback`` behind the
 newest time of their channel that was read before, in any order, and some come again. Each channel has a
-series, a lateness and a cut into batches of its own: a history of 50 channels is 50 cases.
+series, a lateness and a cut into batches of its own: a history of 100 channels is 100 cases.
 
 Everything follows from one number: drawn value by value, hypothesis would spend its time on it.
 """
@@ -14,7 +14,7 @@ from typing import Any
 
 from strategies import ASSETS, MISSING, Arguments, Row
 
-CHANNELS = 50
+CHANNELS = 100
 LENGTH = 60
 
 #: What a history is about -> parameters and calibration that go with it.
@@ -175,7 +175,7 @@ def settings(kind: str, chance: random.Random) -> tuple[Arguments, Arguments]:
 
 def names(chance: random.Random) -> list[tuple[str, str]]:
     """Return the names of the channels, some of which look like patterns."""
-    assets = [*ASSETS, *(f"m_{number}" for number in range(10, 30))]
+    assets = [*ASSETS, *(f"m_{number}" for number in range(10, 50))]
     both = [(asset, channel) for asset in assets for channel in ("x", "X", "y*")]
     return chance.sample(both, CHANNELS)
 
