@@ -4,12 +4,27 @@ This module owns what an address looks like, and that no password is shown or ke
 """
 
 import re
+from urllib.parse import urlsplit
+
+from gam_db.errors import EngineError
 
 #: The environment variable that names the database where no option and no gam.toml does.
 VARIABLE = "GAM_DATABASE"
 
+#: Schemes of addresses in which no user and no password can stand.
+_OF_FILES = ("duckdb", "sqlite", "chdb", "spark")
+
 #: A password among the options at the end of a URL.
-_OPTION = re.compile(r"(?i)([?&])(?:ssl)?password=[^&]*&?")
+_OPTION = re.compile(r"(?i)([?&])(?:ssl)?password=[^&\s]*&?")
+
+#: A password in libpq's own words.
+_WORD = re.compile(r"(?i)\b((?:ssl)?password\s*=\s*)('[^']*'|[^\s&]+)")
+
+#: What libpq's own words begin with.
+_LIBPQ = re.compile(r"(?i)(?:^|\s)(?:host|hostaddr|dbname|user|password|port|service)\s*=")
+
+#: A user and a password in any text. To the last @: a password may hold one that ought to be escaped.
+_PERSON = re.compile(r"(://[^\s:/@]*):\S*@")
 
 
 def is_url(address: str) -> bool:
@@ -29,8 +44,49 @@ def shown(address: str) -> str:
     something else, and shown.
     """
     if not is_url(address):
-        return address
+        return _WORD.sub("", address) if _LIBPQ.search(address) else address
     scheme, _, rest = address.partition("://")
-    person, at, place = rest.rpartition("@")
-    place = _OPTION.sub(r"\1", place).rstrip("?&")
+    # A file or a folder is no person's, and its name may hold any sign.
+    person, at, place = ("", "", rest) if rest.startswith("/") else rest.rpartition("@")
+    if _OPTION.search(place):
+        place = _OPTION.sub(r"\1", place).rstrip("?&")
     return f"{scheme}://{person.partition(':')[0]}{at}{place}"
+
+
+def check(address: str) -> None:
+    """Refuse an address with a user or a password where there can be none.
+
+    Raises:
+        EngineError: it is libpq's text, of an engine that knows no users, or cannot be read at all.
+    """
+    if not is_url(address):
+        if _LIBPQ.search(address):
+            raise EngineError(
+                "The address of the database is text in libpq's own words (host=... dbname=...), which "
+                "gam-db does not take; write postgresql://USER@HOST:5432/DATABASE, and leave the "
+                "password to PGPASSWORD or ~/.pgpass."
+            )
+        return
+    try:
+        urlsplit(address)
+    except ValueError:
+        # Not chained: what is said quotes the address.
+        raise EngineError(
+            "The address of the database cannot be read; its host ends in one bracket, or in a user or "
+            "password a sign stands for itself: write %5B for [, %40 for @, %2F for /, %3A for :."
+        ) from None
+    scheme, _, rest = address.partition("://")
+    is_file = rest.startswith("/")
+    if scheme in _OF_FILES and (has_password(address) or (not is_file and "@" in rest)):
+        raise EngineError(
+            f"An address that begins with {scheme}:// has no user and no password in it; leave them "
+            "out, and give them to the environment if the database wants them."
+        )
+
+
+def without_passwords(text: str) -> str:
+    """Return a text that may hold addresses without what looks like a password in one.
+
+    The last net: messages of other libraries quote what they were given.
+    """
+    return _WORD.sub(r"\1***", _PERSON.sub(r"\1@", text))

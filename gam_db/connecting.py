@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from gam_db.address import check
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.engines.warehouse import WarehouseSession
@@ -71,6 +72,7 @@ def connect(target: Any = None, threads: int | None = None, writable: bool = Tru
         if package not in _PACKAGES:
             raise EngineError(f"The database is a {type(target).__name__}; it takes {ADDRESSES}.")
         return _opened(_PACKAGES[package], target, writable)
+    check(address)
     if address in _IN_MEMORY:
         return DuckSession(None, threads, writable)
     scheme, separator, _ = address.partition("://")

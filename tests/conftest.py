@@ -53,7 +53,9 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Leave out what would take too long together, where all engines are asked for."""
-    kept = engines.shortened(items, config.getoption("--engines"))
+    is_whole = config.args_source is pytest.Config.ArgsSource.TESTPATHS and not config.option.keyword
+    plain = is_whole and config.option.markexpr == "not full"
+    kept = engines.shortened(items, config.getoption("--engines"), plain)
     staying = set(kept)
     config.hook.pytest_deselected(items=[one for one in items if one not in staying])
     items[:] = kept

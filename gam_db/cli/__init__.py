@@ -18,6 +18,7 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
+from gam_db.address import without_passwords
 from gam_db.cli import commands
 from gam_db.errors import ConflictError, StatementError, UserError
 from gam_db.version import __version__
@@ -105,18 +106,20 @@ def _told(error: Exception, debug: bool) -> int:
     if isinstance(error, typer.Abort):
         return INTERRUPTED
     if debug:
-        traceback.print_exception(error)
+        print(without_passwords("".join(traceback.format_exception(error))), file=sys.stderr)
         if isinstance(error, StatementError) and error.statement:
             print(f"\nThe statement was:\n{error.statement}\n", file=sys.stderr)
     if isinstance(error, _UsageError):
+        error.message = without_passwords(error.message)  # type: ignore[attr-defined]
         error.show()  # type: ignore[attr-defined]
         return USER_ERROR
     if isinstance(error, UserError):
-        print(f"gam: {error}", file=sys.stderr)
+        print(f"gam: {without_passwords(str(error))}", file=sys.stderr)
         return RUN_AGAIN if isinstance(error, ConflictError) else USER_ERROR
+    first = without_passwords(str(error)).partition("\n")[0]
     kind = "" if type(error).__module__.startswith("gam_db") else f"{type(error).__name__}: "
     print(
-        f"gam: this is a fault of gam-db, not yours. {kind}{str(error).partition(chr(10))[0]} "
+        f"gam: this is a fault of gam-db, not yours. {kind}{first} "
         + ("Please report it." if debug else "Run it again with --debug for all of it, to report it."),
         file=sys.stderr,
     )

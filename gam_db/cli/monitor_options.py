@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 
 from gam_db import config
-from gam_db.address import VARIABLE, is_url
+from gam_db.address import VARIABLE, check, is_url
 from gam_db.config import Settings
 from gam_db.connecting import connect
 from gam_db.engines.session import Session
@@ -101,6 +101,7 @@ def opened(
             "Say which database holds the state: --database FILE.duckdb, or a URL such as "
             "postgresql://HOST/DATABASE; or put database under [source] into gam.toml."
         )
+    check(address)
     tables = settings.monitor.tables
     if must_exist and not is_url(address) and not Path(address).exists():
         raise EngineError(f"There is no database file {address}.")

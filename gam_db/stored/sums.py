@@ -42,7 +42,7 @@ def slots() -> dict[str, template.Slot]:
 @cache
 def matching_steps() -> Pipeline:
     """Return the steps up to *mismatched*, over the state tables and *wanted* (version_id)."""
-    steps = _summing()
+    steps = _summing(Pipeline(small=frozenset({"frozen", "wanted"})))  # read several times: planned once
     add(steps, "stored/mismatched")
     return steps
 
@@ -63,7 +63,6 @@ def first_rows(table: str) -> exp.Query | None:
 
 def _summing(steps: Pipeline | None = None) -> Pipeline:
     steps = steps or Pipeline()
-    steps.small |= {"frozen", "wanted"}  # read several times: planned once
     frozen: list[exp.Expr] = [
         exp.alias_(exp.column(name, table="made"), name) for name in OF_VERSION if name != "support_id"
     ]

@@ -4,7 +4,9 @@ This module owns the names; the files in ``migrations/`` own what the tables hol
 """
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 from sqlglot import exp
 
@@ -88,4 +90,9 @@ class StateTables:
 
     def placed(self) -> dict[str, exp.Table]:
         """Return what the SQL calls the tables (``stored_run``), each with the node that it means."""
-        return {f"stored_{name}": self.table(name) for name in (*TABLES, *VIEWS)}
+        return dict(_placed(self))
+
+
+@lru_cache(maxsize=64)
+def _placed(tables: StateTables) -> Mapping[str, exp.Table]:
+    return {f"stored_{name}": tables.table(name) for name in (*TABLES, *VIEWS)}

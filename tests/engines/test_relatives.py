@@ -157,6 +157,8 @@ def refused(dialect: str, script: str) -> list[str]:
     ]
 
 
+# In the full set: it takes half a minute, and the fingerprints tell whether a text is another one.
+@pytest.mark.full
 @pytest.mark.parametrize("engine", ["snowflake", "trino"])
 def test_the_grammar_takes_all_scripts(engine: str) -> None:
     assert refused(engine, script_of(engine)) == []
@@ -168,6 +170,7 @@ def test_postgresql_parses_what_redshift_shares_with_it() -> None:
     assert len(pglast.parse_sql(shared(text))) > 50
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("engine", ["redshift", "databricks"])
 def test_the_grammar_takes_the_migrations(engine: str) -> None:
     """With what the relative has not: sort keys, clustering."""

@@ -154,6 +154,7 @@ def test_rows_that_come_while_a_table_is_rewritten_are_not_lost(
 # The user's session
 
 
+@pytest.mark.full
 def test_the_users_session_keeps_its_ways_and_its_tables(theirs: Any, tmp_path: Path) -> None:
     schema = "plant_in_new_york"
     theirs.sql(f"CREATE SCHEMA {schema} LOCATION '{tmp_path / 'metastore'}'")

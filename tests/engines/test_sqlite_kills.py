@@ -20,6 +20,8 @@ from strategies import Row
 from victims import Moment, Victims
 from visible import BUCKETS, NOVEL, visible
 
+pytestmark = pytest.mark.thorough
+
 #: In the first set and in the full one.
 KILLS = 10, 100
 

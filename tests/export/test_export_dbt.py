@@ -70,6 +70,7 @@ def fixed(kind: str, chance: random.Random) -> dict[str, Any]:
     return said
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("kind", KINDS)
 @settings(max_examples=max(EXAMPLES, settings().max_examples // 25))
 @given(seed=st.integers(0, 2**32))

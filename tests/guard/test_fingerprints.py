@@ -9,6 +9,8 @@ import gam_db
 from gam_db.engines import NAMES
 from gam_db.export.adapters import ADAPTERS
 
+pytestmark = pytest.mark.thorough
+
 
 @pytest.mark.parametrize("name", NAMES)
 def test_texts_are_what_they_were(name: str) -> None:

@@ -17,6 +17,8 @@ from gam_db.lab.benchmark.cli import benchmark
 from gam_db.lab.benchmark.measure import RATIOS, Plan, measure
 from gam_db.lab.benchmark.one_run import PROGRAMS
 
+pytestmark = pytest.mark.thorough
+
 # Enough for a full window of 5,000 scored vectors, and a last bucket that is not full.
 CHANNELS, SAMPLES = 2, 8_050
 

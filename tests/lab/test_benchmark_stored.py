@@ -18,6 +18,8 @@ from gam_db.lab.benchmark.engines import EMBEDDED
 from gam_db.lab.benchmark.incremental import AIM, RATIOS, SIDES
 from gam_db.lab.benchmark.stored_run import FIRST, HOUR, SILENT, StoredJob
 
+pytestmark = pytest.mark.thorough
+
 CHANNELS = 2
 ROWS = (20_000, 100_000)  # the larger fills more than one row group
 

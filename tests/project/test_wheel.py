@@ -7,7 +7,11 @@ import venv
 import zipfile
 from pathlib import Path
 
+import pytest
+
 from sets import amounts
+
+pytestmark = pytest.mark.thorough
 
 ROOT = Path(__file__).parents[2]
 

@@ -216,10 +216,12 @@ def endure(folder: Path, tightness: Callable[[Path, int], Any], expected: list[A
     assert all(failures.values()), failures
 
 
+@pytest.mark.thorough
 def test_files_that_may_not_grow(tmp_path: Path, expected: list[Any]) -> None:
     endure(tmp_path, small_files, expected)
 
 
+@pytest.mark.thorough
 def test_a_full_disk(small_disk: Path, expected: list[Any]) -> None:
     endure(small_disk, ballast, expected)
 

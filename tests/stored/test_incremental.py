@@ -59,7 +59,9 @@ def empty(connection: duckdb.DuckDBPyConnection) -> None:
         connection.execute(f"TRUNCATE {table}")
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize(
+    "kind", [KINDS[0], *(pytest.param(kind, marks=pytest.mark.thorough) for kind in KINDS[1:])]
+)
 @settings(max_examples=max(EXAMPLES, settings().max_examples // 20))
 @given(seed=st.integers(0, 2**32))
 def test_any_history_ends_in_the_tables_of_one_full_run(

@@ -182,6 +182,7 @@ OTHERS: dict[str, Callable[[Plant], Any]] = {
 }
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("other", OTHERS)
 def test_versions_and_pruning_beside_a_repair(plant: Plant, other: str) -> None:
     """Calibrating and pruning inside a repair that begins before all that is kept."""

@@ -112,11 +112,18 @@ def is_left_out(file: str, asked: str) -> bool:
     return bool(names) and names[0] not in asked_for(asked)
 
 
-def shortened(tests: list[pytest.Item], asked: str) -> list[pytest.Item]:
+def shortened(tests: list[pytest.Item], asked: str, is_whole: bool) -> list[pytest.Item]:
     """Return the tests without those that would take too long together, those on Spark first.
 
     So one process of the tests runs them all, and Java is started, and gets warm, but once.
+
+    Args:
+        tests: that were found.
+        asked: the option of the command line.
+        is_whole: whether nothing was chosen but engines: a plain run leaves thorough tests out.
     """
+    if asked == "fast" and is_whole:
+        return [test for test in tests if test.get_closest_marker("thorough") is None]
     if asked != "all":
         return tests
     named = [(test, *test.name.partition("[")[::2]) for test in tests]
