@@ -103,7 +103,8 @@ def _table(
     engine: Any,
 ) -> pa.Table:
     with borrowed(engine) as session:
-        study = Study(session, source, parameters or Parameters(), calibration or Calibration())
+        asked = (parameters or Parameters(), calibration or Calibration())
+        study = Study(session, source, *asked, streams=True)
         try:
             return study.table(step)
         finally:

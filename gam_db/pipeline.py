@@ -31,6 +31,19 @@ class Step:
     reads: frozenset[str]
     tables: frozenset[str]
 
+    @classmethod
+    def of(cls, name: str, query: exp.Query, comment: str, inputs: Mapping[str, str]) -> "Step":
+        """Return a step whose tree, which is changed for it, reads its inputs by their own names.
+
+        Args:
+            name: of the step.
+            query: its tree.
+            comment: what it computes.
+            inputs: what the tree calls the steps that it reads -> the steps.
+        """
+        read_as(query, inputs)
+        return cls(name, query, comment, frozenset(inputs.values()), _names(query))
+
 
 #: Steps that were filled lately, by all that they were made of; and how many of them are kept.
 _LATELY: dict[Hashable, Step] = {}
@@ -69,7 +82,7 @@ class Pipeline:
             comment: what it computes.
             tables: for a tree that calls its inputs otherwise: the name in the tree -> the step.
         """
-        self._put(_step(name, query, comment, self._inputs(_names(query), tables or {})))
+        self._put(Step.of(name, query, comment, self._inputs(_names(query), tables or {})))
 
     def fill(
         self,
@@ -94,8 +107,20 @@ class Pipeline:
         if key not in _LATELY:
             if len(_LATELY) >= _KEPT:
                 _LATELY.clear()
-            _LATELY[key] = _step(name, filled(path, slots), template.load(path).comment, inputs)
+            _LATELY[key] = Step.of(name, filled(path, slots), template.load(path).comment, inputs)
         self._put(_LATELY[key])
+
+    def replace(self, name: str, query: exp.Query, tables: Mapping[str, str] | None = None) -> Step:
+        """Let another tree be the one of a step, in its place in the order; return the step before."""
+        before = self.steps[name]
+        inputs = self._inputs(_names(query), tables or {})
+        self.put(Step.of(name, query, before.comment, inputs))
+        return before
+
+    def put(self, step: Step) -> None:
+        """Let a step be the one of its name."""
+        self.steps[step.name] = step
+        self._made = {}
 
     def _inputs(self, names: Iterable[str], tables: Mapping[str, str]) -> dict[str, str]:
         """Return the steps that a query reads, by the names that it has for them."""
@@ -217,15 +242,14 @@ def filled(name: str, slots: Mapping[str, template.Slot] | None = None) -> exp.Q
     return cast(exp.Query, template.fill(name, slots))
 
 
-def _step(name: str, query: exp.Query, comment: str, inputs: Mapping[str, str]) -> Step:
-    """Return a step whose tree, which is changed for it, reads its inputs by their own names."""
+def read_as(query: exp.Expr, inputs: Mapping[str, str]) -> None:
+    """Let a tree read the given steps where it has other names for them; in place."""
     for table in _plain_tables(query):
         step = inputs.get(table.name)
         if step is not None:
             if step != table.name and not table.args.get("alias"):
                 table.set("alias", exp.TableAlias(this=table.this.copy()))
             table.set("this", exp.to_identifier(step))
-    return Step(name, query, comment, frozenset(inputs.values()), _names(query))
 
 
 def _slot_key(slots: Mapping[str, template.Slot]) -> Hashable:

@@ -19,6 +19,7 @@ from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource, is_file, parsed_condition, readings
+from gam_db.streaming import Streams, seems_ordered
 
 #: Studies whose filled and composed steps are kept; each has a few thousand nodes of trees.
 LATELY = 16
@@ -34,6 +35,8 @@ class Study:
         on_step: called with the name of each step before it is run.
         strict: refuse a source with rows that belong nowhere; else the step *names* counts them, and
             they are left out of all that follows.
+        streams: read channels that are stored in order of time in that order
+            (:mod:`gam_db.streaming`); not for who changes what the steps read.
 
     Raises:
         UserError: anything of the source, the parameters or the calibration that cannot be used.
@@ -47,6 +50,7 @@ class Study:
         calibration: Calibration,
         on_step: Listener = unheard,
         strict: bool = True,
+        streams: bool = False,
     ) -> None:
         self.session = session
         self._is_lent = not isinstance(source.relation, (str, Path, tuple, list))
@@ -63,10 +67,21 @@ class Study:
             # Text is parsed once, not once per step.
             self.steps.small |= {"readings"}
         self.running = Running(session, self.steps, on_step=on_step)
-        (look.check_rows if strict else look.check_clock)(self._looked())
+        is_tried = streams and seems_ordered(self.method, self.running)
+        self._streams = Streams(self.method, self.running) if is_tried else None
+        names = self._looked()
+        (look.check_rows if strict else look.check_clock)(names)
+        if self._streams is not None and not self._streams.serve(names.to_pylist()):
+            self._streams = None
+
+    @property
+    def is_streamed(self) -> bool:
+        """Tell whether vectors were made of channels as they are stored."""
+        return self._streams is not None and self._streams.holds and self._streams.has_begun
 
     def table(self, step: str) -> pa.Table:
         """Return the rows of a step; the small steps before it are kept for the next call."""
+        self._prepare(step)
         return self.running.table(step)
 
     def put(self, step: str, rows: pa.Table) -> None:
@@ -77,6 +92,7 @@ class Study:
 
     def write(self, step: str, path: Path, table: str) -> None:
         """Write the rows of a step as Parquet, or as a table of a DuckDB file."""
+        self._prepare(step)
         self.running.write(step, path, table)
 
     def instant_of(self, time: exp.Expr) -> exp.Expr:
@@ -88,6 +104,10 @@ class Study:
         self.running.forget()
         if self._is_lent and isinstance(self.relation, exp.Table):
             self.session.forget(self.relation)
+
+    def _prepare(self, step: str) -> None:
+        if self._streams is not None:
+            self._streams.prepare(step)
 
     def _looked(self) -> pa.Table:
         self.running.keep("names")

@@ -30,6 +30,19 @@ def table_as(table: exp.Table, query: exp.Query) -> exp.Create:
 
 
 @dataclass(frozen=True)
+class Bits:
+    """How an engine that hands out rows as they are stored keeps a set of numbers as one value.
+
+    Attributes:
+        gathered: an aggregate of a column of integers from 0 on, below a bound.
+        held: 1 if such a value holds a number, else 0.
+    """
+
+    gathered: Callable[[exp.Expr, int], exp.Expr]
+    held: Callable[[exp.Expr, exp.Expr], exp.Expr]
+
+
+@dataclass(frozen=True)
 class Engine:
     """One engine, as data.
 
@@ -52,6 +65,8 @@ class Engine:
         extra: of this package, that installs its driver; None for none.
         transactions: whether statements can be undone together.
         limits: what it cannot promise, and what a user has to know.
+        bits: for one whose tables give their rows in the order in which they were stored, and whose
+            windows without an order follow it (:mod:`gam_db.streaming`); None for all others.
     """
 
     name: str
@@ -72,6 +87,7 @@ class Engine:
     extra: str | None = None
     transactions: bool = True
     limits: str = ""
+    bits: Bits | None = None
 
     def in_range(
         self, kind: TimeKind, column: exp.Expr, earliest: int | None, latest: int | None

@@ -4,7 +4,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import TimeKind
-from gam_db.engines.base import Engine, called, counter
+from gam_db.engines.base import Bits, Engine, called, counter
 
 _NANOSECONDS = (TimeKind.NANOSECONDS, TimeKind.NANOSECONDS_WITH_ZONE)
 
@@ -43,6 +43,17 @@ def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
     return called("MAKE_TIMESTAMP", micros)
 
 
+def gathered(numbers: exp.Expr, bound: int) -> exp.Expr:
+    """Return one row of bits that has those of the numbers set."""
+    least, most = exp.Literal.number(0), exp.Literal.number(bound - 1)
+    return called("BITSTRING_AGG", exp.cast(numbers, "INT"), least, most)
+
+
+def held(bits: exp.Expr, number: exp.Expr) -> exp.Expr:
+    """Return the bit of a number."""
+    return called("GET_BIT", bits, exp.cast(number, "INT"))
+
+
 ENGINE = Engine(
     name="duckdb",
     title="DuckDB",
@@ -54,6 +65,7 @@ ENGINE = Engine(
     flow_hint=True,
     reads_files=True,
     macros=True,
+    bits=Bits(gathered, held),
 )
 
 

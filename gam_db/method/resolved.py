@@ -18,7 +18,7 @@ SMALL_OF_SET = frozenset(
     (
         *("breaks", "bounds", "support", "visits", "block_sizes", "cells", "blocks"),
         *("cell_shares", "learning", "levels", "ladder", "spread", "finest", "outlook"),
-        *("missing_vectors", "run_up", "kept", "buckets"),
+        *("missing_vectors", "run_up", "visited", "buckets"),
     )
 )
 

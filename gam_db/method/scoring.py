@@ -8,6 +8,7 @@ from gam_db import template
 from gam_db.method.adding import add_of_set
 from gam_db.method.resolved import Method
 from gam_db.method.vectors import add_short_vectors, add_vectors, code_of
+from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline, union_of
 
 
@@ -34,40 +35,66 @@ def add_buckets(
     steps: Pipeline,
     method: Method,
     number: int,
-    carried: Sequence[str] = (),
+    ends: Mapping[str, str] | None = None,
     trusting: bool = False,
 ) -> None:
     """Add Eq. 4 of one set in full buckets, and the novel cells of each.
 
     Where no segment ends and every channel is scored from the end of its calibration on, the short
-    form of the vectors gives the same buckets from half the columns; else *numbered* is read. Columns of
-    vectors that are to be ``carried`` along to *kept* cost time, so there are none unless asked for.
-    A ``trusting`` run, for short forms only, serves channels of which no sample is missing, and takes it
-    that no instant occurs twice; *kept* holds what is ``doubled`` as well, the proof to the contrary.
+    form of the vectors gives the same buckets from half the columns; else *numbered* is read. A
+    ``trusting`` run, for short forms only, serves channels of which no sample is missing, and takes it
+    that no instant occurs twice; *visited* holds what is ``doubled`` as well, the proof to the contrary.
+
+    Args:
+        steps: of the method.
+        method: what the user asked for.
+        number: of the set.
+        ends: columns of the vector that ends a bucket, and what they are called in *visited*; they
+            travel with all vectors and cost time, so there are none unless asked for.
+        trusting: see above.
     """
-    needed: exp.Expr = exp.false()
+    ends = ends or {}
     if trusting:
         add_complete_scoring(steps, method, number, ("doubled",))
         parts = ["complete_novelty"]
-        carried = (*carried, "doubled")
-        needed = exp.EQ(this=exp.column("doubled"), expression=exp.Literal.number(1))
     elif method.is_short(number):
         add_short_scoring(steps, method, number)
         parts = ["complete_novelty", "incomplete_numbered"]
     else:
         parts = ["numbered"]
-    columns = ("channel_id", "time", "number", "cell_key", "novel", "out_of_range", *carried)
+    columns = ("channel_id", "time", "number", "cell_key", "novel", "out_of_range", *ends)
+    if trusting:
+        columns = (*columns, "doubled")
     steps.add(
         method.named("placed", number),
         union_of(steps, [method.named(part, number) for part in parts], columns),
         "Placed: every scored vector with its number.",
     )
-    stride = method.settings[number].bucket_length
-    along = [exp.column(name) for name in carried]
-    slots: dict[str, template.Slot] = {"stride": stride, "carried": along, "needed": needed}
-    add_of_set(steps, method, number, "health/kept", slots)
+    add_of_set(
+        steps, method, number, "health/visited", visited_slots(method.settings[number], ends, trusting)
+    )
     add_of_set(steps, method, number, "health/buckets")
     add_of_set(steps, method, number, "health/novel_cells")
+
+
+def visited_slots(
+    setting: Parameters, ends: Mapping[str, str] | None = None, trusting: bool = False
+) -> dict[str, template.Slot]:
+    """Return the slots of health/visited.sql; see :func:`add_buckets`."""
+    ends = ends or {}
+    carried = list(ends)
+    needed: exp.Expr = exp.false()
+    gathered = [_gathered(name, said, "closing") for name, said in ends.items()]
+    if trusting:
+        carried.append("doubled")
+        gathered.append(_gathered("doubled", "doubled"))
+        needed = exp.EQ(this=exp.column("doubled"), expression=exp.Literal.number(1))
+    return {
+        "stride": setting.bucket_length,
+        "carried": [exp.column(name) for name in carried],
+        "needed": needed,
+        "gathered": gathered,
+    }
 
 
 def add_bucket_counts(
@@ -123,6 +150,15 @@ def _add_short_vectors(
     }
     add_of_set(steps, method, number, "support/codes", slots, f"{prefix}codes")
     add_short_vectors(steps, method, number, prefix, trusting)
+
+
+def _gathered(name: str, said: str, where: str | None = None) -> exp.Expr:
+    """Return the largest value of a column, of the rows alone where another one is 1."""
+    value: exp.Expr = exp.column(name, table="kept")
+    if where is not None:
+        holds = exp.EQ(this=exp.column(where, table="kept"), expression=exp.Literal.number(1))
+        value = exp.Case(ifs=[exp.If(this=holds, true=value)])
+    return exp.alias_(exp.Max(this=value), said)
 
 
 def _carried(name: str) -> exp.Expr:

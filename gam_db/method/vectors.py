@@ -9,6 +9,9 @@ from gam_db.method.resolved import Method
 from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline
 
+#: Slots that streams/vectors.sql shares with embedding/vectors.sql.
+_OF_STREAM = ("span", "cell_key", "outside")
+
 
 def add_vectors(steps: Pipeline, method: Method, number: int, prefix: str, read: exp.Expr) -> None:
     """Add the complete form of codes and vectors of one set (Eq. 1) over the samples to be read.
@@ -89,6 +92,13 @@ def code_of(setting: Parameters) -> exp.Expr:
     return exp.cast(template.fill("support/code", {"bins": setting.bins}), narrow)
 
 
+def stream_slots(setting: Parameters) -> dict[str, template.Slot]:
+    """Return the slots of streams/vectors.sql that follow from the parameters alone."""
+    slots = {name: slot for name, slot in _cell_slots(setting).items() if name in _OF_STREAM}
+    delayed = [_in_stored_order("code", k, setting) for k in range(1, setting.m)]
+    return {**slots, "delayed": delayed, "code": code_of(setting)}
+
+
 def _cell_slots(setting: Parameters) -> dict[str, template.Slot]:
     coordinates = [exp.column(f"code_{k}") for k in range(setting.m)]
     return {
@@ -114,6 +124,11 @@ def _flag(condition: exp.Expr) -> exp.Expr:
     """Return 1 where a condition holds, else 0."""
     one, zero = exp.Literal.number(1), exp.Literal.number(0)
     return exp.Case(ifs=[exp.If(this=condition.copy(), true=one)], default=zero)
+
+
+def _in_stored_order(name: str, k: int, setting: Parameters) -> exp.Expr:
+    delay = template.fill("streams/delayed", {"column": exp.column(name), "delay": k * setting.tau})
+    return exp.alias_(delay, f"{name}_{k}")
 
 
 def _delayed(name: str, k: int, setting: Parameters) -> exp.Expr:

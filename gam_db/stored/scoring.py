@@ -288,7 +288,7 @@ class _Run:
             running.put("identified", rows.query("identified", running.placed))
             doubtful = []
             if trusting:
-                running.keep("kept")
+                running.keep("visited")
                 found = {row["channel_id"] for row in running.table("doubtful").to_pylist()}
                 doubtful = [row for row in group if row["channel_id"] in found]
                 group = [row for row in group if row["channel_id"] not in found]

@@ -35,7 +35,7 @@ PUBLISHED = ("bucket_rows", "novel_rows", "run_rows")
 KEPT = frozenset(
     (
         *("identified", "timeline", "collapsed", "seen", "run_up", "breaks"),
-        *("kept", "buckets", "new_buckets", "recount"),
+        *("visited", "buckets", "new_buckets", "recount"),
     )
 )
 
@@ -285,7 +285,7 @@ def _add_new_buckets(steps: Pipeline, method: Method, trusting: bool = False) ->
     add(steps, "stored/run_up", {"span": method.settings[0].span})
     if not method.is_short(0):
         add_numbered(steps, method, 0)
-    add_buckets(steps, method, 0, ("position", "context_time"), trusting)
+    add_buckets(steps, method, 0, {"position": "end_position", "context_time": "context_time"}, trusting)
     add(steps, "stored/bucket_ends")
     add(steps, "stored/new_buckets")
 

@@ -1,15 +1,18 @@
--- Novel cells: where the machine went instead, cell by cell; what explains a raised indicator.
--- Reads:  kept, buckets
+-- Novel cells: where the machine went instead, cell by cell; what explains a raised indicator. Of a channel
+-- only the last bucket can lack vectors: up to the last full one all are full.
+-- Reads:  visited, buckets
 -- A row:  one cell outside the support in one full bucket.
 SELECT
-  vector.channel_id AS channel_id,
-  vector.bucket_no AS bucket_no,
-  vector.cell_key AS cell_key,
-  CAST(COUNT(*) AS BIGINT) AS visits,
-  MIN(vector.time) AS first_time,
-  MAX(vector.time) AS last_time
-FROM kept AS vector
-JOIN buckets AS full_bucket
-  ON full_bucket.channel_id = vector.channel_id AND full_bucket.bucket_no = vector.bucket_no
-WHERE vector.novel = 1
-GROUP BY vector.channel_id, vector.bucket_no, vector.cell_key
+  visit.channel_id AS channel_id,
+  visit.bucket_no AS bucket_no,
+  visit.novel_cell AS cell_key,
+  visit.visits AS visits,
+  visit.first_time AS first_time,
+  visit.last_time AS last_time
+FROM visited AS visit
+JOIN (
+  SELECT channel_id, MAX(bucket_no) AS last_bucket
+  FROM buckets
+  GROUP BY channel_id
+) AS full_until ON full_until.channel_id = visit.channel_id
+WHERE visit.novel_cell IS NOT NULL AND visit.bucket_no <= full_until.last_bucket

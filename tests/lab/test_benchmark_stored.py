@@ -104,7 +104,7 @@ def test_stored_and_exact_hold_the_same_integers(tmp_path: Path) -> None:
     assert seconds["calibrate"] + seconds["score"] < seconds["stored"]
     for name in ("stored", "score"):
         assert case[f"{name}_over_exact"] == pytest.approx(seconds[name] / seconds["exact"], abs=1e-3)
-    assert {"identified", "kept", "writing"} <= case["score_steps"].keys()
+    assert {"identified", "visited", "writing"} <= case["score_steps"].keys()
     assert {"visits", "writing"} <= case["calibrate_steps"].keys()
 
 

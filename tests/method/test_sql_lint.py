@@ -12,7 +12,7 @@ from sqlglot import exp
 
 import gam_db
 import sql_lint
-from gam_db import template
+from gam_db import streaming, template
 from gam_db.checking.steps import add_look
 from gam_db.clock import TimeKind
 from gam_db.engines.duckdb import ENGINE
@@ -37,6 +37,7 @@ from gam_db.stored.steps import (
 )
 from gam_db.stored.sums import first_rows, matching_steps
 from gam_db.stored.tables import StateTables
+from gam_db.study import Study
 from harness import arrow
 from sql_lint import Kind
 from strategies import Row
@@ -648,6 +649,16 @@ def loading() -> Iterator[set[str]]:
         yield loaded
 
 
+def stream_once() -> None:
+    """Read a channel in the order in which it is stored."""
+    table = pa.table({"time": range(streaming.STREAMED_FROM), "value": [1.5] * streaming.STREAMED_FROM})
+    with DuckSession() as session, session.lent(table) as lent:
+        source = Source(lent.name, None, None)
+        study = Study(session, source, gam_db.Parameters(), CALIBRATIONS[0], streams=True)
+        study.table("bucket_health")
+        assert study.is_streamed
+
+
 def test_every_file_is_used() -> None:
     """A file that no form loads would be checked, shipped and read for nothing."""
     with loading() as loaded:
@@ -663,6 +674,7 @@ def test_every_file_is_used() -> None:
             made.cache_clear()
         scoring_steps(Setting(3, 1, 100, 5000, 100, None, False), TimeKind.COUNTER, trusting=True)
         watch_once()
+        stream_once()
         gam_db.check(gam_db.Source(pa.table({"time": [1], "value": [2.5], "more": ["3"]}), None, None))
         Package(source, gam_db.Parameters(), gam_db.Calibration(intervals=[(0, 9)])).files()
     assert set(NAMES) - loaded == set()

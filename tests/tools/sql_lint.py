@@ -743,12 +743,13 @@ def groups_by_all(checked: Checked) -> Iterator[exp.Expr]:
 
 
 def inner_orders(checked: Checked) -> Iterator[exp.Expr]:
-    """ORDER BY stands in windows and at the very end.
+    """ORDER BY stands in windows, at the very end, and where a LIMIT takes the first of the rows.
 
     Cause: a subquery is a set. Symptom: T-SQL refuses it, other engines drop it.
     """
     for order in checked.every(exp.Order):
-        if isinstance(order.parent, exp.Query) and order.parent is not checked.tree:
+        query = order.parent
+        if isinstance(query, exp.Query) and query is not checked.tree and not query.args.get("limit"):
             yield order
 
 

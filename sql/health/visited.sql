@@ -1,0 +1,33 @@
+-- Visited: where the machine was in each bucket: the novel cells one by one, all else in the row without a
+-- cell. What buckets and novel cells need of the scored vectors is read off these few rows. A vector that
+-- is neither novel nor the first or last of its bucket changes none of them, and is dropped before.
+-- Reads:  placed
+-- A row:  one novel cell in one bucket, or NULL for its other vectors; closing = 1 if the bucket ends in it.
+-- Slots:  :stride    vectors per bucket
+--         :carried   columns that travel with the vector
+--         :needed    what else makes a vector stay
+--         :gathered  what is made of the carried columns
+SELECT
+  channel_id,
+  bucket_no,
+  novel_cell,
+  CAST(COUNT(*) AS BIGINT) AS visits,
+  MIN(kept.time) AS first_time,
+  MAX(kept.time) AS last_time,
+  CAST(SUM(kept.out_of_range) AS BIGINT) AS out_of_range,
+  MAX(kept.closing) AS closing,
+  :gathered
+FROM (
+  SELECT
+    channel_id,
+    CAST(FLOOR((CAST(number AS DOUBLE) - CAST(5e-1 AS DOUBLE)) / CAST(:stride AS DOUBLE)) AS BIGINT)
+      AS bucket_no,
+    time,
+    CASE WHEN novel = 1 THEN cell_key END AS novel_cell,
+    out_of_range,
+    CASE WHEN number % :stride = 0 THEN 1 ELSE 0 END AS closing,
+    :carried
+  FROM placed
+  WHERE novel = 1 OR number % :stride = 0 OR (number - 1) % :stride = 0 OR :needed
+) AS kept
+GROUP BY channel_id, bucket_no, novel_cell

@@ -1,0 +1,21 @@
+-- Placed, in stored order: the scored vectors of one channel with number and novelty (Eq. 4); see
+-- streams/vectors.sql.
+-- Reads:  support_bits, streamed, the vectors of the channel from its run-up on
+-- A row:  one scored vector; doubled = 1 if it is not later than the one before.
+-- Slots:  :channel_id, :support_id
+--         :before   samples before the first scored vector
+--         :is_held  1 if the cell of the vector is in the support's bits; NULL of an empty support
+SELECT
+  CAST(:channel_id AS INTEGER) AS channel_id,
+  time,
+  position - :before AS number,
+  cell_key,
+  CASE WHEN :is_held = 1 THEN 0 ELSE 1 END AS novel,
+  out_of_range,
+  astray AS doubled
+FROM streamed
+CROSS JOIN (
+  SELECT MAX(held.bits) AS bits
+  FROM support_bits AS held
+  WHERE support_id = :support_id
+) AS healthy

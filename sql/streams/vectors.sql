@@ -1,0 +1,43 @@
+-- Vectors in stored order: v(t) (Eq. 1) of one channel, whose rows come by time as they are stored, so that
+-- nothing is sorted or joined: LAG without an order follows the rows. For DuckDB. Proof: the step ordered
+-- found the channel in one piece and growing, and astray = 1 marks here what is not later than the row
+-- before; one such mark, and all is done again by embedding/vectors.sql.
+-- Reads:  readings
+-- A row:  one vector, at the time of its newest sample, or a row that is astray.
+-- Slots:  :asset, :channel  the names of the channel
+--         :lo, :hi          its calibrated range. Not joined: a join hands on small pieces of rows late.
+--         :time_from, :time_to  the instants that are read
+--         :code      the expression of support/code.sql
+--         :delayed   code_1 ... code_(m-1), the delayed codes
+--         :span      (m-1) * tau, the samples between oldest and newest
+--         :cell_key  the mixed-radix integer of the coordinates
+--         :outside   a coordinate lies outside the calibrated range
+SELECT
+  time,
+  :cell_key AS cell_key,
+  CASE WHEN :outside THEN 1 ELSE 0 END AS out_of_range,
+  position,
+  CASE WHEN time <= previous_time THEN 1 ELSE 0 END AS astray
+FROM (
+  SELECT
+    time,
+    code AS code_0,
+    :delayed,
+    LAG(time, 1) OVER () AS previous_time,
+    CAST(ROW_NUMBER() OVER () AS BIGINT) AS position
+  FROM (
+    SELECT time, :code AS code
+    FROM (
+      SELECT
+        reading.time AS time,
+        reading.reading AS value,
+        :lo AS lo,
+        :hi AS hi
+      FROM readings AS reading
+      WHERE reading.asset = :asset
+        AND reading.channel = :channel
+        AND reading.time BETWEEN :time_from AND :time_to
+    ) AS ranged
+  ) AS coded
+) AS embedded
+WHERE position > :span OR time <= previous_time
