@@ -155,7 +155,8 @@ class Streams:
             for row in members:
                 piece = pieces[row["channel_id"]]
                 vectors = self._vectors(row, number, bounds, piece["time_from"], piece["time_to"])
-                learnable.append(self._over("learnable", vectors, {"channel_id": row["channel_id"]}))
+                slots: Slots = {"channel_id": row["channel_id"]}
+                learnable.append(_over("streams/learnable", slots, "streamed", vectors))
             step = method.named("learnable", number)
             self._replace(step, _stacked(learnable))
             running.keep(step)
@@ -170,9 +171,7 @@ class Streams:
         assert bits is not None
         channels = self._channels()
         for number, setting in enumerate(method.settings):
-            held, placed, visited = (
-                method.named(step, number) for step in ("support_bits", "placed", "visited")
-            )
+            held, visited = (method.named(step, number) for step in ("support_bits", "visited"))
             cells = bits.gathered(exp.column("cell_key"), setting.radix**setting.m)
             gathered = filled("streams/support_bits", {"bits": cells})
             running.keep(method.named("support", number))
@@ -204,10 +203,10 @@ class Streams:
                     "is_held": bits.held(exp.column("bits"), exp.column("cell_key")),
                 }
                 vectors = self._vectors(row, number, bounds, read_from, FAR_AHEAD)
-                scored.append(self._over("placed", vectors, slots))
-            self._replace(placed, _stacked(scored), {"support_bits": held})
-            grouped = filled("health/visited", visited_slots(setting, trusting=True))
-            self._replace(visited, grouped, {"placed": placed})
+                placed = _over("streams/placed", slots, "streamed", vectors)
+                grouped = visited_slots(setting, trusting=True)
+                scored.append(_over("health/visited", grouped, "placed", placed))
+            self._replace(visited, _stacked(scored), {"support_bits": held})
             running.keep(visited)
             if self._is_astray(visited, "doubled"):
                 return False
@@ -230,13 +229,6 @@ class Streams:
         read: Slots = {"time_from": time_from, "time_to": time_to}
         said = {**_names(row), **_range(bounds[row["channel_id"]]), **read, **slots}
         return filled("streams/vectors", said)
-
-    def _over(self, file: str, vectors: exp.Query, slots: Slots) -> exp.Query:
-        """Return a file of one channel over its vectors."""
-        query = filled(f"streams/{file}", slots)
-        (streamed,) = (table for table in query.find_all(exp.Table) if table.name == "streamed")
-        streamed.replace(vectors.subquery("streamed"))
-        return query
 
     def _each(self, file: str, slots: Mapping[int, Slots], number: int = 0) -> dict[int, Row]:
         """Ask the same of each channel, in one statement; return the answers by channel."""
@@ -262,6 +254,14 @@ class Streams:
         for step in self._sorting.values():
             self.running.steps.put(step)
         self.running.forget(but=("names", "readings", "channels"))
+
+
+def _over(path: str, slots: Slots, name: str, rows: exp.Query) -> exp.Query:
+    """Return a file of ``sql/`` that reads the rows of a query where it has a name for them."""
+    query = filled(path, slots)
+    (read,) = (table for table in query.find_all(exp.Table) if table.name == name)
+    read.replace(rows.subquery(name))
+    return query
 
 
 def _names(row: Row) -> Slots:
