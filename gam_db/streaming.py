@@ -6,13 +6,14 @@ calibration samples. What does not hold costs time, never a number: the study go
 sort.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import pyarrow as pa
 from sqlglot import exp
 
 from gam_db import template
+from gam_db.bits import Bits
 from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.method import Method
 from gam_db.method.scoring import visited_slots
@@ -26,8 +27,8 @@ GLANCE = 10_000
 #: Readings of a channel, on the average, from which on a part of a statement for each is worth its time.
 STREAMED_FROM = 50_000
 
-#: Channels of one statement, and cells of a grid that are kept as bits.
-MOST_CHANNELS, MOST_CELLS = 256, 2**25
+#: Channels of one statement.
+MOST_CHANNELS = 256
 
 #: The steps that streams give: the vectors of calibration, and the scored ones, grouped.
 LEARNING, SCORING = "learnable", "visited"
@@ -41,23 +42,21 @@ def seems_ordered(method: Method, running: Running) -> bool:
 
     If so, *names* will prove it of all of them.
     """
-    if running.session.engine.bits is None or not _is_plain(method):
+    bits = running.session.engine.bits
+    if bits is None or not _is_plain(method, bits):
         return False
-    names = ("asset", "channel")
-    first = exp.select(*names).from_("readings").limit(GLANCE)
-    running.steps.add("glance", exp.select(*names).from_(first.subquery("first")).group_by(*names))
-    query = running.steps.query("glance", running.placed)
-    if running.session.fetch(query).num_rows > 2:
+    if running.session.fetch(running.query("glance")).num_rows > 2:
         return False
-    running.steps.replace("names", filled("streams/ordered"))
+    running.keep("ordered")
+    running.put("names", exp.select("*").from_(running.placed["ordered"].copy()))
     return True
 
 
-def _is_plain(method: Method) -> bool:
+def _is_plain(method: Method, bits: Bits) -> bool:
     """Tell whether no segment ends, and calibration is one interval: what streams serve."""
     whole = ((LONG_AGO, FAR_AHEAD),)
     has_bits = all(
-        method.is_short(number) and setting.radix**setting.m <= MOST_CELLS
+        method.is_short(number) and bits.serve(setting.radix**setting.m)
         for number, setting in enumerate(method.settings)
     )
     return has_bits and all(
@@ -85,9 +84,9 @@ class Streams:
         """Tell whether a step was given."""
         return bool(self._done)
 
-    @staticmethod
-    def serve(names: Sequence[Row]) -> bool:
+    def serve(self) -> bool:
         """Tell whether all channels are in order, none lacks a sample, and they are long enough."""
+        names = self.running.table("ordered").to_pylist()
         return (
             0 < len(names) <= MOST_CHANNELS
             and sum(row["readings"] for row in names) >= STREAMED_FROM * len(names)
@@ -172,10 +171,6 @@ class Streams:
         channels = self._channels()
         for number, setting in enumerate(method.settings):
             held, visited = (method.named(step, number) for step in ("support_bits", "visited"))
-            cells = bits.gathered(exp.column("cell_key"), setting.radix**setting.m)
-            gathered = filled("streams/support_bits", {"bits": cells})
-            running.keep(method.named("support", number))
-            self.running.steps.add(held, gathered, tables={"support": method.named("support", number)})
             running.keep(held)
             bounds = self._bounds(number)
             members = [row for row in channels if row["channel_id"] in bounds]
@@ -253,7 +248,7 @@ class Streams:
         """Let the study begin anew with the steps that sort."""
         for step in self._sorting.values():
             self.running.steps.put(step)
-        self.running.forget(but=("names", "readings", "channels"))
+        self.running.forget(but=("names", "ordered", "readings", "channels"))
 
 
 def _over(path: str, slots: Slots, name: str, rows: exp.Query) -> exp.Query:

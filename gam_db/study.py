@@ -6,11 +6,13 @@ This module owns the order of work: look at the source, resolve what was asked, 
 import dataclasses
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db import look, template
+from gam_db import look, streaming, template
+from gam_db.bits import Bits
 from gam_db.calibration import Calibration
 from gam_db.engines.base import Engine
 from gam_db.engines.session import Session
@@ -52,7 +54,7 @@ class Study:
         strict: bool = True,
         streams: bool = False,
     ) -> None:
-        self.session = session
+        self.session, self._named = session, source.relation
         self._is_lent = not isinstance(source.relation, (str, Path, tuple, list))
         self.relation = relation = session.relation(source.relation)
         self.columns = columns = session.describe(relation)
@@ -62,17 +64,24 @@ class Study:
         kind = look.kind_of(self.source, columns, session)
         self.method = Method(parameters, calibration, kind)
         unread = dataclasses.replace(self.source, relation=None)  # the node counts
-        self.steps = _filled(self.method, unread, relation, session.engine).copied()
-        if is_file(source.relation) and not str(source.relation).lower().endswith((".parquet", ".pq")):
-            # Text is parsed once, not once per step.
-            self.steps.small |= {"readings"}
-        self.running = Running(session, self.steps, on_step=on_step)
+        asked = (self.method, unread, relation, session.engine)
+        bits = session.engine.bits
+        steps = self._steps(*asked) if bits is None else self._steps(*asked, streaming.GLANCE)
+        self.running = Running(session, steps, on_step=on_step)
         is_tried = streams and seems_ordered(self.method, self.running)
         self._streams = Streams(self.method, self.running) if is_tried else None
         names = self._looked()
         (look.check_rows if strict else look.check_clock)(names)
-        if self._streams is not None and not self._streams.serve(names.to_pylist()):
+        has_room = bits is not None and self._has_room(bits, names.num_rows)
+        if self._streams is not None and not (has_room and self._streams.serve()):
             self._streams = None
+        if bits is not None and not has_room:
+            self.running.steps = self._steps(*asked)
+
+    @property
+    def steps(self) -> Pipeline:
+        """The steps of the study."""
+        return self.running.steps
 
     @property
     def is_streamed(self) -> bool:
@@ -105,6 +114,19 @@ class Study:
         if self._is_lent and isinstance(self.relation, exp.Table):
             self.session.forget(self.relation)
 
+    def _steps(self, *asked: Any) -> Pipeline:
+        """Return steps of the study's own; text is parsed once, not once per step."""
+        steps = _filled(*asked).copied()
+        path = str(self._named).lower()
+        if is_file(self._named) and not path.endswith((".parquet", ".pq")):
+            steps.small |= {"readings"}
+        return steps
+
+    def _has_room(self, bits: Bits, channels: int) -> bool:
+        """Tell whether the supports of so many channels may be kept as bits."""
+        grids = (setting.radix**setting.m for setting in self.method.settings)
+        return all(bits.serve(cells, channels) for cells in grids)
+
     def _prepare(self, step: str) -> None:
         if self._streams is not None:
             self._streams.prepare(step)
@@ -115,7 +137,9 @@ class Study:
 
 
 @lru_cache(maxsize=LATELY)
-def _filled(method: Method, source: AnySource, relation: exp.Expr, engine: Engine) -> Pipeline:
+def _filled(
+    method: Method, source: AnySource, relation: exp.Expr, engine: Engine, glance: int = 0
+) -> Pipeline:
     """Return the steps of a method, which nobody may add to; asked again, the same ones.
 
     Args:
@@ -123,7 +147,8 @@ def _filled(method: Method, source: AnySource, relation: exp.Expr, engine: Engin
         source: how the relation is read; its own relation does not matter.
         relation: the node to read from.
         engine: knows the way from the source's time to integers, and back.
+        glance: keep supports as bits, as the engine does it, and look at so many rows first; 0: do not.
     """
-    kind = method.kind
+    kind, bits = method.kind, engine.bits if glance else None
     rows = readings(source, relation, lambda node: engine.micros_of(kind, node))
-    return pipeline(method, rows, lambda node: engine.instant_of(kind, node))
+    return pipeline(method, rows, lambda node: engine.instant_of(kind, node), bits, glance)

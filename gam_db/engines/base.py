@@ -12,6 +12,7 @@ from sqlglot.dialects.dialect import Dialect
 from sqlglot.errors import ErrorLevel, UnsupportedError
 
 from gam_db import template
+from gam_db.bits import Bits
 from gam_db.clock import TimeKind
 from gam_db.engines.storage import Addition, Definition, added_with_statements, with_statements
 from gam_db.errors import EngineError
@@ -27,19 +28,6 @@ _LATELY: dict[tuple[str, int], str] = {}
 def table_as(table: exp.Table, query: exp.Query) -> exp.Create:
     """Return CREATE TABLE ... AS, with nothing said of its storage."""
     return exp.Create(this=table, kind="TABLE", expression=query)
-
-
-@dataclass(frozen=True)
-class Bits:
-    """How an engine that hands out rows as they are stored keeps a set of numbers as one value.
-
-    Attributes:
-        gathered: an aggregate of a column of integers from 0 on, below a bound.
-        held: 1 if such a value holds a number, else 0.
-    """
-
-    gathered: Callable[[exp.Expr, int], exp.Expr]
-    held: Callable[[exp.Expr, exp.Expr], exp.Expr]
 
 
 @dataclass(frozen=True)

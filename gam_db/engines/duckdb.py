@@ -3,8 +3,9 @@
 from sqlglot import exp
 
 from gam_db import template
+from gam_db.bits import Bits
 from gam_db.clock import TimeKind
-from gam_db.engines.base import Bits, Engine, called, counter
+from gam_db.engines.base import Engine, called, counter
 
 _NANOSECONDS = (TimeKind.NANOSECONDS, TimeKind.NANOSECONDS_WITH_ZONE)
 

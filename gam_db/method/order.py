@@ -3,11 +3,18 @@
 from sqlglot import exp
 
 from gam_db import template
+from gam_db.bits import Bits
 from gam_db.method.adding import add, join_sets
 from gam_db.method.calibration import add_calibration
 from gam_db.method.certificate import add_certificate
 from gam_db.method.resolved import Method
-from gam_db.method.scoring import add_bucket_counts, add_buckets, add_run_up, add_scoring
+from gam_db.method.scoring import (
+    add_bucket_counts,
+    add_buckets,
+    add_run_up,
+    add_scoring,
+    add_support_bits,
+)
 from gam_db.method.source import add_source
 from gam_db.pipeline import Pipeline
 from gam_db.source import TimeNode
@@ -28,26 +35,39 @@ _JOINED_CERTIFICATE = (
 )
 
 
-def pipeline(method: Method, readings: exp.Query, instant_of: TimeNode) -> Pipeline:
+def pipeline(
+    method: Method,
+    readings: exp.Query,
+    instant_of: TimeNode,
+    bits: Bits | None = None,
+    glance: int = 0,
+) -> Pipeline:
     """Return all steps of the method over the given readings.
 
     Args:
         method: what the user asked for.
         readings: the step *readings*.
         instant_of: turns integer time into what the source has, for the last steps.
+        bits: for an engine that keeps a support as bits.
+        glance: rows that are looked at to guess in which order channels are stored, by the step of that
+            name; the step *ordered* proves it. 0: there are no such steps.
 
     The last steps are *health_indicator* (a row per scored vector), *bucket_health* (a row per full
     bucket), *novel_cells*, *support_summary* (a row per channel) and *certificate* (a row per block).
     """
     steps = Pipeline(small=frozenset(method.small()))
     steps.add("readings", readings, template.load("source/readings").comment)
+    if glance:
+        add(steps, "streams/glance", {"rows": glance})
+        add(steps, "streams/ordered")
     add_source(steps, method)
     numbers = range(len(method.settings))
     for number in numbers:
         add_calibration(steps, method, number)
-        add_scoring(steps, method, number)
+        add_support_bits(steps, method, number, bits)
+        add_scoring(steps, method, number, bits)
         add_run_up(steps, method, number)
-        add_buckets(steps, method, number)
+        add_buckets(steps, method, number, bits=bits)
         add_bucket_counts(steps, method, number)
         add_certificate(steps, method, number)
     join_sets(steps, method, (*_JOINED_HEALTH, *_JOINED_BUCKETS, *_JOINED_CERTIFICATE))

@@ -16,7 +16,7 @@ SMALL = frozenset(
 )
 SMALL_OF_SET = frozenset(
     (
-        *("breaks", "bounds", "support", "visits", "block_sizes", "cells", "blocks"),
+        *("breaks", "bounds", "support", "support_bits", "visits", "block_sizes", "cells", "blocks"),
         *("cell_shares", "learning", "levels", "ladder", "spread", "finest", "outlook"),
         *("missing_vectors", "run_up", "visited", "buckets"),
     )

@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from sqlglot import exp
 
 from gam_db import template
+from gam_db.bits import Bits
 from gam_db.method.adding import add_of_set
 from gam_db.method.resolved import Method
 from gam_db.method.vectors import add_short_vectors, add_vectors, code_of
@@ -12,17 +13,43 @@ from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline, union_of
 
 
-def add_scoring(steps: Pipeline, method: Method, number: int) -> None:
+def add_support_bits(steps: Pipeline, method: Method, number: int, bits: Bits | None) -> None:
+    """Add the support of one set as bits, where the engine keeps it so and its grid is small enough."""
+    setting = method.settings[number]
+    if bits is not None and bits.serve(setting.radix**setting.m):
+        cells = bits.gathered(exp.column("cell_key"), setting.radix**setting.m)
+        add_of_set(steps, method, number, "support/support_bits", {"bits": cells})
+
+
+def _add_novelty(
+    steps: Pipeline,
+    method: Method,
+    number: int,
+    carried: Sequence[exp.Expr],
+    bits: Bits | None,
+    prefix: str = "",
+) -> None:
+    """Add Eq. 4 over *monitored* of a prefix, by the support as bits where there is one."""
+    slots: dict[str, template.Slot] = {"carried": carried}
+    file, setting = "score/novelty", method.settings[number]
+    if bits is not None and bits.serve(setting.radix**setting.m):
+        held = (exp.column("bits", table="healthy"), exp.column("cell_key", table="vector"))
+        file, slots["is_held"] = "score/novelty_bits", bits.held(*held)
+    renamed = {"monitored": f"{prefix}monitored"}
+    add_of_set(steps, method, number, file, slots, f"{prefix}novelty", renamed)
+
+
+def add_scoring(steps: Pipeline, method: Method, number: int, bits: Bits | None = None) -> None:
     """Add Eq. 4 and the running counts of Eq. 2 of one set, a row per scored vector."""
-    add_numbered(steps, method, number)
+    add_numbered(steps, method, number, bits)
     add_of_set(steps, method, number, "health/window_counts", {"window": method.settings[number].window})
 
 
-def add_numbered(steps: Pipeline, method: Method, number: int) -> None:
+def add_numbered(steps: Pipeline, method: Method, number: int, bits: Bits | None = None) -> None:
     """Add Eq. 4 of one set by the complete form of its vectors."""
     add_vectors(steps, method, number, "", exp.true())
     add_of_set(steps, method, number, "score/monitored")
-    add_of_set(steps, method, number, "score/novelty", {"carried": [_carried("straddling")]})
+    _add_novelty(steps, method, number, [_carried("straddling")], bits)
     add_of_set(steps, method, number, "health/numbered")
 
 
@@ -37,6 +64,7 @@ def add_buckets(
     number: int,
     ends: Mapping[str, str] | None = None,
     trusting: bool = False,
+    bits: Bits | None = None,
 ) -> None:
     """Add Eq. 4 of one set in full buckets, and the novel cells of each.
 
@@ -52,13 +80,14 @@ def add_buckets(
         ends: columns of the vector that ends a bucket, and what they are called in *visited*; they
             travel with all vectors and cost time, so there are none unless asked for.
         trusting: see above.
+        bits: for an engine that keeps a support as bits.
     """
     ends = ends or {}
     if trusting:
-        add_complete_scoring(steps, method, number, ("doubled",))
+        add_complete_scoring(steps, method, number, ("doubled",), bits)
         parts = ["complete_novelty"]
     elif method.is_short(number):
-        add_short_scoring(steps, method, number)
+        add_short_scoring(steps, method, number, bits)
         parts = ["complete_novelty", "incomplete_numbered"]
     else:
         parts = ["numbered"]
@@ -106,36 +135,36 @@ def add_bucket_counts(
     add_of_set(steps, method, number, "health/bucket_counts", slots, tables=tables)
 
 
-def add_short_scoring(steps: Pipeline, method: Method, number: int) -> None:
+def add_short_scoring(steps: Pipeline, method: Method, number: int, bits: Bits | None = None) -> None:
     """Add the short form of Eq. 1 and Eq. 4, apart for channels with and without missing samples."""
-    add_complete_scoring(steps, method, number)
+    add_complete_scoring(steps, method, number, bits=bits)
     prefix = "incomplete_"
     _add_short_vectors(steps, method, number, prefix)
-    renamed = {name: f"{prefix}{name}" for name in ("vectors", "monitored", "novelty")}
+    renamed = {name: f"{prefix}{name}" for name in ("vectors", "novelty")}
     unasked = exp.alias_(exp.cast(exp.null(), "INT"), "straddling")
-    for path, slots in (
-        ("score/monitored_short", None),
-        ("score/novelty", {"carried": [unasked]}),
-        ("health/numbered", None),
-    ):
-        name = f"{prefix}{path.rpartition('/')[2].removesuffix('_short')}"
-        add_of_set(steps, method, number, path, slots, name, renamed)
+    add_of_set(steps, method, number, "score/monitored_short", None, f"{prefix}monitored", renamed)
+    _add_novelty(steps, method, number, [unasked], bits, prefix)
+    add_of_set(steps, method, number, "health/numbered", None, f"{prefix}numbered", renamed)
 
 
 def add_complete_scoring(
-    steps: Pipeline, method: Method, number: int, marks: Sequence[str] = ()
+    steps: Pipeline,
+    method: Method,
+    number: int,
+    marks: Sequence[str] = (),
+    bits: Bits | None = None,
 ) -> None:
     """Add the short form of Eq. 1 and Eq. 4 for channels without missing samples, with their marks."""
     prefix = "complete_"
     _add_short_vectors(steps, method, number, prefix, "doubled" in marks)
-    renamed = {name: f"{prefix}{name}" for name in ("vectors", "monitored")}
+    renamed = {"vectors": f"{prefix}vectors"}
     slots: dict[str, template.Slot] = {
         "span": method.settings[number].span,
         "carried": [_carried(mark) for mark in marks],
     }
     add_of_set(steps, method, number, "score/monitored_complete", slots, f"{prefix}monitored", renamed)
     carried = [_carried(name) for name in ("number", *marks)]
-    add_of_set(steps, method, number, "score/novelty", {"carried": carried}, f"{prefix}novelty", renamed)
+    _add_novelty(steps, method, number, carried, bits, prefix)
 
 
 def _add_short_vectors(

@@ -16,6 +16,7 @@ import comparisons
 import gam_db
 import harness
 from gam_db import streaming
+from gam_db.bits import Bits
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.study import Study
 from harness import Answer, Row
@@ -123,6 +124,27 @@ def test_what_streams_do_not_serve_is_sorted(connection: duckdb.DuckDBPyConnecti
     agrees(found, rows(), *method)
 
 
+def test_supports_that_have_no_room_as_bits_are_looked_up_cell_by_cell(
+    connection: duckdb.DuckDBPyConnection, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    method = harness.made(*SERVED["delays"])
+    stored(connection, rows())
+    steps: dict[bool, list[str]] = {}
+    for has_room in (True, False):
+        monkeypatch.setattr(Bits, "serve", lambda bits, cells, supports=1, yes=has_room: yes)
+        with DuckSession(connection) as session:
+            study = Study(session, gam_db.Source("telemetry"), *method)
+            agrees(
+                {name: study.table(harness.STEPS[name]).to_pylist() for name in QUESTIONS},
+                rows(),
+                *method,
+            )
+            steps[has_room] = list(study.running.placed)
+            study.forget()
+    assert "support_bits" in steps[True]
+    assert "support_bits" not in steps[False]
+
+
 def swapped(table: list[Row]) -> list[Row]:
     return [*table[:1000], table[1001], table[1000], *table[1002:]]
 
@@ -166,7 +188,7 @@ def test_the_vectors_themselves_show_a_wrong_proof(
 ) -> None:
     """Where the glance and the proof are passed over, what is computed says so itself."""
     monkeypatch.setattr(streaming, "GLANCE", 1)
-    monkeypatch.setattr(streaming.Streams, "serve", staticmethod(lambda names: True))
+    monkeypatch.setattr(streaming.Streams, "serve", lambda streams: True)
     table, method = dirt(rows()), harness.made(*SERVED["delays"])
     stored(connection, table)
     found, is_streamed = answers(connection, *method)

@@ -21,7 +21,7 @@ LAYERS = [
     ["errors", "version"],
     ["address", "clock", "extras", "langevin"],
     ["parameters", "calibration"],
-    ["template"],
+    ["bits", "template"],
     ["source", "pipeline"],
     ["method"],
     ["engines"],
