@@ -56,6 +56,29 @@ def keep_small_steps(tree: exp.Expr) -> exp.Expr:
     return tree
 
 
+def fence_windows(tree: exp.Expr) -> exp.Expr:
+    """Let what a window reads be computed before it, once.
+
+    Cause: a subquery or a WITH entry below a window is put in the place where it is read. Symptom: the
+    code of a sample is computed once for each delay, and the sort carries the row that it is made of.
+    A view is left alone: a fence would keep its reader's condition from the rows.
+    """
+    if isinstance(tree, exp.Create) and tree.kind == "VIEW":
+        return tree
+    entries = {entry.alias: entry for entry in tree.find_all(exp.CTE)}
+    for select in tree.find_all(exp.Select):
+        source = select.args.get("from_")
+        windows = (found for one in select.selects for found in one.find_all(exp.Window))
+        if source is None or not any(window.parent_select is select for window in windows):
+            continue
+        entry = entries.get(source.this.name) if isinstance(source.this, exp.Table) else source.this
+        is_kept = isinstance(entry, exp.CTE) and entry.args.get("materialized")
+        read = entry.this if isinstance(entry, (exp.CTE, exp.Subquery)) and not is_kept else None
+        if isinstance(read, exp.Query) and not (read.args.get("limit") or read.args.get("offset")):
+            read.set("offset", exp.Offset(expression=exp.Literal.number(0)))
+    return tree
+
+
 def define(definition: Definition) -> list[exp.Expr]:
     """Return the definition with an index on its key, and texts that are compared by their bytes."""
     create, *comments = with_statements(definition)
@@ -82,5 +105,5 @@ ENGINE = Engine(
     instant_of=instant_of,
     define=define,
     flow_hint=True,
-    rewrites=(compare_by_bytes, keep_small_steps),
+    rewrites=(compare_by_bytes, keep_small_steps, fence_windows),
 )
