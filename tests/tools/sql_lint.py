@@ -43,6 +43,8 @@ CASTS = {
     exp.DataType.Type.DOUBLE: Kind.DOUBLE,
     **dict.fromkeys(exp.DataType.TEXT_TYPES, Kind.OTHER),
 }
+#: Functions of one engine, which it has put into a slot.
+OWN = {"BITSTRING_AGG": Kind.OTHER, "GET_BIT": Kind.NARROW}
 _COUNTS = (exp.Count, exp.RowNumber, exp.Rank, exp.DenseRank)
 _AGGREGATES = (exp.Sum, exp.Min, exp.Max, exp.Count, exp.Avg)
 _COMPARISONS = (exp.EQ, exp.NEQ, exp.LT, exp.LTE, exp.GT, exp.GTE, exp.Between)
@@ -176,6 +178,8 @@ def _kind(node: exp.Expr, of: Mapping[int, Kind], scope: list[tuple[str, Columns
         return _joint([of[id(node.this)], *(of[id(other)] for other in node.expressions)])
     if isinstance(node, (*_PASSED_ON, exp.Alias)):
         return of[id(node.this)]
+    if isinstance(node, exp.Anonymous) and node.name in OWN:
+        return OWN[node.name]
     if isinstance(node, (exp.Placeholder, exp.Func)):
         return Kind.OTHER if isinstance(node, exp.Predicate) else Kind.UNKNOWN
     return Kind.OTHER
