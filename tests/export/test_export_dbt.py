@@ -103,6 +103,7 @@ ONLY_STORED = {
 }
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("calibration", "gap"),
     [

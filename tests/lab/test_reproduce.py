@@ -132,6 +132,7 @@ def test_recordings_of_machines_that_failed(tmp_path: Path) -> None:
     assert "1 channels (2 series" in " ".join(shown.stdout.split()), shown.stderr
 
 
+@pytest.mark.thorough
 def test_sensitivity_in_small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for name, few in (("DIMENSIONS", (2, 5)), ("DELAYS", (1, 50)), ("ROBOTS", 4)):
         monkeypatch.setattr(sensitivity, name, few)

@@ -216,6 +216,7 @@ def differing(monitor: Monitor) -> list[dict[str, Any]]:
     return found
 
 
+@pytest.mark.thorough
 def test_whatever_is_wrong_in_a_table_is_found() -> None:
     find_all("duckdb")
 

@@ -329,6 +329,7 @@ def at_once(
     return refused
 
 
+@pytest.mark.thorough
 def test_of_three_runs_at_once_one_counts_and_no_hidden_row_stays(
     connection: duckdb.DuckDBPyConnection, expected: list[Any]
 ) -> None:

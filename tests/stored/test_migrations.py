@@ -106,6 +106,7 @@ def test_from_an_older_state(session: DuckSession, monkeypatch: pytest.MonkeyPat
     require(session, STATE)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("migration", files(), ids=ALL)
 def test_cut_short_before_the_record(session: DuckSession, migration: Migration) -> None:
     """An engine without transactions: the statement was executed, the record was not written."""

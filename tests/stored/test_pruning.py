@@ -90,6 +90,7 @@ def staying(versions: list[Version], retention: dict[str, Any], most: int) -> St
     return buckets, novel
 
 
+@pytest.mark.thorough
 @given(data=st.data())
 @settings(max_examples=12)
 def test_what_is_young_or_needed_stays_and_nothing_else(

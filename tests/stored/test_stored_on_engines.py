@@ -43,6 +43,7 @@ def play(session: Session, table: exp.Table, monitor: Monitor, told: History) ->
                 monitor.score(on_step=crashing(number), **options)
 
 
+@pytest.mark.thorough
 def test_any_history_ends_in_the_tables_of_one_full_run(engine: str) -> None:
     @settings(max_examples=EXAMPLES[engine])
     @given(kind=st.sampled_from(KINDS), seed=st.integers(0, 2**32))

@@ -158,6 +158,7 @@ def steps_of_a_run(plant: Plant) -> list[str]:
     return steps
 
 
+@pytest.mark.thorough
 def test_a_repair_inside_a_run_is_not_lost(plant: Plant) -> None:
     """Each kind of repair at every third step, or at three steps; all at all are in the full set."""
     steps = ["looking at the source", "past_buckets", "writing"]
