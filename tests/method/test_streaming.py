@@ -23,9 +23,6 @@ from harness import Answer, Row
 
 LENGTH = 240
 
-#: What follows from the vectors in buckets; the other answer has a row per vector.
-QUESTIONS = ("health_at_buckets", "support", "certificate")
-
 #: name -> keyword arguments of Parameters and of Calibration that streams serve
 SERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "delays": ({"m": 3, "tau": 2, "bins": 4, "window": 20, "stride": 5}, {"fraction": 0.4}),
@@ -35,6 +32,10 @@ SERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "short calibration": ({"m": 4, "tau": 4, "bins": 3, "window": 6}, {"fraction": 0.02}),
     "no calibration": ({"m": 2, "bins": 3, "window": 6}, {"intervals": [(900, 950)]}),
     "a pool": ({"m": 2, "bins": 4, "window": 8, "stride": 4}, {"fraction": 0.3, "pool": "channel"}),
+    "a pool of which one has no calibration": (
+        {"m": 2, "bins": 4, "window": 8, "stride": 4},
+        {"fraction": 0.3, "pool": "channel", "overrides": {"b": None}},
+    ),
     "two sets": (
         {"m": 3, "bins": 4, "window": 8, "stride": 2, "overrides": [{"asset": "b", "m": 1, "bins": 6}]},
         {"fraction": 0.3, "overrides": {"c": {"duration": 60}}},
@@ -63,10 +64,10 @@ def connection() -> Iterator[duckdb.DuckDBPyConnection]:
         yield connection
 
 
-def rows(assets: str = "abc", start: int = 0) -> list[Row]:
+def rows(assets: str = "abc") -> list[Row]:
     """Channels that repeat a pattern, and later on less so; one of them never moves."""
     return [
-        (asset, channel, start + 2 * time, 0.0 if asset + channel == "cy" else value(number, time))
+        (asset, channel, 2 * time, 0.0 if asset + channel == "cy" else value(number, time))
         for number, asset in enumerate(assets)
         for channel in "xy"
         for time in range(LENGTH)
@@ -77,10 +78,10 @@ def value(number: int, time: int) -> float:
     return float(time % (5 + number) if time < 150 or time % 7 else time % 11) - 0.25
 
 
-def stored(connection: duckdb.DuckDBPyConnection, table: list[Row], name: str = "telemetry") -> None:
+def stored(connection: duckdb.DuckDBPyConnection, table: list[Row]) -> None:
     """Store rows in their order."""
     connection.register("arriving", harness.arrow(table))
-    connection.execute(f"CREATE TABLE {name} AS SELECT * FROM arriving")
+    connection.execute("CREATE TABLE telemetry AS SELECT * FROM arriving")
     connection.unregister("arriving")
 
 
@@ -90,7 +91,7 @@ def answers(
     """Return what a study answers, and whether by streams."""
     with DuckSession(connection) as session:
         study = Study(session, gam_db.Source(relation), parameters, calibration, streams=True)
-        found = {question: study.table(harness.STEPS[question]).to_pylist() for question in QUESTIONS}
+        found = {question: study.table(step).to_pylist() for question, step in harness.STEPS.items()}
         novel = study.table("novel_cells").num_rows
         study.forget()
     assert novel or not any(row["novel"] for row in found["health_at_buckets"])
@@ -99,7 +100,7 @@ def answers(
 
 def agrees(found: dict[str, Answer], table: list[Row], parameters: Any, calibration: Any) -> None:
     expected = harness.all_by_reference(table, parameters, calibration)
-    for question in QUESTIONS:
+    for question in harness.STEPS:
         harness.assert_same(expected[question], found[question], question)
     comparisons.compared("duckdb", "streams", table, parameters, calibration)
 
@@ -135,7 +136,7 @@ def test_supports_that_have_no_room_as_bits_are_looked_up_cell_by_cell(
         with DuckSession(connection) as session:
             study = Study(session, gam_db.Source("telemetry"), *method)
             agrees(
-                {name: study.table(harness.STEPS[name]).to_pylist() for name in QUESTIONS},
+                {name: study.table(step).to_pylist() for name, step in harness.STEPS.items()},
                 rows(),
                 *method,
             )
