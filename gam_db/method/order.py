@@ -16,7 +16,7 @@ from gam_db.method.scoring import (
     add_support_bits,
 )
 from gam_db.method.source import add_source
-from gam_db.pipeline import Pipeline
+from gam_db.pipeline import Pipeline, filled
 from gam_db.source import TimeNode
 
 #: Steps whose sets are put under one another.
@@ -59,7 +59,10 @@ def pipeline(
     steps.add("readings", readings, template.load("source/readings").comment)
     if glance:
         add(steps, "streams/glance", {"rows": glance})
-        add(steps, "streams/ordered")
+        add(steps, "streams/as_stored")
+        proof = exp.alias_(template.fill("streams/in_order"), "in_order")
+        names = filled("source/names").select(proof, copy=False)
+        steps.add("ordered", names, "Ordered: names, with the proof.", {"readings": "as_stored"})
     add_source(steps, method)
     numbers = range(len(method.settings))
     for number in numbers:
