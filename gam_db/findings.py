@@ -112,12 +112,13 @@ def findings(study: Study) -> list[Finding]:
     Raises:
         UserError: the source cannot be used.
     """
+    buckets = study.table("bucket_health")  # first: what it proves of the samples serves the rest
     support = study.table("support_summary").to_pylist()
     settings = {
         (row["asset"], row["channel"]): study.method.settings[row["settings_no"]]
         for row in study.table("channels").to_pylist()
     }
-    courses = _courses(study.table("bucket_health"), settings)
+    courses = _courses(buckets, settings)
     found = []
     for row in support:
         name = (row["asset"], row["channel"])

@@ -104,7 +104,7 @@ def _table(
 ) -> pa.Table:
     with borrowed(engine) as session:
         asked = (parameters or Parameters(), calibration or Calibration())
-        study = Study(session, source, *asked, streams=True)
+        study = Study(session, source, *asked, short_cuts=True)
         try:
             return study.table(step)
         finally:

@@ -4,7 +4,7 @@ This module owns the two layouts and turns a source into the step *readings*. It
 """
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -181,6 +181,11 @@ def parsed_condition(where: str | exp.Expr | None) -> exp.Expr:
     if isinstance(parsed, exp.Star) or parsed.find(exp.Placeholder, exp.Parameter):
         raise refusal
     return exp.Paren(this=parsed)
+
+
+def under(source: AnySource, *conditions: exp.Expr) -> AnySource:
+    """Return a source under conditions on its own columns, beside the user's."""
+    return replace(source, where=exp.and_(parsed_condition(source.where), *conditions))
 
 
 def is_file(relation: object) -> bool:

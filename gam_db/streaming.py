@@ -80,9 +80,9 @@ class Streams:
         self._done: set[str] = set()
 
     @property
-    def has_begun(self) -> bool:
-        """Tell whether a step was given."""
-        return bool(self._done)
+    def holds_so_far(self) -> bool:
+        """Tell whether a step was given, and nothing spoke against it."""
+        return self.holds and bool(self._done)
 
     def serve(self) -> bool:
         """Tell whether all channels are in order, none lacks a sample, and they are long enough."""

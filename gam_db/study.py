@@ -4,24 +4,25 @@ This module owns the order of work: look at the source, resolve what was asked, 
 """
 
 import dataclasses
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
-from typing import Any
 
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db import look, streaming, template
+from gam_db import look, streaming, template, trusting
 from gam_db.bits import Bits
 from gam_db.calibration import Calibration
 from gam_db.engines.base import Engine
 from gam_db.engines.session import Session
-from gam_db.method import Method, pipeline
+from gam_db.method import Method, pipeline, trusting_pipeline
+from gam_db.method.census import Slicing
 from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline
 from gam_db.running import Listener, Running, unheard
-from gam_db.source import AnySource, is_file, parsed_condition, readings
+from gam_db.source import AnySource, is_file, parsed_condition, readings, under
 from gam_db.streaming import Streams, seems_ordered
+from gam_db.trusting import Trust
 
 #: Studies whose filled and composed steps are kept; each has a few thousand nodes of trees.
 LATELY = 16
@@ -37,8 +38,9 @@ class Study:
         on_step: called with the name of each step before it is run.
         strict: refuse a source with rows that belong nowhere; else the step *names* counts them, and
             they are left out of all that follows.
-        streams: read channels that are stored in order of time in that order
-            (:mod:`gam_db.streaming`); not for who changes what the steps read.
+        short_cuts: read channels that are stored in order of time in that order
+            (:mod:`gam_db.streaming`), and take it on trust that no instant occurs twice
+            (:mod:`gam_db.trusting`); not for who changes what the steps read.
 
     Raises:
         UserError: anything of the source, the parameters or the calibration that cannot be used.
@@ -52,7 +54,7 @@ class Study:
         calibration: Calibration,
         on_step: Listener = unheard,
         strict: bool = True,
-        streams: bool = False,
+        short_cuts: bool = False,
     ) -> None:
         self.session, self._named = session, source.relation
         self._is_lent = not isinstance(source.relation, (str, Path, tuple, list))
@@ -64,19 +66,25 @@ class Study:
         kind = look.kind_of(self.source, columns, session)
         self.method = Method(parameters, calibration, kind)
         unread = dataclasses.replace(self.source, relation=None)  # the node counts
-        asked = (self.method, unread, relation, session.engine)
-        bits = session.engine.bits
-        steps = self._steps(*asked) if bits is None else self._steps(*asked, streaming.GLANCE)
-        self.running = Running(session, steps, on_step=on_step)
-        is_tried = streams and seems_ordered(self.method, self.running)
-        self._streams = Streams(self.method, self.running) if is_tried else None
+        self._asked = (self.method, unread, relation, session.engine)
+        self.running = Running(session, self._steps(session.engine.bits), on_step=on_step)
+        is_streamed = short_cuts and seems_ordered(self.method, self.running)
+        slicing = None
+        if short_cuts and not is_streamed and trusting.serves(self.method):
+            slicing = trusting.sliced(self.running)
+            self.running.steps = self._steps(session.engine.bits, slicing)
         names = self._looked()
         (look.check_rows if strict else look.check_clock)(names)
-        has_room = bits is not None and self._has_room(bits, names.num_rows)
-        if self._streams is not None and not (has_room and self._streams.serve()):
-            self._streams = None
-        if bits is not None and not has_room:
-            self.running.steps = self._steps(*asked)
+        bits = self._bits_for(names.num_rows)
+        if bits is None:
+            self.running.steps = self._steps(None, slicing)
+        self._short_cut: Streams | Trust | None = None
+        if is_streamed and bits is not None and (streams := Streams(self.method, self.running)).serve():
+            self._short_cut = streams
+        elif slicing is not None:
+            self._short_cut = Trust(
+                self.method, self.running, partial(self._steps, bits), self._readings
+            )
 
     @property
     def steps(self) -> Pipeline:
@@ -86,7 +94,12 @@ class Study:
     @property
     def is_streamed(self) -> bool:
         """Tell whether vectors were made of channels as they are stored."""
-        return self._streams is not None and self._streams.holds and self._streams.has_begun
+        return isinstance(self._short_cut, Streams) and self._short_cut.holds_so_far
+
+    @property
+    def is_trusting(self) -> bool:
+        """Tell whether it was taken on trust, and proven since, that no instant occurs twice."""
+        return isinstance(self._short_cut, Trust) and self._short_cut.holds_so_far
 
     def table(self, step: str) -> pa.Table:
         """Return the rows of a step; the small steps before it are kept for the next call."""
@@ -114,22 +127,30 @@ class Study:
         if self._is_lent and isinstance(self.relation, exp.Table):
             self.session.forget(self.relation)
 
-    def _steps(self, *asked: Any) -> Pipeline:
+    def _steps(self, bits: Bits | None, slicing: Slicing | None = None) -> Pipeline:
         """Return steps of the study's own; text is parsed once, not once per step."""
-        steps = _filled(*asked).copied()
+        steps = _filled(*self._asked, streaming.GLANCE if bits else 0, slicing).copied()
         path = str(self._named).lower()
         if is_file(self._named) and not path.endswith((".parquet", ".pq")):
             steps.small |= {"readings"}
         return steps
 
-    def _has_room(self, bits: Bits, channels: int) -> bool:
-        """Tell whether the supports of so many channels may be kept as bits."""
+    def _bits_for(self, channels: int) -> Bits | None:
+        """Return how the engine keeps supports as bits, where those of so many channels have room."""
+        bits = self.session.engine.bits
         grids = (setting.radix**setting.m for setting in self.method.settings)
-        return all(bits.serve(cells, channels) for cells in grids)
+        return bits if bits and all(bits.serve(cells, channels) for cells in grids) else None
 
     def _prepare(self, step: str) -> None:
-        if self._streams is not None:
-            self._streams.prepare(step)
+        if self._short_cut is not None:
+            self._short_cut.prepare(step)
+
+    def _readings(self, earliest: int, latest: int) -> exp.Query:
+        """Return the step *readings* for a range of time, with bounds that an index can serve."""
+        _, source, relation, engine = self._asked
+        time, kind = template.column(source.time), self.method.kind
+        conditions = engine.in_range(kind, time, earliest, latest)
+        return readings(under(source, *conditions), relation, lambda node: engine.micros_of(kind, node))
 
     def _looked(self) -> pa.Table:
         self.running.keep("names")
@@ -138,7 +159,12 @@ class Study:
 
 @lru_cache(maxsize=LATELY)
 def _filled(
-    method: Method, source: AnySource, relation: exp.Expr, engine: Engine, glance: int = 0
+    method: Method,
+    source: AnySource,
+    relation: exp.Expr,
+    engine: Engine,
+    glance: int,
+    slicing: Slicing | None = None,
 ) -> Pipeline:
     """Return the steps of a method, which nobody may add to; asked again, the same ones.
 
@@ -148,7 +174,11 @@ def _filled(
         relation: the node to read from.
         engine: knows the way from the source's time to integers, and back.
         glance: keep supports as bits, as the engine does it, and look at so many rows first; 0: do not.
+        slicing: how times are cut, for the steps that trust; None for those that look first.
     """
     kind, bits = method.kind, engine.bits if glance else None
     rows = readings(source, relation, lambda node: engine.micros_of(kind, node))
-    return pipeline(method, rows, lambda node: engine.instant_of(kind, node), bits, glance)
+    said = method, rows, lambda node: engine.instant_of(kind, node)
+    if slicing is not None:
+        return trusting_pipeline(*said, slicing, bits)
+    return pipeline(*said, bits, glance)

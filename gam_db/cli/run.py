@@ -212,7 +212,7 @@ def open_job(
     parameters, calibration = settings.method()
     columns = session.describe(session.relation(relation))
     guessed = guess(relation, columns, settings.source, session)
-    study = Study(session, guessed.source, parameters, calibration, on_step=on_step, streams=True)
+    study = Study(session, guessed.source, parameters, calibration, on_step=on_step, short_cuts=True)
     file = None if settings.file is None else str(settings.file)
     return report.Job(name, guessed, parameters, calibration, file), study
 

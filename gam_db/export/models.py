@@ -5,7 +5,6 @@ the state tables that the stored form keeps, and the same columns as far as they
 one version, so it goes by the channel's number.
 """
 
-import dataclasses
 import hashlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -26,7 +25,7 @@ from gam_db.method.calibration import add_calibration
 from gam_db.method.certificate import add_certificate
 from gam_db.method.source import add_rules
 from gam_db.pipeline import Pipeline, filled, union_of
-from gam_db.source import AnySource, parsed_condition, readings
+from gam_db.source import AnySource, readings, under
 from gam_db.stored.calibrating import method_hash
 from gam_db.stored.sources import described
 from gam_db.stored.steps import DAY, KEPT, Setting, add_counting
@@ -155,8 +154,7 @@ class Modelled:
 
     def readings(self, *conditions: exp.Expr) -> exp.Query:
         """Return the step *readings* under conditions on the source's own columns."""
-        condition = exp.and_(parsed_condition(self.source.where), *conditions)
-        source = dataclasses.replace(self.source, where=condition)
+        source = under(self.source, *conditions)
         return readings(source, _SOURCE_NODE, lambda node: self.engine.micros_of(self.kind, node))
 
     def instant(self, time: exp.Expr) -> exp.Expr:

@@ -6,6 +6,7 @@ from gam_db import template
 from gam_db.bits import Bits
 from gam_db.method.adding import add, join_sets
 from gam_db.method.calibration import add_calibration
+from gam_db.method.census import KEPT, Slicing, add_census, add_census_set
 from gam_db.method.certificate import add_certificate
 from gam_db.method.resolved import Method
 from gam_db.method.scoring import (
@@ -57,6 +58,7 @@ def pipeline(
     """
     steps = Pipeline(small=frozenset(method.small()))
     steps.add("readings", readings, template.load("source/readings").comment)
+    add(steps, "census/extent")
     if glance:
         add(steps, "streams/glance", {"rows": glance})
         add(steps, "streams/as_stored")
@@ -78,9 +80,40 @@ def pipeline(
     return steps
 
 
+def trusting_pipeline(
+    method: Method,
+    readings: exp.Query,
+    instant_of: TimeNode,
+    slicing: Slicing,
+    bits: Bits | None = None,
+) -> Pipeline:
+    """Return the steps that take it on trust that no instant occurs twice (:mod:`gam_db.method.census`).
+
+    Arguments as for :func:`pipeline`; ``slicing`` is how the times of the readings are cut. Of the last
+    steps *health_indicator* is not among them.
+    """
+    steps = Pipeline(small=frozenset(method.small() | KEPT | _learnt(method)))
+    steps.add("readings", readings, template.load("source/readings").comment)
+    add_census(steps, method, slicing)
+    for number in range(len(method.settings)):
+        add_census_set(steps, method, number, bits)
+    join_sets(steps, method, (*_JOINED_BUCKETS, *_JOINED_CERTIFICATE))
+    _add_summaries(steps, instant_of)
+    return steps
+
+
+def _learnt(method: Method) -> set[str]:
+    """Return the steps of all sets that hold vectors of calibration."""
+    return {method.named("learnable", number) for number in range(len(method.settings))}
+
+
 def add_results(steps: Pipeline, instant_of: TimeNode) -> None:
     """Add the last steps: names and instants instead of integers, and the only divisions."""
     add(steps, "health/health_indicator", {"time": instant_of(_counted("time"))})
+    _add_summaries(steps, instant_of)
+
+
+def _add_summaries(steps: Pipeline, instant_of: TimeNode) -> None:
     edges = {name: instant_of(_counted(name)) for name in ("first_time", "last_time")}
     add(steps, "health/bucket_health", edges)
     add(steps, "certificate/verdicts")

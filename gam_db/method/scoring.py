@@ -50,12 +50,15 @@ def add_numbered(steps: Pipeline, method: Method, number: int, bits: Bits | None
     add_vectors(steps, method, number, "", exp.true())
     add_of_set(steps, method, number, "score/monitored")
     _add_novelty(steps, method, number, [_carried("straddling")], bits)
-    add_of_set(steps, method, number, "health/numbered")
+    add_of_set(steps, method, number, "health/numbered", {"carried": []})
 
 
-def add_run_up(steps: Pipeline, method: Method, number: int) -> None:
+def add_run_up(
+    steps: Pipeline, method: Method, number: int, tables: Mapping[str, str] | None = None
+) -> None:
     """Add from where on the channels of one set are read to be scored."""
-    add_of_set(steps, method, number, "score/run_up", {"span": method.settings[number].span})
+    slots = {"span": method.settings[number].span}
+    add_of_set(steps, method, number, "score/run_up", slots, tables=tables)
 
 
 def add_buckets(
@@ -70,8 +73,8 @@ def add_buckets(
 
     Where no segment ends and every channel is scored from the end of its calibration on, the short
     form of the vectors gives the same buckets from half the columns; else *numbered* is read. A
-    ``trusting`` run, for short forms only, serves channels of which no sample is missing, and takes it
-    that no instant occurs twice; *visited* holds what is ``doubled`` as well, the proof to the contrary.
+    ``trusting`` run, for short forms only, takes it that no instant occurs twice; *visited* then has a
+    column ``doubled``, the proof to the contrary.
 
     Args:
         steps: of the method.
@@ -83,17 +86,14 @@ def add_buckets(
         bits: for an engine that keeps a support as bits.
     """
     ends = ends or {}
-    if trusting:
-        add_complete_scoring(steps, method, number, ("doubled",), bits)
-        parts = ["complete_novelty"]
-    elif method.is_short(number):
-        add_short_scoring(steps, method, number, bits)
+    marks = ("doubled",) if trusting else ()
+    if method.is_short(number):
+        _add_complete_scoring(steps, method, number, marks, bits)
+        _add_incomplete_scoring(steps, method, number, marks, bits)
         parts = ["complete_novelty", "incomplete_numbered"]
     else:
         parts = ["numbered"]
-    columns = ("channel_id", "time", "number", "cell_key", "novel", "out_of_range", *ends)
-    if trusting:
-        columns = (*columns, "doubled")
+    columns = ("channel_id", "time", "number", "cell_key", "novel", "out_of_range", *ends, *marks)
     steps.add(
         method.named("placed", number),
         union_of(steps, [method.named(part, number) for part in parts], columns),
@@ -135,28 +135,12 @@ def add_bucket_counts(
     add_of_set(steps, method, number, "health/bucket_counts", slots, tables=tables)
 
 
-def add_short_scoring(steps: Pipeline, method: Method, number: int, bits: Bits | None = None) -> None:
-    """Add the short form of Eq. 1 and Eq. 4, apart for channels with and without missing samples."""
-    add_complete_scoring(steps, method, number, bits=bits)
-    prefix = "incomplete_"
-    _add_short_vectors(steps, method, number, prefix)
-    renamed = {name: f"{prefix}{name}" for name in ("vectors", "novelty")}
-    unasked = exp.alias_(exp.cast(exp.null(), "INT"), "straddling")
-    add_of_set(steps, method, number, "score/monitored_short", None, f"{prefix}monitored", renamed)
-    _add_novelty(steps, method, number, [unasked], bits, prefix)
-    add_of_set(steps, method, number, "health/numbered", None, f"{prefix}numbered", renamed)
-
-
-def add_complete_scoring(
-    steps: Pipeline,
-    method: Method,
-    number: int,
-    marks: Sequence[str] = (),
-    bits: Bits | None = None,
+def _add_complete_scoring(
+    steps: Pipeline, method: Method, number: int, marks: Sequence[str], bits: Bits | None
 ) -> None:
     """Add the short form of Eq. 1 and Eq. 4 for channels without missing samples, with their marks."""
     prefix = "complete_"
-    _add_short_vectors(steps, method, number, prefix, "doubled" in marks)
+    _add_short_vectors(steps, method, number, prefix, bool(marks))
     renamed = {"vectors": f"{prefix}vectors"}
     slots: dict[str, template.Slot] = {
         "span": method.settings[number].span,
@@ -165,6 +149,26 @@ def add_complete_scoring(
     add_of_set(steps, method, number, "score/monitored_complete", slots, f"{prefix}monitored", renamed)
     carried = [_carried(name) for name in ("number", *marks)]
     _add_novelty(steps, method, number, carried, bits, prefix)
+
+
+def _add_incomplete_scoring(
+    steps: Pipeline, method: Method, number: int, marks: Sequence[str], bits: Bits | None
+) -> None:
+    """Add the same for channels with missing samples, whose vectors must be numbered one by one."""
+    prefix = "incomplete_"
+    _add_short_vectors(steps, method, number, prefix, bool(marks))
+    renamed = {name: f"{prefix}{name}" for name in ("vectors", "novelty")}
+    counted: exp.Expr = template.fill("score/counted")
+    for mark in marks:
+        marked = exp.EQ(this=exp.column(mark, table="vector"), expression=exp.Literal.number(1))
+        counted = exp.or_(counted, marked)
+    carried = [_carried(mark) for mark in marks]
+    slots: dict[str, template.Slot] = {"carried": carried, "counted": counted}
+    add_of_set(steps, method, number, "score/monitored_short", slots, f"{prefix}monitored", renamed)
+    unasked = exp.alias_(exp.cast(exp.null(), "INT"), "straddling")
+    _add_novelty(steps, method, number, [unasked, *carried], bits, prefix)
+    said: dict[str, template.Slot] = {"carried": [exp.column(mark) for mark in marks]}
+    add_of_set(steps, method, number, "health/numbered", said, f"{prefix}numbered", renamed)
 
 
 def _add_short_vectors(

@@ -15,6 +15,16 @@ def add_source(steps: Pipeline, method: Method) -> None:
     """Add what speaks of whole channels: names, samples, calibration intervals (sections 2 and 4)."""
     add(steps, "source/names")
     add_rules(steps, method)
+    add_channels(steps, method)
+    add(steps, "source/identified", {"read": exp.true()})
+    for name in ("timeline", "collapsed", "samples", "recounted", "series"):
+        add(steps, f"source/{name}")
+    add_intervals(steps)
+    add(steps, "calibration/calibrated")
+
+
+def add_channels(steps: Pipeline, method: Method) -> None:
+    """Add the channels, each with the numbers of its parameters, its rule and its pool."""
     add(
         steps,
         "source/channels",
@@ -44,12 +54,12 @@ def add_source(steps: Pipeline, method: Method) -> None:
             ),
         },
     )
-    add(steps, "source/identified", {"read": exp.true()})
-    for name in ("timeline", "collapsed", "samples", "recounted", "series"):
-        add(steps, f"source/{name}")
+
+
+def add_intervals(steps: Pipeline) -> None:
+    """Add when calibration begins and ends, after the step *series* (section 4)."""
     add(steps, "calibration/limits", {"long_ago": LONG_AGO})
     add(steps, "calibration/calibration")
-    add(steps, "calibration/calibrated")
 
 
 def add_rules(steps: Pipeline, method: Method) -> None:

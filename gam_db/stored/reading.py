@@ -4,7 +4,6 @@ This module owns the conditions on the source's own columns, and the table that 
 which channels are read from where on.
 """
 
-import dataclasses
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -15,7 +14,7 @@ from gam_db import look, template
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.engines.session import Session
 from gam_db.pipeline import Pipeline
-from gam_db.source import AnySource, parsed_condition, readings
+from gam_db.source import AnySource, parsed_condition, readings, under
 from gam_db.stored.planning import Row
 from gam_db.stored.state import State
 from gam_db.stored.steps import plan_steps, searched_plan_steps
@@ -84,8 +83,7 @@ class Reader:
         return self._under([exp.Is(this=template.column(self._source.time), expression=exp.null())])
 
     def _under(self, conditions: Sequence[exp.Expr]) -> exp.Query:
-        condition = exp.and_(parsed_condition(self._source.where), *conditions)
-        source = dataclasses.replace(self._source, where=condition)
+        source = under(self._source, *conditions)
         return readings(source, self._relation, lambda node: self._engine.micros_of(self.kind, node))
 
 

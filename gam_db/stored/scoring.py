@@ -6,7 +6,7 @@ that are now hidden go in the same. It counts only if nobody else wrote meanwhil
 (:mod:`gam_db.stored.publishing`).
 """
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import pyarrow as pa
@@ -166,10 +166,9 @@ class _Run:
                 continue
             self._verify(cohort)
             limit = wanted.limit or self.session.rows_at_once()
-            whole = {(row["asset"], row["channel"]) for row in names if not row["missing_readings"]}
             for group in portions(cohort.channels, counts, limit):
-                trusted, rest = self._trusted(group, counts, whole)
-                rest += self._score(trusted, cohort, True)
+                trusts = self._trusts(group, counts)
+                rest = self._score(group, cohort, True) if trusts else group
                 self._score(rest, cohort, False)
         self.report.parked = len(parked)
         self.report.undated = self._undated()
@@ -251,19 +250,10 @@ class _Run:
             elif (row["asset"], row["channel"]) not in known and row["readings"]:
                 self.report.strangers[row["asset"], row["channel"]] = row["readings"]
 
-    def _trusted(
-        self,
-        group: list[Row],
-        counts: Mapping[tuple[str, str], int],
-        whole: Collection[tuple[str, str]],
-    ) -> tuple[list[Row], list[Row]]:
-        """Part the channels of a group: to be scored on trust are many rows, none of them missing."""
-        if not can_trust(setting_of(group[0]), self.reader.kind):
-            return [], group
-        trusted = [row for row in group if (row["asset"], row["channel"]) in whole]
-        if sum(counts[row["asset"], row["channel"]] for row in trusted) < TRUSTED_FROM:
-            return [], group
-        return trusted, [row for row in group if (row["asset"], row["channel"]) not in whole]
+    def _trusts(self, group: Sequence[Row], counts: Mapping[tuple[str, str], int]) -> bool:
+        """Tell whether a group is to be scored on trust: it has many rows."""
+        rows = sum(counts.get((row["asset"], row["channel"]), 0) for row in group)
+        return rows >= TRUSTED_FROM and can_trust(setting_of(group[0]), self.reader.kind)
 
     def _score(self, group: list[Row], cohort: Cohort, trusting: bool) -> list[Row]:
         """Score channels of one setting, and publish them; return those that did not deserve trust."""

@@ -1,6 +1,7 @@
 -- Numbered: the scored vectors of a channel in order, from 1, with the novel ones counted on.
 -- Reads:  novelty
 -- A row:  one scored vector.
+-- Slots:  :carried  columns that travel with the vector
 SELECT
   channel_id,
   time,
@@ -15,5 +16,6 @@ SELECT
     SUM(novel) OVER (
       PARTITION BY channel_id ORDER BY time ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
     ) AS BIGINT
-  ) AS novel_so_far
+  ) AS novel_so_far,
+  :carried
 FROM novelty

@@ -2,6 +2,8 @@
 -- the end of calibration on. No such vector is one of calibration; which straddle is not asked.
 -- Reads:  vectors, bounds
 -- A row:  one vector.
+-- Slots:  :carried  columns that travel with the vector
+--         :counted  whether it is such a vector
 SELECT
   vector.channel_id AS channel_id,
   scale.support_id AS support_id,
@@ -9,7 +11,8 @@ SELECT
   vector.cell_key AS cell_key,
   vector.out_of_range AS out_of_range,
   vector.position AS position,
-  vector.context_time AS context_time
+  vector.context_time AS context_time,
+  :carried
 FROM vectors AS vector
 JOIN bounds AS scale ON scale.channel_id = vector.channel_id
-WHERE vector.cell_key IS NOT NULL AND vector.time >= scale.first_scored
+WHERE :counted

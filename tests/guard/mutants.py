@@ -36,7 +36,7 @@ LIST = Path(__file__).with_name("mutants.txt")
 #: The folders of ``sql/`` of which every file has a mutant.
 FOLDERS = (
     *("source", "support", "embedding", "score", "health", "calibration", "certificate", "stored"),
-    "streams",
+    *("streams", "census"),
 )
 
 #: Seconds after which a run is stopped: a mutant that never ends is caught, too.
@@ -44,7 +44,7 @@ LONGEST = 600
 
 #: Files of tests in the order in which they run; after a bracket, only those
 #: of a file whose names hold a word.
-_METHOD = ("test_spec", "test_agreement", "test_streaming")
+_METHOD = ("test_spec", "test_agreement", "test_streaming", "test_trusting")
 _STORED = (
     *("test_learnt", "test_outside_the_contract", "test_fleet", "test_incremental", "test_planning"),
     *("test_pruning", "test_status", "test_visible", "test_faults", "test_copying", "test_migrations"),
@@ -55,6 +55,7 @@ _STORED = (
 _ABOUT = {
     "source/names": "test_learnt",
     "streams/*": "test_streaming",
+    "census/*": "test_trusting",
     "certificate/*": "test_spec[certificate",
     "stored/doomed_*": "test_pruning",
     "stored/aged_buckets": "test_pruning",

@@ -18,7 +18,8 @@ from gam_db.clock import TimeKind
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.export import Package
-from gam_db.method import Method, pipeline
+from gam_db.method import Method, pipeline, trusting_pipeline
+from gam_db.method.census import Slicing
 from gam_db.selection.budget import add_budget, add_results
 from gam_db.selection.lags import add_delays, add_samples
 from gam_db.selection.neighbours import add_dimensions, add_embedding
@@ -513,6 +514,14 @@ def steps(
     return [(step.name, step.query) for step in made.steps.values()]
 
 
+def trusting_steps(source: Source | WideSource) -> list[tuple[str, exp.Query]]:
+    """The same of the form that takes it on trust that no instant occurs twice."""
+    method = Method(PARAMETERS[0], CALIBRATIONS[0], TimeKind.COUNTER)
+    rows = readings(source, exp.to_table("telemetry"), lambda node: node)
+    made = trusting_pipeline(method, rows, lambda node: node, Slicing.of(-7, 900))
+    return [(step.name, step.query) for step in made.steps.values()]
+
+
 SOURCES: list[Source | WideSource] = [
     Source("telemetry"),
     WideSource("telemetry", channels=["value", "torque"], asset=None),
@@ -569,6 +578,7 @@ def found_in(made: list[tuple[str, exp.Query]]) -> set[tuple[str, str, str]]:
 def test_filled_queries_break_no_rule(number: int) -> None:
     """As the files, with slots filled and every kind known: what Python puts in is checked, too."""
     found = found_in(steps(*PIPELINES[number]))
+    found |= found_in(trusting_steps(PIPELINES[number][2]))
     assert {place for place in found if place[:2] not in EXEMPT} == set()
     assert {place[:2] for place in found} == EXEMPT, "an exemption that nothing needs any more goes"
 
@@ -654,7 +664,7 @@ def stream_once() -> None:
     table = pa.table({"time": range(streaming.STREAMED_FROM), "value": [1.5] * streaming.STREAMED_FROM})
     with DuckSession() as session, session.lent(table) as lent:
         source = Source(lent.name, None, None)
-        study = Study(session, source, gam_db.Parameters(), CALIBRATIONS[0], streams=True)
+        study = Study(session, source, gam_db.Parameters(), CALIBRATIONS[0], short_cuts=True)
         study.table("bucket_health")
         assert study.is_streamed
 
@@ -664,6 +674,7 @@ def test_every_file_is_used() -> None:
     with loading() as loaded:
         for arguments in PIPELINES:
             steps(*arguments)
+        trusting_steps(SOURCES[0])
         selection_steps()
         source = Source("telemetry", time_kind="counter")
         for form, engine in (("exact", "sqlite"), ("view", "duckdb")):

@@ -90,7 +90,7 @@ def answers(
 ) -> tuple[dict[str, Answer], bool]:
     """Return what a study answers, and whether by streams."""
     with DuckSession(connection) as session:
-        study = Study(session, gam_db.Source(relation), parameters, calibration, streams=True)
+        study = Study(session, gam_db.Source(relation), parameters, calibration, short_cuts=True)
         found = {question: study.table(step).to_pylist() for question, step in harness.STEPS.items()}
         novel = study.table("novel_cells").num_rows
         study.forget()

@@ -26,7 +26,7 @@ LAYERS = [
     ["method"],
     ["engines"],
     ["look", "running", "connecting"],
-    ["script", "streaming"],
+    ["script", "streaming", "trusting"],
     ["study"],
     ["health", "checking", "findings", "selection"],
     ["stored"],

@@ -84,7 +84,7 @@ def _gam(session: Session, job: EngineJob) -> dict[str, Any]:
     """Compute the buckets in the engine, into a table of it."""
     steps = Steps()
     source = gam_db.Source(job.table("telemetry").name, time="t")
-    study = Study(session, source, PARAMETERS, CALIBRATION, on_step=steps.begin)
+    study = Study(session, source, PARAMETERS, CALIBRATION, on_step=steps.begin, short_cuts=True)
     query = study.running.query("bucket_health").copy()
     query.set("order", None)
     steps.begin("bucket_health")

@@ -1,0 +1,101 @@
+"""The census: the steps for a source of which it is taken on trust that no instant occurs twice.
+
+Where calibration ends, its range and the run-up are read off counts by slice of time, and a slice or
+two of samples; nothing is sorted for them. Every vector carries the mark of what would prove the trust
+wrong: *learnable* and *visited* hold ``doubled``. For methods that it :func:`serves`.
+"""
+
+from dataclasses import dataclass
+
+from sqlglot import exp
+
+from gam_db.bits import Bits
+from gam_db.clock import FAR_AHEAD, LONG_AGO
+from gam_db.method.adding import add, add_of_set
+from gam_db.method.certificate import add_judgement
+from gam_db.method.resolved import Method
+from gam_db.method.scoring import add_bucket_counts, add_buckets, add_run_up, add_support_bits
+from gam_db.method.source import add_channels, add_intervals, add_rules
+from gam_db.method.vectors import add_short_vectors, code_of
+from gam_db.pipeline import Pipeline, union_of
+
+#: Slices of the time range. With 30,000 channels that is a million rows; the samples of a slice or two
+#: are read again, which of evenly spaced ones are few.
+SLICES = 32
+
+#: Its own steps that are kept.
+KEPT = frozenset(("slices", "edges", "edge_samples"))
+
+#: The readings of each range, to be bounded by whoever knows it: no optimizer finds that by itself.
+EDGES, TAUGHT, SCORED = "edge_readings", "taught_readings", "scored_readings"
+
+
+@dataclass(frozen=True)
+class Slicing:
+    """How times are cut into slices: the earliest time of all, and the width of a slice."""
+
+    origin: int
+    width: int
+
+    @classmethod
+    def of(cls, earliest: int, latest: int) -> "Slicing":
+        """Return the slices of a range of time."""
+        return cls(earliest, (latest - earliest) // SLICES + 1)
+
+
+def serves(method: Method) -> bool:
+    """Tell whether no segment ends, and calibration is the first samples or one declared interval."""
+    whole = ((LONG_AGO, FAR_AHEAD),)
+    return all(method.is_short(number) for number in range(len(method.settings))) and all(
+        tuple(rule.allowed) == whole if rule.declared_end is None else len(rule.allowed) == 1
+        for rule in method.rules
+        if rule.allowed
+    )
+
+
+def add_census(steps: Pipeline, method: Method, slicing: Slicing) -> None:
+    """Add what speaks of whole channels, up to the range of calibration (method, sections 2 and 4)."""
+    add(steps, "census/slices", {"origin": slicing.origin, "width": slicing.width})
+    add(steps, "census/names")
+    add_rules(steps, method)
+    add_channels(steps, method)
+    reach = max(1, *(setting.span for setting in method.settings))
+    add(steps, "census/edges", {"reach": reach})
+    _add_identified(steps, "near_edges", EDGES)
+    add(steps, "census/edge_samples")
+    add(steps, "census/series")
+    add_intervals(steps)
+    add(steps, "census/calibrated")
+    _add_identified(steps, "taught_samples", TAUGHT)
+    add(steps, "source/identified", {"read": exp.true()})
+
+
+def add_census_set(steps: Pipeline, method: Method, number: int, bits: Bits | None) -> None:
+    """Add support, buckets and certificate of one set, after :func:`add_census`."""
+    setting = method.settings[number]
+    said = {"settings_no": number, "bins": setting.bins, "window": setting.window}
+    add(steps, "support/bounds", said, name=method.named("bounds", number))
+    taught = {"samples": "taught_samples"}
+    codes = {"code": code_of(setting)}
+    add_of_set(steps, method, number, "calibration/calibration_codes", codes, tables=taught)
+    add_short_vectors(steps, method, number, "calibration_", trusting=True)
+    vectors = {"vectors": "calibration_vectors"}
+    add_of_set(steps, method, number, "census/learnable", tables=vectors)
+    add_of_set(steps, method, number, "support/support")
+    add_support_bits(steps, method, number, bits)
+    add_run_up(steps, method, number, {"samples": "edge_samples"})
+    _add_identified(steps, method.named("samples", number), method.named(SCORED, number))
+    add_buckets(steps, method, number, trusting=True, bits=bits)
+    add_bucket_counts(steps, method, number)
+    add_judgement(steps, method, number)
+    add_of_set(steps, method, number, "census/known_codes", {"settings_no": number})
+    add_short_vectors(steps, method, number, "known_")
+    known = {"marked_vectors": "known_vectors"}
+    add_of_set(steps, method, number, "certificate/missing_vectors", tables=known)
+
+
+def _add_identified(steps: Pipeline, name: str, rows: str) -> None:
+    """Add the readings of a range of time, by the channel's number."""
+    columns = steps.steps["readings"].query.named_selects
+    steps.add(rows, union_of(steps, ["readings"], columns), "Readings: those of a range of time.")
+    add(steps, "source/identified", {"read": exp.true()}, name, {"readings": rows})

@@ -1,0 +1,119 @@
+"""Trust: a study takes it that no instant occurs twice, and finds out on the way whether that was right.
+
+This module owns when that is done (:mod:`gam_db.method.census` has the steps), and what proves it: each
+vector of calibration and each scored one is marked where it has the instant of the sample before it,
+and between them they hold every sample. One mark, and the study begins anew with the steps that look
+first; so it does for what is asked before there is a proof.
+"""
+
+from collections.abc import Callable
+
+from sqlglot import exp
+
+from gam_db.clock import FAR_AHEAD
+from gam_db.method import Method
+from gam_db.method.census import EDGES, SCORED, TAUGHT, Slicing, serves
+from gam_db.pipeline import Pipeline
+from gam_db.running import Running
+
+__all__ = ["Trust", "serves", "sliced"]
+
+#: Readings of a source from which on its steps are worth theirs.
+TRUSTED_FROM = 100_000
+
+
+def sliced(running: Running) -> Slicing | None:
+    """Return how the times of a source are cut into slices; None where it has few rows, or odd times."""
+    (extent,) = running.session.fetch(running.query("extent")).to_pylist()
+    edges = extent["earliest"], extent["latest"]
+    if extent["readings"] < TRUSTED_FROM or any(
+        edge is None or abs(edge) >= FAR_AHEAD for edge in edges
+    ):
+        return None
+    return Slicing.of(*edges)
+
+
+class Trust:
+    """The trust of a study whose *names* are counted.
+
+    Args:
+        method: of the study, one that is served.
+        running: its steps at work.
+        careful: gives the steps that look first.
+        between: makes the step *readings* for a range of time.
+    """
+
+    def __init__(
+        self,
+        method: Method,
+        running: Running,
+        careful: Callable[[], Pipeline],
+        between: Callable[[int, int], exp.Query],
+    ) -> None:
+        self.method, self.running, self._careful, self._between = method, running, careful, between
+        self.holds = True
+        self._is_proven = False
+        names = running.session.fetch(running.query("names")).to_pylist()
+        declared = [rule.allowed[0][0] for rule in method.rules if rule.declared_end is not None]
+        first = min((row["earliest"] for row in names if row["earliest"] is not None), default=0)
+        if any(first < start for start in declared):
+            self._give_up()
+
+    @property
+    def holds_so_far(self) -> bool:
+        """Tell whether a step was given, and nothing spoke against it."""
+        return self.holds and self._is_proven
+
+    def prepare(self, step: str) -> None:
+        """Prove what a step needs, or let the steps that look first serve it."""
+        steps = self.running.steps
+        if not self.holds or (self._is_proven and step in steps.steps):
+            return
+        if step in steps.steps:
+            needed = {one.name for one in steps.needed([step])}
+            if {self.method.named("visited", number) for number in self._sets} <= needed:
+                self._is_proven = self._proves()
+            if self._is_proven or "series" not in needed:
+                return
+        self._give_up()
+
+    @property
+    def _sets(self) -> range:
+        return range(len(self.method.settings))
+
+    def _proves(self) -> bool:
+        """Tell whether every sample is in a vector, and none is marked."""
+        self._bound(EDGES, "edges", "first_time", "last_time")
+        self._bound(TAUGHT, "calibration", "time_from", "time_to")
+        for number in self._sets:
+            bounds, learnable, run_up, visited, scored = (
+                self.method.named(step, number)
+                for step in ("bounds", "learnable", "run_up", "visited", SCORED)
+            )
+            if any(lo is None for lo in self.running.table(bounds)["lo"].to_pylist()):
+                return False
+            if self._is_doubled(learnable):
+                return False
+            self._bound(scored, run_up, "read_from")
+            if self._is_doubled(visited):
+                return False
+        return True
+
+    def _bound(self, rows: str, step: str, low: str, high: str | None = None) -> None:
+        """Let a step of readings be bounded by the least and greatest time of another one."""
+        self.running.keep(step)
+        said = [row for row in self.running.table(step).to_pylist() if row.get("is_edge", 1)]
+        if said:
+            latest = FAR_AHEAD if high is None else max(row[high] for row in said)
+            self.running.steps.replace(rows, self._between(min(row[low] for row in said), latest))
+
+    def _is_doubled(self, step: str) -> bool:
+        self.running.keep(step)
+        table = self.running.placed[step]
+        marked = exp.select(exp.Max(this=exp.column("doubled")).as_("marked")).from_(table.copy())
+        return bool(self.running.session.fetch(marked)["marked"][0].as_py())
+
+    def _give_up(self) -> None:
+        self.holds = False
+        self.running.forget(but=("names", "readings"))
+        self.running.steps = self._careful()
