@@ -106,6 +106,11 @@ class Study:
         self._prepare(step)
         return self.running.table(step)
 
+    def query(self, step: str) -> exp.Query:
+        """Return the query of a step, likewise; it must not be changed."""
+        self._prepare(step)
+        return self.running.query(step)
+
     def put(self, step: str, rows: pa.Table) -> None:
         """Add an Arrow table as a small step that later ones can read."""
         columns = [template.column(name) for name in rows.column_names]

@@ -69,7 +69,7 @@ def done(job: EngineJob) -> dict[str, Any]:
     with connect(job.address) as session:
         if job.task in PROGRAMS:
             _drop(session, job, job.task)
-        return alone.measured(lambda: work[job.task](session, job))
+        return alone.measured(lambda: work[job.task](session, job), session.engine.name)
 
 
 def _store(session: Session, job: EngineJob) -> dict[str, Any]:
@@ -85,7 +85,7 @@ def _gam(session: Session, job: EngineJob) -> dict[str, Any]:
     steps = Steps()
     source = gam_db.Source(job.table("telemetry").name, time="t")
     study = Study(session, source, PARAMETERS, CALIBRATION, on_step=steps.begin, short_cuts=True)
-    query = study.running.query("bucket_health").copy()
+    query = study.query("bucket_health").copy()
     query.set("order", None)
     steps.begin("bucket_health")
     _append(session, job.table("gam"), query, True)

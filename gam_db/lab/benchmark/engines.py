@@ -9,18 +9,22 @@ from typing import Any
 from gam_db.address import shown
 from gam_db.lab.benchmark import alone, inside
 from gam_db.lab.benchmark.engine_run import PROGRAMS, EngineJob
-from gam_db.lab.benchmark.measure import Listener, circumstances, median_steps, parameters, spread
+from gam_db.lab.benchmark.measure import Listener, circumstances, median_steps, parameters, ratio, spread
 
 MEANING = (
     "gam: from the raw table to the indicator at bucket ends, in a table of the engine; extract: rows "
     "out in order by the driver of gam-db, NumPy, buckets back in; floor: one window pass that looks "
     "back twice",
+    "processor: seconds of all threads (user and system), of a server on this machine and of Spark too; "
+    "least of the runs: what the ratios are made of; ratios of the median seconds stand beside",
     "seconds: median, least and most of the runs, from the open session to the results written; "
     "connecting and imports are not in it",
     "every run is a fresh process, and the three take turns; peak memory is that of Python's process, "
     "without a server or Spark's",
     "extract takes for granted that nothing is missing and no instant occurs twice; gam finds out",
 )
+
+RATIOS = {"gam_over_floor": ("gam", "floor"), "extract_over_gam": ("extract", "gam")}
 
 #: Engines that need no server: name -> address in a folder of the benchmark.
 EMBEDDED = {
@@ -98,12 +102,14 @@ def _case(plan: EnginesPlan, engine: str, folder: str, on_run: Listener) -> dict
     finally:
         run("clear")
     seconds = {program: spread(of, "seconds", 3) for program, of in runs.items()}
+    processor = {program: spread(of, "processor_seconds", 3) for program, of in runs.items()}
     return {
         "engine": shown(engine),
+        "processor_seconds": processor,
         "seconds": seconds,
         "peak_memory": {program: spread(of, "peak_memory", 0) for program, of in runs.items()},
-        "gam_over_floor": round(seconds["gam"]["median"] / seconds["floor"]["median"], 3),
-        "extract_over_gam": round(seconds["extract"]["median"] / seconds["gam"]["median"], 3),
+        **{name: ratio(processor, *programs, "min") for name, programs in RATIOS.items()},
+        **{f"{name}_by_clock": ratio(seconds, *programs, "median") for name, programs in RATIOS.items()},
         "steps": {name: median_steps(runs[name]) for name in ("gam", "extract")},
         "buckets": compared["buckets"],
         "sums": compared["sums"],

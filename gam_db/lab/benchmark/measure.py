@@ -20,6 +20,8 @@ Listener = Callable[[str], None]
 
 #: What a figure of time or memory stands for; printed with the figures.
 MEANING = (
+    "processor: seconds of all threads (user and system), least of the runs: what the ratios are made "
+    "of, since other work on the machine changes it least; ratios of the median seconds stand beside",
     "seconds: median, least and most of the runs, from before the database is opened until it is "
     "closed; imports are not in it",
     "every run is a fresh process; the programs take turns (A B C A B C), never the same one twice "
@@ -140,6 +142,12 @@ def spread(runs: list[dict[str, Any]], key: str, digits: int) -> dict[str, Any]:
     }
 
 
+def ratio(figures: dict[str, dict[str, Any]], above: str, below: str, key: str) -> float:
+    """Return the ratio of a figure of two programs."""
+    quotient: float = round(figures[above][key] / figures[below][key], 3)
+    return quotient
+
+
 def median_steps(runs: list[dict[str, Any]], key: str = "steps") -> dict[str, float]:
     """Return the median seconds of each step of several runs."""
     return {step: round(statistics.median(one[key][step] for one in runs), 4) for step in runs[0][key]}
@@ -167,16 +175,16 @@ def _case(plan: Plan, folder: str, order: str, threads: int, on_run: Listener) -
         "case": f"{order}-{threads}",
         "order": order,
         "threads": threads,
+        "processor_seconds": {
+            program: spread(of, "processor_seconds", 4) for program, of in runs.items()
+        },
         "seconds": {program: spread(of, "seconds", 4) for program, of in runs.items()},
         "peak_memory": {program: spread(of, "peak_memory", 0) for program, of in runs.items()},
     }
     for name, (above, below) in RATIOS.items():
         both = above in runs and below in runs
-        case[name] = (
-            round(case["seconds"][above]["median"] / case["seconds"][below]["median"], 3)
-            if both
-            else None
-        )
+        case[name] = ratio(case["processor_seconds"], above, below, "min") if both else None
+        case[f"{name}_by_clock"] = ratio(case["seconds"], above, below, "median") if both else None
     if "gam" in runs:
         case["steps"] = median_steps(runs["gam"])
     if plan.compared:

@@ -35,17 +35,18 @@ def lines(figures: dict[str, Any]) -> Iterator[str]:
 def _case(case: dict[str, Any]) -> Iterator[str]:
     threads = "1 thread" if case["threads"] == 1 else f"{case['threads']} threads"
     title = f"{ORDERS[case['order']]}, {threads} ({case['case']})"
-    yield f"{title:40}{'seconds':>9}{'least':>9}{'most':>9}{'MiB':>8}{'least':>8}{'most':>8}"
+    yield f"{title:40}{'processor':>10}{'seconds':>9}{'least':>9}{'most':>9}{'MiB':>8}"
     for program, seconds in case["seconds"].items():
         memory = case["peak_memory"][program]
         yield (
             f"  {WORDS[program]:38}"
+            + f"{case['processor_seconds'][program]['min']:10.2f}"
             + "".join(f"{seconds[key]:9.2f}" for key in ("median", "min", "max"))
-            + "".join(f"{memory[key]:8.0f}" for key in ("median", "min", "max"))
+            + f"{memory['median']:8.0f}"
         )
-    for name in ("sql_over_floor", "sql_over_floor_on_names", "extract_over_sql"):
+    for name in ("sql_over_floor_on_names", "sql_over_floor", "extract_over_sql"):
         if case[name] is not None:
-            yield f"  {name:38}{case[name]:9.2f}"
+            yield f"  {name:38}{case[name]:10.2f}{case[f'{name}_by_clock']:9.2f}"
     if "rows" in case:
         share = "" if case["novel_share"] is None else f"; novel share {case['novel_share']:.1%}"
         counts = ", ".join(f"{rows:,} rows of {table}" for table, rows in case["rows"].items())

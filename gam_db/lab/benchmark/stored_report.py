@@ -24,11 +24,11 @@ def incremental_lines(figures: dict[str, Any]) -> Iterator[str]:
     yield _title("side") + f"{'in range':>12}{'scanned':>12}"
     for side, one in figures["sides"].items():
         yield (
-            _row(side, one["seconds"], one["peak_memory"])
+            _row(side, one["seconds"], one["processor_seconds"], one["peak_memory"])
             + f"{one['rows_in_range']:12,}{one['rows_scanned']:12,}"
         )
     for name in RATIOS:
-        yield f"  {name:26}{figures['ratios'][name]:9.3f}  (aim: {figures['aim']})"
+        yield f"  {name:26}{figures['ratios'][name]:10.3f}  (aim: {figures['aim']})"
     for side, one in figures["sides"].items():
         yield f"  seconds by step, {side}: {_steps(one['steps'])}"
 
@@ -63,9 +63,11 @@ def engines_lines(figures: dict[str, Any]) -> Iterator[str]:
         yield ""
         yield _title(case["engine"])
         for program, seconds in case["seconds"].items():
-            yield _row(program, seconds, case["peak_memory"][program])
+            yield _row(
+                program, seconds, case["processor_seconds"][program], case["peak_memory"][program]
+            )
         for name in ("gam_over_floor", "extract_over_gam"):
-            yield f"  {name:26}{case[name]:9.3f}"
+            yield f"  {name:26}{case[name]:10.3f}{case[f'{name}_by_clock']:9.3f}"
         for program, steps in case["steps"].items():
             yield f"  seconds by step, {program}: {_steps(steps)}"
 
@@ -83,10 +85,11 @@ def stored_lines(figures: dict[str, Any]) -> Iterator[str]:
         threads = "1 thread" if case["threads"] == 1 else f"{case['threads']} threads"
         yield _title(f"{ORDERS[case['order']]}, {threads}")
         for name, seconds in case["seconds"].items():
-            yield _row(name.replace("_", ", "), seconds, case["peak_memory"].get(name))
-        yield f"  {'stored over exact':26}{case['stored_over_exact']:9.3f}  (aim: {figures['aim']})"
-        yield f"  {'stored over exact, whole':26}{case['stored_over_exact_whole']:9.3f}"
-        yield f"  {'score alone over exact':26}{case['score_over_exact']:9.3f}"
+            used = case["processor_seconds"].get(name)
+            yield _row(name.replace("_", ", "), seconds, used, case["peak_memory"].get(name))
+        whole = f"{case['stored_over_exact_whole']:10.3f}"
+        yield f"  {'stored over exact, whole':26}{whole}  (aim: {figures['aim']})"
+        yield f"  {'stored over exact':26}{case['stored_over_exact']:10.3f}"
         yield f"  integers of both forms are equal: {case['buckets']:,} buckets"
         for name in ("calibrate", "score"):
             yield f"  seconds by step, {name}: {_steps(case[f'{name}_steps'])}"
@@ -106,14 +109,18 @@ def _method(work: Mapping[str, Any]) -> str:
 
 
 def _title(first: str) -> str:
-    return f"{first:28}{'seconds':>9}{'least':>9}{'most':>9}{'MiB':>8}{'least':>8}{'most':>8}"
+    return f"{first:28}{'processor':>10}{'seconds':>9}{'least':>9}{'most':>9}{'MiB':>8}"
 
 
-def _row(name: str, seconds: Mapping[str, float], memory: Mapping[str, float] | None) -> str:
-    row = f"  {name:26}" + "".join(f"{seconds[key]:9.2f}" for key in _SPREAD)
-    if memory is not None:
-        row += "".join(f"{memory[key]:8.0f}" for key in _SPREAD)
-    return row
+def _row(
+    name: str,
+    seconds: Mapping[str, float],
+    processor: Mapping[str, float] | None,
+    memory: Mapping[str, float] | None,
+) -> str:
+    row = f"  {name:26}" + (f"{processor['min']:10.2f}" if processor else " " * 10)
+    row += "".join(f"{seconds[key]:9.2f}" for key in _SPREAD)
+    return row if memory is None else f"{row}{memory['median']:8.0f}"
 
 
 def _steps(seconds: dict[str, float]) -> str:
