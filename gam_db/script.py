@@ -26,7 +26,6 @@ from gam_db.source import (
     WideSource,
     declared_kind,
     is_file,
-    readings,
     table_names,
 )
 
@@ -174,7 +173,7 @@ def _only_channel(source: AnySource) -> exp.Expr:
 
 def _steps(method: Method, source: AnySource, relation: exp.Expr, engine: Engine) -> Pipeline:
     kind = method.kind
-    rows = readings(source, relation, lambda node: engine.micros_of(kind, node))
+    rows = engine.readings(source, relation, kind)
     return pipeline(method, rows, lambda node: engine.instant_of(kind, node))
 
 

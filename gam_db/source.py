@@ -3,7 +3,7 @@
 This module owns the two layouts and turns a source into the step *readings*. It runs nothing.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -109,6 +109,10 @@ class WideSource:
 
 AnySource = Source | WideSource
 
+#: Columns of a wide source from which on it is not read as a union with a branch for each: that takes an
+#: engine long to plan, though it keeps the order in which few columns are stored.
+UNPIVOTED_FROM = 50
+
 
 def declared_kind(source: AnySource) -> TimeKind | None:
     """Return the way of telling time that the user declared, if any."""
@@ -122,16 +126,22 @@ def declared_kind(source: AnySource) -> TimeKind | None:
         ) from None
 
 
-def readings(source: AnySource, relation: exp.Expr, micros_of: TimeNode) -> exp.Query:
+def readings(
+    source: AnySource, relation: exp.Expr, micros_of: TimeNode, unpivots: bool = False
+) -> exp.Query:
     """Return the step *readings*: the rows of the source in the method's words.
 
     Args:
         source: with its channels named, if it is wide.
         relation: the node to read from.
         micros_of: turns the time column into integer microseconds, or leaves a counter as it is.
+        unpivots: whether the engine can make a row of each of many columns by itself.
     """
     condition = parsed_condition(source.where)
     asset = template.text(ONLY_ASSET) if source.asset is None else template.column(source.asset)
+    if unpivots and len(source.value_columns) >= UNPIVOTED_FROM:
+        time = micros_of(template.column(source.time))
+        return _unpivoted(source, relation, {"asset": asset, "time": time, "condition": condition})
     branches: list[exp.Query] = []
     for value in source.value_columns:
         named_by = source.channel if isinstance(source, Source) else None
@@ -148,6 +158,18 @@ def readings(source: AnySource, relation: exp.Expr, micros_of: TimeNode) -> exp.
         read_from(relation, filled)
         branches.append(filled)  # type: ignore[arg-type]
     return branches[0] if len(branches) == 1 else exp.union(*branches, distinct=False)
+
+
+def _unpivoted(source: AnySource, relation: exp.Expr, said: Mapping[str, exp.Expr]) -> exp.Query:
+    """Return the readings of a wide source in one select."""
+    columns, named = [], []
+    for number, value in enumerate(source.value_columns, 1):
+        column = f"column_{number}"
+        columns.append(exp.alias_(exp.cast(template.column(value), "DOUBLE"), column))
+        named.append(exp.PivotAlias(this=exp.column(column), alias=template.name(value)))
+    filled = template.fill("source/unpivoted", {**said, "columns": columns, "named": named})
+    read_from(relation, filled)
+    return filled  # type: ignore[return-value]
 
 
 def read_from(relation: exp.Expr, filled: exp.Expr) -> None:

@@ -20,7 +20,7 @@ from gam_db.method.census import Slicing
 from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline
 from gam_db.running import Listener, Running, unheard
-from gam_db.source import AnySource, is_file, parsed_condition, readings, under
+from gam_db.source import AnySource, is_file, parsed_condition, under
 from gam_db.streaming import Streams, seems_ordered
 from gam_db.trusting import Trust
 
@@ -155,7 +155,7 @@ class Study:
         _, source, relation, engine = self._asked
         time, kind = template.column(source.time), self.method.kind
         conditions = engine.in_range(kind, time, earliest, latest)
-        return readings(under(source, *conditions), relation, lambda node: engine.micros_of(kind, node))
+        return engine.readings(under(source, *conditions), relation, kind)
 
     def _looked(self) -> pa.Table:
         self.running.keep("names")
@@ -182,7 +182,7 @@ def _filled(
         slicing: how times are cut, for the steps that trust; None for those that look first.
     """
     kind, bits = method.kind, engine.bits if glance else None
-    rows = readings(source, relation, lambda node: engine.micros_of(kind, node))
+    rows = engine.readings(source, relation, kind)
     said = method, rows, lambda node: engine.instant_of(kind, node)
     if slicing is not None:
         return trusting_pipeline(*said, slicing, bits)

@@ -6,6 +6,7 @@ Making SQL needs no driver and no connection.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from sqlglot import exp
 from sqlglot.dialects.dialect import Dialect
@@ -16,6 +17,7 @@ from gam_db.bits import Bits
 from gam_db.clock import TimeKind
 from gam_db.engines.storage import Addition, Definition, added_with_statements, with_statements
 from gam_db.errors import EngineError
+from gam_db.source import AnySource, readings
 
 Rewrite = Callable[[exp.Expr], exp.Expr]
 TimeRewrite = Callable[[TimeKind, exp.Expr], exp.Expr]
@@ -48,6 +50,7 @@ class Engine:
         schemas: whether CREATE SCHEMA is known.
         flow_hint: whether a WITH entry can be marked NOT MATERIALIZED.
         reads_files: whether a Parquet or CSV path can stand in FROM.
+        unpivots: whether UNPIVOT INCLUDE NULLS is known.
         macros: whether a script may define table macros.
         oldest: the oldest version that is accepted; None where gam-db does not connect.
         extra: of this package, that installs its driver; None for none.
@@ -70,12 +73,17 @@ class Engine:
     schemas: bool = True
     flow_hint: bool = False
     reads_files: bool = False
+    unpivots: bool = False
     macros: bool = False
     oldest: str | None = None
     extra: str | None = None
     transactions: bool = True
     limits: str = ""
     bits: Bits | None = None
+
+    def readings(self, source: AnySource, relation: exp.Expr, kind: TimeKind) -> exp.Query:
+        """Return the step *readings* of a source that tells time in a way."""
+        return readings(source, relation, partial(self.micros_of, kind), self.unpivots)
 
     def in_range(
         self, kind: TimeKind, column: exp.Expr, earliest: int | None, latest: int | None

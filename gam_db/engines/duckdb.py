@@ -65,6 +65,7 @@ ENGINE = Engine(
     instant_of=instant_of,
     flow_hint=True,
     reads_files=True,
+    unpivots=True,
     macros=True,
     bits=Bits(gathered, held),
 )

@@ -117,6 +117,7 @@ ENGINE = Engine(
     oldest="3.5",
     extra="spark",
     transactions=False,
+    unpivots=True,
     limits="A run is seen once its commit row is there; of two at once one "
     "gives way; calibrations at once are detected, not prevented.",
     micros_of=micros_of,

@@ -25,7 +25,7 @@ from gam_db.method.calibration import add_calibration
 from gam_db.method.certificate import add_certificate
 from gam_db.method.source import add_rules
 from gam_db.pipeline import Pipeline, filled, union_of
-from gam_db.source import AnySource, readings, under
+from gam_db.source import AnySource, under
 from gam_db.stored.calibrating import method_hash
 from gam_db.stored.sources import described
 from gam_db.stored.steps import DAY, KEPT, Setting, add_counting
@@ -155,7 +155,7 @@ class Modelled:
     def readings(self, *conditions: exp.Expr) -> exp.Query:
         """Return the step *readings* under conditions on the source's own columns."""
         source = under(self.source, *conditions)
-        return readings(source, _SOURCE_NODE, lambda node: self.engine.micros_of(self.kind, node))
+        return self.engine.readings(source, _SOURCE_NODE, self.kind)
 
     def instant(self, time: exp.Expr) -> exp.Expr:
         """Return an integer time as the source tells it."""

@@ -14,7 +14,7 @@ from gam_db import look, template
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.engines.session import Session
 from gam_db.pipeline import Pipeline
-from gam_db.source import AnySource, parsed_condition, readings, under
+from gam_db.source import AnySource, parsed_condition, under
 from gam_db.stored.planning import Row
 from gam_db.stored.state import State
 from gam_db.stored.steps import plan_steps, searched_plan_steps
@@ -84,7 +84,7 @@ class Reader:
 
     def _under(self, conditions: Sequence[exp.Expr]) -> exp.Query:
         source = under(self._source, *conditions)
-        return readings(source, self._relation, lambda node: self._engine.micros_of(self.kind, node))
+        return self._engine.readings(source, self._relation, self.kind)
 
 
 def plan_rows(state: State, monitor_id: int, lookback: int) -> list[Row]:

@@ -44,7 +44,7 @@ LONGEST = 600
 
 #: Files of tests in the order in which they run; after a bracket, only those
 #: of a file whose names hold a word.
-_METHOD = ("test_spec", "test_agreement", "test_streaming", "test_trusting")
+_METHOD = ("test_spec", "test_agreement", "test_streaming", "test_trusting", "test_wide")
 _STORED = (
     *("test_learnt", "test_outside_the_contract", "test_fleet", "test_incremental", "test_planning"),
     *("test_pruning", "test_status", "test_visible", "test_faults", "test_copying", "test_migrations"),
@@ -55,6 +55,7 @@ _STORED = (
 _ABOUT = {
     "source/names": "test_learnt",
     "streams/*": "test_streaming",
+    "source/unpivoted": "test_wide",
     "census/*": "test_trusting",
     "certificate/*": "test_spec[certificate",
     "stored/doomed_*": "test_pruning",

@@ -675,6 +675,9 @@ def test_every_file_is_used() -> None:
         for arguments in PIPELINES:
             steps(*arguments)
         trusting_steps(SOURCES[0])
+        ENGINE.readings(
+            WideSource("telemetry", channels=["value"] * 99), exp.to_table("t"), TimeKind.COUNTER
+        )
         selection_steps()
         source = Source("telemetry", time_kind="counter")
         for form, engine in (("exact", "sqlite"), ("view", "duckdb")):
