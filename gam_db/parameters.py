@@ -16,6 +16,9 @@ from gam_db.clock import Length, TimeKind, length, looks_like_calendar
 from gam_db.errors import ParameterError
 
 LARGEST_BINS = 2**31
+LONGEST_STRIDE = 100
+"""Vectors of a bucket at most, where nothing is asked for."""
+
 LARGEST_KEY = 2**63 - 1
 
 
@@ -104,7 +107,7 @@ class Parameters:
                 f"bits hold; take m <= {fitting}, or fewer bins."
             )
         if self.stride is None:
-            object.__setattr__(self, "stride", math.gcd(self.window, 100))
+            object.__setattr__(self, "stride", math.gcd(self.window, LONGEST_STRIDE))
         else:
             object.__setattr__(self, "stride", _at_least_one("stride", self.stride))
             if self.window % self.bucket_length:
@@ -148,7 +151,7 @@ class Parameters:
     @property
     def bucket_length(self) -> int:
         """The stride, resolved."""
-        return math.gcd(self.window, 100) if self.stride is None else self.stride
+        return math.gcd(self.window, LONGEST_STRIDE) if self.stride is None else self.stride
 
     def changed_by(self, override: Override) -> "Parameters":
         """Return these parameters with one override applied and none left.

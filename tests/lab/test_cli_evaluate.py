@@ -138,3 +138,36 @@ def test_what_the_user_can_mend_is_told(words: tuple[str, ...], says: str) -> No
     assert result.exit_code == 1
     assert says in " ".join(result.stderr.split())
     assert result.stdout == ""
+
+
+def test_of_a_row_per_vector_the_bucket_ends_are_taken() -> None:
+    random = np.random.default_rng(4)
+    series = pa.table(
+        {"time": np.arange(4000), "value": np.sin(np.arange(4000) / 9) + random.random(4000)}
+    )
+    source = gam_db.Source(series, asset=None, channel=None)
+    parameters = gam_db.Parameters(m=2, bins=12, window=150)
+    vectors = gam_db.health_indicator(source, parameters)
+    parquet.write_table(vectors, "vectors.parquet")
+    parquet.write_table(gam_db.health_at_buckets(source, parameters), "buckets.parquet")
+    words = ("--json", "--surrogates", "2", "--samples", "0")
+    by_vector, by_bucket, every, coarse = (
+        json.loads(gam("evaluate", name, *words, *more).stdout)
+        for name, more in (
+            ("vectors.parquet", ()),
+            ("buckets.parquet", ()),
+            ("vectors.parquet", ("--stride", "1")),
+            ("vectors.parquet", ("--stride", "75")),
+        )
+    )
+    assert [one["stride"] for one in (by_vector, by_bucket, every, coarse)] == [50, 1, 1, 75]
+    (one,), (other,) = by_vector["channels"], by_bucket["channels"]
+    assert one == other
+    assert one["mon_chance"] is not None
+    assert every["channels"][0]["k"] == sum(hi is not None for hi in vectors["hi"].to_pylist())
+    assert coarse["channels"][0]["independent_windows"] == one["independent_windows"]
+    said = " ".join(gam("evaluate", "vectors.parquet", "--samples", "0").stdout.split())
+    assert "at the end of each bucket of 50 are taken" in said
+    doubled = pa.concat_tables([vectors, vectors.slice(7, 1)])
+    parquet.write_table(doubled, "doubled.parquet")
+    assert gam("evaluate", "doubled.parquet").exit_code == 1

@@ -108,6 +108,15 @@ def evaluate(
             rich_help_panel=_SAMPLING,
         ),
     ] = None,
+    stride: Annotated[
+        int | None,
+        typer.Option(
+            min=1,
+            help="Of a table that gam run wrote with a row per vector, take every so many-th value; "
+            "default those at bucket ends, 1 for all.",
+            rich_help_panel=_SAMPLING,
+        ),
+    ] = None,
     surrogates: Annotated[
         int,
         typer.Option(
@@ -139,6 +148,7 @@ def evaluate(
         confidence=confidence,
         seed=seed,
         values_per_window=values_per_window,
+        stride=stride,
     )
     with (
         interruptible(),
@@ -155,6 +165,7 @@ def evaluate(
             "channels": found.channels.to_pylist(),
             "summary": found.summary.to_pylist(),
             "unmatched": found.unmatched,
+            "stride": found.stride,
         }
         print(json.dumps(told, ensure_ascii=False, indent=1))
     else:
@@ -177,6 +188,12 @@ def show(
     rows: list[Row] = sorted(found.channels.to_pylist(), key=lambda row: order[row["outcome"]])
     for line in _heading(name, rows, found.unmatched):
         report.say(out, line)
+    if found.stride > 1:
+        report.say(
+            out,
+            f"a row per vector: the values at the end of each bucket of {found.stride:,} are taken; "
+            "--stride N for others, --stride 1 for all",
+        )
     out.print()
     shown = rows if everything else rows[: report.SHOWN]
     for text in _channels(out, shown):

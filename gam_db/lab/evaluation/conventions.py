@@ -33,6 +33,9 @@ class Conventions:
         seed: of surrogates and samples.
         values_per_window: consecutive values of a series that one window spans; None to read it off
             the table, which tells it of health indicators that are counts.
+        stride: of a table that gam run wrote with a row per vector, every so many-th value is taken,
+            as it writes them at bucket ends; 1 takes all, None takes its own default, gcd(window,
+            100). Other tables are taken as they are.
 
     Raises:
         ParameterError: one of them is out of its range.
@@ -46,6 +49,7 @@ class Conventions:
     confidence: float = 0.95
     seed: int = 0
     values_per_window: int | None = None
+    stride: int | None = 1
 
     def __post_init__(self) -> None:
         _check_choice("monotonicity", self.monotonicity, MONOTONICITIES)
@@ -54,6 +58,8 @@ class Conventions:
         _check_whole("surrogates", self.surrogates, 0, MOST_SAMPLES)
         _check_whole("samples", self.samples, 0, MOST_SAMPLES)
         _check_whole("seed", self.seed, 0, 2**63 - 1)
+        if self.stride is not None:
+            _check_whole("stride", self.stride, 1, 2**31)
         if self.values_per_window is not None:
             _check_whole("values_per_window", self.values_per_window, 1, 2**31)
         if not (isinstance(self.confidence, float) and 0 < self.confidence < 1):

@@ -129,6 +129,7 @@ def members(
     table: HealthTable,
     outcomes: list[Outcome] | None,
     values_per_window: int | None,
+    stride: int = 1,
 ) -> list[Member]:
     """Return the series, in the order of their names.
 
@@ -137,6 +138,7 @@ def members(
         table: where they come from.
         outcomes: what became of the assets; None if it is not known of any.
         values_per_window: said by the user; None to read it off the rows.
+        stride: vectors for which one value was taken, of a table with a row per vector.
 
     Raises:
         SourceError: rows belong nowhere, an order is not unique, a failed channel is not told, or
@@ -173,7 +175,7 @@ def members(
                 has_outcome=int(outcome is not None),
                 ends_at=FAR_AHEAD if outcome is None or outcome.failed_at is None else outcome.failed_at,
                 steps=1 if table.counts else steps(row["hi_values"]),
-                values_per_window=values_per_window or _values_per_window(row, table),
+                values_per_window=values_per_window or _values_per_window(row, table, stride),
                 window=_window(row),
             )
         )
@@ -256,9 +258,9 @@ def _check_rows(rows: list[dict[str, Any]], table: HealthTable) -> None:
         )
 
 
-def _values_per_window(row: dict[str, Any], table: HealthTable) -> int:
+def _values_per_window(row: dict[str, Any], table: HealthTable, stride: int) -> int:
     if row["vectors_in_window"] is not None:
-        return int(row["vectors_in_window"])
+        return 0 if row["vectors_in_window"] % stride else int(row["vectors_in_window"]) // stride
     if table.counts and table.buckets and row["first_place"] is not None:
         return int(row["first_place"]) + 1
     return 0

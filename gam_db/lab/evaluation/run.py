@@ -4,6 +4,7 @@ This module owns the public call and the order of its work: look, match outcomes
 measure chance, measure the fleet.
 """
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, cast
@@ -19,8 +20,15 @@ from gam_db.lab.evaluation import sampling
 from gam_db.lab.evaluation.capacity import POINTS
 from gam_db.lab.evaluation.conventions import Conventions
 from gam_db.lab.evaluation.members import Member, Outcome, as_table, members, outcomes_of, unmatched
-from gam_db.lab.evaluation.steps import KEPT, chance_steps, evaluation_steps, looking_steps
-from gam_db.lab.evaluation.table import health_table
+from gam_db.lab.evaluation.steps import (
+    KEPT,
+    chance_steps,
+    evaluation_steps,
+    looking_steps,
+    window_steps,
+)
+from gam_db.lab.evaluation.table import HealthTable, health_table
+from gam_db.parameters import LONGEST_STRIDE
 
 Listener = Callable[[str], None]
 
@@ -53,6 +61,7 @@ class Evaluation:
             lower_bound and upper_bound of the bootstrap interval over assets, samples (in which the
             metric is available), reason.
         unmatched: rows of the outcomes that speak of no channel of the table.
+        stride: of a table with a row per vector, every so many-th value was taken; else 1.
 
     Reasons of a NULL: ``no_values``, ``one_value``, ``short`` (fewer than 5 values), ``constant`` (it
     would be 0 / 0), ``no_outcomes`` (none were given), ``no_failed``, ``one_failed``, ``no_healthy``,
@@ -64,6 +73,7 @@ class Evaluation:
     channels: pa.Table
     summary: pa.Table
     unmatched: int
+    stride: int = 1
 
 
 def evaluate(
@@ -112,11 +122,12 @@ def evaluated(
     if outcomes is not None:
         known = outcomes_of(session, outcomes, table.kind)
 
-    look = looking_steps(table.indicator)
+    stride = _stride(session, table, conventions.stride) if table.vectors else 1
+    look = looking_steps(table.indicator, stride)
     on_step("indicator")
     indicator = session.keep("indicator", look.query("indicator"))
     rows = session.fetch(look.query("candidates", {"indicator": indicator})).to_pylist()
-    found = members(rows, table, known, conventions.values_per_window)
+    found = members(rows, table, known, conventions.values_per_window, stride)
     if known and unmatched(known, found) == len(known):
         raise SourceError("The outcomes speak of no asset or channel of the health indicators.")
     units = sampling.units(sampling.largest_weight(found))
@@ -141,7 +152,16 @@ def evaluated(
         channels.rename_columns(names),
         session.fetch(steps.query("fleet_summary", placed)),
         0 if known is None else unmatched(known, found),
+        stride,
     )
+
+
+def _stride(session: Session, table: HealthTable, asked: int | None) -> int:
+    """Return how many vectors a bucket of the table has, by default as for ``gam run``."""
+    if asked is not None:
+        return asked
+    lengths = session.fetch(window_steps(table.indicator).query("window_lengths"))
+    return math.gcd(LONGEST_STRIDE, *lengths["vectors_in_window"].to_pylist())
 
 
 def _chance(

@@ -31,11 +31,28 @@ _METRICS = (
 )
 
 
-def looking_steps(indicator: exp.Query) -> Pipeline:
-    """Return the steps *indicator*, which is the given query, and *candidates*."""
-    steps = Pipeline()
-    steps.add("indicator", indicator, template.load("lab/evaluation/indicator").comment)
+def looking_steps(indicator: exp.Query, stride: int = 1) -> Pipeline:
+    """Return the steps *indicator*, which is the given query, and *candidates*.
+
+    Args:
+        indicator: the query.
+        stride: take every so many-th of its values only.
+    """
+    if stride == 1:
+        steps = Pipeline()
+        steps.add("indicator", indicator, template.load("lab/evaluation/indicator").comment)
+    else:
+        steps = window_steps(indicator)
+        add(steps, "lab/evaluation/bucket_ends", {"stride": stride}, "indicator")
     add(steps, "lab/evaluation/candidates")
+    return steps
+
+
+def window_steps(indicator: exp.Query) -> Pipeline:
+    """Return the steps *given*, which is the query of an indicator, and *window_lengths*."""
+    steps = Pipeline()
+    steps.add("given", indicator, template.load("lab/evaluation/indicator").comment)
+    add(steps, "lab/evaluation/window_lengths")
     return steps
 
 

@@ -27,12 +27,14 @@ class HealthTable:
         kind: how it tells the time that ``failed_at`` is compared with; None if it tells none.
         counts: whether the indicator is a count of novel vectors over a window.
         buckets: whether its values are numbered buckets, of which the first ones are not full.
+        vectors: whether it is what gam run writes with a row per vector.
     """
 
     indicator: exp.Query
     kind: TimeKind | None
     counts: bool
     buckets: bool
+    vectors: bool = False
 
 
 def health_table(session: Session, relation: Any) -> HealthTable:
@@ -81,7 +83,9 @@ def health_table(session: Session, relation: Any) -> HealthTable:
         },
     )
     read_from(query, "health", node)
-    return HealthTable(query, None if time == "bucket" else kinds[time], counts, place == "bucket")
+    vectors = place == "time" and counts and "vectors_in_window" in columns
+    kind = None if time == "bucket" else kinds[time]
+    return HealthTable(query, kind, counts, place == "bucket", vectors)
 
 
 def read_from(query: exp.Query, name: str, relation: exp.Expr) -> None:
