@@ -138,7 +138,8 @@ def run(
         score_from=score_from,
         pool=pool,
     )
-    others = None if estimator == DSE else _others(estimator)
+    others = None if estimator.lower() == DSE else _others(estimator)
+    estimator = DSE if others is None else others.estimator_named(estimator).name
     relation = options.named_relation(settings)
     results = [] if no_out else _results(relation, settings.source.database, out, every, estimator)
     with interruptible(), connect(settings.source.database, threads, writable=False) as session:

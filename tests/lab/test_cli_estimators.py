@@ -8,6 +8,8 @@ import pytest
 from pyarrow import parquet
 
 import gam_db
+from gam_db.lab.estimators import estimator_named
+from gam_db.lab.reproduce.methods import chosen
 from test_cli import SMALL, gam, healthy, saved, worn
 
 NAMES = ("centroid", "gmm", "forest", "ocsvm")
@@ -67,3 +69,25 @@ def test_an_unknown_estimator_is_refused_before_any_work() -> None:
     result = gam("run", "nothing.parquet", "--estimator", "centrod")
     assert result.exit_code == 1
     assert "did you mean 'centroid'" in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("said", "ours"),
+    [
+        ("isolation_forest", "forest"),
+        ("IForest", "forest"),
+        ("one-class-svm", "ocsvm"),
+        ("GMM", "gmm"),
+        ("gaussian_mixture", "gmm"),
+    ],
+)
+def test_other_usual_names_of_estimators_are_understood(said: str, ours: str) -> None:
+    assert estimator_named(said).name == ours
+    assert chosen(f"dse, {said}", []) == ["dse", ours]
+
+
+def test_a_run_by_another_name_is_one_by_ours() -> None:
+    result = gam("run", plant(), *SMALL, "--estimator", "Isolation_Forest")
+    assert result.exit_code == 0, result.output
+    assert "by forest" in result.stdout
+    assert Path("plant.forest.parquet").exists()

@@ -26,6 +26,16 @@ ESTIMATORS: Mapping[str, Estimator] = {
     module.ESTIMATOR.name: module.ESTIMATOR for module in (dse, centroid, gmm, forest, ocsvm)
 }
 DSE = dse.ESTIMATOR.name
+ALSO_CALLED = {
+    "gaussianmixture": "gmm",
+    "gaussianmixturemodel": "gmm",
+    "isolationforest": "forest",
+    "iforest": "forest",
+    "oneclasssvm": "ocsvm",
+    "svm": "ocsvm",
+}
+"""Other usual names of estimators, in small letters and digits only -> ours."""
+
 SAMPLE = 10_000
 """Calibration vectors of a support that scikit-learn is given at most."""
 
@@ -105,9 +115,16 @@ def estimator_named(name: str) -> Estimator:
     Raises:
         ParameterError: there is none; the message suggests the nearest.
     """
-    if name not in ESTIMATORS:
+    ours = usual(name)
+    if ours not in ESTIMATORS:
         raise ParameterError(f"There is no estimator {name!r}{nearest(str(name), ESTIMATORS)}.")
-    return ESTIMATORS[name]
+    return ESTIMATORS[ours]
+
+
+def usual(name: str) -> str:
+    """Return our name of an estimator that is known by others, such as ``isolation_forest``; else it."""
+    plain = "".join(sign for sign in str(name).lower() if sign.isalnum())
+    return ALSO_CALLED.get(plain, plain if plain in ESTIMATORS else name)
 
 
 def add_estimator(study: Study, name: str, seed: int = 0, sample: int = SAMPLE) -> None:

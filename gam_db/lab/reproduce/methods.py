@@ -14,6 +14,7 @@ from gam_db.extras import needed
 from gam_db.lab.baselines import BASELINES, FULL, QUICK, Effort, add_baseline
 from gam_db.lab.baselines.training import OnEpoch
 from gam_db.lab.estimators import SAMPLE, add_estimator
+from gam_db.lab.estimators.scoring import usual
 from gam_db.parameters import Parameters
 from gam_db.source import AnySource
 from gam_db.study import Study
@@ -121,7 +122,7 @@ def chosen(text: str | None, among: Sequence[str]) -> list[str]:
     """
     if text is None:
         return list(among)
-    names = [part.strip() for part in text.split(",") if part.strip()]
+    names = [usual(part.strip()) for part in text.split(",") if part.strip()]
     if not names:
         raise ConfigurationError(f"--methods is empty; it takes some of {', '.join(METHODS)}.")
     for name in names:
