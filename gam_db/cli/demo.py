@@ -48,14 +48,22 @@ _CALIBRATION = (
 def demo(
     keep: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="Save the series as Parquet, to try `gam run` on it."),
+        typer.Option(
+            "--out",
+            "--keep",
+            metavar="FILE",
+            help="Save the series as Parquet, to go on with; a file that is there is left as it is.",
+        ),
     ] = None,
 ) -> None:
-    """Simulate a machine that wears out, and print what `gam run` prints of it. Writes nothing."""
+    """Simulate a machine that wears out, and print what `gam run` prints of it.
+
+    Without --out it writes nothing.
+    """
     if keep is not None and (keep.suffix != ".parquet" or not keep.parent.is_dir()):
-        raise ConfigurationError(
-            f"--keep is {keep}; give a name in .parquet, in a folder that is there."
-        )
+        raise ConfigurationError(f"--out is {keep}; give a name in .parquet, in a folder that is there.")
+    if keep is not None and keep.exists():
+        raise ConfigurationError(f"{keep} is there already; give --out a new name, or remove it.")
     lines = report.console()
     with interruptible(), connect() as session, Progress(session) as progress:
         progress.on_step("simulating")

@@ -541,8 +541,13 @@ def test_the_demo_runs_anywhere_and_says_what_comes_next() -> None:
 
 
 def test_the_demo_keeps_its_series_for_gam_run() -> None:
-    result = gam("demo", "--keep", "series.parquet")
+    result = gam("demo", "--out", "series.parquet")
     assert result.exit_code == 0
+    written = Path("series.parquet").read_bytes()
+    again = gam("demo", "--keep", "series.parquet")
+    assert again.exit_code == 1
+    assert "there already" in again.stderr
+    assert Path("series.parquet").read_bytes() == written
     (line,) = [line.split() for line in result.stdout.splitlines() if "gam run series.parquet" in line]
     found = gam(*line[1:], "--json")
     (one,) = json.loads(found.stdout)["channels"]
