@@ -33,6 +33,11 @@ STATUSES = ("high", "setup", "waiting", "ok", "not assessed")
 #: Those that ask for attention.
 URGENT = STATUSES[:2]
 
+#: A grid of fewer bins tells little but high from low, and fewer vectors than this fill none: then the
+#: advice is a longer calibration, and not a coarser grid.
+FEWEST_BINS = 5
+FEW_VECTORS = 300
+
 #: What the other columns of a support row say is a count or a share; these are read by name here.
 Row = dict[str, Any]
 
@@ -252,7 +257,8 @@ def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
     """Return why a channel cannot be watched, and what would help; nothing for a good calibration.
 
     Args:
-        row: what was learnt of it: verdict, lo, finest_bins, vectors_needed.
+        row: what was learnt of it: verdict, lo, finest_bins, vectors_needed, and calibration_vectors
+            where they are known.
         span: samples between the oldest and the newest of a vector.
         has_moved: a vector was novel since.
     """
@@ -266,11 +272,26 @@ def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
             f"calibration holds no run of {span + 1:,} samples without gap or missing value: "
             "not assessable"
         ]
+    if is_short(row):
+        return [
+            f"too little calibration for a grid of use: calibrate longer, {_more(row['vectors_needed'])}"
+        ]
     if verdict == "too_fine":
         return [f"grid too fine for its calibration, {row['finest_bins']:,} bins would pass"]
     if verdict == "needs_data":
         return [f"calibration too short, {_more(row['vectors_needed'])}"]
     return []
+
+
+def is_short(row: Row) -> bool:
+    """Tell whether a coarser grid would pass that shows nothing: only a longer calibration helps.
+
+    Args:
+        row: as in :func:`shortcomings`.
+    """
+    vectors = row.get("calibration_vectors")
+    is_few = vectors is not None and vectors < FEW_VECTORS
+    return bool(row["verdict"] == "too_fine" and (is_few or row["finest_bins"] < FEWEST_BINS))
 
 
 def share(value: float | None) -> str:

@@ -17,7 +17,7 @@ from rich.console import Console
 from rich.text import Text
 
 from gam_db.calibration import Calibration
-from gam_db.findings import STATUSES, Finding, Row, need_attention, share
+from gam_db.findings import STATUSES, Finding, Row, is_short, need_attention, share
 from gam_db.guess import Guess
 from gam_db.parameters import Parameters
 from gam_db.source import Source
@@ -291,7 +291,15 @@ def advice(supports: Sequence[Row]) -> list[str]:
             "no_data: say which part is healthy by --calibrate FROM/TO, --calibration-duration or "
             "--calibration-fraction, where it holds data"
         )
-    grids = [row["finest_bins"] for row in supports if row["verdict"] == "too_fine"]
+    short = sum(is_short(row) for row in supports)
+    if short:
+        lines.append(
+            f"too little calibration in {short:,} of {len(supports):,}: say a longer healthy part by "
+            "--calibrate FROM/TO, --calibration-duration or --calibration-fraction; a coarser grid "
+            "would pass and see nothing"
+        )
+    too_fine = [row for row in supports if row["verdict"] == "too_fine" and not is_short(row)]
+    grids = [row["finest_bins"] for row in too_fine]
     if grids:
         lines.append(
             f"grid too fine: {_ladder(grids)} (--bins, or [[override]] in gam.toml); the coarser the "

@@ -12,6 +12,7 @@ SELECT
   floor,
   floor_max,
   calibrated_lo AS lo,
+  calibration_vectors,
   finest_bins,
   vectors_needed,
   hi,

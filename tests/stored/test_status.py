@@ -7,8 +7,10 @@ from typing import Any
 import pyarrow as pa
 import pytest
 
+from gam_db.cli.report import advice
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import ConfigurationError, ParameterError, StateError
+from gam_db.findings import shortcomings
 from gam_db.stored import status as stored_status
 from gam_db.stored.status import by_asset
 from gam_db.stored.tables import StateTables
@@ -233,3 +235,31 @@ def test_an_asset_is_as_urgent_as_its_worst_channel(session: DuckSession) -> Non
             ("c", "j1", "ok", 0.0, 1, 0),
         )
     ]
+
+
+@pytest.mark.parametrize(
+    ("finest", "vectors", "remark"),
+    [
+        (5, 300, "grid too fine for its calibration, 5 bins would pass"),
+        (
+            4,
+            300,
+            "too little calibration for a grid of use: calibrate longer, it takes about 70 more vectors",
+        ),
+        (
+            50,
+            299,
+            "too little calibration for a grid of use: calibrate longer, it takes about 70 more vectors",
+        ),
+        (5, None, "grid too fine for its calibration, 5 bins would pass"),
+    ],
+)
+def test_where_only_a_useless_grid_would_pass_the_advice_is_to_calibrate_longer(
+    finest: int, vectors: int | None, remark: str
+) -> None:
+    row = {"verdict": "too_fine", "lo": 0.0, "finest_bins": finest, "vectors_needed": 70}
+    known = {} if vectors is None else {"calibration_vectors": vectors}
+    assert shortcomings(row | known, 2) == [remark]
+    said = " ".join(advice([row | known]))
+    assert ("bins would do" in said) == remark.startswith("grid")
+    assert ("longer healthy part" in said) == remark.startswith("too little")
