@@ -76,12 +76,7 @@ def _cell_key(setting: Parameters, m: int) -> exp.Expr:
     return template.added(
         [
             template.fill(
-                "selection/bin_term",
-                {
-                    "coordinate": exp.column(f"u_{k}"),
-                    "bins": setting.bins,
-                    "weight": setting.radix**k,
-                },
+                "selection/code_term", {"code": exp.column(f"c_{k}"), "weight": setting.radix**k}
             )
             for k in range(m)
         ]

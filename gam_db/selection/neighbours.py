@@ -10,12 +10,12 @@ This module makes trees; it runs nothing.
 
 import itertools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.method.adding import add
+from gam_db.method.adding import add, add_stacked
 from gam_db.pipeline import Pipeline, filled, union_of
 from gam_db.selection.search import Search
 
@@ -23,63 +23,79 @@ _BOXED = 5
 """Coordinates with boxes at most: each triples the boxes beside one, and holds fewer vectors in them."""
 _FILLED = 3
 """Coordinates that a series is taken to fill, when the first boxes are made."""
-_CROWD = 1
-"""Vectors that the boxes of the first round would hold together, were they spread evenly. They crowd."""
 ONE_BOX = 500
 """With so few samples at most, one round over all of them is cheaper than several."""
-_LARGEST_NUMBER = 60
+_NUMBERED = 60
 """Bits for the number of a box: one word, with room for the boxes beside the range."""
-_EVERYWHERE = 1e9
-"""A distance beyond all between scaled vectors."""
+_BITS = 24
+"""Of a coordinate: it is an integer, in units of 2^-24 of the range."""
+_EVERYWHERE = 2**62
+"""A squared distance beyond all between vectors."""
+
+Waiting = Callable[[str], tuple[int, int]]
+"""Asked with the name of a step like ``waiting.sql``: how many vectors sought, how many still do."""
 
 
-def add_embedding(steps: Pipeline, search: Search) -> None:
-    """Add vectors of m_max + 2 coordinates, as far as each sample has that many ahead of it."""
-    add(steps, "selection/origins")
+def add_embedding(steps: Pipeline, search: Search, bins: int) -> None:
+    """Add vectors of m_max + 2 coordinates, as far as each sample has that many ahead of it.
+
+    Args:
+        steps: with those of the delays.
+        search: the options.
+        bins: of the grid, for the codes beside the first m_max coordinates.
+    """
+    add(steps, "selection/origins", {"code": template.fill("selection/bin_code", {"bins": bins})})
     previous = "origins"
     last = search.m_max + 1
+    held = ["u_0", "c_0"]
     for k in range(1, last + 1):
         name = "embedded" if k == last else f"unfolded_{k}"
-        carried = [exp.column(f"u_{j}") for j in range(k)]
-        held = [exp.alias_(exp.column(f"u_{j}", table="held"), f"u_{j}") for j in range(k)]
-        new = exp.alias_(template.fill("selection/ahead"), f"u_{k}")
+        new = ["u", "c"] if k < search.m_max else ["u"]
         slots: dict[str, template.Slot] = {
-            "coordinates": carried,
-            "carried": held,
-            "ahead": [new],
+            "coordinates": [exp.column(one) for one in held],
+            "carried": [exp.alias_(exp.column(one, table="held"), one) for one in held],
+            "ahead": [
+                exp.alias_(
+                    template.fill("selection/ahead", {"later": exp.column(f"{one}_0", table="later")}),
+                    f"{one}_{k}",
+                )
+                for one in new
+            ],
             "k": k,
         }
         add(steps, "selection/unfolded", slots, name, {"origins": previous, "points": "origins"})
         previous = name
+        held += [f"{one}_{k}" for one in new]
     steps.small |= {"embedded"}
 
 
-def add_dimensions(
-    steps: Pipeline, search: Search, usable: int, is_waited_for: Callable[[str], bool]
-) -> None:
+def add_dimensions(steps: Pipeline, search: Search, usable: int, waiting: Waiting) -> None:
     """Add false nearest neighbours and Cao's quantities for every dimension, and the choice of m.
 
     Args:
         steps: with the embedding.
         search: the options.
         usable: samples of the longest channel; the first boxes are made for as many.
-        is_waited_for: asked after each round with the name of a step that counts who waits for the
-            next; it may run the step, or say yes for all rounds there can be.
+        waiting: asked after each round with the name of the step that counts; it may run that step.
     """
+    _add_draws(steps, search)
     fates, growths = [], []
+    halvings = _BITS
     for d in range(1, search.m_max + 2):
         _add_probes(steps, search, d)
+        found, halvings = _add_search(steps, d, usable, halvings, waiting)
         for metric in ("square", "largest"):
             if metric == "square" and d > search.m_max:
                 continue  # E1 of the last dimension needs E of the next, and no more
-            found = _add_search(steps, d, metric, usable, is_waited_for)
             followed = f"followed_{metric}_{d}"
-            nexts = {
+            slots: dict[str, template.Slot] = {
                 "next_coordinate": exp.column(f"u_{d}", table="probe"),
                 "next_of_neighbour": exp.column(f"u_{d}", table="other"),
+                "distance": exp.column(metric, table="pair"),
+                "neighbour": exp.column(f"{metric}_place", table="pair"),
             }
             tables = {"found": found, "probes": f"probes_{d}"}
-            add(steps, "selection/followed", nexts, followed, tables)
+            add(steps, "selection/followed", slots, followed, tables)
             steps.small |= {followed}
             if metric == "square":
                 name, path = f"false_neighbours_{d}", "selection/false_neighbours"
@@ -96,6 +112,15 @@ def add_dimensions(
     steps.small |= {"dimensions", "unfoldings"}
 
 
+def _add_draws(steps: Pipeline, search: Search) -> None:
+    last, references = search.m_max + 1, search.references
+    carried = [exp.column(f"u_{j}") for j in range(last + 1)]
+    add(steps, "selection/scattered", {"carried": carried, "seed": search.seed})
+    add(steps, "selection/deepest", {"last": last, "references": references})
+    add(steps, "selection/draws", {"carried": carried, "references": references})
+    steps.small |= {"deepest", "draws"}
+
+
 def _add_probes(steps: Pipeline, search: Search, d: int) -> None:
     coordinates = [exp.column(f"u_{j}") for j in range(d + 1)]
     slots: dict[str, template.Slot] = {"d": d, "coordinates": coordinates[:d]}
@@ -104,101 +129,121 @@ def _add_probes(steps: Pipeline, search: Search, d: int) -> None:
         "d": d,
         "carried": coordinates,
         "theiler": search.theiler,
-        "seed": search.seed,
         "references": search.references,
     }
     add(steps, "selection/probes", slots, f"probes_{d}")
     steps.small |= {f"patterns_{d}", f"probes_{d}"}
 
 
-def _add_search(
-    steps: Pipeline, d: int, metric: str, usable: int, is_waited_for: Callable[[str], bool]
-) -> str:
-    """Add the rounds of one search and return the step with all neighbours found."""
-    mark = f"{metric}_{d}"
+def _add_search(steps: Pipeline, d: int, usable: int, finest: int, waiting: Waiting) -> tuple[str, int]:
+    """Add the rounds of one search.
+
+    Args:
+        steps: with patterns and probes of the dimension.
+        d: the dimension.
+        usable: samples of the longest channel.
+        finest: halvings of the range that were of use at the dimension before: with one coordinate
+            more, no vector has a nearer neighbour.
+        waiting: as in :func:`add_dimensions`.
+
+    Returns:
+        The step with all neighbours found, and the finest halvings that were of use.
+    """
     boxed = sorted({j * (d - 1) // max(min(d, _BOXED) - 1, 1) for j in range(min(d, _BOXED))})
-    waiting = f"unsettled_{mark}"
-    add(steps, "selection/unsettled", name=waiting, tables={"probes": f"probes_{d}"})
+    bits = _NUMBERED // len(boxed)
+    sought = f"unsettled_{d}"
+    add(steps, "selection/unsettled", name=sought, tables={"probes": f"probes_{d}"})
+    halvings = min(_first(usable, d), finest, bits - 1)
+    of_use, everybody = None, 0
     nearest = []
-    for halvings in _sizes(usable, len(boxed)):
-        size = f"{mark}_{halvings}"
-        weights = [(2**halvings + 3) ** j for j in range(len(boxed))]
-        _add_shifts(steps, f"shifts_{size}", weights)
-        box = template.added(
-            [
-                template.fill(
-                    "selection/box_term",
-                    {"coordinate": exp.column(f"u_{j}"), "boxes": 2**halvings, "weight": weight},
-                )
-                for j, weight in zip(boxed, weights, strict=True)
-            ]
-        )
-        add(
-            steps,
-            "selection/measured",
-            {
-                "coordinates": [exp.column(f"u_{j}") for j in range(d)],
-                "box": box,
-                "aways": [_away(j) for j in range(d)],
-                "distance": _square(d) if metric == "square" else _largest(d),
-            },
-            f"measured_{size}",
-            {
-                "probes": f"probes_{d}",
-                "patterns": f"patterns_{d}",
-                "unsettled": waiting,
-                "shifts": f"shifts_{size}",
-            },
-        )
-        side = 0.5**halvings
-        reach = _EVERYWHERE if not halvings else side**2 if metric == "square" else side
-        measured = {"measured": f"measured_{size}"}
-        add(
-            steps,
-            "selection/rounds",
-            {"reach": reach},
-            f"rounds_{size}",
-            {"unsettled": waiting, **measured},
-        )
-        waiting = f"rounds_{size}"
-        add(
-            steps,
-            "selection/nearest",
-            name=f"nearest_{size}",
-            tables={"rounds": waiting, **measured},
-        )
+    while True:
+        size = f"{d}_{halvings}"
+        _add_round(steps, d, halvings, bits, boxed, sought)
+        sought = f"rounds_{size}"
         nearest.append(f"nearest_{size}")
-        steps.small |= {waiting, f"nearest_{size}"}
-        if halvings:
-            add(steps, "selection/waiting", name=f"waiting_{size}", tables={"rounds": waiting})
-            if not is_waited_for(f"waiting_{size}"):
-                break
-    steps.add(f"found_{mark}", union_of(steps, nearest), template.load("selection/nearest").comment)
-    return f"found_{mark}"
+        if not halvings:
+            break
+        add(steps, "selection/waiting", name=f"waiting_{size}", tables={"rounds": sought})
+        seeking, still = waiting(f"waiting_{size}")
+        everybody = everybody or seeking
+        if of_use is None and 4 * (seeking - still) >= everybody:
+            of_use = halvings
+        if not still:
+            break
+        # With fewer coordinates larger steps make the boxes grow no faster; few found: they may.
+        wider = max(_FILLED + 1 - len(boxed), 1) + (10 * (seeking - still) < seeking)
+        halvings = max(halvings - wider, 0)
+    steps.add(f"found_{d}", union_of(steps, nearest), template.load("selection/nearest").comment)
+    return f"found_{d}", halvings if of_use is None else of_use
 
 
-def _add_shifts(steps: Pipeline, name: str, weights: list[int]) -> None:
-    steps_aside = itertools.product((-1, 0, 1), repeat=len(weights))
-    rows = [
-        filled(
-            "selection/shifts",
-            {"shift": sum(aside * weight for aside, weight in zip(each, weights, strict=True))},
-        )
-        for each in steps_aside
-    ]
-    steps.add(name, exp.union(*rows, distinct=False), template.load("selection/shifts").comment)
-    steps.small |= {name}
+def _add_round(
+    steps: Pipeline, d: int, halvings: int, bits: int, boxed: Sequence[int], sought: str
+) -> None:
+    """Add one round: distances in boxes whose side is the range, halved so often; 0 for one box."""
+    size = f"{d}_{halvings}"
+    side = 2 ** (_BITS - halvings)
+    box = template.added(
+        [
+            template.fill(
+                "selection/box_term",
+                {
+                    "coordinate": exp.column(f"u_{j}"),
+                    "per_side": 1 / (side if halvings else 2 * side),
+                    "weight": 2 ** (bits * place),
+                },
+            )
+            for place, j in enumerate(boxed)
+        ]
+    )
+    add(
+        steps,
+        "selection/measured",
+        {
+            "coordinates": [exp.column(f"u_{j}") for j in range(d)],
+            "box": box,
+            "aways": [_away(j) for j in range(d)],
+            "square": _square(d),
+            "largest": _largest(d),
+        },
+        f"measured_{size}",
+        {
+            "probes": f"probes_{d}",
+            "patterns": f"patterns_{d}",
+            "unsettled": sought,
+            "shifts": _shifts(steps, len(boxed) if halvings else 0, bits),
+        },
+    )
+    tables = {"unsettled": sought, "measured": f"measured_{size}"}
+    reach = side**2 if halvings else _EVERYWHERE
+    add(steps, "selection/rounds", {"reach": reach}, f"rounds_{size}", tables)
+    tables = {"rounds": f"rounds_{size}", "measured": f"measured_{size}"}
+    add(steps, "selection/nearest", name=f"nearest_{size}", tables=tables)
+    steps.small |= {f"rounds_{size}", f"nearest_{size}"}
 
 
-def _sizes(usable: int, coordinates: int) -> list[int]:
-    """Return how often the range is halved into boxes, round by round, ending with no halving."""
+def _shifts(steps: Pipeline, coordinates: int, bits: int) -> str:
+    """Return the step of the ways from a box to itself and to those beside it."""
+    name = f"shifts_{coordinates}"
+    if name not in steps.steps:
+        rows = [
+            filled(
+                "selection/shifts",
+                {"shift": sum(aside * 2 ** (bits * place) for place, aside in enumerate(asides))},
+            )
+            for asides in itertools.product((-1, 0, 1), repeat=coordinates)
+        ]
+        add_stacked(steps, name, "selection/shifts", rows)
+        steps.small |= {name}
+    return name
+
+
+def _first(usable: int, d: int) -> int:
+    """Return how often the range is halved at first: a vector to a box, were they spread evenly."""
     if usable <= ONE_BOX:
-        return [0]
-    filled = min(coordinates, _FILLED)
-    along = 3 * (usable / _CROWD) ** (1 / filled)
-    first = min(_LARGEST_NUMBER // coordinates, max(0, math.floor(math.log2(along))))
-    # With fewer coordinates a step of one halving makes the boxes grow more slowly.
-    return sorted({*range(first, 0, filled - _FILLED - 1), 0}, reverse=True)
+        return 0
+    filled = min(d, _FILLED)
+    return min(_BITS, math.floor(math.log2(3 * usable ** (1 / filled))))
 
 
 def _away(j: int) -> exp.Expr:

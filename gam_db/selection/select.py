@@ -102,8 +102,8 @@ def selected(study: Study, search: Search) -> Selection:
         search,
         samples=max((one["samples"] for one in extents), default=0),
     )
-    add_embedding(steps, search)
-    add_dimensions(steps, search, usable, lambda step: bool(study.table(step)["vectors"][0].as_py()))
+    add_embedding(steps, search, study.method.settings[0].bins)
+    add_dimensions(steps, search, usable, lambda step: _waiting(study.table(step)))
     add_budget(steps, study.method, search)
     add_results(steps, study.method)
     return Selection(
@@ -113,3 +113,8 @@ def selected(study: Study, search: Search) -> Selection:
         cycles=study.table("cycle_curve"),
         budget=study.table("budget_curve"),
     )
+
+
+def _waiting(counted: pa.Table) -> tuple[int, int]:
+    (row,) = counted.to_pylist()
+    return row["vectors"], row["waiting"]

@@ -1,2 +1,3 @@
--- Ahead: the coordinate that is joined. Chained by Python.
-CASE WHEN later.hit = 1 THEN later.u_0 END
+-- Ahead: the coordinate that is joined, or its code. Chained by Python.
+-- Slots:  :later
+CASE WHEN later.hit = 1 THEN :later END

@@ -1,6 +1,6 @@
 -- False neighbours (Kennel, Brown and Abarbanel 1992) at d coordinates: those that the next coordinate
 -- parts by more than Rtol = 15 times their distance, or to more than Atol = 2 standard deviations of
--- the series.
+-- the series. Distances are squared, and in units of 2^-24 of the range.
 -- Reads:  probes, followed, deviations
 -- A row:  one channel; skipped counts the neighbours found beyond others at distance zero.
 -- Slots:  :d  coordinates
@@ -18,9 +18,9 @@ LEFT JOIN (
     going.place AS place,
     going.twin AS twin,
     CASE
-      WHEN going.parting > CAST(15 AS DOUBLE) * SQRT(going.distance) THEN 1
-      WHEN SQRT(going.distance + going.parting * going.parting)
-        > CAST(2 AS DOUBLE) * size.deviation THEN 1
+      WHEN going.parting * going.parting > 225 * going.distance THEN 1
+      WHEN SQRT(CAST(going.distance + going.parting * going.parting AS DOUBLE))
+        > CAST(33554432 AS DOUBLE) * size.deviation THEN 1
       ELSE 0
     END AS is_false,
     1 AS hit

@@ -1,22 +1,28 @@
--- Measured: the distances of reference vectors that seek a neighbour to every pattern in their box and
--- the boxes beside it that occurs outside the Theiler window (box-assisted search).
+-- Measured: how far reference vectors that seek a neighbour are from every pattern in their box and the
+-- boxes beside it that occurs outside the Theiler window (box-assisted search).
 -- Reads:  probes, unsettled, shifts, patterns
--- A row:  one reference vector and one pattern.
+-- A row:  one reference vector and one pattern; square is the squared Euclidean distance, largest the
+--         one in the maximum norm. Early and late places are told apart by whoever reads this: on DuckDB
+--         a CASE of a column that was joined must not go into another join (docs/quirks.md).
 -- Slots:  :coordinates  u_0 ... u_(d-1)
 --         :box          the number of the box of a vector
 --         :aways        away_0 ... away_(d-1), the distances by coordinate
---         :distance     made of these
-SELECT channel_id, place, early_place, late_place, :distance AS distance
+--         :square, :largest  made of these
+SELECT
+  channel_id,
+  place,
+  nearby,
+  first_place,
+  last_place,
+  :square AS square,
+  :largest AS largest
 FROM (
   SELECT
     seeking.channel_id AS channel_id,
     seeking.place AS place,
-    CASE
-      WHEN pattern.first_place < seeking.place - seeking.nearby THEN pattern.first_place
-    END AS early_place,
-    CASE
-      WHEN pattern.last_place > seeking.place + seeking.nearby THEN pattern.last_place
-    END AS late_place,
+    seeking.nearby AS nearby,
+    pattern.first_place AS first_place,
+    pattern.last_place AS last_place,
     :aways
   FROM (
     SELECT

@@ -3,9 +3,9 @@
 -- does; read from its last sample the same vector is that of Eq. 1. Chained by Python.
 -- Reads:  origins, points
 -- A row:  one usable sample, with its coordinates as far as depth says.
--- Slots:  :coordinates  the ones there are
+-- Slots:  :coordinates  the ones there are, with their codes
 --         :carried      the same, outside
---         :ahead        the new one
+--         :ahead        the new one, with its code
 --         :k            its number
 SELECT
   held.channel_id AS channel_id,
@@ -29,7 +29,7 @@ FROM (
   FROM origins
 ) AS held
 LEFT JOIN (
-  SELECT channel_id, run_no, place, u_0, 1 AS hit
+  SELECT channel_id, run_no, place, u_0, c_0, 1 AS hit
   FROM points
 ) AS later
   ON later.channel_id = held.channel_id

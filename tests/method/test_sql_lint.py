@@ -555,8 +555,8 @@ def selection_steps() -> list[tuple[str, exp.Query]]:
     search = Search(m_max=4, theiler=3)
     add_samples(made, search)
     add_delays(made, search, samples=1300)
-    add_embedding(made, search)
-    add_dimensions(made, search, usable=5000, is_waited_for=lambda _: True)
+    add_embedding(made, search, bins=100)
+    add_dimensions(made, search, usable=5000, waiting=lambda _: (4, 3))
     add_budget(made, method, search)
     add_results(made, method)
     return [(step.name, step.query) for step in made.steps.values()]

@@ -185,13 +185,14 @@ class Channel:
         tau = delays["tau"] or 1
         memory = delays["acf_1e"] or self.longest
         deviation = float(np.nanstd(self.scaled)) if self.usable else 0.0
+        units = self._units()
         rows: list[Row] = []
         grown: dict[int, tuple[float, float]] = {}
         for d in range(1, self.asked.m_max + 2):
             where = [i for i in range(self.samples - d * tau) if self._known(i, d, tau)]
             if not where:
                 continue
-            vectors = np.array([[self.scaled[i + k * tau] for k in range(d + 1)] for i in where])
+            vectors = np.array([[units[i + k * tau] for k in range(d + 1)] for i in where])
             places = np.array(where) + 1
             nearby = max((d - 1) * tau, memory) if self.asked.theiler is None else self.asked.theiler
             false, skipped, ratios, partings, followed = 0, 0, [], [], 0
@@ -208,18 +209,18 @@ class Channel:
                 if neighbour is not None:
                     followed += 1
                     skipped += twin
-                    parting = abs(vectors[j, d] - vectors[neighbour, d])
-                    square = squares[neighbour]
+                    parting = int(abs(vectors[j, d] - vectors[neighbour, d]))
+                    square = int(squares[neighbour])
                     false += bool(
                         parting > 15 * math.sqrt(square)
-                        or math.sqrt(square + parting * parting) > 2 * deviation
+                        or math.sqrt(square + parting * parting) > 2 * deviation * 2**24
                     )
                 largest = away.max(axis=1)
                 neighbour, _ = _nearest(largest, places, places[j], nearby)
                 if neighbour is not None:
-                    parting = abs(vectors[j, d] - vectors[neighbour, d])
-                    ratios.append(min(max(1.0, parting / largest[neighbour]), 2.0**24))
-                    partings.append(parting)
+                    parting = int(abs(vectors[j, d] - vectors[neighbour, d]))
+                    ratios.append(max(1.0, parting / int(largest[neighbour])))
+                    partings.append(parting / 2**24)
             rows.append(
                 {
                     "m": d,
@@ -238,6 +239,15 @@ class Channel:
             row["e2"] = there[1] / here[1] if here and there and here[1] > 0 else None
         return [row for row in rows if row["m"] <= self.asked.m_max]
 
+    def _units(self) -> list[int]:
+        """Coordinates in whole units of 2^-24 of the range: nearer than that is rounding.
+
+        Rhodes and Morari (Physical Review E 55, 1997, 6162): the more samples, the more often the
+        nearest neighbour is one that only noise parts, be it as small as that of rounding, and its
+        distance decides. 24 bits are the finest converters' and those of a 32-bit float.
+        """
+        return [0 if math.isnan(u) else math.floor(u * 2**24 + 0.5) for u in self.scaled.tolist()]
+
     def _known(self, i: int, d: int, tau: int) -> bool:
         ahead = [i + k * tau for k in range(d + 1)]
         return all(self.runs[j] == self.runs[i] and not math.isnan(self.scaled[j]) for j in ahead)
@@ -249,7 +259,7 @@ class Channel:
 
 
 def _nearest(
-    distances: Floats, places: NDArray[np.int64], place: int, nearby: int
+    distances: NDArray[np.int64], places: NDArray[np.int64], place: int, nearby: int
 ) -> tuple[int | None, int]:
     """The nearest vector outside the window that is not at zero distance, and whether one was.
 
