@@ -18,7 +18,8 @@ if TYPE_CHECKING:
     from gam_db.lab.evaluation import Conventions, Evaluation, evaluate
     from gam_db.parameters import Override, Parameters
     from gam_db.script import render
-    from gam_db.selection.select import Selection, select
+    from gam_db.selection.channels import select
+    from gam_db.selection.select import Selection
     from gam_db.source import Source, WideSource
     from gam_db.stored.monitor import Monitor
 
@@ -59,7 +60,8 @@ _PUBLIC = {
     "lab.evaluation": ("Conventions", "Evaluation", "evaluate"),
     "parameters": ("Override", "Parameters"),
     "script": ("render",),
-    "selection.select": ("Selection", "select"),
+    "selection.channels": ("select",),
+    "selection.select": ("Selection",),
     "source": ("Source", "WideSource"),
     "stored.monitor": ("Monitor",),
 }

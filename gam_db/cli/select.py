@@ -3,7 +3,9 @@
 This module owns the command; :mod:`gam_db.cli.selection_report` says how its results look.
 """
 
+import contextlib
 import json
+from collections.abc import Iterator
 from typing import Annotated, Literal
 
 import typer
@@ -14,7 +16,7 @@ from gam_db.cli.progress import Progress, interruptible
 from gam_db.cli.selection_report import figures, show
 from gam_db.connecting import connect
 from gam_db.guess import guess
-from gam_db.selection import Search, alone, selected
+from gam_db.selection import Search, Studied, alone, selected_by_all
 from gam_db.study import Study
 
 _SEARCH = "The search"
@@ -128,18 +130,23 @@ def select(
     )
     relation = named_relation(settings)
     parameters, calibration = alone(*settings.method())
-    with (
-        interruptible(),
-        connect(settings.source.database, threads, writable=False) as session,
-        Progress(session) as progress,
-    ):
+
+    @contextlib.contextmanager
+    def studies() -> Iterator[Studied]:
+        opened = connect(settings.source.database, threads, writable=False)
+        with opened as session, Progress(session) as progress:
+            yield lambda given: Study(session, given, parameters, calibration, progress.on_step)
+
+    with interruptible(), connect(settings.source.database, threads, writable=False) as session:
         columns = session.describe(session.relation(relation))
         guessed = guess(relation, columns, settings.source, session)
-        study = Study(session, guessed.source, parameters, calibration, on_step=progress.on_step)
-        found = selected(study, search)
+    with interruptible():
+        found = selected_by_all(studies, guessed.source, search)
     file = None if settings.file is None else str(settings.file)
     job = report.Job(relation, guessed, parameters, calibration, file)
     if as_json:
         print(json.dumps(figures(job, search, found), ensure_ascii=False, indent=1))
     else:
         show(report.console(), job, found, everything)
+    if len(found.failures):
+        raise typer.Exit(3)

@@ -72,6 +72,10 @@ def show(out: Console, job: Job, found: Selection, everything: bool = False) -> 
         out.print(Text(f"{printable(one['asset'])} {printable(one['channel'])}", style="bold"))
         for line in _lines(one, lags[key], dimensions[key], budget[key], job, blocks):
             say(out, f"  {line}")
+    for one in found.failures.to_pylist():
+        out.print()
+        name = f"{printable(one['asset'])} {printable(one['channel'])}"
+        say(out, f"{name}: nothing chosen, by a fault of gam-db or its engine: {one['reason']}")
     if len(choices) > len(shown):
         out.print()
         say(out, f"and {len(choices) - len(shown)} more; --all")

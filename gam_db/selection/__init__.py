@@ -4,7 +4,17 @@ This folder owns the way from samples to curves, choices and what the calibratio
 mathematics is in ``sql/selection``; here its steps are put in order and run.
 """
 
+from gam_db.selection.channels import Studied, select, selected_by_all
 from gam_db.selection.search import TAU_RULES, Search
-from gam_db.selection.select import Selection, alone, select, selected
+from gam_db.selection.select import Selection, alone, selected
 
-__all__ = ["TAU_RULES", "Search", "Selection", "alone", "select", "selected"]
+__all__ = [
+    "TAU_RULES",
+    "Search",
+    "Selection",
+    "Studied",
+    "alone",
+    "select",
+    "selected",
+    "selected_by_all",
+]

@@ -1,20 +1,19 @@
-"""The public call: a source in, curves and choices out."""
+"""One selection: a study in, curves and choices out."""
 
 import dataclasses
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, field
 
 import pyarrow as pa
 
 from gam_db.calibration import Calibration
-from gam_db.connecting import borrowed
 from gam_db.parameters import Parameters
 from gam_db.selection.budget import add_budget, add_results
 from gam_db.selection.lags import add_delays, add_samples
 from gam_db.selection.neighbours import add_dimensions, add_embedding
 from gam_db.selection.search import Search
-from gam_db.source import AnySource
 from gam_db.study import Study
+
+FAILURES = pa.schema([("asset", pa.string()), ("channel", pa.string()), ("reason", pa.string())])
 
 
 @dataclass(frozen=True)
@@ -38,6 +37,8 @@ class Selection:
             samples, n_pairs, acf.
         budget: one row per embedding dimension m: vectors, cells, floor, verdict, finest_bins (the
             finest grid that passes) with finest_floor, vectors_needed.
+        failures: one row per channel that the engine could not be asked about: asset, channel, reason.
+            The other tables have none of it.
     """
 
     choices: pa.Table
@@ -45,42 +46,7 @@ class Selection:
     dimensions: pa.Table
     cycles: pa.Table
     budget: pa.Table
-
-
-def select(
-    source: AnySource,
-    parameters: Parameters | None = None,
-    calibration: Calibration | None = None,
-    engine: Any = None,
-    **search: Any,
-) -> Selection:
-    """Choose tau, m, B and W for every channel from its calibration (method, section 8).
-
-    Average mutual information (Fraser and Swinney 1986) and autocorrelation give tau, false nearest
-    neighbours (Kennel, Brown and Abarbanel 1992) and Cao (1997) give m, the autocorrelation at long
-    lags gives the cycle, and the certificate says which m and B the calibration can fill.
-
-    Args:
-        source: where the telemetry lies.
-        parameters: bins, window, max_gap and target_floor are those asked for; m counts where no rule
-            finds one, tau not at all. Overrides are left out.
-        calibration: the healthy part; default the first fifth of each channel, ``Calibration(
-            fraction=1.0)`` for all of it. Pools are left out: each channel speaks for itself.
-        engine: None for DuckDB in memory, the path of a DuckDB file, or an open DuckDB connection.
-        **search: the fields of :class:`gam_db.selection.Search`: tau, tau_by, tau_max, m_max,
-            theiler, references, seed, ami_bins.
-
-    Returns:
-        Curves and choices. A channel for which nothing can be chosen has a status that says so.
-
-    Raises:
-        UserError: see its subclasses; the message says what to mend.
-        TypeError: an option that :class:`gam_db.selection.Search` does not have.
-    """
-    options = Search(**search)
-    with borrowed(engine) as session:
-        study = Study(session, source, *alone(parameters or Parameters(), calibration or Calibration()))
-        return selected(study, options)
+    failures: pa.Table = field(default_factory=FAILURES.empty_table)
 
 
 def alone(parameters: Parameters, calibration: Calibration) -> tuple[Parameters, Calibration]:

@@ -1,19 +1,22 @@
 """Choosing tau, m, B and W: against a plain NumPy version, and against known values."""
 
 import math
+from random import Random
 from typing import Any
 
 import numpy as np
 import pyarrow as pa
 import pytest
 from numpy.typing import NDArray
+from pyarrow import compute as pc
+from sqlglot import exp
 
 import comparisons
 import gam_db
 import reference
 from gam_db import langevin
 from gam_db.engines.duckdb_session import DuckSession
-from gam_db.errors import ParameterError
+from gam_db.errors import ParameterError, StatementError
 from gam_db.selection import Search, neighbours
 from gam_db.selection.lags import add_delays, add_samples
 from gam_db.study import Study
@@ -292,3 +295,78 @@ def test_a_later_rule_can_be_asked_for() -> None:
 def test_options_out_of_range_are_refused(option: dict[str, Any], said: str) -> None:
     with pytest.raises(ParameterError, match=said):
         Search(**option)
+
+
+def shifted(machines: int) -> pa.Table:
+    """Machines whose cycle runs three quarters of the time at one level and then at another."""
+    random = Random(1)
+    rows = []
+    for machine in range(machines):
+        for i in range(600):
+            random.random()
+            value = math.sin(i / 5) + random.gauss(0, 0.05) + (1.5 if i > 450 else 0)
+            rows.append({"asset": f"a{machine}", "time": i, "value": value})
+    return pa.Table.from_pylist(rows)
+
+
+def test_many_machines_at_once_are_like_each_alone() -> None:
+    """With more than 32 of them DuckDB 2.0.0 met a column of a join whose dictionary had changed."""
+    plant = shifted(44)
+    source = gam_db.Source(plant, channel=None)
+    found = gam_db.select(source)
+    assert not len(found.failures)
+    assert found.choices.num_rows == 44
+    own = plant.filter(pc.equal(plant["asset"], "a7"))
+    alone = gam_db.select(gam_db.Source(own, channel=None))
+    for name in ("choices", "lags", "dimensions", "cycles", "budget"):
+        (rows, expected) = (getattr(one, name).to_pylist() for one in (found, alone))
+        assert [row for row in rows if row["asset"] == "a7"] == expected, name
+
+
+@pytest.mark.parametrize("wide", [False, True])
+def test_a_channel_that_fails_does_not_lose_the_others(
+    wide: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The engine refuses all that is asked of a source that holds one channel, and ends the session."""
+    whole = DuckSession.keep
+
+    def keep(self: DuckSession, step: str, query: exp.Query) -> exp.Table:
+        made = whole(self, step, query)
+        if step == "extents":
+            usable = self.fetch(exp.select("usable").from_(made))
+            if 300 in usable["usable"].to_pylist():
+                self.connection.close()
+                raise StatementError("DuckDB refused a statement: out of luck")
+        return made
+
+    monkeypatch.setattr(DuckSession, "keep", keep)
+    clock = np.arange(400)
+    columns: dict[str, Any] = {name: np.sin(clock / 5) for name in ("a", "bad 'one'", "c")}
+    columns["bad 'one'"] = [float(x) if i < 300 else None for i, x in enumerate(np.sin(clock / 5))]
+    source = (
+        gam_db.WideSource(pa.table({"time": clock, **columns}), asset=None) if wide else table(columns)
+    )
+    found = gam_db.select(source, calibration=WHOLE, m_max=2, references=20)
+    assert [row["channel"] for row in found.choices.to_pylist()] == ["a", "c"]
+    (failure,) = found.failures.to_pylist()
+    assert (failure["asset"], failure["channel"]) == ("asset", "bad 'one'")
+    assert "out of luck" in failure["reason"]
+    with pytest.raises(StatementError):
+        gam_db.select(table({"bad": columns["bad 'one'"]}), calibration=WHOLE, m_max=2)
+
+
+@pytest.mark.parametrize(
+    "samples",
+    [
+        np.sin(np.arange(3000) * 2 * math.pi / 17.3),
+        np.sin(np.arange(3000) * 2 * math.pi / 40),
+        np.sin(np.arange(3000) * 2 * math.pi / 12.5),
+        1e6 + np.sin(np.arange(3000) / 5),
+        np.sin(np.arange(3000) / 50).astype(np.float32),
+    ],
+)
+def test_a_clean_sine_unfolds_in_two_dimensions(samples: Floats) -> None:
+    """Neighbours at the distance of rounding are none: before there was a unit, m was 4, or none."""
+    found = gam_db.select(table({"value": list(samples)}), calibration=WHOLE, m_max=4)
+    chosen = choice(found)
+    assert (chosen["m_fnn"], chosen["fnn_status"]) == (2, "fnn")
