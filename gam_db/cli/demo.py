@@ -56,9 +56,9 @@ def demo(
         ),
     ] = None,
 ) -> None:
-    """Simulate a machine that wears out, and print what `gam run` prints of it.
+    """Simulate a machine that wears out, and print what `gam run` prints of it. Writes nothing.
 
-    Without --out it writes nothing.
+    With --out it writes the series, and nothing else.
     """
     if keep is not None and (keep.suffix != ".parquet" or not keep.parent.is_dir()):
         raise ConfigurationError(f"--out is {keep}; give a name in .parquet, in a folder that is there.")
