@@ -10,6 +10,7 @@ import duckdb
 from sqlglot import exp
 
 from gam_db import template
+from gam_db.engines.duckdb_journal import Journal, journal_of, put_back
 from gam_db.errors import EngineError, SourceError
 
 _UNITS = {"bytes": 1, "KiB": 2**10, "MiB": 2**20, "GiB": 2**30, "TiB": 2**40}
@@ -32,19 +33,26 @@ def opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:
         EngineError: it is not there, is no DuckDB file, is damaged, is in use, or may not be written.
     """
     if target is None:
-        return duckdb.connect()
+        return _with_our_checkpoints(duckdb.connect())
     path = Path(str(target).removeprefix("duckdb:///"))
     if not path.exists() and not (writable and path.parent.is_dir()):
         raise EngineError(f"There is no database file {path}.")
+    put_back(path)
     try:
-        return duckdb.connect(str(path), read_only=not writable)
+        return _with_our_checkpoints(duckdb.connect(str(path), read_only=not writable))
     except duckdb.Error as error:
         reason = str(error)
         if "Corrupt database file" in reason:
+            kept = journal_of(path.resolve())
+            if kept.exists():
+                raise EngineError(
+                    f"{path} was left half written by a process that was killed. {kept.name} beside it "
+                    "holds what puts it right: run any command of gam as a user who may write both."
+                ) from error
             raise EngineError(
                 f"{path} is damaged: DuckDB cannot read a block of it. Its disk failed or was full, or "
-                "a process was killed just when DuckDB wrote the file's list of contents over the old "
-                "one. Take a copy that is whole, or make the monitor anew in another file."
+                "another program was killed just when it wrote the file's list of contents over the "
+                "old one. Take a copy that is whole, or make the monitor anew in another file."
             ) from error
         if "lock on file" in reason:
             raise EngineError(
@@ -61,12 +69,22 @@ def opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:
         ) from error
 
 
+def _with_our_checkpoints(connection: duckdb.DuckDBPyConnection) -> duckdb.DuckDBPyConnection:
+    """Keep DuckDB from checkpoints of its own accord, which have no journal."""
+    connection.execute("SET checkpoint_threshold = '1000 TB'")
+    connection.execute("PRAGMA disable_checkpoint_on_shutdown")
+    return connection
+
+
 @contextlib.contextmanager
-def attached(run: Callable[[exp.Expr], Any], name: str, path: Path) -> Iterator[exp.Identifier]:
+def attached(
+    run: Callable[[exp.Expr], Any], connection: duckdb.DuckDBPyConnection, name: str, path: Path
+) -> Iterator[exp.Identifier]:
     """Open another database file for writing beside the one at hand, and give its catalogue.
 
     Args:
-        run: runs a statement.
+        run: runs a statement on the connection.
+        connection: to the one at hand.
         name: of the catalogue.
         path: the file; it is made if it is not there.
 
@@ -79,14 +97,41 @@ def attached(run: Callable[[exp.Expr], Any], name: str, path: Path) -> Iterator[
         # Said in full: a session that only reads would attach other files for reading, too.
         expressions=[exp.AttachOption(this=exp.var("READ_WRITE"))],
     )
+    put_back(path)
     try:
         run(attach)
     except (duckdb.IOException, duckdb.BinderException) as error:
         raise SourceError(f"{path} cannot be opened as a DuckDB file for writing.") from error
+    journal = Journal(connection, name)
     try:
+        with _written(path):
+            journal.keep()  # on a connection of the user's DuckDB may make a checkpoint of its own
         yield catalog
+        with _written(path):
+            journal.checkpoint()
     finally:
-        run(exp.Detach(this=catalog.copy()))
+        with contextlib.closing(journal), _without_checkpoint(connection):
+            run(exp.Detach(this=catalog.copy()))
+
+
+@contextlib.contextmanager
+def _without_checkpoint(connection: duckdb.DuckDBPyConnection) -> Iterator[None]:
+    """Let a file be detached as it is."""
+    query = "SELECT current_setting('checkpoint_on_detach')"
+    before = connection.execute(query).fetchall()[0][0]
+    connection.execute("SET checkpoint_on_detach = 'DISABLED'")
+    try:
+        yield
+    finally:
+        connection.execute("SET checkpoint_on_detach = ?", [before])
+
+
+@contextlib.contextmanager
+def _written(path: Path) -> Iterator[None]:
+    try:
+        yield
+    except (OSError, duckdb.Error) as error:
+        raise SourceError(f"{path} cannot be written; is its disk full?") from error
 
 
 def check_settings(connection: duckdb.DuckDBPyConnection) -> None:

@@ -14,6 +14,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.engines.base import deletion
 from gam_db.engines.duckdb import ENGINE, file_reader
+from gam_db.engines.duckdb_journal import Journal
 from gam_db.engines.duckdb_opening import attached, check_settings, is_among, opened, rows_at_once
 from gam_db.engines.duckdb_types import check_columns, is_name, is_numeric, is_text, time_kind
 from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY
@@ -21,6 +22,9 @@ from gam_db.errors import ConflictError, EngineError, SourceError, StatementErro
 from gam_db.source import is_file, table_names
 
 OLDEST = (2, 0)
+
+#: The log goes into the file when it has grown beyond so many bytes, and when the file is closed.
+LARGE_LOG = 2**24
 
 
 class DuckSession:
@@ -53,12 +57,13 @@ class DuckSession:
         self.owned = not isinstance(target, duckdb.DuckDBPyConnection)
         if self.owned:
             self.connection = opened(target, writable)
+            self._journal = Journal(self.connection) if writable and target is not None else None
             self.connection.execute("SET TimeZone = 'UTC'")
             # Progress is counted, for whoever asks, but not painted: standard output is the caller's.
             self.connection.execute("SET enable_progress_bar = true")
             self.connection.execute("SET enable_progress_bar_print = false")
         else:
-            self.connection = target
+            self.connection, self._journal = target, None
             check_settings(target)
         if threads is not None:
             self.connection.execute("SET threads = ?", [threads])
@@ -75,13 +80,25 @@ class DuckSession:
     def close(self) -> None:
         """Drop what was made on the way; close the connection if it is ours."""
         if self.owned:
-            self.connection.close()
+            self._close()
             return
         with contextlib.suppress(duckdb.Error):
             for made in self._made:
                 self._run(exp.Drop(tables=[_temporary(made)], kind="TABLE", exists=True))
             for registered in self._registered:
                 self.connection.unregister(registered)
+
+    def _close(self) -> None:
+        others = False
+        if self._journal is not None:
+            with contextlib.suppress(EngineError):  # what was committed is in the log
+                self.checkpoint()
+            with contextlib.suppress(duckdb.Error):  # it is closed already
+                count = "SELECT count > 1 FROM duckdb_connection_count()"
+                others = self.connection.execute(count).fetchall()[0][0]
+        self.connection.close()
+        if self._journal is not None:
+            self._journal.close(others)
 
     def relation(self, relation: Any) -> exp.Expr:
         """Return the node that reads a relation: a table, a file, or a registered Arrow table.
@@ -214,6 +231,21 @@ class DuckSession:
             with contextlib.suppress(duckdb.Error, StatementError):
                 self._run(exp.Rollback())  # after some errors DuckDB has rolled back already
             raise
+        self.checkpoint(LARGE_LOG)
+
+    def checkpoint(self, above: int = 0) -> None:
+        """Write the log of the file into it, if it is ours and its log larger than so many bytes.
+
+        Raises:
+            EngineError: the disk is full; what was committed stays in the log.
+        """
+        if self._journal is not None:
+            try:
+                self._journal.checkpoint(above)
+            except (duckdb.TransactionException, OSError):
+                pass  # another connection is at work, or there is no room: it stays in the log
+            except duckdb.Error as error:
+                raise EngineError(FULL) from error
 
     def _in_transaction(self) -> bool:
         """Tell whether a transaction is open: only then two statements have the same number.
@@ -294,7 +326,7 @@ class DuckSession:
         Raises:
             SourceError: it cannot be opened.
         """
-        return attached(self._run, f"{self._mark}_target", path)
+        return attached(self._run, self.connection, f"{self._mark}_target", path)
 
     def _write_table(self, query: exp.Query, path: Path, table: str) -> None:
         with self.attached(path) as catalog:

@@ -18,6 +18,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.engines.duckdb_types import check_columns
 from gam_db.engines.session import OPEN
 from gam_db.errors import EngineError, SourceError, StatementError, UserError, nearest
@@ -339,11 +340,9 @@ def _write_parquet(rows: pa.Table, path: Path) -> None:
 
 def _write_table(rows: pa.Table, path: Path, table: str) -> None:
     target = exp.Table(this=template.name(table), db=template.name("main"))
-    query = exp.select("*").from_(exp.to_table("rows"))
-    create = exp.Create(this=target, kind="TABLE", replace=True, expression=query)
-    with duckdb.connect(str(path)) as connection:
-        connection.register("rows", rows)
-        connection.execute(create.sql(dialect="duckdb"))
+    with DuckSession(path, writable=True) as session, session.lent(rows) as lent:
+        query = exp.select("*").from_(lent)
+        session.execute(exp.Create(this=target, kind="TABLE", replace=True, expression=query))
 
 
 def _first_line(error: BaseException | None) -> str:

@@ -65,7 +65,9 @@ def copy(session: Session, tables: StateTables, path: Path) -> None:
     except OSError as error:
         raise SourceError(f"{path} cannot be written: {error.strerror}.") from error
     finally:
-        unfinished.unlink(missing_ok=True)
+        for left in path.parent.iterdir():
+            if left.name.startswith(unfinished.name):
+                left.unlink()
 
 
 def _fill(session: DuckSession, tables: StateTables, name: str, catalog: exp.Identifier) -> None:

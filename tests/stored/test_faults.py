@@ -24,6 +24,7 @@ from gam_db.stored import migrations
 from gam_db.stored.migration_files import files
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.tables import StateTables
+from nobody import as_nobody
 from small_plant import FIRST, LENGTH, begin, monitor, readings, seen, source, stored, whole
 from visible import put
 
@@ -224,19 +225,6 @@ def test_files_that_may_not_grow(tmp_path: Path, expected: list[Any]) -> None:
 @pytest.mark.thorough
 def test_a_full_disk(small_disk: Path, expected: list[Any]) -> None:
     endure(small_disk, ballast, expected)
-
-
-@contextmanager
-def as_nobody() -> Iterator[None]:
-    """Take from the administrator, who may write everything, what others may not do."""
-    if os.geteuid() != 0:
-        yield
-        return
-    os.seteuid(65534)
-    try:
-        yield
-    finally:
-        os.seteuid(0)
 
 
 def test_a_file_that_may_only_be_read(plant: Path, expected: list[Any]) -> None:

@@ -6,9 +6,7 @@ ones are real processes on a real file; some are killed again before anyone look
 
 import itertools
 import random
-import re
 import shutil
-import struct
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -22,7 +20,7 @@ import frozen
 import gam_db
 import harness
 from gam_db.engines.duckdb_session import DuckSession
-from gam_db.errors import EngineError, StateError
+from gam_db.errors import StateError
 from gam_db.stored.migration_files import files
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.tables import TABLES
@@ -50,14 +48,6 @@ LEARNT = {
 }
 
 SIZES = "SELECT table_name, estimated_size FROM duckdb_tables() WHERE NOT temporary ORDER BY ALL"
-
-#: DuckDB 2.0 writes its list of contents over the old one when a file is closed, and the kernel may stop
-#: in the middle of that write when the process is killed: one in some thousands of files is lost to it,
-#: see docs/quirks.md. More would be ours.
-TORN = 1
-
-#: How a DuckDB file is laid out, in bytes.
-PAGE, BLOCK = 4096, 2**18
 
 #: Columns that differ from run to run; what a checksum sums has the time of creation in it.
 STAMPS = ("run_id", "created", "started", "committed", "applied_at", "figures_sum")
@@ -203,55 +193,16 @@ def hit(
 ) -> tuple[Moment, bool]:
     """Kill a process at work on a copy of a file; return when, and whether the next one was hit, too.
 
-    One that was faster does not count, nor does one whose file DuckDB itself damaged. With ``again``
-    the process that goes on with the copy is killed as well, unless it is faster.
+    One that was faster does not count. With ``again`` the process that goes on with the copy is killed
+    as well, unless it is faster.
     """
-    wal = path.with_name(f"{path.name}.wal")
     for moment in itertools.islice(chosen, 50):
-        wal.unlink(missing_ok=True)
+        for left in path.parent.glob(f"{path.name}*"):
+            left.unlink()
         shutil.copy(before, path)
-        if not victims.kill(moment, database=str(path), **order, **METHOD):
-            continue
-        twice = again and victims.kill(next(chosen), database=str(path), **order, **METHOD)
-        if not is_torn(path):
-            return moment, twice
-        victims.torn += 1
-        assert victims.torn <= TORN, "files are damaged more often than DuckDB alone would do it"
+        if victims.kill(moment, database=str(path), **order, **METHOD):
+            return moment, again and victims.kill(next(chosen), database=str(path), **order, **METHOD)
     raise AssertionError("fifty processes ended before they were killed")
-
-
-def is_torn(path: Path) -> bool:
-    """Tell whether DuckDB cannot read its list of contents any more; other damage is raised."""
-    try:
-        DuckSession(path, threads=1).close()
-    except EngineError as error:
-        place = contents(path) if "is damaged" in str(error) else None
-        if not re.search(rf"block at location {place}\b", str(error.__cause__)):
-            raise
-        return True
-    return False
-
-
-def contents(path: Path) -> int:
-    """Return where the block lies that the newer header of a DuckDB file names.
-
-    Three pages are before all blocks; the second and third are headers: a checksum, how often the file
-    was written, and the block in the lower 56 bits of what follows.
-    """
-    pages = path.read_bytes()[: 3 * PAGE]
-    _, pointer = max(struct.unpack_from("<QQ", pages, page * PAGE + 8) for page in (1, 2))
-    return 3 * PAGE + int(pointer) % 2**56 * BLOCK
-
-
-def test_only_a_torn_list_of_contents_is_forgiven(tmp_path: Path) -> None:
-    path = founded(tmp_path / "plant.duckdb", plant().first)
-    assert not is_torn(path)
-    whole, place = path.read_bytes(), contents(path)
-    path.write_bytes(whole[:place] + bytes(BLOCK // 2) + whole[place + BLOCK // 2 :])
-    assert is_torn(path)
-    path.write_bytes(b"no database")
-    with pytest.raises(EngineError, match="cannot be opened as a DuckDB file"):
-        is_torn(path)
 
 
 def test_tens_of_processes_are_killed_in_the_first_set_and_hundreds_in_the_full_one() -> None:

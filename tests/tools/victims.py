@@ -52,11 +52,10 @@ class Victims:
 
     Attributes:
         killed: how many processes were hit.
-        torn: how many files were damaged with it; counted by who looks.
     """
 
     def __init__(self, program: str = __file__) -> None:
-        self.killed = self.torn = 0
+        self.killed = 0
         paths = os.pathsep.join(path for path in sys.path if path)
         self._server = subprocess.Popen(
             [sys.executable, program],

@@ -15,6 +15,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.duckdb import ENGINE
+from gam_db.engines.duckdb_session import LARGE_LOG, DuckSession
 from gam_db.errors import ConfigurationError, SourceError
 from gam_db.lab.simulate.fleet import TRUTH, Fleet
 
@@ -132,10 +133,13 @@ def _in_database(path: Path, table: str) -> Iterator[tuple[Writer, Writer]]:
     mark = f"gam_unfinished_{secrets.token_hex(4)}"
     targets = (table, truth_of(path, table))
     unfinished = [_table(f"{mark}_{number}") for number in range(len(targets))]
-    with duckdb.connect(str(path), config={"memory_limit": _MEMORY}) as connection:
+    with DuckSession(path, writable=True) as session:
+        connection = session.connection
+        connection.execute("SET memory_limit = ?", [_MEMORY])
 
         def run(tree: exp.Expr) -> None:
             connection.execute(ENGINE.text(tree))
+            session.checkpoint(LARGE_LOG)
 
         def writer_of(target: exp.Table) -> Writer:
             begun = False
