@@ -15,7 +15,14 @@ from sqlglot.errors import ErrorLevel, UnsupportedError
 from gam_db import template
 from gam_db.bits import Bits
 from gam_db.clock import TimeKind
-from gam_db.engines.storage import Addition, Definition, added_with_statements, with_statements
+from gam_db.engines.storage import (
+    Addition,
+    Definition,
+    Filling,
+    added_with_statements,
+    updated,
+    with_statements,
+)
 from gam_db.errors import EngineError
 from gam_db.source import AnySource, readings
 
@@ -47,6 +54,7 @@ class Engine:
         create_table: CREATE TABLE ... AS with what the engine wants to know of storage.
         define: a table or view of the state, with keys, formats and comments as the engine has them.
         extend: columns that a table of the state gets later, with comments in the same way.
+        fill: what the rows that are there have in such columns, as one step.
         schemas: whether CREATE SCHEMA is known.
         flow_hint: whether a WITH entry can be marked NOT MATERIALIZED.
         reads_files: whether a Parquet or CSV path can stand in FROM.
@@ -70,6 +78,7 @@ class Engine:
     create_table: Callable[[exp.Table, exp.Query], exp.Create] = table_as
     define: Callable[[Definition], list[exp.Expr]] = with_statements
     extend: Callable[[Addition], list[exp.Expr]] = added_with_statements
+    fill: Callable[[Filling], list[exp.Expr]] = updated
     schemas: bool = True
     flow_hint: bool = False
     reads_files: bool = False

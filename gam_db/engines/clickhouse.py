@@ -8,7 +8,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter, escape_by_backslash, table_as
-from gam_db.engines.storage import Addition, Definition, added_with_notes, with_notes
+from gam_db.engines.storage import Addition, Definition, Filling, added_with_notes, with_notes
 
 _UTC = "UTC"
 _PLAN_STEPS = 1_000_000
@@ -94,6 +94,26 @@ def extend(addition: Addition) -> list[exp.Expr]:
     return statements
 
 
+def exchanged(filling: Filling) -> list[exp.Expr]:
+    """Return what fills another table and exchanges the two, which is one step.
+
+    Cause: an UPDATE can look nothing up in other tables. Symptom: a correlated query is refused there.
+    """
+    beside = filling.table.copy()
+    beside.set("this", exp.to_identifier(f"{beside.name}_filled", quoted=True))
+    create = filling.whole.create.copy()
+    create.this.set("this", beside.copy())
+    insert = filling.rows
+    insert.this.set("this", beside.copy())
+    nulls = exp.EQ(this=exp.var("join_use_nulls"), expression=exp.Literal.number(1))
+    insert.expression.set("settings", [nulls])
+    drop = exp.Drop(tables=[beside], kind="TABLE", exists=True)
+    names = " AND ".join(one.sql(dialect="clickhouse") for one in (beside, filling.table))
+    exchange = exp.Command(this="EXCHANGE", expression=f"TABLES {names}")
+    made = define(Definition(create, filling.whole.comment, filling.whole.columns))
+    return [drop, *made, insert, exchange, drop.copy()]
+
+
 def _say_null_by_type(statement: exp.Expr) -> None:
     for column in statement.find_all(exp.ColumnDef):
         present = [
@@ -159,4 +179,5 @@ ENGINE = Engine(
     create_table=create_table,
     define=define,
     extend=extend,
+    fill=exchanged,
 )

@@ -4,7 +4,7 @@ from sqlglot import exp
 
 from gam_db.engines.base import Engine
 from gam_db.engines.spark import extend, instant_of, micros_of
-from gam_db.engines.storage import Definition, clustered, with_notes
+from gam_db.engines.storage import Definition, clustered, merged, with_notes
 
 
 def define(definition: Definition) -> list[exp.Expr]:
@@ -22,4 +22,5 @@ ENGINE = Engine(
     instant_of=instant_of,
     define=define,
     extend=extend,
+    fill=merged,
 )

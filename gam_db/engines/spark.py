@@ -10,7 +10,15 @@ from sqlglot import exp
 
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter, table_as
-from gam_db.engines.storage import Addition, Definition, added_with_notes, clustered, with_notes
+from gam_db.engines.storage import (
+    Addition,
+    Definition,
+    added_with_notes,
+    clustered,
+    merged,
+    overwritten,
+    with_notes,
+)
 
 #: Groups of channels, by hash, that the large tables are stored in: a look at one machine opens the
 #: files of one group, in which rows are ordered. Every run writes a file for each, so they are few.
@@ -107,7 +115,7 @@ def _format(name: str) -> exp.Expr:
 
 
 def _defined_by(define: Callable[[Definition], list[exp.Expr]]) -> Engine:
-    return dataclasses.replace(ENGINE, define=define)
+    return dataclasses.replace(ENGINE, define=define, fill=merged)
 
 
 ENGINE = Engine(
@@ -125,6 +133,7 @@ ENGINE = Engine(
     create_table=create_table,
     define=define,
     extend=extend,
+    fill=overwritten,
     rewrites=(rebalanced,),
 )
 

@@ -4,12 +4,13 @@ import secrets
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+import sqlglot
 from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines import spark_statements
 from gam_db.engines.base import Engine
-from gam_db.engines.spark_rewriting import Run, rewritten, same_keys
+from gam_db.engines.spark_rewriting import Run, same_keys, staying, write_beside
 
 #: In how many schemas tables are looked for, beside the current one.
 _SCHEMAS = 50
@@ -40,7 +41,12 @@ class MetastoreTables:
 
     def execute(self, text: str) -> None:
         """Run a statement that changes something."""
-        self._run(text)
+        tree = sqlglot.parse_one(text, dialect="spark") if text.startswith("INSERT OVERWRITE") else None
+        if tree is None:
+            self._run(text)
+        else:
+            columns = [column.name for column in tree.this.expressions]
+            self._exchange(tree.this.this, columns, tree.expression)
 
     def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
         """Delete rows by their keys: Delta and Iceberg do, a Parquet table is pointed to other files."""
@@ -49,10 +55,15 @@ class MetastoreTables:
             self._run(self._engine.text(_merge(table, keys, found)))
             return
         columns = self._session.table(shown).columns
+        rows = staying(self._run, self._engine, table, columns, keys, found)
+        if rows is not None:
+            self._exchange(table, columns, rows)
+
+    def _exchange(self, table: exp.Table, columns: Sequence[str], rows: exp.Query) -> None:
+        """Write what a Parquet table is to have to other files, and point it to them."""
         before = self._place(table)
         after = f"{before.rstrip('/')}-{secrets.token_hex(4)}"
-        if not rewritten(self._run, self._engine, table, columns, keys, found, after):
-            return
+        write_beside(self._run, self._engine, table, columns, rows, after)
         self._run(spark_statements.move(table, after))
         self._remove(before)
 

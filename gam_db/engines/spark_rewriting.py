@@ -1,4 +1,4 @@
-"""Taking rows out of a table of files: those that stay are written to another place."""
+"""Changing a table of files: the rows that it is to have are written to another place."""
 
 import secrets
 from collections.abc import Callable, Sequence
@@ -12,16 +12,15 @@ from gam_db.engines.base import Engine
 Run = Callable[[str], Any]
 
 
-def rewritten(
+def staying(
     run: Run,
     engine: Engine,
     table: exp.Table,
     columns: Sequence[str],
     keys: Sequence[str],
     found: exp.Query,
-    place: str,
-) -> bool:
-    """Write the rows of a table that stay to another place; tell whether any are to go.
+) -> exp.Query | None:
+    """Return the rows of a table that stay; None if none are to go.
 
     Args:
         run: runs a statement.
@@ -30,7 +29,6 @@ def rewritten(
         columns: of the table.
         keys: its columns whose values are looked for.
         found: the keys of the rows that go.
-        place: a folder that is not there yet.
     """
     same = same_keys(keys)
     rows = exp.select(*(exp.column(template.name(name), table="staying") for name in columns))
@@ -38,7 +36,14 @@ def rewritten(
     doomed = exp.Subquery(this=found.copy(), alias=exp.TableAlias(this=exp.to_identifier("gone")))
     any_row = rows.join(doomed.copy(), on=same.copy(), join_type="left semi").limit(1)
     if run(engine.text(any_row)).isEmpty():
-        return False
+        return None
+    return rows.join(doomed, on=same, join_type="left anti")
+
+
+def write_beside(
+    run: Run, engine: Engine, table: exp.Table, columns: Sequence[str], rows: exp.Query, place: str
+) -> None:
+    """Write rows that a table is to have to a folder that is not there yet."""
     beside = table.copy()
     beside.set("this", template.name(f"{table.name}_{secrets.token_hex(4)}"))
     like = exp.Create(
@@ -52,11 +57,9 @@ def rewritten(
         ),
     )
     names = [template.name(name) for name in columns]
-    stay = rows.join(doomed, on=same, join_type="left anti")
     run(engine.text(like))
-    run(engine.text(exp.Insert(this=exp.Schema(this=beside.copy(), expressions=names), expression=stay)))
+    run(engine.text(exp.Insert(this=exp.Schema(this=beside.copy(), expressions=names), expression=rows)))
     run(engine.text(exp.Drop(tables=[beside.copy()], kind="TABLE")))
-    return True
 
 
 def same_keys(keys: Sequence[str]) -> exp.Expr:

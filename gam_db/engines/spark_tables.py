@@ -7,7 +7,7 @@ statement.
 import dataclasses
 import os
 import secrets
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -20,7 +20,7 @@ from gam_db.engines.base import Engine
 from gam_db.engines.session import CONFLICT
 from gam_db.engines.spark_folder import Entry, Folder
 from gam_db.engines.spark_opening import scratch
-from gam_db.engines.spark_rewriting import Run, rewritten
+from gam_db.engines.spark_rewriting import Run, staying, write_beside
 from gam_db.errors import ConflictError, EngineError
 
 
@@ -86,6 +86,9 @@ class FolderTables:
         elif isinstance(tree, exp.Drop):
             self.ready(text)
             self._drop(tree, text)
+        elif isinstance(tree, exp.Insert) and tree.args.get("overwrite"):
+            self.ready(text)
+            self._exchange(tree.this.this, lambda _: tree.expression)
         else:
             self.ready(text)
             self._run(text)
@@ -94,12 +97,20 @@ class FolderTables:
     def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
         """Write the rows that stay to another folder, and let the table be that."""
         self.ready(f"{table.name} {self._engine.text(found)}")
+        self._exchange(
+            table, lambda columns: staying(self._run, self._engine, table, columns, keys, found)
+        )
+
+    def _exchange(self, table: exp.Table, rows_of: Callable[[Sequence[str]], exp.Query | None]) -> None:
+        """Write what a table is to have, if it is to change, to another folder, and let it be that."""
         entry = self._folder.entries()[_key(table)]
         before = _files(self._folder.place(entry))
-        data = self._folder.new_data(entry.schema, entry.name)
-        place = self._folder.path / data
-        if not rewritten(self._run, self._engine, table, entry.columns, keys, found, str(place)):
+        rows = rows_of(entry.columns)
+        if rows is None:
             return
+        data = self._folder.new_data(entry.schema, entry.name)
+        place = str(self._folder.path / data)
+        write_beside(self._run, self._engine, table, entry.columns, rows, place)
         if self._folder.entries().get(entry.key) != entry or _files(self._folder.place(entry)) != before:
             self._folder.sweep(entry.schema, entry.name, [entry.data or ""])
             raise ConflictError(CONFLICT)

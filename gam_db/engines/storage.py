@@ -6,7 +6,7 @@ This module owns the forms that engines share; what an engine wants is said in i
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import takewhile
-from typing import TypeAlias
+from typing import TypeAlias, cast
 
 from sqlglot import exp
 
@@ -53,6 +53,62 @@ class Addition:
     table: exp.Table
     columns: Mapping[str, exp.ColumnDef]
     comments: Mapping[str, exp.Expr]
+
+
+@dataclass(frozen=True)
+class Filling:
+    """What the rows that are there have in columns that were added.
+
+    Attributes:
+        whole: the table with them.
+        update: UPDATE ... AS kept SET column = COALESCE(kept.column, found.column), ... FROM (...) AS
+            found WHERE kept.key = found.key AND ...; there is one row of *found* at most for each key.
+    """
+
+    whole: Definition
+    update: exp.Update
+
+    @property
+    def table(self) -> exp.Table:
+        """The table."""
+        return cast(exp.Table, self.whole.create.this.this)
+
+    @property
+    def rows(self) -> exp.Insert:
+        """All rows of the table as they are to be, inserted into it."""
+        changed = {one.this.name: one.expression for one in self.update.expressions}
+        names = [exp.to_identifier(name) for name in self.whole.columns]
+        columns = [changed.get(name.name, exp.column(name, table="kept")) for name in names]
+        named = [exp.alias_(one.copy(), name) for one, name in zip(columns, names, strict=True)]
+        found, same = self.update.args["from_"].this, self.update.args["where"].this
+        query = exp.select(*named).from_(self.update.this.copy())
+        query = query.join(found.copy(), on=same.copy(), join_type="left")
+        return exp.Insert(this=exp.Schema(this=self.table.copy(), expressions=names), expression=query)
+
+
+def updated(filling: Filling) -> list[exp.Expr]:
+    """Return the UPDATE as it is."""
+    return [filling.update.copy()]
+
+
+def merged(filling: Filling) -> list[exp.Expr]:
+    """Return a MERGE, for engines whose UPDATE has no FROM."""
+    update = filling.update.copy()
+    matched = exp.When(matched=True, then=exp.Update(expressions=update.expressions))
+    merge = exp.Merge(
+        this=update.this,
+        using=update.args["from_"].this,
+        on=update.args["where"].this,
+        whens=exp.Whens(expressions=[matched]),
+    )
+    return [merge]
+
+
+def overwritten(filling: Filling) -> list[exp.Expr]:
+    """Return an INSERT OVERWRITE of all rows, for tables that know no UPDATE."""
+    insert = filling.rows
+    insert.set("overwrite", True)
+    return [insert]
 
 
 def with_statements(definition: Definition) -> list[exp.Expr]:

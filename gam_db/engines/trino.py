@@ -5,6 +5,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter
+from gam_db.engines.storage import merged
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
@@ -33,4 +34,5 @@ ENGINE = Engine(
     "Times are exact to the millisecond.",
     micros_of=micros_of,
     instant_of=instant_of,
+    fill=merged,
 )

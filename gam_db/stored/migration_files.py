@@ -1,14 +1,15 @@
 """The files of ``migrations/``: read, checked, placed where the state lies, rendered for an engine.
 
-A file makes one table or one view, or adds columns to a table, with the comments of all that; it is safe
-to run twice, and calls the tables ``stored_run`` and so on. Its checksum is that of its bytes. A table
-that repeats what others hold is given the rows that it lacks in an older state
+A file makes one table or one view, or adds columns to a table and may fill them, with the comments of
+all that; it is safe to run twice, and calls the tables ``stored_run`` and so on. Its checksum is that of
+its bytes. A table that repeats what others hold is given the rows that it lacks in an older state
 (:func:`gam_db.stored.sums.first_rows`).
 """
 
+import dataclasses
 import hashlib
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -21,7 +22,7 @@ from sqlglot.errors import SqlglotError
 from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine
-from gam_db.engines.storage import Addition, Definition
+from gam_db.engines.storage import Addition, Definition, Filling
 from gam_db.errors import TemplateError
 from gam_db.pipeline import filled, place
 from gam_db.stored import sums
@@ -42,12 +43,14 @@ class Migration:
         name: the table or view that it makes or changes, without prefix. A view may be made again.
         checksum: SHA-256 of its bytes.
         definition: what it makes or adds, in the words of the file.
+        filling: what the rows that are there have in columns that it adds; None for NULL.
     """
 
     number: int
     name: str
     checksum: str
     definition: Definition | Addition
+    filling: Filling | None = None
 
     def statements(
         self, engine: Engine, tables: StateTables, present: Collection[str] = ()
@@ -64,7 +67,8 @@ class Migration:
                 name: column for name, column in self.definition.columns.items() if name not in present
             }
             added = Addition(tables.table(self.name), missing, self.definition.comments)
-            return engine.extend(added)
+            extended = engine.extend(added)
+            return extended if self.filling is None else [*extended, *engine.fill(self._filling(tables))]
         create = self.definition.create.copy()
         target = create.this.this if isinstance(create.this, exp.Schema) else create.this
         target.replace(tables.table(self.name))
@@ -76,7 +80,16 @@ class Migration:
         about = self.definition
         made = engine.define(Definition(create, about.comment, about.columns))
         rows = sums.first_rows(self.name)
-        return made if rows is None else [*made, _filling(tables, self.name, rows.copy())]
+        return made if rows is None else [*made, _rows_for(tables, self.name, rows.copy())]
+
+    def _filling(self, tables: StateTables) -> Filling:
+        """Return the filling with the tables in their place."""
+        assert self.filling is not None
+        whole, update = self.filling.whole, self.filling.update.copy()
+        create = whole.create.copy()
+        create.this.set("this", tables.table(self.name))
+        place(update, tables.placed())
+        return Filling(Definition(create, whole.comment, whole.columns), update)
 
     def record(self, tables: StateTables, applied_at: int) -> exp.Expr:
         """Return the statement that records the migration, unless it is recorded already."""
@@ -100,16 +113,25 @@ class Migration:
 @cache
 def definitions() -> dict[str, Definition]:
     """Return what all migrations make together, by name: tables, then views after what they read."""
+    made = _made(files())
+    return {name: made[name] for name in (*TABLES, *VIEWS)}
+
+
+def _made(migrations: Iterable[Migration]) -> dict[str, Definition]:
+    """Return what migrations make together, by name."""
     made: dict[str, Definition] = {}
-    for migration in files():
+    for migration in migrations:
         about = migration.definition
         if isinstance(about, Addition):
             before = made[migration.name]
             create = before.create.copy()
-            create.this.set("expressions", [*create.this.expressions, *about.columns.values()])
+            more = [column.copy() for column in about.columns.values()]
+            for column in more:
+                column.set("exists", None)
+            create.this.set("expressions", [*create.this.expressions, *more])
             about = Definition(create, before.comment, {**before.columns, **about.comments})
         made[migration.name] = about
-    return {name: made[name] for name in (*TABLES, *VIEWS)}
+    return made
 
 
 @cache
@@ -138,6 +160,10 @@ def read(folder: Path) -> tuple[Migration, ...]:
             raise TemplateError(
                 f"The migration number {place_of} adds columns to a table that no file before it makes."
             )
+        if migration.filling is not None:
+            whole = _made(found[:place_of])[migration.name]
+            filling = dataclasses.replace(migration.filling, whole=whole)
+            found[place_of - 1] = dataclasses.replace(migration, filling=filling)
     return tuple(found)
 
 
@@ -156,12 +182,15 @@ def _read(path: Path) -> Migration:
             node.comments = None
             node._meta = None
     number, name = int(matched[1]), matched[2]
+    updates = [one for one in statements if isinstance(one, exp.Update)]
+    statements = [one for one in statements if not isinstance(one, exp.Update)]
     made = _addition if statements and isinstance(statements[0], exp.Alter) else _definition
     definition = made(path.name, name, statements)
-    return Migration(number, name, hashlib.sha256(content).hexdigest(), definition)
+    filling = _filling(path.name, name, definition, updates) if updates else None
+    return Migration(number, name, hashlib.sha256(content).hexdigest(), definition, filling)
 
 
-def _filling(tables: StateTables, name: str, rows: exp.Query) -> exp.Expr:
+def _rows_for(tables: StateTables, name: str, rows: exp.Query) -> exp.Expr:
     """Return the statement that gives a new table what an older state has to say."""
     columns = [exp.to_identifier(column) for column in rows.named_selects]
     place(rows, tables.placed())
@@ -226,6 +255,39 @@ def _addition(file: str, name: str, statements: Sequence[exp.Expr]) -> Addition:
             "exists, NULL in the rows that are there), with a comment on each, in order."
         )
     return Addition(exp.to_table(f"stored_{name}"), columns, said)
+
+
+def _filling(
+    file: str, name: str, added: Definition | Addition, updates: Sequence[exp.Update]
+) -> Filling:
+    """Return what a file says of the rows that are there, in the form that every engine has one for."""
+    update = updates[0]
+    found = update.args["from_"].this if update.args.get("from_") else exp.Null()
+    where = update.args["where"].this if update.args.get("where") else exp.Null()
+    inner = found.this if isinstance(found, exp.Subquery) else exp.Select()
+    group = inner.args.get("group") or exp.Group()
+    keys = [key.name for key in group.expressions]
+    wanted = [exp.column(key, "kept").eq(exp.column(key, "found")) for key in keys]
+    named = list(added.columns) if isinstance(added, Addition) else []
+    filled = [one.this.name for one in update.expressions]
+    sources = [
+        exp.func("COALESCE", exp.column(column, "kept"), exp.column(column, "found"))
+        for column in filled
+    ]
+    if (
+        len(updates) > 1
+        or (update.this.name, update.this.alias, found.alias) != (f"stored_{name}", "kept", "found")
+        or not keys
+        or list(where.flatten() if isinstance(where, exp.And) else [where]) != wanted
+        or not set(filled) <= set(named)
+        or [one.expression for one in update.expressions] != sources
+    ):
+        raise TemplateError(
+            f"migrations/{file} must fill the columns that it adds by one UPDATE stored_{name} AS kept "
+            "SET column = COALESCE(kept.column, found.column), ... FROM (SELECT ... GROUP BY keys) AS "
+            "found WHERE kept.key = found.key AND ..., with all keys in order."
+        )
+    return Filling(Definition(exp.Create(), exp.Null(), {}), update)
 
 
 def _table_of(comment: exp.Expr) -> str:

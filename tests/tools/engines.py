@@ -88,6 +88,7 @@ OMITTED = {
     "test_many_columns_are_read_as_few_are": ("spark-None", "clickhouse-None", "postgres-None"),
     "test_an_instant_that_occurs_twice_is_found": ("spark-0", "spark--1", "clickhouse-0"),
     "test_a_state_of_the_first_migrations_goes_up_and_is_scored_on": ("spark",),
+    "test_filling_may_be_cut_short_anywhere": ("spark",),
 }
 
 #: What else can be asked for: engines that are run on a stand-in, and the tools beside them.
