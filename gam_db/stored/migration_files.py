@@ -283,9 +283,8 @@ def _filling(
         or [one.expression for one in update.expressions] != sources
     ):
         raise TemplateError(
-            f"migrations/{file} must fill the columns that it adds by one UPDATE stored_{name} AS kept "
-            "SET column = COALESCE(kept.column, found.column), ... FROM (SELECT ... GROUP BY keys) AS "
-            "found WHERE kept.key = found.key AND ..., with all keys in order."
+            f"migrations/{file} fills columns in a form that not every engine has; it must fill those "
+            "that it adds by the one statement that migrations/README.md shows, with all keys in order."
         )
     return Filling(Definition(exp.Create(), exp.Null(), {}), update)
 
