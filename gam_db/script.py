@@ -6,7 +6,8 @@ script holds and in which order; it needs no connection and no driver.
 """
 
 import dataclasses
-from collections.abc import Iterator
+import functools
+from collections.abc import Callable, Iterator
 
 import pyarrow as pa
 from sqlglot import exp
@@ -45,6 +46,7 @@ def render(
     parameters: Parameters | None = None,
     calibration: Calibration | None = None,
     prefix: str = "gam_live_",
+    schema: str | None = None,
 ) -> str:
     """Return the complete SQL script of a form for an engine.
 
@@ -60,6 +62,8 @@ def render(
         parameters: of the method; default :class:`Parameters`.
         calibration: the healthy part; default the first fifth of each channel.
         prefix: of the names of the view form.
+        schema: where they lie; None for the current one, on PostgreSQL for ``public``: its script looks
+            no name up on the path, so that nobody else's function or operator runs.
 
     Raises:
         UserError: the form or engine is unknown, or the source cannot be read there.
@@ -68,6 +72,8 @@ def render(
         raise ParameterError(f"There is no form {form!r}{nearest(form, FORMS)}.")
     parameters, calibration = parameters or Parameters(), calibration or Calibration()
     chosen = engine_named(engine)
+    if schema is not None and not chosen.schemas:
+        raise EngineError(f"{engine} has no schemas; leave schema out and give another prefix.")
     source, kind, found = _looked_at(source, parameters, calibration, chosen)
     method = Method(parameters, calibration, kind)
     relation = _relation(source, chosen)
@@ -82,31 +88,36 @@ def render(
     ]
     if form == "exact":
         query = chosen.text(steps.query("health_indicator", commented=True), pretty=True)
-        return f"{_commented(head)}\n{query};\n"
+        return f"{_commented(head)}\n{chosen.beginning()}{query};\n"
     only = None
     if chosen.macros:
         named = dataclasses.replace(source, where=_only_channel(source))
         only = _steps(method, named, relation, chosen)
-    parts = _view_statements(steps, only, method, chosen, prefix)
+    place = functools.partial(_placed, schema, prefix)
+    parts = _view_statements(steps, only, method, chosen, place)
     body = "\n".join(
         f"{_commented(comment.splitlines())}\n{chosen.text(statement, pretty=True)};\n"
         for comment, statement in parts
     )
-    return f"{_commented(head)}\n\n{body}"
+    return f"{_commented(head)}\n{chosen.beginning()}\n{body}"
 
 
 def _view_statements(
-    steps: Pipeline, only: Pipeline | None, method: Method, engine: Engine, prefix: str
+    steps: Pipeline,
+    only: Pipeline | None,
+    method: Method,
+    engine: Engine,
+    place: Callable[[str], exp.Table],
 ) -> Iterator[tuple[str, exp.Expr]]:
     """Give the statements of the view form in order, each with its comment."""
     names = [name for name in steps.steps if _table_of(name) in (*_PASSING, *_LASTING)]
     placed: dict[str, exp.Table] = {}
-    yield "Begin anew: a view goes before the tables it reads.", _drop("VIEW", f"{prefix}health")
+    yield "Begin anew: a view goes before the tables it reads.", _drop("VIEW", place("health"))
     for name in (*names, *_RESULTS):
-        table = exp.to_table(f"{prefix}{name}")
+        table = place(name)
         query = steps.query(name, placed, commented=True)
         query.set("order", None)
-        yield f"{name}: {engine.name} keeps this step as a table.", _drop("TABLE", table.name)
+        yield f"{name}: {engine.name} keeps this step as a table.", _drop("TABLE", table)
         yield steps.steps[name].comment, engine.create_table(table, query)
         placed[name] = table
     live = {name: table for name, table in placed.items() if _table_of(name) in _LASTING}
@@ -115,16 +126,16 @@ def _view_statements(
     yield (
         "The health indicator over the live source, against what calibration found once.\n"
         + steps.steps["health_indicator"].comment,
-        exp.Create(this=exp.to_table(f"{prefix}health"), kind="VIEW", expression=view),
+        exp.Create(this=place("health"), kind="VIEW", expression=view),
     )
     if only is not None:
         yield (
             "One channel alone, which reads only its own rows of the source.",
-            _macro(f"{prefix}health_of", only.query("health_indicator", live, commented=True)),
+            _macro(place("health_of"), only.query("health_indicator", live, commented=True)),
         )
     for name in names:
         if _table_of(name) in _PASSING:
-            yield f"{name} is no longer needed.", _drop("TABLE", f"{prefix}{name}")
+            yield f"{name} is no longer needed.", _drop("TABLE", place(name))
 
 
 def _table_of(step: str) -> str:
@@ -133,15 +144,22 @@ def _table_of(step: str) -> str:
     return stem if number.isdigit() else step
 
 
-def _drop(kind: str, name: str) -> exp.Drop:
-    return exp.Drop(tables=[exp.to_table(name)], kind=kind, exists=True)
+def _placed(schema: str | None, prefix: str, name: str) -> exp.Table:
+    table = exp.to_table(f"{prefix}{name}")
+    if schema is not None:
+        table.set("db", template.name(schema))
+    return table
 
 
-def _macro(name: str, query: exp.Query) -> exp.Create:
+def _drop(kind: str, table: exp.Table) -> exp.Drop:
+    return exp.Drop(tables=[table.copy()], kind=kind, exists=True)
+
+
+def _macro(name: exp.Table, query: exp.Query) -> exp.Create:
     returns = exp.ReturnsProperty(this=exp.Schema(this=exp.var("TABLE")), is_table=True)
     return exp.Create(
         this=exp.UserDefinedFunction(
-            this=exp.to_table(name),
+            this=name,
             expressions=[exp.to_identifier(argument) for argument in HEALTH_OF],
             wrapped=True,
         ),

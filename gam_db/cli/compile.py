@@ -35,6 +35,10 @@ def compile_script(
         Path | None, typer.Option(metavar="FILE", help="Where the script goes; default: printed.")
     ] = None,
     prefix: Annotated[str, typer.Option(help="Begins the names of tables and views.")] = "gam_live_",
+    schema: Annotated[
+        str | None,
+        typer.Option(help="Schema of tables and views (default: the current one; postgres: public)."),
+    ] = None,
     time_kind: Annotated[
         Kind | None, typer.Option(help="How the time column tells time, where it cannot be seen.")
     ] = None,
@@ -95,7 +99,7 @@ def compile_script(
         said = dataclasses.replace(settings.source, time_kind=time_kind)
         settings = dataclasses.replace(settings, source=said)
     parameters, calibration = settings.method()
-    script = render(form, engine, described(settings), parameters, calibration, prefix)
+    script = render(form, engine, described(settings), parameters, calibration, prefix, schema)
     if out is None:
         print(script, end="")
         return

@@ -30,8 +30,8 @@ Rewrite = Callable[[exp.Expr], exp.Expr]
 TimeRewrite = Callable[[TimeKind, exp.Expr], exp.Expr]
 RangeRewrite = Callable[[TimeKind, exp.Expr, int | None, int | None], list[exp.Expr]]
 
-#: Engine and hash of a tree -> its text.
-_LATELY: dict[tuple[str, int], str] = {}
+#: Engine, its home and hash of a tree -> its text.
+_LATELY: dict[tuple[str, str | None, int], str] = {}
 
 
 def table_as(table: exp.Table, query: exp.Query) -> exp.Create:
@@ -56,6 +56,11 @@ class Engine:
         extend: columns that a table of the state gets later, with comments in the same way.
         fill: what the rows that are there have in such columns, as one step.
         schemas: whether CREATE SCHEMA is known.
+        home: the schema of tables that name none, which is then written out; None leaves it to the
+            engine. In a session it is the current schema of the connection.
+        temporary: the schema that temporary tables are written with; None for none.
+        opening: what a script begins with.
+        condition_note: what is said beside a condition of the user's that the engine refuses.
         flow_hint: whether a WITH entry can be marked NOT MATERIALIZED.
         reads_files: whether a Parquet or CSV path can stand in FROM.
         unpivots: whether UNPIVOT INCLUDE NULLS is known.
@@ -80,6 +85,10 @@ class Engine:
     extend: Callable[[Addition], list[exp.Expr]] = added_with_statements
     fill: Callable[[Filling], list[exp.Expr]] = updated
     schemas: bool = True
+    home: str | None = None
+    temporary: str | None = None
+    opening: Sequence[exp.Expr] = ()
+    condition_note: str = ""
     flow_hint: bool = False
     reads_files: bool = False
     unpivots: bool = False
@@ -131,17 +140,24 @@ class Engine:
         """
         if pretty:  # for people, who get the comments, too; equal trees may differ in them
             return self._written(tree, pretty)
-        key = self.name, hash(tree)  # trees are equal where their hashes are, by sqlglot's own rule
+        # Trees are equal where their hashes are, by sqlglot's own rule.
+        key = self.name, self.home, hash(tree)
         if key not in _LATELY:
             if len(_LATELY) >= 500:
                 _LATELY.clear()
             _LATELY[key] = self._written(tree, pretty)
         return _LATELY[key]
 
+    def beginning(self) -> str:
+        """Return what a script begins with; empty where that is nothing."""
+        return "".join(f"{self.text(statement)};\n" for statement in self.opening)
+
     def _written(self, tree: exp.Expr, pretty: bool) -> str:
         rewritten = strip_null_order(tree.copy(), self.dialect)
         if not self.flow_hint:
             rewritten = drop_flow_hint(rewritten)
+        if self.home is not None:
+            rewritten = at_home(rewritten, self.home)
         for rewrite in self.rewrites:
             rewritten = rewrite(rewritten)
         try:
@@ -171,6 +187,38 @@ def drop_flow_hint(tree: exp.Expr) -> exp.Expr:
     for entry in tree.find_all(exp.CTE):
         entry.set("materialized", None)
     return tree
+
+
+def at_home(tree: exp.Expr, home: str) -> exp.Expr:
+    """Write the schema of tables that name none, so that nothing is looked up on a path.
+
+    Args:
+        tree: it is changed.
+        home: the schema.
+    """
+    for table in tree.find_all(exp.Table):
+        if isinstance(table.this, exp.Identifier) and not table.db and not _is_entry(table):
+            table.set("db", template.name(home))
+    for comment in tree.find_all(exp.Comment):
+        if isinstance(comment.this, exp.Column) and not comment.this.db:
+            comment.this.set("db", template.name(home))
+    return tree
+
+
+def _is_entry(table: exp.Table) -> bool:
+    """Tell whether a table is an entry of a WITH list around it; an entry sees those before it."""
+    within: exp.Expr | None = table
+    entry: exp.Expr | None = None
+    while within is not None:
+        entry = within if isinstance(within, exp.CTE) else entry
+        entries = within.args.get("with_")
+        for one in entries.expressions if entries is not None else ():
+            if one is entry:
+                break
+            if one.alias == table.name:
+                return True
+        within = within.parent
+    return False
 
 
 def escape_by_backslash(tree: exp.Expr) -> exp.Expr:

@@ -286,6 +286,10 @@ class ClickHouseDriver:
             left = exp.Table(this=template.name(name), db=template.name(database))
             self.execute(self.engine.text(exp.Drop(tables=[left], kind="TABLE", exists=True)))
 
+    def located(self, table: exp.Expr) -> exp.Expr:
+        """Return the node as it is."""
+        return table
+
     def tables(self) -> list[tuple[str, ...]]:
         """Return what can be read: (database, name), and the name of a temporary table."""
         rows = self._rows("SELECT database, name FROM system.tables")

@@ -91,6 +91,11 @@ def define(definition: Definition) -> list[exp.Expr]:
     return [create, key_index(definition), *comments]
 
 
+#: Where names are looked up: nowhere but in PostgreSQL itself, and last among temporary tables. Whoever
+#: may create objects in a schema that is searched could else run code as our user, by a function or an
+#: operator that fits its arguments better than PostgreSQL's own.
+PATH = "pg_catalog, pg_temp"
+
 ENGINE = Engine(
     name="postgres",
     title="PostgreSQL",
@@ -105,5 +110,12 @@ ENGINE = Engine(
     instant_of=instant_of,
     define=define,
     flow_hint=True,
+    home="public",
+    temporary="pg_temp",
+    opening=(exp.Command(this="SET", expression=f"search_path TO {PATH}"),),
+    condition_note=(
+        ". Only what is PostgreSQL's own goes without a schema there; name functions, operators, types "
+        "and tables of others in full: public.f(x), a OPERATOR(public.+) b, public.t."
+    ),
     rewrites=(compare_by_bytes, keep_small_steps, fence_windows),
 )

@@ -5,6 +5,7 @@ connection of its own, which sees neither our temporary tables nor our transacti
 """
 
 import contextlib
+import dataclasses
 import io
 import os
 import re
@@ -19,8 +20,13 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.engines import postgres_types
 from gam_db.engines.base import deletion
-from gam_db.engines.postgres import ENGINE
-from gam_db.engines.postgres_refusals import REFUSED_TRANSACTION, of_connecting, of_statement
+from gam_db.engines.postgres import ENGINE, PATH
+from gam_db.engines.postgres_refusals import (
+    NO_SCHEMA,
+    REFUSED_TRANSACTION,
+    of_connecting,
+    of_statement,
+)
 from gam_db.errors import EngineError, SourceError, UserError
 from gam_db.extras import needed
 
@@ -33,6 +39,16 @@ _SETTINGS = {"TimeZone": "UTC", "standard_conforming_strings": "on"}
 #: Further settings of connections of ours: translating long queries to machine code takes longer than
 #: running them.
 _OWN_SETTINGS = {"jit": "off"}
+
+#: Pins where names are looked up, and says what they were looked up by before. It is run under the
+#: user's own path, so all that it names is named in full.
+_PIN = """
+    SELECT pg_catalog.current_setting('search_path'::pg_catalog.text), pg_catalog.current_schema(),
+        pg_catalog.set_config('search_path'::pg_catalog.text, %s::pg_catalog.text, %s::pg_catalog.bool)
+"""
+
+#: The number of a relation, or NULL; the same holds for it.
+_NUMBER = "SELECT pg_catalog.to_regclass(%s::pg_catalog.text)::pg_catalog.oid"
 
 _SCHEMA = re.compile(r'CREATE SCHEMA IF NOT EXISTS "([^"]+)"')
 
@@ -85,9 +101,12 @@ def connected(target: Any, writable: bool) -> "PostgresDriver":
 
 
 class PostgresDriver:
-    """A psycopg connection; see :class:`gam_db.engines.warehouse.Driver`."""
+    """A psycopg connection; see :class:`gam_db.engines.warehouse.Driver`.
 
-    engine = ENGINE
+    What search_path says is read once: which schema tables are in that name none. A connection of ours
+    then keeps to :data:`gam_db.engines.postgres.PATH`, a lent one while a statement of ours runs.
+    """
+
     transactions = True
     is_numeric = staticmethod(postgres_types.is_numeric)
     is_name = staticmethod(postgres_types.is_name)
@@ -102,8 +121,15 @@ class PostgresDriver:
         self._transaction: Any = None
         self._statement = ""
         self._settings: dict[str, str] = {}
+        self._path = ""
+        self._home: str | None = None
         self._check()
         try:
+            if owned:
+                self._pin(locally=False)
+            else:
+                self._asked("SELECT 1")  # every statement of ours pins the path, and asks for it
+            self.engine = dataclasses.replace(ENGINE, home=self._home)
             self._set(_SETTINGS | (_OWN_SETTINGS if owned else {}))
         except psycopg.Error as error:
             raise self.problem(error) or EngineError(REFUSED_TRANSACTION) from error
@@ -144,6 +170,8 @@ class PostgresDriver:
         self._transaction = self._connection.transaction()
         self._transaction.__enter__()
         self.execute("SET TRANSACTION ISOLATION LEVEL READ COMMITTED")
+        if not self._owned:
+            self._pin(locally=True)
 
     def commit(self) -> None:
         """End it."""
@@ -183,7 +211,8 @@ class PostgresDriver:
         written = io.BytesIO()
         pyarrow.csv.write_csv(travelling, written, pyarrow.csv.WriteOptions(include_header=False))
         sql = self._psycopg.sql
-        copy = sql.SQL("COPY {} FROM STDIN (FORMAT CSV)").format(sql.Identifier(table.name))
+        target_name = sql.Identifier(*(part.name for part in table.parts))
+        copy = sql.SQL("COPY {} FROM STDIN (FORMAT CSV)").format(target_name)
         with self._safely(), self._cursor() as cursor, cursor.copy(copy) as target:
             target.write(written.getbuffer())
         self._count(table)
@@ -205,12 +234,33 @@ class PostgresDriver:
             "AND nspname NOT IN ('pg_catalog', 'information_schema', 'pg_toast')"
         )
 
-    def describe(self, relation: exp.Expr) -> dict[str, str]:
-        """Return the columns of a relation and their types; a domain counts as what it is made of.
+    def located(self, table: exp.Expr) -> exp.Expr:
+        """Return the node of a table with its schema, as the user's search_path has it.
 
         Raises:
-            SourceError: the relation lies in a schema that is not searched.
+            SourceError: it lies in a schema that is not searched.
         """
+        if not isinstance(table, exp.Table) or table.db:
+            return table
+        name = exp.Table(this=table.this.copy()).sql(dialect=self.engine.dialect)
+        with self._safely(), self._connection.transaction(), self._cursor() as cursor:
+            self._searching(self._path)
+            ((number,),) = cursor.execute(_NUMBER, (name,), prepare=False).fetchall()
+            self._searching(PATH)
+        found = self._asked(
+            "SELECT nspname FROM pg_class JOIN pg_namespace ON pg_namespace.oid = relnamespace "
+            "WHERE pg_class.oid = %s",
+            (number,),
+        )
+        if not found:
+            raise SourceError(
+                f"The table or view {table.name!r} is there, but in a schema that is not searched; "
+                "write SCHEMA.NAME, or add the schema to search_path."
+            )
+        return exp.Table(this=table.this.copy(), db=template.name(found[0][0]))
+
+    def describe(self, relation: exp.Expr) -> dict[str, str]:
+        """Return the columns of a relation and their types; a domain counts as what it is made of."""
         # Columns of a case-insensitive collation need no care: readings compares names by their bytes.
         rows = self._asked(
             "WITH RECURSIVE based AS ("
@@ -223,20 +273,22 @@ class PostgresDriver:
             "FROM based JOIN pg_type ON pg_type.oid = kind WHERE typtype <> 'd' ORDER BY attnum",
             (self.engine.text(relation),),
         )
-        if not rows:
-            raise SourceError(
-                f"The table or view {relation.name!r} is there, but in a schema that is not searched; "
-                "write SCHEMA.NAME, or add the schema to search_path."
-            )
         return dict(rows)
 
     def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
-        """Return the tables and views of a schema with their columns, names of tables in lower case."""
+        """Return the tables and views of a schema with their columns, names of tables in lower case.
+
+        Raises:
+            EngineError: none is named, and the user's search_path names none that is there.
+        """
+        schema = schema or self.engine.home
+        if schema is None:
+            raise EngineError(NO_SCHEMA)
         rows = self._asked(
             "SELECT lower(relname), array_agg(attname::text ORDER BY attnum) FROM pg_class "
             "JOIN pg_namespace ON pg_namespace.oid = relnamespace "
             "JOIN pg_attribute ON attrelid = pg_class.oid AND attnum > 0 AND NOT attisdropped "
-            "WHERE relkind IN ('r', 'v', 'm', 'p', 'f') AND nspname = coalesce(%s, current_schema()) "
+            "WHERE relkind IN ('r', 'v', 'm', 'p', 'f') AND nspname = %s "
             "GROUP BY relname",
             (schema,),
         )
@@ -296,18 +348,32 @@ class PostgresDriver:
 
     @contextlib.contextmanager
     def _safely(self) -> Iterator[None]:
-        """Leave the user's transaction, or its absence, as it is.
+        """Leave the user's transaction, or its absence, and search_path as they are.
 
         Inside one, a statement that is refused would end it: hence a savepoint. A connection without
-        autocommit begins one with every first statement: hence a transaction that ends with ours.
+        autocommit begins one with every first statement: hence a transaction that ends with ours. What
+        is set for a transaction goes with it, but stays when a savepoint is released.
         """
-        status = self._psycopg.pq.TransactionStatus
-        idle = self._connection.info.transaction_status == status.IDLE
-        if self._transaction is not None or (idle and self._connection.autocommit):
+        if self._owned or self._transaction is not None:
             yield
             return
+        status = self._psycopg.pq.TransactionStatus
+        idle = self._connection.info.transaction_status == status.IDLE
         with self._connection.transaction():
+            self._pin(locally=True)
             yield
+            if not idle:
+                self._searching(self._path)
+
+    def _pin(self, locally: bool) -> None:
+        """Look names up in PostgreSQL itself only; remember where they were looked up before."""
+        self._path, self._home = self._searching(PATH, locally)
+
+    def _searching(self, path: str, locally: bool = True) -> tuple[str, str | None]:
+        """Look names up on a path; return the one before, and its current schema."""
+        with self._cursor() as cursor:
+            ((before, schema, _),) = cursor.execute(_PIN, (path, locally), prepare=False).fetchall()
+        return before, schema
 
     @contextlib.contextmanager
     def _without_nested_loops(self) -> Iterator[None]:

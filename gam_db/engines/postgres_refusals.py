@@ -19,6 +19,11 @@ READ_ONLY = (
     "keeps its steps in temporary tables; connect to the primary, or as a user without that setting."
 )
 
+NO_SCHEMA = (
+    "The search_path of this PostgreSQL user names no schema that is there; give --schema, or make "
+    "the schema."
+)
+
 #: SQLSTATE, or the class of it -> what is said
 _SAID: dict[str, UserError] = {
     "08": EngineError(LOST),
@@ -41,10 +46,6 @@ _SAID: dict[str, UserError] = {
         "PostgreSQL cancelled a statement: somebody asked for it, or statement_timeout is too short for "
         "this work; raise it for this user (ALTER ROLE ... SET statement_timeout = 0)."
     ),
-    "3F000": EngineError(
-        "The search_path of this PostgreSQL user names no schema that is there; give --schema, or make "
-        "the schema."
-    ),
     "22003": SourceError(
         "A number or time of the source is beyond what doubles or 64 bits hold; leave such rows out by "
         "where=, or cast the column in a view."
@@ -57,6 +58,9 @@ _SAID: dict[str, UserError] = {
         "A time of the source is beyond the calendar of PostgreSQL; leave such rows out by where=."
     ),
 }
+
+#: SQLSTATE of a name that is not found: of a table, function or operator, type, schema
+_UNKNOWN = ("42P01", "42883", "42704", "3F000")
 
 #: What libpq and the server say of a refused connection, and what that means.
 _CONNECTING = (
@@ -119,6 +123,12 @@ def of_statement(error: Any, statement: str, closed: bool) -> UserError | None:
         return _denied(error.diag.message_primary or "", statement)
     if state == "XX000" and "concurrently" in (error.diag.message_primary or ""):
         return ConflictError(CONFLICT)
+    if state in _UNKNOWN and "function" in (error.diag.context or ""):
+        return SourceError(
+            f"A function that the source calls looks names up on the search_path "
+            f"({error.diag.message_primary}), which gam-db keeps to PostgreSQL's own schemas; give the "
+            "function the path that it needs: ALTER FUNCTION ... SET search_path = ..."
+        )
     for length in (5, 3, 2):
         found = _SAID.get(state[:length])
         if found is not None:

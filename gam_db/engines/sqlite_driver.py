@@ -146,6 +146,10 @@ class SqliteDriver:
         """Delete the rows of a table whose keys are among the rows of a query."""
         self.execute(self.engine.text(deletion(table, keys, found)))
 
+    def located(self, table: exp.Expr) -> exp.Expr:
+        """Return the node as it is."""
+        return table
+
     def tables(self) -> list[tuple[str, ...]]:
         """Return the tables and views of all attached files: (schema, name)."""
         schemas = [name for _, name, _ in self._connection.execute("PRAGMA database_list")]

@@ -4,6 +4,7 @@ This module owns what all of them do alike; a driver owns what its client librar
 """
 
 import contextlib
+import functools
 import itertools
 import secrets
 from collections.abc import Callable, Iterator, Sequence
@@ -72,6 +73,13 @@ class Driver(Protocol):
 
     def tables(self) -> list[tuple[str, ...]]:
         """Return what can be read, tables and views: (catalogue, schema, name) as far as there are."""
+
+    def located(self, table: exp.Expr) -> exp.Expr:
+        """Return the node of a table by all the names that it takes to read no other one.
+
+        Raises:
+            SourceError: it is not where it is looked for.
+        """
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
         """Return the columns of a relation and the engine's names of their types."""
@@ -170,7 +178,7 @@ class WarehouseSession:
         for node in table_names(relation):  # type: ignore[arg-type]
             parts = tuple(part.name for part in node.parts)  # type: ignore[attr-defined]
             if any(parts == name[-len(parts) :] for name in known):
-                return node
+                return self._asked(functools.partial(self.driver.located, node))
         hint = nearest(shown, sorted({name[-1] for name in known})) or "."
         raise SourceError(
             f"There is no table or view {shown!r} that can be read in this {self.engine.title} database"
@@ -206,6 +214,7 @@ class WarehouseSession:
         except StatementError as error:
             raise SourceError(
                 f"where is {shown!r}, which {self.engine.title} refuses: {_first_line(error.__cause__)}"
+                + self.engine.condition_note
             ) from error
 
     def execute(self, statement: exp.Expr) -> None:
@@ -296,7 +305,9 @@ class WarehouseSession:
     def _new(self, step: str) -> exp.Table:
         # A name that is free again comes again, and with it the texts that hold it.
         names = (f"{self._mark}_{step}_{number}" for number in itertools.count())
-        return exp.Table(this=template.name(next(name for name in names if name not in self._made)))
+        name = next(name for name in names if name not in self._made)
+        schema = self.engine.temporary
+        return exp.Table(this=template.name(name), db=schema and template.name(schema))
 
     def _asked(self, question: Callable[[], T], statement: str = "") -> T:
         try:

@@ -5,7 +5,9 @@ This module owns a small table; what an engine's SQL looks like is in :mod:`gam_
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
+from gam_db.engines.postgres import PATH
 from gam_db.errors import EngineError
 
 #: What the schema tests and the builds were really run on; the others are only rendered.
@@ -20,18 +22,30 @@ class Adapter:
         package: what pip installs.
         strategy: incremental strategy that replaces the rows with the same key, and keeps all others.
         config: what the models that are tables must say besides.
+        before: what is set for each transaction in which a query of ours runs; empty for nothing.
     """
 
     package: str
     strategy: str = "delete+insert"
-    config: Mapping[str, str] = field(default_factory=dict)
+    config: Mapping[str, Any] = field(default_factory=dict)
+    before: str = ""
+
+    @property
+    def view(self) -> dict[str, Any]:
+        """What the models that are views must say besides."""
+        return {"pre_hook": self.before} if self.before else {}
+
+
+_PATH = f"SET LOCAL search_path TO {PATH}"
 
 
 ADAPTERS = {
     "duckdb": Adapter("dbt-duckdb"),
     # Its planner expects few rows of any WITH entry and joins two of them by nested loops: 4,408 buckets
     # then take 44 s instead of 4 s, twice as many four times that.
-    "postgres": Adapter("dbt-postgres", config={"pre_hook": "SET LOCAL enable_nestloop = off"}),
+    "postgres": Adapter(
+        "dbt-postgres", config={"pre_hook": [_PATH, "SET LOCAL enable_nestloop = off"]}, before=_PATH
+    ),
     "clickhouse": Adapter("dbt-clickhouse"),
     "spark": Adapter("dbt-spark", "merge", {"file_format": "delta"}),
     "databricks": Adapter("dbt-databricks", "merge"),

@@ -78,8 +78,10 @@ class Package:
         for folder in dict.fromkeys(model.folder for model in made):
             inside = [model for model in made if model.folder == folder]
             files[f"{folder}/schema.yml"] = documents.schema(of, inside)
-        for model in [*made, *checks(of)]:
+        for model in made:
             files[f"{model.folder}/{prefix}{model.name}.sql"] = _text(model, engine)
+        for test in checks(of):
+            files[f"{test.folder}/{prefix}{test.name}.sql"] = _text(test, engine, adapter.before)
         return files
 
     def _place(self) -> tuple[str | None, str | None, str]:
@@ -136,8 +138,8 @@ def _check_folder(folder: Path, prefix: str) -> None:
         )
 
 
-def _text(model: Model, engine: Engine) -> str:
-    """Return the file of a model."""
+def _text(model: Model, engine: Engine, before: str = "") -> str:
+    """Return the file of a model, or of a test with what is run before it."""
     for tree in (model.query, model.later):
         if tree is not None:
             jinja.check_is_free(tree)
@@ -148,6 +150,7 @@ def _text(model: Model, engine: Engine) -> str:
     else:
         body = jinja.in_two_forms(engine.text(model.later, pretty=True), first)
     head = [jinja.config(model.config)] if model.config else []
+    head += [jinja.run(before)] if before else []
     return "\n\n".join([*head, about, body]) + "\n"
 
 

@@ -32,6 +32,11 @@ def config(settings: Mapping[str, Any]) -> str:
     return f"{{{{ config({said}) }}}}"
 
 
+def run(statement: str) -> str:
+    """Return what runs a statement in the transaction of a test, which has no hooks."""
+    return f"{{% call statement('before') %}}{statement}{{% endcall %}}"
+
+
 def in_two_forms(later: str, first: str) -> str:
     """Return what an incremental model says: in a later build, and in the first or a full one."""
     return f"{{% if is_incremental() %}}\n\n{later}\n\n{{% else %}}\n\n{first}\n\n{{% endif %}}"

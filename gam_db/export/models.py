@@ -349,6 +349,6 @@ def _views(of: Modelled) -> list[Model]:
         steps = Pipeline()
         add(steps, f"export/{name}", {"times": times, **slots})
         query = steps.query(name, placed)
-        config = {"materialized": "view"}
+        config = {"materialized": "view", **of.adapter.view}
         made.append(Model(name, "models/health", f"export/{name}", query, config=config, keys=keys))
     return made

@@ -151,9 +151,8 @@ def rendered(engine: Engine, tables: StateTables) -> str:
     Raises:
         EngineError: the engine has no schemas, and one is named.
     """
-    parts = [
-        f"-- gam-db {__version__}: the state tables {tables}*, for {engine.name}; safe to run again."
-    ]
+    head = f"-- gam-db {__version__}: the state tables {tables}*, for {engine.name}; safe to run again."
+    parts = [f"{head}\n{engine.beginning()}".rstrip()]
     now = time.time_ns() // 1000
     for migration in files():
         title = f"-- Migration {migration.number}: {tables.shown(migration.name)}."

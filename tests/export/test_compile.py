@@ -40,6 +40,31 @@ def test_columns_of_a_database_table_are_looked_at(tmp_path: Path) -> None:
     assert rows == [("r1", "j1", 320)]
 
 
+def test_a_schema_takes_all_that_is_made() -> None:
+    with duckdb.connect() as connection:
+        connection.execute('CREATE SCHEMA "the plant"')
+        connection.execute(
+            "CREATE TABLE telemetry AS "
+            "SELECT 'a' AS asset, 'x' AS channel, i AS time, sin(i) AS value FROM range(400) t(i)"
+        )
+        for _ in range(2):  # a script begins with dropping what it makes
+            connection.execute(invoke("telemetry", "--window", "50", "--schema", "the plant").stdout)
+        made = "FROM duckdb_tables() UNION ALL SELECT schema_name FROM duckdb_views() WHERE NOT internal"
+        schemas = connection.sql(f"SELECT schema_name {made}").fetchall()
+        assert sorted(set(schemas)) == [("main",), ("the plant",)]
+        assert schemas.count(("main",)) == 1
+        assert connection.sql('FROM "the plant".gam_live_health').fetchall()
+        found = connection.sql("FROM \"the plant\".gam_live_health_of('a', 'x')").fetchall()
+        assert found
+
+
+def test_postgres_writes_the_schema_of_all_tables() -> None:
+    script = invoke("telemetry", "--engine", "postgres", "--schema", "the plant").stdout
+    assert script.count("\nSET search_path TO pg_catalog, pg_temp;\n") == 1
+    assert 'FROM "public"."telemetry"' in script
+    assert 'CREATE VIEW "the plant".gam_live_health AS' in script
+
+
 @pytest.mark.parametrize(
     ("part", "words"),
     [
@@ -48,6 +73,7 @@ def test_columns_of_a_database_table_are_looked_at(tmp_path: Path) -> None:
         ("--channel", ["t", "--wide"]),
         ("cannot be written", ["t", "--out", "/nowhere/at/all.sql"]),
         ("m <= ", ["t", "--m", "12"]),
+        ("sqlite has no schemas", ["t", "--engine", "sqlite", "--schema", "s"]),
     ],
 )
 def test_errors_are_one_paragraph(

@@ -57,6 +57,10 @@ class GoogleSqlDriver:
     def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
         self.plant.execute(self.engine.text(deletion(table, keys, found)))
 
+    def located(self, table: exp.Expr) -> exp.Expr:
+        """Return the node as it is."""
+        return table
+
     def tables(self) -> list[tuple[str, ...]]:
         return [(name,) for name in self.plant.relations()]
 

@@ -72,13 +72,15 @@ def arrive(session: Session, table: exp.Table, rows: list[Row]) -> None:
 
 
 def fetched(session: Session, script: str) -> Answer:
-    """Return the rows of a script that is one query."""
+    """Return the rows of a script that is one query, after what it begins with."""
     rows: pa.Table
     if isinstance(session, DuckSession):
         rows = session.connection.sql(script).to_arrow_table()
     else:
         assert isinstance(session, WarehouseSession)
-        rows = session.driver.fetch(script.strip().removesuffix(";"))
+        *first, query = END.split(script.removesuffix(";\n"))
+        run(session, ";\n".join(first))
+        rows = session.driver.fetch(query)
     answer: Answer = rows.to_pylist()
     return answer
 
