@@ -14,6 +14,7 @@ from gam_db.engines import NAMES, engine_named
 from gam_db.errors import ConfigurationError
 from gam_db.stored import migrations
 from gam_db.stored.migrations import Status
+from gam_db.stored.roles import Roles
 from gam_db.stored.tables import StateTables
 
 PENDING = 2
@@ -37,6 +38,14 @@ def migrate(
     engine: Annotated[
         str | None, typer.Option(help=f"With --sql: one of {', '.join(NAMES)} (default duckdb).")
     ] = None,
+    grants: Annotated[
+        str | None,
+        typer.Option(
+            metavar="owner=NAME,writer=NAME,reader=NAME",
+            help="With --sql --engine postgres: let the tables belong to the owner, and give writer "
+            "(calibrate, score, check, prune) and reader (status, views) what they need.",
+        ),
+    ] = None,
     as_json: monitor_options.JsonOption = False,
 ) -> None:
     """Make the state tables in a database, or bring those of an older gam-db up to date.
@@ -47,9 +56,12 @@ def migrate(
         raise ConfigurationError("--sql prints a script; leave out --status and --json.")
     if engine is not None and not sql:
         raise ConfigurationError("--engine says for which engine --sql prints; add --sql.")
+    if grants is not None and not sql:
+        raise ConfigurationError("--grants says what --sql prints besides; add --sql.")
     if sql:
+        who = None if grants is None else Roles.parsed(grants)
         settings = monitor_options.said(file=config, schema=schema, prefix=prefix)
-        script = migrations.rendered(engine_named(engine or "duckdb"), settings.monitor.tables)
+        script = migrations.rendered(engine_named(engine or "duckdb"), settings.monitor.tables, who)
         print(script, end="")
         return
     session, tables, _ = monitor_options.opened(

@@ -5,7 +5,7 @@ undone, and a state that a newer gam-db made is refused.
 """
 
 import time
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -16,7 +16,9 @@ from gam_db.engines.base import Engine
 from gam_db.engines.session import CONFLICT, Session
 from gam_db.engines.storage import Addition, Definition
 from gam_db.errors import ConflictError, EngineError, StateError
+from gam_db.stored import roles
 from gam_db.stored.migration_files import RECORD, Migration, files
+from gam_db.stored.roles import Roles
 from gam_db.stored.tables import StateTables
 from gam_db.version import __version__
 
@@ -142,27 +144,38 @@ def require(session: Session, tables: StateTables) -> None:
         )
 
 
-def rendered(engine: Engine, tables: StateTables) -> str:
+def rendered(engine: Engine, tables: StateTables, who: Roles | None = None) -> str:
     """Return all migrations as a script of an engine; it can be run on an empty or an older state.
 
     Where an engine has no ADD COLUMN IF NOT EXISTS, what adds a column says so, and is left out where it
     was applied.
 
+    Args:
+        engine: what runs it.
+        tables: where the state lies.
+        who: owner, writer and reader, who are given what they need; None for nobody.
+
     Raises:
-        EngineError: the engine has no schemas, and one is named.
+        EngineError: the engine has no schemas, and one is named; or it has other grants.
     """
     head = f"-- gam-db {__version__}: the state tables {tables}*, for {engine.name}; safe to run again."
     parts = [f"{head}\n{engine.beginning()}".rstrip()]
     now = time.time_ns() // 1000
+    if who is not None:
+        parts.append(_part("-- Who may do what.", roles.before(engine, tables, who), engine))
     for migration in files():
         title = f"-- Migration {migration.number}: {tables.shown(migration.name)}."
-        statements = _complete(migration, engine, tables, now)
+        statements = _complete(migration, engine, tables, now, makes_schema=who is None)
         if any(_adds_once(statement) for statement in statements):
             title += f" Only where it is pending: {engine.title} cannot be told to add a column once."
-        parts.append(
-            "\n".join([title, *(f"{engine.text(statement, pretty=True)};" for statement in statements)])
-        )
+        parts.append(_part(title, statements, engine))
+    if who is not None:
+        parts.append(_part(roles.ALSO, roles.after(tables, who), engine))
     return "\n\n".join(parts) + "\n"
+
+
+def _part(title: str, statements: Iterable[exp.Expr], engine: Engine) -> str:
+    return "\n".join([title, *(f"{engine.text(statement, pretty=True)};" for statement in statements)])
 
 
 def _complete(
@@ -171,6 +184,7 @@ def _complete(
     tables: StateTables,
     applied_at: int,
     present: Collection[str] = (),
+    makes_schema: bool = True,
 ) -> Sequence[exp.Expr]:
     """Return all statements of a migration; the first makes the schema, the last is the record."""
     changes = migration.statements(engine, tables, present)
@@ -179,7 +193,7 @@ def _complete(
         return statements
     if not engine.schemas:
         raise EngineError(f"{engine.name} has no schemas; leave schema out and give another prefix.")
-    if migration.number == 1:
+    if migration.number == 1 and makes_schema:
         schema = exp.Table(db=template.name(tables.schema))
         statements.insert(0, exp.Create(this=schema, kind="SCHEMA", exists=True))
     return statements

@@ -1,0 +1,136 @@
+"""Roles: what owner, writer and reader of the state may do, as the GRANTs that give it to them.
+
+The owner makes and changes the tables and views, and drops them. The writer calibrates, scores, checks
+and prunes. The reader asks for the status, and reads the views. This module owns which of the tables and
+views each of them needs, and what for.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.engines.base import Engine
+from gam_db.errors import ConfigurationError, EngineError
+from gam_db.stored.tables import TABLES, StateTables
+
+ROLES = ("owner", "writer", "reader")
+
+#: Rows are added to all tables but the record of migrations.
+_INSERTED = tuple(name for name in TABLES if name != "migration")
+
+#: Rows that a later run hides, or that are old, go.
+_DELETED = (
+    *("version", "calibration", "bounds", "block", "support", "bucket", "novel", "run", "unplaced"),
+    *("checksum", "horizon"),
+)
+
+#: Where one writer waits for another: a column of one row is written, and stays what it was.
+_TOUCHED = {"migration": "applied_at", "monitor": "created"}
+
+#: The views by which runs, buckets and cells that count are found, and what a run says in the end.
+_COUNTING = ("finished_run", "visible_bucket", "visible_novel", "fleet")
+
+#: What the status is made of.
+_STATUS = ("migration", "monitor", "proof", "visible_bucket", "fleet")
+
+#: The views that are for whoever reads on.
+_SHOWN = ("health", "quarantine", "unplaced_day")
+
+#: What a script cannot know, as comments of it.
+ALSO = (
+    "-- The writer reads the source, too: GRANT USAGE on its schema, GRANT SELECT on it.\n"
+    "-- Where not everybody makes temporary tables: GRANT TEMPORARY ON DATABASE to writer and reader."
+)
+
+
+@dataclass(frozen=True)
+class Roles:
+    """Who is owner, writer and reader; None for nobody.
+
+    Raises:
+        ConfigurationError: nobody is named, or one name is empty.
+    """
+
+    owner: str | None = None
+    writer: str | None = None
+    reader: str | None = None
+
+    def __post_init__(self) -> None:
+        named = [getattr(self, role) for role in ROLES]
+        if not any(named) or "" in named:
+            raise ConfigurationError(f"Name at least one of {', '.join(ROLES)}, as owner=NAME.")
+
+    @classmethod
+    def parsed(cls, text: str) -> "Roles":
+        """Return the roles of a text such as ``owner=plant_owner,writer=plant,reader=everybody``.
+
+        Raises:
+            ConfigurationError: it is no such text.
+        """
+        said: dict[str, str] = {}
+        for part in text.split(","):
+            role, equals, name = (one.strip() for one in part.partition("="))
+            if role not in ROLES or role in said or not equals:
+                raise ConfigurationError(
+                    f"grants is {text!r}; it is written as owner=NAME,writer=NAME,reader=NAME, each of "
+                    "them once or not at all."
+                )
+            said[role] = name
+        return cls(**said)
+
+
+def before(engine: Engine, tables: StateTables, roles: Roles) -> Iterator[exp.Expr]:
+    """Yield what comes before the tables and views, so that they belong to the owner.
+
+    Raises:
+        EngineError: the engine knows no such statements.
+    """
+    if engine.home is None:
+        raise EngineError(f"gam-db writes the grants of PostgreSQL only, not of {engine.title}.")
+    schema = exp.Table(db=template.name(tables.schema or engine.home))
+    if tables.schema is not None:
+        yield exp.Create(this=schema.copy(), kind="SCHEMA", exists=True)
+    for name, privileges in (
+        (roles.owner, ("USAGE", "CREATE")),
+        (roles.writer, ("USAGE",)),
+        (roles.reader, ("USAGE",)),
+    ):
+        if name is not None:
+            yield _grant(dict.fromkeys(privileges), "SCHEMA", schema, name)
+    if roles.owner is not None:
+        as_owner = exp.EQ(this=exp.var("role"), expression=template.text(roles.owner))
+        yield exp.Set(expressions=[exp.SetItem(this=as_owner)])
+
+
+def after(tables: StateTables, roles: Roles) -> Iterator[exp.Expr]:
+    """Yield what gives writer and reader what they need."""
+    if roles.writer is not None:
+        for name in (*TABLES, *_COUNTING):
+            privileges: dict[str, str | None] = {"SELECT": None}
+            privileges |= {"INSERT": None} if name in _INSERTED else {}
+            privileges |= {"DELETE": None} if name in _DELETED else {}
+            privileges |= {"UPDATE": _TOUCHED[name]} if name in _TOUCHED else {}
+            yield _grant(privileges, "TABLE", tables.table(name), roles.writer)
+    if roles.reader is not None:
+        for name in (*_STATUS, *_SHOWN):
+            yield _grant({"SELECT": None}, "TABLE", tables.table(name), roles.reader)
+    if roles.owner is not None:
+        yield exp.Command(this="RESET", expression="ROLE")
+
+
+def _grant(privileges: dict[str, str | None], kind: str, of: exp.Table, to: str) -> exp.Grant:
+    """Return a GRANT; a privilege is for a column, or for the whole."""
+    return exp.Grant(
+        privileges=[
+            exp.GrantPrivilege(
+                this=exp.var(privilege),
+                expressions=None if column is None else [exp.column(template.name(column))],
+            )
+            for privilege, column in privileges.items()
+        ],
+        kind=kind,
+        securable=of.copy(),
+        principals=[exp.GrantPrincipal(this=template.name(to))],
+    )
