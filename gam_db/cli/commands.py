@@ -17,67 +17,67 @@ from gam_db.errors import ConfigurationError
 
 WATCH, ONCE, LABORATORY = "Watch", "Once", "Laboratory"
 
-#: command, its panel, where it is, and the first sentence of its help
+#: command, its panel, where it is in gam_db.cli, and the first sentence of its help
 COMMANDS = (
     (
-        *("check", WATCH, "gam_db.cli.check:check"),
+        *("check", WATCH, "look:check"),
         "Look at SOURCE before anything is learnt of it: what it is like, what to fix, what to set.",
     ),
     (
-        *("init", WATCH, "gam_db.cli.init:init"),
+        *("init", WATCH, "look:init"),
         "Write a commented gam.toml for SOURCE: its columns, and parameters with the reason for each.",
     ),
     (
-        *("migrate", WATCH, "gam_db.cli.migrate:migrate"),
+        *("migrate", WATCH, "state:migrate"),
         "Make the state tables in a database, or bring those of an older gam-db up to date.",
     ),
     (
-        *("calibrate", WATCH, "gam_db.cli.calibrate:calibrate"),
+        *("calibrate", WATCH, "watch:calibrate"),
         "Learn the healthy part of every channel of SOURCE and freeze it in the database.",
     ),
     (
-        *("score", WATCH, "gam_db.cli.score:score"),
+        *("score", WATCH, "watch:score"),
         "Score what is new since the last run, and what came late, of every calibrated channel.",
     ),
     (
-        *("status", WATCH, "gam_db.cli.status:status"),
+        *("status", WATCH, "watch:status"),
         "Say how every channel is: verdict, floor, indicator, trend, and what is wrong with its data.",
     ),
     (
-        *("prune", WATCH, "gam_db.cli.prune:prune"),
+        *("prune", WATCH, "state:prune"),
         "Delete old buckets, novel cells, versions and records of runs; say how large each channel is.",
     ),
     (
-        *("compact", WATCH, "gam_db.cli.prune:compact"),
+        *("compact", WATCH, "state:compact"),
         "Delete rows that nobody sees: hidden by a later run, or left by one that was cut short.",
     ),
     (
-        *("drop", WATCH, "gam_db.cli.drop:drop"),
+        *("drop", WATCH, "state:drop"),
         "Remove the state tables of a schema and prefix, or with --name the rows of one monitor.",
     ),
     (
-        *("run", ONCE, "gam_db.cli.run:run"),
+        *("run", ONCE, "once:run"),
         "Compute the health indicator of every channel of SOURCE, print what was found, write the "
         "table.",
     ),
     (
-        *("demo", ONCE, "gam_db.cli.demo:demo"),
+        *("demo", ONCE, "once:demo"),
         "Simulate a machine that wears out, and print what `gam run` prints of it. Writes nothing.",
     ),
     (
-        *("select", ONCE, "gam_db.cli.select:select"),
+        *("select", ONCE, "choose:select"),
         "Choose delay, embedding dimension, bins and window for every channel of SOURCE.",
     ),
     (
-        *("compile", ONCE, "gam_db.cli.compile:compile_script"),
+        *("compile", ONCE, "warehouse:compile_script"),
         "Print the complete SQL script that computes the health indicator of SOURCE on an engine.",
     ),
     (
-        *("export", ONCE, "gam_db.cli.export:export"),
+        *("export", ONCE, "warehouse:export"),
         "Write the method as a package of another tool.",
     ),
     (
-        *("engines", ONCE, "gam_db.cli.engines:engines"),
+        *("engines", ONCE, "warehouse:engines"),
         "Tell which engines gam-db writes SQL for, and what is known of each at work.",
     ),
 )
@@ -119,7 +119,7 @@ def loaded(name: str) -> Any:
     places = {known: place for known, _, place, _ in COMMANDS}
     if name in places:
         module, _, inside = places[name].partition(":")
-        found = getattr(importlib.import_module(module), inside)
+        found = getattr(importlib.import_module(f"gam_db.cli.{module}"), inside)
     else:
         entry = next(entry for entry in laboratory() if entry.name == name)
         try:
