@@ -28,7 +28,7 @@ Form = Literal["exact", "view"]
 
 
 @options.taking(*options.READ, "time_kind")
-def compile_script(
+def compile(
     settings: Settings,
     form: Annotated[
         Form, typer.Option(help="exact: one query. view: tables of what was learnt, and a view.")
