@@ -10,6 +10,7 @@ import pytest
 from rich.cells import cell_len
 from typer.testing import CliRunner, Result
 
+import gam_db
 from gam_db.cli import app
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.stored import migrations
@@ -216,3 +217,17 @@ def test_pruning_tells_what_goes_and_reads_the_settings_file() -> None:
     figures = json.loads(gam("prune", "--keep-novel", "0", "--json").stdout)
     (channel,) = figures["channels"]
     assert (channel["novel_rows"], channel["novel_rows_after"]) == (10, 1)
+
+
+def test_a_monitor_prunes_by_its_own_settings() -> None:
+    plant = Plant()
+    version = plant.version(plant.channel(plant.monitor(), "R1", "j1"), plant.support())
+    plant.run(version, [QUIET] * 30)
+    saved(plant)
+    source = gam_db.Source("plant.parquet")
+    with gam_db.Monitor("plant.duckdb", source, lookback=0, keep="95 s") as monitor:
+        kept = monitor.prune(dry_run=True)["bucket_rows_after"].to_pylist()
+        assert monitor.prune(keep="1 d", dry_run=True)["bucket_rows_after"].to_pylist() == [30]
+    assert kept[0] < 30
+    with pytest.raises(gam_db.UserError, match="keep is True"):
+        gam_db.Monitor("plant.duckdb", source, keep=True)
