@@ -8,6 +8,7 @@ import shlex
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -99,12 +100,13 @@ def run(
                 found = findings(study)
                 code = Exit.ATTENTION if need_attention(found) else Exit.FINE
                 told = _figures(found)
-                show = lambda lines: _show(lines, job, found, everything)  # noqa: E731
+                show = partial(_show, job=job, found=found, everything=everything)
             else:
                 others.add_estimator(study, estimator)
                 rows, code = study.table("last_scores").to_pylist(), Exit.FINE
                 told = {"estimator": estimator, "channels": rows}
-                show = lambda lines: others.show_scores(lines, job, estimator, rows, everything)  # noqa: E731
+                asked = {"estimator": estimator, "rows": rows, "everything": everything}
+                show = partial(others.show_scores, job=job, **asked)
         page.tell(Exit.FINE, {}, show, quiet=as_json or quiet)
         with Progress(session, quiet) as progress:
             for result in results:

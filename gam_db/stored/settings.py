@@ -6,6 +6,7 @@ from typing import Literal
 from gam_db.clock import Length
 from gam_db.setting import LENGTH, TEXT, check, declared, setting
 from gam_db.stored import lengths
+from gam_db.stored.pruning import NOVEL_ROWS
 from gam_db.stored.tables import StateTables
 
 
@@ -29,7 +30,7 @@ class MonitorSettings:
         example="monitoring",
         aside=True,
     )
-    prefix: str = setting("gam_", TEXT, "begins the names of tables and views", least=0)
+    prefix: str = setting("gam_", TEXT, "begins the names of tables, views and models", least=0)
     lookback: Length | None = setting(
         *(None, LENGTH, "how late a row may come"),
         usual=f"{lengths.LOOKBACK}, or 0 steps of a counter",
@@ -50,7 +51,7 @@ class MonitorSettings:
     )
     keep_novel: Length | None = setting(
         *(None, LENGTH, "the same for their novel cells"),
-        usual="the newest 100,000 of each version",
+        usual=f"the newest {NOVEL_ROWS:,} of each version, so that a saturated channel stays bounded",
         example="90 d",
     )
 
