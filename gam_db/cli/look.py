@@ -43,8 +43,8 @@ def check(
             "--state",
             help="Instead, compare all that is stored with the source, and with itself: rows that came "
             "too late, were corrected or went, and what was damaged in the tables. Reads all of it, and "
-            "records that it did; ends with 2 if anything differs. --name, --schema and --prefix say where "
-            "it lies.",
+            "records that it did; ends with 2 if anything differs. --name, --schema and --prefix say "
+            "where it lies.",
         ),
     ] = False,
     everything: options.All = False,
