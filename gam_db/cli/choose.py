@@ -77,7 +77,8 @@ def select(
 
     Only the healthy part is looked at (--calibration-fraction 1 for all of it). --bins is the finest
     grid and --window the window that are asked for; --m is taken where no rule finds a dimension.
-    Overrides and pools of gam.toml are left out: each channel speaks for itself.
+    Overrides and pools of gam.toml are left out: each channel speaks for itself. --json prints all
+    curves.
     """
     search = Search(
         tau=tau,

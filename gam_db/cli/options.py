@@ -114,7 +114,9 @@ def taking(
         needed = [one for one in own.values() if one.default is one.empty]
         others = [one for one in own.values() if one.default is not one.empty]
         asked = [one.replace(kind=inspect.Parameter.KEYWORD_ONLY) for one in others]
-        among = [*where, *options, *asked] if state and not source else [*where, *asked, *options]
+        late = [one for one in asked if _panel(one) in _PANELS.values()]
+        early = [one for one in asked if one not in late]
+        among = [*where, *options, *asked] if state and not source else [*where, *early, *options, *late]
 
         @functools.wraps(command)
         def called(**given: Any) -> None:
@@ -135,6 +137,12 @@ def _parameter(name: str, of: Any, about: Any, default: Any = None) -> inspect.P
     return inspect.Parameter(
         name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=Annotated[of, about]
     )
+
+
+def _panel(option: inspect.Parameter) -> str | None:
+    (about,) = option.annotation.__metadata__
+    panel: str | None = about.rich_help_panel
+    return panel
 
 
 def _options(name: str) -> Iterator[inspect.Parameter]:
