@@ -16,6 +16,9 @@ from gam_db.errors import ParameterError, nearest
 from gam_db.setting import COUNT, LENGTH, SHARE, Setting, check, declared, setting, settings_of
 
 LARGEST_BINS = 2**31
+LONGEST_STRIDE = 100
+"""Vectors of a bucket at most, where nothing is asked for."""
+
 LARGEST_KEY = 2**63 - 1
 
 
@@ -91,7 +94,7 @@ class Parameters:
     window: int = setting(5000, COUNT, "vectors in the moving average")
     stride: int | None = setting(
         *(None, COUNT, "vectors per bucket; divides the window"),
-        usual="gcd(window, 100)",
+        usual=f"gcd(window, {LONGEST_STRIDE})",
         off=(None, "the default"),
         example=100,
     )
@@ -149,7 +152,7 @@ class Parameters:
     @property
     def bucket_length(self) -> int:
         """The stride, resolved."""
-        return math.gcd(self.window, 100) if self.stride is None else self.stride
+        return math.gcd(self.window, LONGEST_STRIDE) if self.stride is None else self.stride
 
     def changed_by(self, override: Override) -> "Parameters":
         """Return these parameters with one override applied and none left.

@@ -4,10 +4,11 @@ This module owns the command and its page. What results mean is said by
 :class:`gam_db.selection.Selection`.
 """
 
+import contextlib
 import dataclasses
 import math
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -23,7 +24,7 @@ from gam_db.cli.job import Job, healthy_part, job_of
 from gam_db.cli.progress import working
 from gam_db.config import Settings
 from gam_db.connecting import connect
-from gam_db.selection import Search, Selection, alone, selected
+from gam_db.selection import Search, Selection, Studied, alone, selected_by_all
 from gam_db.study import Study
 
 Row = dict[str, Any]
@@ -91,12 +92,19 @@ def select(
     )
     relation = options.named_relation(settings)
     session = connect(settings.source.database, threads, writable=False)
-    with working(session) as on_step:
+    with working(session):
         job = job_of(session, settings, relation)
-        parameters, calibration = alone(job.parameters, job.calibration)
-        job = dataclasses.replace(job, parameters=parameters, calibration=calibration)
-        study = Study(session, job.guess.source, parameters, calibration, on_step=on_step)
-        found = selected(study, search)
+    parameters, calibration = alone(job.parameters, job.calibration)
+    job = dataclasses.replace(job, parameters=parameters, calibration=calibration)
+
+    @contextlib.contextmanager
+    def studies() -> Iterator[Studied]:
+        opened = connect(settings.source.database, threads, writable=False)
+        with working(opened) as on_step:
+            yield lambda given: Study(opened, given, parameters, calibration, on_step)
+
+    found = selected_by_all(studies, job.guess.source, search)
+    code = Exit.OUR_FAULT if len(found.failures) else Exit.FINE
     figures = {
         "source": {"name": job.name, "guessed": job.guess.guessed},
         "settings_file": job.file,
@@ -104,7 +112,7 @@ def select(
         "asked": {name: getattr(parameters, name) for name in _ASKED},
         **vars(found),
     }
-    page.tell(Exit.FINE, figures, lambda out: _show(out, job, found, everything), as_json)
+    page.tell(code, figures, lambda out: _show(out, job, found, everything), as_json)
 
 
 _ASKED = ("m", "bins", "window", "target_floor")
@@ -139,6 +147,10 @@ def _show(out: Console, job: Job, found: Selection, everything: bool) -> None:
         out.print()
         out.print(Text(" ".join(map(page.printable, key)), style="bold"))
         page.notes(out, _lines(one, lags[key], dimensions[key], budget[key], job))
+    for one in found.failures.to_pylist():
+        out.print()
+        name = f"{page.printable(one['asset'])} {page.printable(one['channel'])}"
+        page.say(out, f"{name}: nothing chosen, by a fault of gam-db or its engine: {one['reason']}")
     if len(choices) > options.SHOWN:
         out.print()
     page.cut(out, choices, everything)

@@ -89,7 +89,8 @@ def run(
     never raise an alarm; exit code 2 also says that no channel at all has a calibration. By another
     --estimator there is an indicator (written to SOURCE.NAME.parquet) but no verdict.
     """
-    others = None if estimator == DSE else _others(estimator)
+    others = None if estimator.lower() == DSE else _others(estimator)
+    estimator = DSE if others is None else others.estimator_named(estimator).name
     relation = options.named_relation(settings)
     results = [] if no_out else _results(relation, settings.source.database, out, every, estimator)
     show: Callable[[Console], None]
@@ -285,14 +286,22 @@ _CALIBRATION = (
 def demo(
     keep: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="Save the series as Parquet, to try `gam run` on it."),
+        typer.Option(
+            "--out",
+            "--keep",
+            metavar="FILE",
+            help="Save the series as Parquet, to go on with; a file that is there is left as it is.",
+        ),
     ] = None,
 ) -> None:
-    """Simulate a machine that wears out, and print what `gam run` prints of it. Writes nothing."""
+    """Simulate a machine that wears out, and print what `gam run` prints of it. Writes nothing.
+
+    With --out it writes the series, and nothing else.
+    """
     if keep is not None and (keep.suffix != ".parquet" or not keep.parent.is_dir()):
-        raise ConfigurationError(
-            f"--keep is {keep}; give a name in .parquet, in a folder that is there."
-        )
+        raise ConfigurationError(f"--out is {keep}; give a name in .parquet, in a folder that is there.")
+    if keep is not None and keep.exists():
+        raise ConfigurationError(f"{keep} is there already; give --out a new name, or remove it.")
     session = connect()
     with working(session) as on_step:
         on_step("simulating")

@@ -22,7 +22,7 @@ from rich.text import Text
 
 import gam_db
 from gam_db.cli.options import SHOWN
-from gam_db.findings import STATUSES, Row, share
+from gam_db.findings import STATUSES, Row, is_short, share
 
 BLOCKS = "▁▂▃▄▅▆▇█"
 PLAIN_BLOCKS = "_.,-=+*#"
@@ -287,7 +287,15 @@ def advice(supports: Sequence[Row]) -> list[str]:
             "no_data: say which part is healthy by --calibrate FROM/TO, --calibration-duration or "
             "--calibration-fraction, where it holds data"
         )
-    grids = [row["finest_bins"] for row in supports if row["verdict"] == "too_fine"]
+    short = sum(is_short(row) for row in supports)
+    if short:
+        lines.append(
+            f"too little calibration in {short:,} of {len(supports):,}: say a longer healthy part by "
+            "--calibrate FROM/TO, --calibration-duration or --calibration-fraction; a coarser grid "
+            "would pass and see nothing"
+        )
+    too_fine = [row for row in supports if row["verdict"] == "too_fine" and not is_short(row)]
+    grids = [row["finest_bins"] for row in too_fine]
     if grids:
         steps = [(bins, sum(other >= bins for other in grids)) for bins in sorted(set(grids))[::-1]]
         ladder = ", ".join(

@@ -103,6 +103,15 @@ def evaluate(
             rich_help_panel=_SAMPLING,
         ),
     ] = None,
+    stride: Annotated[
+        int | None,
+        typer.Option(
+            min=1,
+            help="Of a table that gam run wrote with a row per vector, take every so many-th value; "
+            "default those at bucket ends, 1 for all.",
+            rich_help_panel=_SAMPLING,
+        ),
+    ] = None,
     surrogates: Annotated[
         int,
         typer.Option(
@@ -134,6 +143,7 @@ def evaluate(
         confidence=confidence,
         seed=seed,
         values_per_window=values_per_window,
+        stride=stride,
     )
     session = connect(database, threads, writable=False)
     with working(session) as on_step:
@@ -162,6 +172,12 @@ def show(
     rows: list[Row] = sorted(found.channels.to_pylist(), key=lambda row: order[row["outcome"]])
     for line in _heading(name, rows, found.unmatched):
         page.say(out, line)
+    if found.stride > 1:
+        page.say(
+            out,
+            f"a row per vector: the values at the end of each bucket of {found.stride:,} are taken; "
+            "--stride N for others, --stride 1 for all",
+        )
     out.print()
     shown = rows if everything else rows[: options.SHOWN]
     names = page.names_of(shown)
