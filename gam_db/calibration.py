@@ -3,72 +3,134 @@
 This module owns the rules a user can give and their arithmetic on closed intervals. It knows no SQL.
 """
 
+import datetime as dt
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 from gam_db.clock import FAR_AHEAD, LONG_AGO, Instant, Length, TimeKind, instant, length
-from gam_db.errors import CalibrationError, ParameterError
+from gam_db.errors import CalibrationError, ConfigurationError, ParameterError
+from gam_db.setting import INSTANT, LENGTH, SHARE, Kind, Setting, check, declared, setting
 
 Interval = tuple[int, int]
 
 
+def _pairs(_: Setting, name: str, pairs: Any) -> tuple[tuple[Instant, Instant], ...]:
+    if isinstance(pairs, str) or not isinstance(pairs, Iterable):
+        raise ParameterError(
+            f"{name} is {pairs!r}; it takes a list of pairs (from, to), such as [[0, 5000]]."
+        )
+    pairs = tuple(pairs)
+    for pair in pairs:
+        if isinstance(pair, str) or not isinstance(pair, Sequence) or len(pair) != 2:
+            raise ParameterError(f"{name} takes pairs (from, to), not {pair!r}.")
+    return tuple((start, end) for start, end in pairs)
+
+
+def _read_pairs(option: str, texts: Sequence[str]) -> list[tuple[str, str]]:
+    pairs = []
+    for text in texts:
+        start, slash, end = (part.strip() for part in text.partition("/"))
+        if not (start and slash and end):
+            raise ConfigurationError(
+                f"{option} is {text!r}; write FROM/TO, such as 2026-03-01/2026-03-14 or 0/5000."
+            )
+        pairs.append((start, end))
+    return pairs
+
+
+def _groups(_: Setting, name: str, pool: Any) -> Any:
+    refusal = ParameterError(
+        f"{name} is {pool!r}; it takes 'channel' or groups of asset patterns, such as [['a*', 'b*']]."
+    )
+    if pool == "channel":
+        return pool
+    if isinstance(pool, str) or not isinstance(pool, Iterable):
+        raise refusal
+    groups = []
+    for group in pool:
+        patterns = [group] if isinstance(group, str) or not isinstance(group, Iterable) else list(group)
+        if not all(isinstance(pattern, str) for pattern in patterns):
+            raise refusal
+        groups.append(tuple(patterns))
+    return tuple(groups)
+
+
+def _read_groups(_: str, texts: Sequence[str]) -> Any:
+    if list(texts) == ["channel"]:
+        return "channel"
+    return [[pattern.strip() for pattern in text.split(",")] for text in texts]
+
+
+INTERVALS = Kind(_pairs, list[str], _read_pairs, "FROM/TO")
+POOL = Kind(_groups, list[str], _read_groups, "GROUP")
+
+
+@declared
 @dataclass(frozen=True)
 class Calibration:
     """Which part of each channel is calibration (method, section 4).
 
-    One of ``fraction``, ``duration`` and ``intervals``; with none of them, ``fraction=0.2``.
+    One of ``fraction`` (floor(fraction * n) samples, missing ones counted), ``duration`` (closed) and
+    ``intervals`` (closed; an empty list means no calibration of its own, for a member of a pool); with
+    none of them, ``fraction=0.2``. Instants are integers of the counter, or datetimes, dates or ISO
+    8601 texts; lengths may be timedeltas. Only channels with the same parameters are pooled.
 
     Attributes:
-        fraction: the first floor(fraction * n) samples, missing ones counted; above 0, at most 1.
-        duration: from the first sample on, this long (closed); counter steps, or seconds, a timedelta
-            or a text such as "30 d" where the source has timestamps.
-        intervals: closed intervals (from, to), integers of the counter, or datetimes, dates or ISO
-            8601 texts; an empty list means no calibration of its own, for a member of a pool.
-        exclude: closed intervals taken out of the above; the end of calibration stays.
-        score_from: first instant to be scored; default: after the end of calibration.
         overrides: asset pattern -> Calibration, or None for no calibration of its own; the first
             pattern that matches replaces the general rule as a whole.
-        pool: channels that share one support: "channel" pools the channels of the same name of all
-            assets; a sequence of sequences of asset patterns pools within each group. Only channels
-            with the same parameters are pooled.
 
     Raises:
         CalibrationError: the rule contradicts itself.
     """
 
-    fraction: float | None = None
-    duration: Length | None = None
-    intervals: Sequence[tuple[Instant, Instant]] | None = None
-    exclude: Sequence[tuple[Instant, Instant]] = ()
-    score_from: Instant | None = None
+    fraction: float | None = setting(
+        *(None, SHARE, "the first share of each channel's samples"),
+        option="--calibration-fraction",
+        usual="0.2, if no other way is said",
+        example=0.2,
+        least=0,
+        aside=True,
+    )
+    duration: Length | None = setting(
+        *(None, LENGTH, "from the first sample on"),
+        option="--calibration-duration",
+        example="30 d",
+        aside=True,
+    )
+    intervals: Sequence[tuple[Instant, Instant]] | None = setting(
+        *(None, INTERVALS, "a healthy interval, both ends included"),
+        option="--calibrate",
+        more="2026-03-01/2026-03-14T18:00:00, or 0/5000 for a counter (repeatable)",
+        example=[(dt.date(2026, 3, 1), dt.datetime(2026, 3, 14, 18))],
+    )
+    exclude: Sequence[tuple[Instant, Instant]] = setting(
+        *((), INTERVALS, "taken out of calibration, whose end stays"),
+        more="repeatable",
+        example=[(dt.datetime(2026, 3, 4, 6), dt.datetime(2026, 3, 4, 7, 30))],
+    )
+    score_from: Instant | None = setting(
+        *(None, INSTANT, "first instant to score"),
+        usual="after calibration",
+        example=dt.date(2026, 3, 15),
+    )
     overrides: Mapping[str, "Calibration | None"] = field(default_factory=dict)
-    pool: str | Sequence[Sequence[str]] | None = None
+    pool: str | Sequence[Sequence[str]] | None = setting(
+        *(None, POOL, "machines that learn together, signal by signal"),
+        more="'channel' for all of them, or names (* and ? allowed) with commas between (repeatable)",
+        example="channel",
+        note='or groups of assets: [["robot_1", "robot_2"], ["press_*"]]',
+    )
 
     def __post_init__(self) -> None:
-        given = [
-            name for name in ("fraction", "duration", "intervals") if getattr(self, name) is not None
-        ]
+        check(self, CalibrationError)
+        given = [name for name in WAYS if getattr(self, name) is not None]
         if not given:
             object.__setattr__(self, "fraction", 0.2)
         elif len(given) > 1:
             raise CalibrationError(
-                f"Calibration takes one of fraction, duration, intervals, not {' and '.join(given)}."
+                f"Calibration takes one of {', '.join(WAYS)}, not {' and '.join(given)}."
             )
-        if self.fraction is not None and (
-            isinstance(self.fraction, bool)
-            or not isinstance(self.fraction, (int, float))
-            or not 0 < self.fraction <= 1
-        ):
-            raise CalibrationError(
-                f"The calibration fraction is {self.fraction!r}; it must be above 0 and at most 1."
-            )
-        for name in ("intervals", "exclude"):
-            pairs = getattr(self, name)
-            if pairs is None and name == "intervals":
-                continue
-            if not isinstance(pairs, Iterable):
-                raise CalibrationError(f"{name} is {pairs!r}; it takes a list of pairs (from, to).")
-            object.__setattr__(self, name, tuple(_pair(name, pair) for pair in pairs))
         if not isinstance(self.overrides, Mapping):
             raise CalibrationError(
                 f"overrides is a {type(self.overrides).__name__}; it takes a mapping from asset "
@@ -88,8 +150,6 @@ class Calibration:
                     f"The calibration of {pattern!r} has overrides or a pool of its own; "
                     "only the general one may."
                 )
-        if self.pool is not None and self.pool != "channel":
-            object.__setattr__(self, "pool", _groups(self.pool))
 
     @property
     def pools(self) -> tuple[tuple[str, ...], ...]:
@@ -99,6 +159,10 @@ class Calibration:
         if isinstance(self.pool, str):
             return (("*",),)
         return tuple(tuple(group) for group in self.pool)
+
+
+#: The ways to say where calibration lies, one of which is taken.
+WAYS = ("fraction", "duration", "intervals")
 
 
 @dataclass(frozen=True)
@@ -191,24 +255,3 @@ def _closed(name: str, intervals: Sequence[tuple[Instant, Instant]], kind: TimeK
             raise CalibrationError(f"{name} {number} ends ({end!r}) before it begins ({start!r}).")
         closed.append(pair)
     return closed
-
-
-def _groups(pool: object) -> tuple[tuple[str, ...], ...]:
-    refusal = CalibrationError(
-        f"pool is {pool!r}; it takes 'channel' or groups of asset patterns, such as [['a*', 'b*']]."
-    )
-    if isinstance(pool, str) or not isinstance(pool, Iterable):
-        raise refusal
-    groups = []
-    for group in pool:
-        patterns = [group] if isinstance(group, str) or not isinstance(group, Iterable) else list(group)
-        if not all(isinstance(pattern, str) for pattern in patterns):
-            raise refusal
-        groups.append(tuple(patterns))
-    return tuple(groups)
-
-
-def _pair(name: str, pair: Sequence[Instant]) -> tuple[Instant, Instant]:
-    if isinstance(pair, str) or not isinstance(pair, Sequence) or len(pair) != 2:
-        raise CalibrationError(f"{name} takes pairs (from, to), not {pair!r}.")
-    return (pair[0], pair[1])

@@ -86,6 +86,21 @@ class Finding:
         """Tell whether somebody should look at it."""
         return self.status in URGENT
 
+    def row(self) -> Row:
+        """Return its row of the support, where ``hi`` is the end of a range, and what else is known."""
+        return {
+            **self.support,
+            "status": self.status,
+            "needs_attention": self.needs_attention,
+            "limit": self.limit,
+            "hi_now": self.hi,
+            "window": self.window,
+            "course": self.course,
+            "scored": self.scored,
+            "last_time": self.time,
+            "remarks": self.remarks,
+        }
+
 
 @dataclass(frozen=True)
 class Course:

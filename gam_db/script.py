@@ -21,6 +21,7 @@ from gam_db.errors import EngineError, ParameterError, SourceError, nearest
 from gam_db.method import Method, pipeline
 from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline
+from gam_db.setting import settings_of
 from gam_db.source import (
     AnySource,
     Source,
@@ -245,7 +246,7 @@ def _looked_at(
 def _described(parameters: Parameters) -> str:
     shown = [
         f"{name} = {value}"
-        for name in ("m", "tau", "bins", "window", "stride", "max_gap", "target_floor")
+        for name in settings_of(Parameters)
         if (value := getattr(parameters, name)) is not None
     ]
     others = f"; {len(parameters.overrides)} overrides" if parameters.overrides else ""

@@ -1,13 +1,6 @@
 """The command line: ``gam``. Commands are thin: parse, call, print.
 
-This module owns the list of commands, how errors are told, and the exit codes:
-
-* 0: done, and nothing needs attention,
-* 1: something the user can mend; one paragraph on stderr says what,
-* 2: done, and a channel needs attention (see :mod:`gam_db.findings`),
-* 3: our fault,
-* 75: another writer was faster; run it again,
-* 130: interrupted.
+This module owns how errors are told.
 """
 
 import sys
@@ -20,10 +13,9 @@ from typer.core import TyperGroup
 
 from gam_db.address import without_passwords
 from gam_db.cli import commands
+from gam_db.cli.exits import MEANINGS, Exit
 from gam_db.errors import ConflictError, StatementError, UserError
 from gam_db.version import __version__
-
-FINE, USER_ERROR, OUR_FAULT, RUN_AGAIN, INTERRUPTED = 0, 1, 3, 75, 130
 
 #: What Typer raises for options it cannot parse; it does not export the name.
 _UsageError: type[Exception] = typer.BadParameter.__bases__[0]
@@ -59,10 +51,10 @@ class Commands(TyperGroup):
         except Exception as error:
             code = _told(error, debug)
         except KeyboardInterrupt:
-            code = INTERRUPTED
-        if code == INTERRUPTED:
+            code = Exit.INTERRUPTED
+        if code == Exit.INTERRUPTED:
             print("gam: interrupted; no file was left half written.", file=sys.stderr)
-        sys.exit(code if isinstance(code, int) else FINE)
+        sys.exit(code if isinstance(code, int) else Exit.FINE)
 
 
 app = typer.Typer(
@@ -73,8 +65,7 @@ app = typer.Typer(
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
     help="A health indicator for every machine channel, computed where the telemetry lies.",
-    epilog="Exit codes: 0 fine, 1 something for you to mend, 2 a channel needs attention, 3 our fault, "
-    "75 another writer was faster: run it again.",
+    epilog=f"Exit codes: {', '.join(f'{code:d} {meaning}' for code, meaning in MEANINGS.items())}.",
 )
 
 
@@ -104,7 +95,7 @@ def main() -> None:
 def _told(error: Exception, debug: bool) -> int:
     """Tell an error on stderr and return the exit code it means."""
     if isinstance(error, typer.Abort):
-        return INTERRUPTED
+        return Exit.INTERRUPTED
     if debug:
         print(without_passwords("".join(traceback.format_exception(error))), file=sys.stderr)
         if isinstance(error, StatementError) and error.statement:
@@ -112,10 +103,10 @@ def _told(error: Exception, debug: bool) -> int:
     if isinstance(error, _UsageError):
         error.message = without_passwords(error.message)  # type: ignore[attr-defined]
         error.show()  # type: ignore[attr-defined]
-        return USER_ERROR
+        return Exit.USER_ERROR
     if isinstance(error, UserError):
         print(f"gam: {without_passwords(str(error))}", file=sys.stderr)
-        return RUN_AGAIN if isinstance(error, ConflictError) else USER_ERROR
+        return Exit.RUN_AGAIN if isinstance(error, ConflictError) else Exit.USER_ERROR
     first = without_passwords(str(error)).partition("\n")[0]
     kind = "" if type(error).__module__.startswith("gam_db") else f"{type(error).__name__}: "
     print(
@@ -123,4 +114,4 @@ def _told(error: Exception, debug: bool) -> int:
         + ("Please report it." if debug else "Run it again with --debug for all of it, to report it."),
         file=sys.stderr,
     )
-    return OUR_FAULT
+    return Exit.OUR_FAULT

@@ -17,70 +17,42 @@ from gam_db.errors import ConfigurationError
 
 WATCH, ONCE, LABORATORY = "Watch", "Once", "Laboratory"
 
-#: command, its panel, where it is, and the first sentence of its help
-COMMANDS = (
-    (
-        *("check", WATCH, "gam_db.cli.check:check"),
-        "Look at SOURCE before anything is learnt of it: what it is like, what to fix, what to set.",
-    ),
-    (
-        *("init", WATCH, "gam_db.cli.init:init"),
-        "Write a commented gam.toml for SOURCE: its columns, and parameters with the reason for each.",
-    ),
-    (
-        *("migrate", WATCH, "gam_db.cli.migrate:migrate"),
-        "Make the state tables in a database, or bring those of an older gam-db up to date.",
-    ),
-    (
-        *("calibrate", WATCH, "gam_db.cli.calibrate:calibrate"),
-        "Learn the healthy part of every channel of SOURCE and freeze it in the database.",
-    ),
-    (
-        *("score", WATCH, "gam_db.cli.score:score"),
-        "Score what is new since the last run, and what came late, of every calibrated channel.",
-    ),
-    (
-        *("status", WATCH, "gam_db.cli.status:status"),
-        "Say how every channel is: verdict, floor, indicator, trend, and what is wrong with its data.",
-    ),
-    (
-        *("prune", WATCH, "gam_db.cli.prune:prune"),
-        "Delete old buckets, novel cells, versions and records of runs; say how large each channel is.",
-    ),
-    (
-        *("compact", WATCH, "gam_db.cli.prune:compact"),
-        "Delete rows that nobody sees: hidden by a later run, or left by one that was cut short.",
-    ),
-    (
-        *("drop", WATCH, "gam_db.cli.drop:drop"),
-        "Remove the state tables of a schema and prefix, or with --name the rows of one monitor.",
-    ),
-    (
-        *("run", ONCE, "gam_db.cli.run:run"),
-        "Compute the health indicator of every channel of SOURCE, print what was found, write the "
-        "table.",
-    ),
-    (
-        *("demo", ONCE, "gam_db.cli.demo:demo"),
-        "Simulate a machine that wears out, and print what `gam run` prints of it. Writes nothing.",
-    ),
-    (
-        *("select", ONCE, "gam_db.cli.select:select"),
-        "Choose delay, embedding dimension, bins and window for every channel of SOURCE.",
-    ),
-    (
-        *("compile", ONCE, "gam_db.cli.compile:compile_script"),
-        "Print the complete SQL script that computes the health indicator of SOURCE on an engine.",
-    ),
-    (
-        *("export", ONCE, "gam_db.cli.export:export"),
-        "Write the method as a package of another tool.",
-    ),
-    (
-        *("engines", ONCE, "gam_db.cli.engines:engines"),
-        "Tell which engines gam-db writes SQL for, and what is known of each at work.",
-    ),
-)
+#: panel -> where each of its commands is in gam_db.cli -> the first sentence of its help
+COMMANDS = {
+    WATCH: {
+        "look:check": "Look at SOURCE before anything is learnt of it: what it is like, what to fix, "
+        "what to set.",
+        "look:init": "Write a commented gam.toml for SOURCE: its columns, and parameters with the "
+        "reason for each.",
+        "state:migrate": "Make the state tables in a database, or bring those of an older gam-db up "
+        "to date.",
+        "watch:calibrate": "Learn the healthy part of every channel of SOURCE and freeze it in the "
+        "database.",
+        "watch:score": "Score what is new since the last run, and what came late, of every calibrated "
+        "channel.",
+        "watch:status": "Say how every channel is: verdict, floor, indicator, trend, and what is "
+        "wrong with its data.",
+        "state:prune": "Delete old buckets, novel cells, versions and records of runs; say how large "
+        "each channel is.",
+        "state:compact": "Delete rows that nobody sees: hidden by a later run, or left by one that "
+        "was cut short.",
+        "state:drop": "Remove the state tables of a schema and prefix, or with --name the rows of one "
+        "monitor.",
+    },
+    ONCE: {
+        "once:run": "Compute the health indicator of every channel of SOURCE, print what was found, "
+        "write the table.",
+        "once:demo": "Simulate a machine that wears out, and print what `gam run` prints of it. "
+        "Writes nothing.",
+        "choose:select": "Choose delay, embedding dimension, bins and window for every channel of "
+        "SOURCE.",
+        "warehouse:compile": "Print the complete SQL script that computes the health indicator of "
+        "SOURCE on an engine.",
+        "warehouse:export": "Write the method as a package of another tool.",
+        "warehouse:engines": "Tell which engines gam-db writes SQL for, and what is known of each at "
+        "work.",
+    },
+}
 
 #: The same sentence of the laboratory's commands, so that help reads nothing of the laboratory.
 OF_LABORATORY = {
@@ -99,15 +71,24 @@ def laboratory() -> list[EntryPoint]:
     return sorted(entry_points(group="gam_db.commands"), key=lambda found: found.name)
 
 
+def places() -> dict[str, str]:
+    """Return where each command of the core is, by its name."""
+    return {place.partition(":")[2]: place for panel in COMMANDS.values() for place in panel}
+
+
 def listed() -> Iterable[TyperCommand]:
     """Return a stand-in of every command: its name, its panel and the first sentence of its help."""
-    for name, panel, _, sentence in COMMANDS:
-        yield TyperCommand(name, help=sentence, rich_help_panel=panel, rich_markup_mode="markdown")
+    said = [
+        (place.partition(":")[2], sentence, panel)
+        for panel, commands in COMMANDS.items()
+        for place, sentence in commands.items()
+    ]
     for found in laboratory():
-        sentence = OF_LABORATORY.get(found.name, f"Comes from {found.module}.")
-        yield TyperCommand(
-            found.name, help=sentence, rich_help_panel=LABORATORY, rich_markup_mode="markdown"
+        said.append(
+            (found.name, OF_LABORATORY.get(found.name, f"Comes from {found.module}."), LABORATORY)
         )
+    for name, sentence, panel in said:
+        yield TyperCommand(name, help=sentence, rich_help_panel=panel, rich_markup_mode="markdown")
 
 
 def loaded(name: str) -> Any:
@@ -116,10 +97,9 @@ def loaded(name: str) -> Any:
     Raises:
         ConfigurationError: it comes by an entry point whose module is not there.
     """
-    places = {known: place for known, _, place, _ in COMMANDS}
-    if name in places:
-        module, _, inside = places[name].partition(":")
-        found = getattr(importlib.import_module(module), inside)
+    if name in places():
+        module, _, inside = places()[name].partition(":")
+        found = getattr(importlib.import_module(f"gam_db.cli.{module}"), inside)
     else:
         entry = next(entry for entry in laboratory() if entry.name == name)
         try:

@@ -1,256 +1,214 @@
-"""Options that commands share: their names and help, and how they become settings.
+"""Options that commands share: those of the settings, made of what is declared, and what they open.
 
-This module owns the words of the command line; :mod:`gam_db.config` owns what they are laid over.
+This module owns how a declaration becomes an option, and how options are laid over gam.toml.
 """
 
+import functools
+import inspect
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 from gam_db import config
-from gam_db.address import VARIABLE
-from gam_db.config import Settings
-from gam_db.errors import ConfigurationError
+from gam_db.address import VARIABLE, check, is_url
+from gam_db.config import SECTIONS, Settings
+from gam_db.connecting import connect
+from gam_db.engines.session import Session
+from gam_db.errors import ConfigurationError, EngineError
+from gam_db.setting import Setting, settings_of
 from gam_db.source import FILE_ENDINGS, is_file
 
 DATABASE_ENDINGS = (".duckdb", ".db")
 
-_COLUMNS = "Columns, guessed where not named"
-_PARAMETERS = "Parameters of the method"
-_CALIBRATION = "Calibration, the healthy part: default the first 20 %"
+SHOWN = 40
+"""Channels shown unless all are asked for."""
 
-SourceArgument = Annotated[
-    str | None,
-    typer.Argument(
-        metavar="SOURCE",
-        help="A Parquet or CSV file (wildcards allowed), or a table of --database. Default: what "
-        "gam.toml says.",
-        show_default=False,
-    ),
-]
-DatabaseOption = Annotated[
-    str | None,
-    typer.Option(
-        metavar="ADDRESS",
-        help="Database that holds the table, a DuckDB file or a URL such as postgresql://HOST/DATABASE; "
-        f"it is only read. Default: the environment variable {VARIABLE}.",
-    ),
-]
-ConfigOption = Annotated[
-    Path | None, typer.Option(help="Settings file; default ./gam.toml if it is there.")
-]
-ThreadsOption = Annotated[int | None, typer.Option(min=1, help="Processor threads; default all.")]
+_PANELS = {
+    "source": "Columns, guessed where not named",
+    "parameters": "Parameters of the method",
+    "calibration": "Calibration, the healthy part: default the first 20 %",
+    "monitor": "What is kept, and where",
+}
 
-AssetOption = Annotated[
-    str | None, typer.Option(help="Column that names the machine.", rich_help_panel=_COLUMNS)
-]
-NoAssetOption = Annotated[
-    bool, typer.Option("--no-asset", help="It is one machine.", rich_help_panel=_COLUMNS)
-]
-ChannelOption = Annotated[
-    list[str] | None,
+#: Every setting that is an option, with the section of gam.toml that it stands in.
+_KNOWN: Mapping[str, tuple[str, Setting]] = {
+    name: (section, one)
+    for section, of in SECTIONS.items()
+    for name, one in settings_of(of).items()
+    if name not in ("relation", "database", "channels")
+}
+
+#: Options of commands that read a source, and of commands that work with the state.
+READ = tuple(
+    name for name, (section, _) in _KNOWN.items() if section != "monitor" and name != "time_kind"
+)
+STATE = ("name", "schema", "prefix")
+
+Threads = Annotated[int | None, typer.Option(min=1, help="Processor threads; default all.")]
+All = Annotated[
+    bool,
     typer.Option(
-        help="Column that names the signal. With --wide: a column that holds one (repeatable; "
-        "default all numeric ones).",
-        rich_help_panel=_COLUMNS,
+        "--all",
+        help=f"Print every channel, not only the {SHOWN} most urgent.",
+        rich_help_panel="Output",
     ),
 ]
-NoChannelOption = Annotated[
-    bool, typer.Option("--no-channel", help="It is one signal.", rich_help_panel=_COLUMNS)
+Json = Annotated[
+    bool,
+    typer.Option("--json", help="Print figures as one JSON object instead.", rich_help_panel="Output"),
 ]
-TimeOption = Annotated[
-    str | None,
-    typer.Option(help="Column with a timestamp or an integer counter.", rich_help_panel=_COLUMNS),
-]
-ValueOption = Annotated[
-    str | None, typer.Option(help="Column with the readings.", rich_help_panel=_COLUMNS)
-]
-WideOption = Annotated[
-    bool, typer.Option("--wide", help="The table has one column per signal.", rich_help_panel=_COLUMNS)
-]
-WhereOption = Annotated[
-    str | None,
-    typer.Option(
-        metavar="CONDITION",
-        help="Rows to take, as a condition in SQL, for example \"machine = 'R7'\".",
-        rich_help_panel=_COLUMNS,
-    ),
+Quiet = Annotated[
+    bool, typer.Option("--quiet", "-q", help="Print nothing but errors.", rich_help_panel="Output")
 ]
 
-MOption = Annotated[
-    int | None, typer.Option("--m", help="Embedding dimension (default 3).", rich_help_panel=_PARAMETERS)
-]
-TauOption = Annotated[
-    int | None, typer.Option("--tau", help="Delay, in samples (default 1).", rich_help_panel=_PARAMETERS)
-]
-BinsOption = Annotated[
-    int | None, typer.Option("--bins", help="Bins per axis (default 100).", rich_help_panel=_PARAMETERS)
-]
-WindowOption = Annotated[
-    int | None,
-    typer.Option(
-        "--window", help="Vectors in the moving average (default 5000).", rich_help_panel=_PARAMETERS
-    ),
-]
-StrideOption = Annotated[
-    int | None,
-    typer.Option(
-        "--stride",
-        help="Vectors per bucket; divides the window (default gcd(window, 100)).",
-        rich_help_panel=_PARAMETERS,
-    ),
-]
-MaxGapOption = Annotated[
-    str | None,
-    typer.Option(
-        "--max-gap",
-        metavar="LENGTH",
-        help="Longest step in time that is no pause: seconds or a text like '5 min'; steps of a "
-        "counter; 'none' for no limit (the default).",
-        rich_help_panel=_PARAMETERS,
-    ),
-]
-TargetFloorOption = Annotated[
-    float | None,
-    typer.Option(
-        "--target-floor",
-        help="Indicator that a healthy machine may show (default 0.05).",
-        rich_help_panel=_PARAMETERS,
-    ),
-]
-
-EstimatorOption = Annotated[
-    str,
-    typer.Option(
-        metavar="NAME",
-        help="What scores vectors: dse (the method itself), or centroid, gmm, forest, ocsvm, which have "
-        'no certificate and no limit. The last three need pip install "gam-db[benchmark]".',
-        rich_help_panel=_PARAMETERS,
-    ),
-]
-
-FractionOption = Annotated[
-    float | None,
-    typer.Option(help="The first share of each channel's samples.", rich_help_panel=_CALIBRATION),
-]
-DurationOption = Annotated[
-    str | None,
-    typer.Option(
-        metavar="LENGTH",
-        help="From the first sample on: seconds or a text like '30 d'; steps of a counter.",
-        rich_help_panel=_CALIBRATION,
-    ),
-]
-CalibrateOption = Annotated[
-    list[str] | None,
-    typer.Option(
-        metavar="FROM/TO",
-        help="A healthy interval, both ends included: 2026-03-01/2026-03-14T18:00:00, or 0/5000 "
-        "for a counter (repeatable).",
-        rich_help_panel=_CALIBRATION,
-    ),
-]
-ExcludeOption = Annotated[
-    list[str] | None,
-    typer.Option(
-        metavar="FROM/TO", help="Taken out of calibration (repeatable).", rich_help_panel=_CALIBRATION
-    ),
-]
-ScoreFromOption = Annotated[
-    str | None,
-    typer.Option(
-        metavar="TIME",
-        help="First instant to score; default: after calibration.",
-        rich_help_panel=_CALIBRATION,
-    ),
-]
-PoolOption = Annotated[
-    list[str] | None,
-    typer.Option(
-        metavar="GROUP",
-        help="Machines that learn together, signal by signal: 'channel' for all of them, or names "
-        "(* and ? allowed) with commas between (repeatable).",
-        rich_help_panel=_CALIBRATION,
-    ),
-]
+_SOURCE = typer.Argument(
+    metavar="SOURCE",
+    help="A Parquet or CSV file (wildcards allowed), or a table of --database. Default: what gam.toml "
+    "says.",
+    show_default=False,
+)
+_CONFIG = typer.Option(help=f"Settings file; default ./{config.DEFAULT_FILE} if it is there.")
+_READ_ONLY = typer.Option(
+    metavar="ADDRESS",
+    help="Database that holds the table, a DuckDB file or a URL such as postgresql://HOST/DATABASE; "
+    f"it is only read. Default: the environment variable {VARIABLE}.",
+)
+_OF_STATE = typer.Option(
+    metavar="ADDRESS",
+    help="Database that holds the state, and the source if that is a table: a DuckDB file, which is "
+    "made if it is not there, or a URL such as postgresql://HOST/DATABASE. Default: the environment "
+    f"variable {VARIABLE}, or what gam.toml says.",
+    rich_help_panel=_PANELS["monitor"],
+)
 
 
-def settings(
-    *,
-    file: Path | None,
-    relation: str | None,
-    database: str | None,
-    asset: str | None,
-    no_asset: bool,
-    channel: Sequence[str] | None,
-    no_channel: bool,
-    time: str | None,
-    value: str | None,
-    wide: bool,
-    where: str | None,
-    m: int | None,
-    tau: int | None,
-    bins: int | None,
-    window: int | None,
-    stride: int | None,
-    max_gap: str | None,
-    target_floor: float | None,
-    calibration_fraction: float | None,
-    calibration_duration: str | None,
-    calibrate: Sequence[str] | None,
-    exclude: Sequence[str] | None,
-    score_from: str | None,
-    pool: Sequence[str] | None,
-    fresh: bool = False,
-) -> Settings:
-    """Return the settings of the file with the options of a command laid over them; ``fresh``: no file.
+def taking(
+    *names: str, source: bool = True, state: bool = False, fresh: bool = False, but: tuple[str, ...] = ()
+) -> Callable[[Callable[..., Any]], Callable[..., None]]:
+    """Return what gives a command options of the settings; it is called with ``settings``.
+
+    One that has a parameter ``relation`` is also told the SOURCE that was given, apart from gam.toml.
+
+    Args:
+        names: of the settings; their order is that of the options.
+        source: whether there is a SOURCE.
+        state: the database holds the state; else it is only read (but by a command's own --state).
+        fresh: there is no settings file.
+        but: settings among the names that are left out.
+    """
+    taken = [name for name in names if name not in but]
+
+    def decorated(command: Callable[..., Any]) -> Callable[..., None]:
+        where = [
+            *([_parameter("relation", str | None, _SOURCE)] if source else []),
+            _parameter("database", str | None, _OF_STATE if state else _READ_ONLY),
+            *([] if fresh else [_parameter("config", Path | None, _CONFIG)]),
+        ]
+        options = [option for name in taken for option in _options(name)]
+        own = dict(inspect.signature(command, eval_str=True).parameters)
+        del own["settings"]
+        passed = own.pop("relation", None) is not None
+        needed = [one for one in own.values() if one.default is one.empty]
+        others = [one for one in own.values() if one.default is not one.empty]
+        asked = [one.replace(kind=inspect.Parameter.KEYWORD_ONLY) for one in others]
+        late = [one for one in asked if _panel(one) in _PANELS.values()]
+        early = [one for one in asked if one not in late]
+        among = [*where, *options, *asked] if state and not source else [*where, *early, *options, *late]
+
+        @functools.wraps(command)
+        def called(**given: Any) -> None:
+            said = {one.name: given.pop(one.name) for one in (*where, *options)}
+            if passed:
+                given["relation"] = said["relation"]
+            command(settings=_laid(said, state or given.get("state", False), fresh), **given)
+
+        parameters = [*(one.replace(kind=inspect.Parameter.KEYWORD_ONLY) for one in needed), *among]
+        called.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+        called.__annotations__ = {one.name: one.annotation for one in parameters}
+        return called
+
+    return decorated
+
+
+def _parameter(name: str, of: Any, about: Any, default: Any = None) -> inspect.Parameter:
+    return inspect.Parameter(
+        name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=Annotated[of, about]
+    )
+
+
+def _panel(option: inspect.Parameter) -> str | None:
+    (about,) = option.annotation.__metadata__
+    panel: str | None = about.rich_help_panel
+    return panel
+
+
+def _options(name: str) -> Iterator[inspect.Parameter]:
+    """Yield the option of a setting, and the one that says there is none."""
+    section, one = _KNOWN[name]
+    panel, kind = _PANELS[section], one.takes
+    option = typer.Option(
+        _option(name), help=one.help, metavar=one.metavar or kind.metavar, rich_help_panel=panel
+    )
+    if kind.option is bool:
+        yield _parameter(name, bool, option, False)
+        return
+    yield _parameter(name, kind.option | None, option)
+    if kind.none and one.off is not None:
+        said = f"{one.off[1][0].upper()}{one.off[1][1:]}."
+        refused = typer.Option(f"--no-{name}", help=said, rich_help_panel=panel)
+        yield _parameter(f"no_{name}", bool, refused, False)
+
+
+def _option(name: str) -> str:
+    return _KNOWN[name][1].option or f"--{name.replace('_', '-')}"
+
+
+def _laid(given: dict[str, Any], state: bool, fresh: bool) -> Settings:
+    """Return the settings of the file with the options of a command laid over them.
 
     Raises:
         ConfigurationError: the file or an option cannot be used.
     """
-    if asset is not None and no_asset:
-        raise ConfigurationError("--asset and --no-asset contradict each other; give one of them.")
-    if channel and no_channel:
-        raise ConfigurationError("--channel and --no-channel contradict each other; give one of them.")
-    if wide and (value is not None or no_channel):
+    file, relation = given.pop("config", None), given.pop("relation", None)
+    database = given.pop("database")
+    said: dict[str, dict[str, Any]] = {section: {} for section in SECTIONS}
+    for name, (section, one) in _KNOWN.items():
+        value = given.get(name)
+        is_said = not (value is None or value is False or value == [])
+        if given.get(f"no_{name}") and one.off is not None:
+            if is_said:
+                raise ConfigurationError(
+                    f"--{name} and --no-{name} contradict each other; give one of them."
+                )
+            said[section][name] = one.off[0]
+        elif is_said:
+            said[section][name] = one.of_option(_option(name), value)
+    columns = said["source"]
+    _check_layout(columns)
+    if relation is not None:
+        columns["relation"] = relation
+    if not database and (state or not is_file(relation)):
+        database = os.environ.get(VARIABLE)
+    if database or (is_file(relation) and not state):
+        columns["database"] = database or None
+    return (Settings() if fresh else config.load(file)).under(**said)
+
+
+def _check_layout(columns: dict[str, Any]) -> None:
+    """Refuse what contradicts itself; the signals of a wide table become its channels."""
+    signals, wide = columns.get("channel"), "layout" in columns
+    if wide and ("value" in columns or signals is False):
         raise ConfigurationError(
             "--wide means one column per signal; leave out --value and --no-channel."
         )
-    if channel and len(channel) > 1 and not wide:
-        raise ConfigurationError("Several --channel are columns of a wide table; add --wide.")
-    columns = {
-        "relation": relation,
-        "database": database or (None if is_file(relation) else os.environ.get(VARIABLE)),
-        "asset": False if no_asset else asset,
-        "time": time,
-        "value": value,
-        "where": where,
-        "layout": "wide" if wide else None,
-        "channels": tuple(channel) if wide and channel else None,
-        "channel": False if no_channel else channel[0] if channel and not wide else None,
-    }
-    parameters = {
-        "m": m,
-        "tau": tau,
-        "bins": bins,
-        "window": window,
-        "stride": stride,
-        "max_gap": False if max_gap == "none" else length(max_gap),
-        "target_floor": target_floor,
-    }
-    calibration = {
-        "fraction": calibration_fraction,
-        "duration": length(calibration_duration),
-        "intervals": _intervals("--calibrate", calibrate),
-        "exclude": _intervals("--exclude", exclude),
-        "score_from": score_from,
-        "pool": _pools(pool),
-    }
-    said = Settings() if fresh else config.load(file)
-    return said.under(columns, parameters, calibration)
+    if isinstance(signals, list):
+        if len(signals) > 1 and not wide:
+            raise ConfigurationError("Several --channel are columns of a wide table; add --wide.")
+        del columns["channel"]
+        columns |= {"channels": tuple(signals)} if wide else {"channel": signals[0]}
 
 
 def named_relation(settings: Settings) -> str:
@@ -277,35 +235,27 @@ def named_relation(settings: Settings) -> str:
     return relation
 
 
-def length(text: str | None) -> int | float | str | None:
-    """A plain number has no unit; anything else is left to the clock, which knows the units."""
-    if text is None:
-        return None
-    for number in (int, float):
-        try:
-            return number(text)
-        except ValueError:
-            continue
-    return text
+def opened(
+    settings: Settings, threads: int | None = None, writable: bool = True, must_exist: bool = True
+) -> Session:
+    """Open the database that holds the state; use it in a ``with`` statement.
 
+    Args:
+        settings: say which.
+        threads: processor threads.
+        writable: whether the command writes; else the file is only read.
+        must_exist: whether the file must be there already; it is never made to be read only.
 
-def _intervals(option: str, texts: Sequence[str] | None) -> list[tuple[str, str]] | None:
-    if not texts:
-        return None
-    pairs = []
-    for text in texts:
-        start, slash, end = (part.strip() for part in text.partition("/"))
-        if not (start and slash and end):
-            raise ConfigurationError(
-                f"{option} is {text!r}; write FROM/TO, such as 2026-03-01/2026-03-14 or 0/5000."
-            )
-        pairs.append((start, end))
-    return pairs
-
-
-def _pools(texts: Sequence[str] | None) -> Any:
-    if not texts:
-        return None
-    if list(texts) == ["channel"]:
-        return "channel"
-    return [[pattern.strip() for pattern in text.split(",")] for text in texts]
+    Raises:
+        UserError: no database was named, or it cannot be opened.
+    """
+    address = settings.source.database
+    if address is None:
+        raise ConfigurationError(
+            "Say which database holds the state: --database FILE.duckdb, or a URL such as "
+            "postgresql://HOST/DATABASE; or put database under [source] into gam.toml."
+        )
+    check(address)
+    if must_exist and not is_url(address) and not Path(address).exists():
+        raise EngineError(f"There is no database file {address}.")
+    return connect(address, threads, writable)

@@ -14,6 +14,7 @@ from rich.console import Console, RenderableType
 from rich.status import Status
 
 from gam_db.engines.session import Session
+from gam_db.running import Listener
 
 
 class Progress:
@@ -86,3 +87,14 @@ def interruptible() -> Iterator[None]:
         raise
     finally:
         signal.signal(signal.SIGINT, before)
+
+
+@contextlib.contextmanager
+def working(session: Session, quiet: bool = False) -> Iterator[Listener]:
+    """Close a session after some work, and show meanwhile what is done; yields what is told the step.
+
+    Raises:
+        KeyboardInterrupt: Ctrl-C was pressed.
+    """
+    with interruptible(), session, Progress(session, quiet) as progress:
+        yield progress.on_step

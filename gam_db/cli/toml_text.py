@@ -3,9 +3,10 @@
 This module owns quoting: any name that a column or a file can have comes back as it was.
 """
 
+import datetime as dt
 import json
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 from gam_db.errors import ConfigurationError
@@ -14,7 +15,7 @@ _WIDTH = 100
 
 
 def value(of: Any) -> str:
-    """Return a text, a number, a truth value or a list of these as TOML.
+    """Return a text, a number, a truth value, a date, a time or a list of these as TOML.
 
     Raises:
         ConfigurationError: a text that no file can hold (half of a UTF-16 pair).
@@ -30,6 +31,8 @@ def value(of: Any) -> str:
             raise ConfigurationError(f"{of!r} cannot be written as text; rename it.") from error
         # JSON's escapes are TOML's, but TOML wants DEL escaped, too.
         return json.dumps(of, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(of, dt.date):
+        return of.isoformat()
     if isinstance(of, Sequence):
         return f"[{', '.join(value(one) for one in of)}]"
     raise TypeError(f"{type(of).__name__} has no form in TOML.")
@@ -41,13 +44,14 @@ def comment(text: str) -> list[str]:
     return [f"# {line}" for line in textwrap.wrap(shown, _WIDTH - 2, break_on_hyphens=False)]
 
 
-def entries(said: Mapping[str, tuple[Any, str]]) -> list[str]:
+def entries(said: Mapping[str, tuple[Any, str]], aside: Collection[str] = ()) -> list[str]:
     """Return lines of ``key = value  # comment`` with the comments under one another.
 
     Args:
         said: key -> (value, comment); a long comment goes before its line.
+        aside: keys that are commented out.
     """
-    written = {key: f"{key} = {value(of)}" for key, (of, _) in said.items()}
+    written = {key: f"{'# ' * (key in aside)}{key} = {value(of)}" for key, (of, _) in said.items()}
     column = max((len(line) for line in written.values() if len(line) <= 40), default=0)
     lines = []
     for key, line in written.items():

@@ -5,7 +5,8 @@ This module owns the public calls of the stored form.
 
 import contextlib
 from collections.abc import Callable
-from typing import Any, Literal
+from dataclasses import InitVar, dataclass
+from typing import Any
 
 import pyarrow as pa
 from sqlglot import exp
@@ -27,59 +28,44 @@ from gam_db.stored.checking import Checked, check_state
 from gam_db.stored.proving import Proof, keep
 from gam_db.stored.pruning import Retention, compact, prune
 from gam_db.stored.scoring import Report, Wanted, score
+from gam_db.stored.settings import MonitorSettings
 from gam_db.stored.state import State, kind_of
 from gam_db.stored.status import status
-from gam_db.stored.tables import StateTables
 from gam_db.study import Study
 
 
-class Monitor:
+@dataclass(eq=False, repr=False)
+class Monitor(MonitorSettings):
     """The stored form of one source: calibrated once, scored again and again (state.md).
 
     The contract: as long as no row arrives more than ``lookback`` behind the newest one of its channel
     that was read before, the stored buckets equal those of one run over everything, whatever the order
     of batches, replays and crashes.
 
+    Its other keywords are those of :class:`MonitorSettings`.
+
     Args:
         engine: what :func:`gam_db.connect` returns, or what it takes. The state tables lie there.
         source: where the telemetry lies: a table of that database, a file, or an Arrow table.
         parameters: of the method; default :class:`Parameters`. They count when a version is made.
         calibration: the healthy part; default the first fifth of each channel. It counts likewise.
-        lookback: how far behind its channel's newest row a late one may arrive; counter steps, or
-            seconds, a timedelta or a text such as "1 h" where the source has timestamps. Default one
-            hour; 0 for counters.
-        park_after: a channel that would have to be read from further back than this is looked at once a
-            day, or when it has new values; False for never. Default one day; False for counters.
-        name: of the monitor; a database may hold several.
-        schema: where the state tables lie; None for the current schema.
-        prefix: of the names of the state tables.
 
     Raises:
-        UserError: the database cannot be opened, or a length is none.
+        UserError: the database cannot be opened, or a keyword cannot be used.
     """
 
-    def __init__(
-        self,
-        engine: Any,
-        source: AnySource,
-        parameters: Parameters | None = None,
-        calibration: Calibration | None = None,
-        *,
-        lookback: Length | None = None,
-        park_after: Length | Literal[False] | None = None,
-        name: str = "default",
-        schema: str | None = None,
-        prefix: str = "gam_",
-    ) -> None:
+    engine: InitVar[Any]
+    source: AnySource
+    parameters: Parameters = None  # type: ignore[assignment]
+    calibration: Calibration = None  # type: ignore[assignment]
+
+    def __post_init__(self, engine: Any) -> None:
+        super().__post_init__()
         self._is_ours = not isinstance(engine, Session)
         self.session = engine if isinstance(engine, Session) else connect(engine)
-        self.source = source
-        self.parameters = parameters or Parameters()
-        self.calibration = calibration or Calibration()
-        self.lookback = lookback
-        self.park_after = park_after
-        self.name = name
-        self.state = State(self.session, StateTables(schema, prefix))
+        self.parameters = self.parameters or Parameters()
+        self.calibration = self.calibration or Calibration()
+        self.state = State(self.session, self.tables)
 
     def __enter__(self) -> "Monitor":
         return self
@@ -238,16 +224,20 @@ class Monitor:
         """Delete what is old, and return how much there was and is of each channel.
 
         Args:
-            keep: age of the buckets that stay; None for all. See
-                :class:`gam_db.stored.pruning.Retention`.
-            keep_novel: age of the novel cells that stay; None for a bounded number of rows.
+            keep: instead of the monitor's own; see :class:`gam_db.stored.pruning.Retention`.
+            keep_novel: the same.
             keep_versions: retired versions of each channel that stay; None for all.
             dry_run: undo it all; the result is the same.
 
         Raises:
             UserError: there is no such monitor, a length is none, or the database cannot be written.
         """
-        retention = Retention(keep, keep_novel, keep_versions, self.lookback)
+        retention = Retention(
+            self.keep if keep is None else keep,
+            self.keep_novel if keep_novel is None else keep_novel,
+            keep_versions,
+            self.lookback,
+        )
         return prune(self.session, self.state.tables, self.name, retention, dry_run)
 
     def compact(self) -> pa.Table:

@@ -250,7 +250,7 @@ def test_channels_with_gaps_of_their_own_get_overrides() -> None:
     assert gam("init", "two.parquet").exit_code == 0
     parameters, _ = config.load().method()
     assert parameters.max_gap is None
-    assert [(one.channel, one.max_gap) for one in parameters.overrides] == [
+    assert [(one.channel, *one.changes().values()) for one in parameters.overrides] == [
         ('fast "1"', 5),
         ("slow\n2", 200),
     ]

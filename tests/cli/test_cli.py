@@ -18,7 +18,7 @@ from rich.cells import cell_len
 from typer.testing import CliRunner, Result
 
 import gam_db
-from gam_db.cli import app, report
+from gam_db.cli import app, options, page
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import StatementError
@@ -111,7 +111,7 @@ def test_a_worn_machine_needs_attention() -> None:
     assert "ready" in lines[first]
     assert "1.00" in lines[first]
     assert "█" in lines[first]
-    assert "above its limit of 0.050, 100 % of the novel vectors out of range" in lines[first + 1]
+    assert "- j2: above its limit of 0.050, 100 % of the novel vectors out of range" in lines
     assert any(line.startswith("  j1") for line in lines[first:])
 
 
@@ -304,7 +304,7 @@ def test_many_channels_stay_readable() -> None:
     source = saved(series)
     result = gam("run", source, *SMALL, "--no-out")
     assert result.exit_code == 2
-    assert result.stdout.count(" j1 ") == report.SHOWN
+    assert result.stdout.count(" j1 ") == options.SHOWN
     rows = [line for line in result.stdout.splitlines() if " j1 " in line]
     assert rows[0].startswith("! R33 j1")
     assert "and 5 more (5 ok); --all" in result.stdout
@@ -343,8 +343,8 @@ def test_names_cannot_talk_to_the_terminal() -> None:
 )
 def test_the_course_has_a_fixed_scale(course: list[float], width: int, expected: str) -> None:
     """The highest of each stretch is shown; what is not there yet is a gap."""
-    assert report.sparkline(np.array(course), width) == expected
-    plain = report.sparkline(np.array(course), width, report.PLAIN_BLOCKS)
+    assert page.sparkline(np.array(course), width) == expected
+    plain = page.sparkline(np.array(course), width, page.PLAIN_BLOCKS)
     assert plain.isascii()
     assert len(plain) == len(expected)
 
@@ -368,7 +368,7 @@ def test_json_is_what_the_library_returns() -> None:
         own = [bucket for bucket in buckets if (bucket["asset"], bucket["channel"]) == name]
         assert one["hi_now"] == own[-1]["hi"]
         assert one["last_time"] == own[-1]["last_time"]
-        assert one["scored_vectors"] == 10 * len(own)
+        assert one["scored"] == 10 * len(own)
         assert one["course"][0] is None
         assert max(filter(None, one["course"]), default=0) == max(
             (bucket["hi"] for bucket in own if bucket["hi"]), default=0

@@ -10,6 +10,7 @@ import pytest
 from rich.cells import cell_len
 from typer.testing import CliRunner, Result
 
+import gam_db
 from gam_db.cli import app
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.stored import migrations
@@ -71,11 +72,10 @@ def test_a_worn_channel_comes_first_and_asks_for_attention() -> None:
     assert lines[first].split()[:6] == ["!", "R1", "j1", "ready", "0.010", "1.00"]
     assert "+0.95" in lines[first]
     assert "▁▅█" in lines[first]
-    assert "above its limit of 0.050" in lines[first + 1]
-    assert any(
-        line.split() == ["!", "R1", "j1", "1.00", "+0.95", "2,", "1", "need", "attention"]
-        for line in lines
-    )
+    assert any(line.startswith("- R1 j1: above its limit of 0.050") for line in lines)
+    heads = ["asset", "worst", "channel", "HI", "trend", "channels", "need", "attention"]
+    place = [line.split() for line in lines].index(heads)
+    assert lines[place + 1].split() == ["!", "R1", "j1", "1.00", "+0.95", "2", "1"]
     assert "no data at all" not in result.stdout
     assert "Trend: HI now less HI a window earlier." in " ".join(result.stdout.split())
 
@@ -211,9 +211,23 @@ def test_pruning_tells_what_goes_and_reads_the_settings_file() -> None:
     assert (tried.exit_code, done.exit_code) == (0, 0), done.output
     assert "would delete: 22 rows of buckets, 22 rows of novel cells" in tried.stdout
     assert "deleted: 22 rows of buckets, 22 rows of novel cells" in done.stdout
-    (line,) = (line for line in done.stdout.splitlines() if line.startswith("R1 j1"))
+    (line,) = (line for line in done.stdout.splitlines() if line.startswith("  R1 j1"))
     assert line.split() == ["R1", "j1", "10", "of", "32", "10", "of", "32", "2", "1,200"]
     assert "nothing to delete" in gam("prune").stdout
     figures = json.loads(gam("prune", "--keep-novel", "0", "--json").stdout)
     (channel,) = figures["channels"]
     assert (channel["novel_rows"], channel["novel_rows_after"]) == (10, 1)
+
+
+def test_a_monitor_prunes_by_its_own_settings() -> None:
+    plant = Plant()
+    version = plant.version(plant.channel(plant.monitor(), "R1", "j1"), plant.support())
+    plant.run(version, [QUIET] * 30)
+    saved(plant)
+    source = gam_db.Source("plant.parquet")
+    with gam_db.Monitor("plant.duckdb", source, lookback=0, keep="95 s") as monitor:
+        kept = monitor.prune(dry_run=True)["bucket_rows_after"].to_pylist()
+        assert monitor.prune(keep="1 d", dry_run=True)["bucket_rows_after"].to_pylist() == [30]
+    assert kept[0] < 30
+    with pytest.raises(gam_db.UserError, match="keep is True"):
+        gam_db.Monitor("plant.duckdb", source, keep=True)

@@ -168,7 +168,8 @@ def test_a_calibration_that_is_not_good_enough_asks_for_attention() -> None:
     lines = result.stdout.splitlines()
     first = next(number for number, line in enumerate(lines) if line.startswith("? R2 fine"))
     assert "too_fine" in lines[first]
-    assert "bins would pass" in lines[first + 1]
+    assert "- R2 fine: grid too fine for its calibration" in said(result)
+    assert "bins would pass" in said(result)
     assert "calibration too short" in said(result)
     assert "no usable sample in calibration" in said(result)
     assert "grid too fine: " in said(result)

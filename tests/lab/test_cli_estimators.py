@@ -58,7 +58,7 @@ def test_json_and_a_table_per_stride() -> None:
             "SELECT asset, channel, max(last_time), max_by(hi, bucket) "
             "FROM gam_health_at_buckets_centroid GROUP BY ALL ORDER BY ALL"
         ).fetchall()
-    now = [(one["asset"], one["channel"], one["hi_now"]) for one in said["channels"]]
+    now = [(one["asset"], one["channel"], one["hi"]) for one in said["channels"]]
     # 600 vectors are scored: the last bucket ends with the last of them.
     assert [(asset, channel, hi) for asset, channel, _, hi in found] == now[:2]
     assert [one["scored_vectors"] for one in said["channels"]] == [600, 600, 0]

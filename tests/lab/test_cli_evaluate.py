@@ -13,7 +13,7 @@ from rich.cells import cell_len
 from typer.testing import CliRunner, Result
 
 import gam_db
-from gam_db.cli import app, report
+from gam_db.cli import app, options
 
 OUTCOMES = """asset,channel,failed_at,healthy
 robot 1,joint 1,2026-01-03 10:00:00,false
@@ -69,12 +69,13 @@ def test_the_table_can_be_read() -> None:
     assert max(map(cell_len, lines)) <= 80
     assert "2 failed, 2 of healthy assets, 2 not judged" in " ".join(lines)
     assert "not in the table: 1" in result.stdout
-    rows = {line[2:17]: line for line in lines if line[2:].startswith("robot")}
+    rows = {line[2:17]: line for line in lines if line[2:].startswith("robot") and line[0] != "-"}
     assert rows["robot 1 joint 1"].split()[4:7] == ["failed", "50", "5"], "it ends with the failure"
     assert rows["robot 2 joint 1"].split()[7].startswith("+0.9")
     assert rows["robot 3 joint 1"].startswith("~"), "a healthy one is like chance"
     assert rows["robot 3 joint 2"].split()[-1] == "-"
-    assert "the indicator is constant" in lines[lines.index(rows["robot 3 joint 2"]) + 1]
+    (remark,) = (line for line in lines if line.startswith("- robot 3 joint 2: "))
+    assert "the indicator is constant" in remark
     for metric in ("Mon", "Corr", "Rob", "Prog", "Disc", "Trendability", "Global"):
         (line,) = (line for line in lines if line.split()[:1] == [metric] and line.startswith("  "))
         assert " to " in line
@@ -117,7 +118,7 @@ def test_many_channels_are_cut_unless_all_are_asked_for() -> None:
         gam("evaluate", "fleet.parquet", "--surrogates", "0", "--samples", "0", *words).stdout
         for words in ((), ("--all",))
     )
-    assert f"and {60 - report.SHOWN} more; --all" in few
+    assert f"and {60 - options.SHOWN} more; --all" in few
     assert "robot 30 joint 2" not in few
     assert "robot 30 joint 2" in all_of_them
 

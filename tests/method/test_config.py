@@ -2,19 +2,21 @@
 
 import dataclasses
 import datetime as dt
-import inspect
 import re
 from pathlib import Path
 from typing import Any
 
 import pytest
+import typer
+from typer.testing import CliRunner
 
 from gam_db import Calibration, Override, Parameters, config
-from gam_db.config import MonitorSettings, Settings, SourceSettings
+from gam_db.cli import options
+from gam_db.config import SECTIONS, Settings, SourceSettings
 from gam_db.errors import CalibrationError, ConfigurationError
+from gam_db.setting import settings_of
+from gam_db.stored.settings import MonitorSettings
 from gam_db.stored.tables import StateTables
-
-OPTIONS: tuple[dict[str, Any], dict[str, Any], dict[str, Any]] = ({}, {}, {})
 
 
 def read(folder: Path, text: str) -> Settings:
@@ -25,9 +27,8 @@ def read(folder: Path, text: str) -> Settings:
 
 
 def documented() -> str:
-    """The example of the module's own documentation."""
-    _, _, example = inspect.getdoc(config).partition("::\n")  # type: ignore[union-attr]
-    return inspect.cleandoc(example)
+    """The example of the documentation."""
+    return (Path(__file__).parents[2] / "docs" / "gam.toml").read_text(encoding="utf-8")
 
 
 def test_the_documented_example(tmp_path: Path) -> None:
@@ -61,7 +62,9 @@ def test_the_documented_example(tmp_path: Path) -> None:
 
 def test_the_documented_alternatives(tmp_path: Path) -> None:
     """The lines that the example has as comments can be read, too."""
-    text = re.sub("(?m)^# ", "", documented()).replace('asset = "machine"', "asset = false", 1)
+    text = re.sub(r"(?m)^# (?=\w+ = )", "", documented()).replace(
+        'asset = "machine"', "asset = false", 1
+    )
     settings = read(tmp_path, text)
     assert settings.source.asset is False
     assert settings.source.database == str(tmp_path / "plant.duckdb")
@@ -74,11 +77,11 @@ def test_the_documented_alternatives(tmp_path: Path) -> None:
 def test_the_example_holds_every_key() -> None:
     """A new parameter that nobody documents would be found here."""
     example = documented()
-    for kind in (SourceSettings, Parameters, Calibration, MonitorSettings):
+    for kind in SECTIONS.values():
         for one in dataclasses.fields(kind):
-            if one.name not in ("overrides", "fraction"):
+            assert one.name in settings_of(kind) or one.name == "overrides"
+            if one.name != "overrides":
                 assert f"{one.name} = " in example, one.name
-    assert "fraction" in example
 
 
 @pytest.mark.parametrize(
@@ -105,27 +108,32 @@ def test_an_unknown_key_is_refused_with_the_nearest_name(tmp_path: Path, text: s
     ("text", "named"),
     [
         ("source = 3", r"\[source\]"),
-        ("[source]\ntime = 3", "time in"),
-        ("[source]\ntime = false", "time in"),
-        ("[source]\nasset = ''", "asset in"),
-        ("[source]\nchannels = 'x'", "channels in"),
+        ("[source]\ntime = 3", r"in \[source\], time is 3; it takes a text"),
+        ("[source]\ntime = false", r"in \[source\], time is False"),
+        ("[source]\nasset = ''", r"in \[source\], asset is ''"),
+        ("[source]\nchannels = 'x'", r"in \[source\], channels is 'x'; it takes a list"),
         ("[source]\nlayout = 'wid'", "did you mean 'wide'"),
+        ("[source]\ntime_kind = 'stamp'", "time_kind is 'stamp'"),
+        ("[parameters]\nbins = 0", r"in \[parameters\], bins is 0; it must be at least 1"),
+        ("[parameters]\ntarget_floor = 5", "it is a share"),
         ("[override]\nm = 3", r"\[\[override\]\]"),
         ("[[override]]\nasset = 3", "number 1"),
-        ("[calibration]\nintervals = [1, 2]", "intervals in"),
-        ("[calibration]\nexclude = 3", "exclude in"),
-        ("[calibration]\npool = 3", "pool in"),
+        ("[[override]]\nm = 0", r"in \[\[override\]\] number 1, m is 0"),
+        ("[calibration]\nintervals = [1, 2]", r"in \[calibration\], intervals takes pairs"),
+        ("[calibration]\nexclude = 3", r"in \[calibration\], exclude is 3"),
+        ("[calibration]\npool = 3", r"in \[calibration\], pool is 3"),
+        ("[calibration]\nfraction = 0", "above 0 and at most 1"),
         ("[calibration]\noverrides = 3", "overrides in"),
         ("[calibration.overrides]\nR1 = true", "R1"),
         ("[calibration.overrides.R1]\npool = 'channel'", "pool"),
         ("monitor = 3", r"\[monitor\]"),
-        ("[monitor]\nname = ''", r"name in \[monitor\]"),
-        ("[monitor]\nname = 3", r"name in \[monitor\]"),
-        ("[monitor]\nschema = false", r"schema in \[monitor\]"),
-        ("[monitor]\nprefix = 3", r"prefix in \[monitor\]"),
+        ("[monitor]\nname = ''", r"in \[monitor\], name is ''"),
+        ("[monitor]\nname = 3", r"in \[monitor\], name is 3"),
+        ("[monitor]\nschema = false", r"in \[monitor\], schema is False"),
+        ("[monitor]\nprefix = 3", r"in \[monitor\], prefix is 3"),
         ("[monitor]\nprefix = 'a-b'", "letters, digits"),
-        ("[monitor]\nlookback = true", "takes a length"),
-        ("[monitor]\nkeep = [3]", "takes a length"),
+        ("[monitor]\nlookback = true", "give a number, a timedelta or a text such as '1 h'"),
+        ("[monitor]\nkeep = [3]", "give a number, a timedelta or a text such as '400 d'"),
         ("[source", "TOML"),
     ],
 )
@@ -182,44 +190,114 @@ def test_false_lifts_a_gap(tmp_path: Path) -> None:
 def test_options_replace_what_the_file_says(tmp_path: Path) -> None:
     settings = read(tmp_path, "[source]\ntime = 't'\nvalue = 'v'\n[parameters]\nm = 2\nmax_gap = 5")
     laid = settings.under(
-        {"time": "ts", "value": None}, {"m": 4, "tau": None, "max_gap": False}, {"fraction": 0.5}
+        source={"time": "ts"}, parameters={"m": 4, "max_gap": None}, calibration={"fraction": 0.5}
     )
-    assert laid.source == SourceSettings(time="ts", value="v")
+    assert laid.source == dataclasses.replace(settings.source, time="ts", value="v")
     parameters, calibration = laid.method()
     assert (parameters.m, parameters.tau, parameters.max_gap) == (4, 1, None)
     assert calibration.fraction == 0.5
-    assert settings.under(*OPTIONS) == settings
+    assert settings.under() == settings
 
 
 def test_options_of_the_monitor_replace_what_the_file_says(tmp_path: Path) -> None:
     settings = read(tmp_path, "[monitor]\nname = 'north'\nprefix = 'n_'\nlookback = 5")
-    laid = settings.under({}, {}, {}, {"name": "south", "schema": "s", "prefix": None})
-    assert laid.monitor == MonitorSettings("south", "s", "n_", lookback=5)
+    laid = settings.under(monitor={"name": "south", "schema": "s"})
+    assert laid.monitor == MonitorSettings(name="south", schema="s", prefix="n_", lookback=5)
 
 
 def test_an_option_of_calibration_replaces_the_other_ways_to_say_it(tmp_path: Path) -> None:
     settings = read(tmp_path, "[calibration]\nintervals = [[0, 10]]\nexclude = [[3, 4]]")
-    _, calibration = settings.under({}, {}, {"fraction": 0.5}).method()
+    _, calibration = settings.under(calibration={"fraction": 0.5}).method()
     assert calibration.intervals is None
     assert calibration.exclude == ((3, 4),)
 
 
 def test_a_window_given_by_option_keeps_a_stride_that_was_said(tmp_path: Path) -> None:
     said = read(tmp_path, "[parameters]\nwindow = 600\nstride = 60")
-    assert said.under({}, {"window": 120}, {}).method()[0].stride == 60
+    assert said.under(parameters={"window": 120}).method()[0].stride == 60
     unsaid = read(tmp_path, "[parameters]\nwindow = 600")
-    assert unsaid.under({}, {"window": 250}, {}).method()[0].stride == 50
+    assert unsaid.under(parameters={"window": 250}).method()[0].stride == 50
 
 
 def test_the_layouts_replace_each_other(tmp_path: Path) -> None:
     long = read(tmp_path, "[source]\nchannel = 'c'\nvalue = 'v'")
-    assert long.under({"layout": "wide"}, {}, {}).source == SourceSettings(layout="wide")
+    assert long.under(source={"layout": "wide"}).source == SourceSettings(layout="wide")
     wide = read(tmp_path, "[source]\nlayout = 'wide'\nchannels = ['a']")
-    assert wide.under({"value": "v"}, {}, {}).source == SourceSettings(value="v")
-    assert wide.under({"time": "t"}, {}, {}).source.channels == ("a",)
+    assert wide.under(source={"value": "v"}).source == SourceSettings(value="v")
+    assert wide.under(source={"time": "t"}).source.channels == ("a",)
 
 
-def test_a_file_given_by_option_needs_no_database(tmp_path: Path) -> None:
-    settings = read(tmp_path, "[source]\nrelation = 't'\ndatabase = 'd.duckdb'")
-    assert settings.under({"relation": "a.csv"}, {}, {}).source.database is None
-    assert settings.under({"relation": "u"}, {}, {}).source.database == str(tmp_path / "d.duckdb")
+@options.taking(*options.READ)
+def taken(settings: Settings) -> None:
+    """A command that keeps what it was given."""
+    KEPT.append(settings)
+
+
+KEPT: list[Settings] = []
+
+
+def by_options(folder: Path, text: str, *words: str) -> Settings:
+    """What a command is given that is called with options, beside a gam.toml."""
+    (folder / "gam.toml").write_text(text, encoding="utf-8")
+    app = typer.Typer()
+    app.command()(taken)
+    result = CliRunner().invoke(app, ["--config", str(folder / "gam.toml"), *words])
+    assert result.exit_code == 0, result.output
+    return KEPT.pop()
+
+
+def test_a_file_given_by_option_needs_no_database(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("GAM_DATABASE", raising=False)
+    text = "[source]\nrelation = 't'\ndatabase = 'd.duckdb'"
+    assert by_options(tmp_path, text, "a.csv").source.database is None
+    assert by_options(tmp_path, text, "u").source.database == str(tmp_path / "d.duckdb")
+    assert by_options(tmp_path, text, "a.csv", "--database", "e").source.database == "e"
+    monkeypatch.setenv("GAM_DATABASE", "f")
+    assert by_options(tmp_path, text, "a.csv").source.database is None
+    assert by_options(tmp_path, text, "u").source.database == "f"
+
+
+#: An option for every setting that has one, and what it comes to.
+GIVEN: dict[str, tuple[tuple[str, ...], Any]] = {
+    "asset": (("--asset", "robot"), "robot"),
+    "channel": (("--channel", "joint"), "joint"),
+    "time": (("--time", "ts"), "ts"),
+    "value": (("--value", "v"), "v"),
+    "layout": (("--wide",), "wide"),
+    "where": (("--where", "v > 0"), "v > 0"),
+    "m": (("--m", "2"), 2),
+    "tau": (("--tau", "0"), 0),
+    "bins": (("--bins", "7"), 7),
+    "window": (("--window", "60"), 60),
+    "stride": (("--stride", "20"), 20),
+    "max_gap": (("--max-gap", "none"), None),
+    "target_floor": (("--target-floor", "0.0"), 0.0),
+    "fraction": (("--calibration-fraction", "0.3"), 0.3),
+    "duration": (("--calibration-duration", "30"), 30),
+    "intervals": (("--calibrate", "0/9", "--calibrate", "20/29"), [("0", "9"), ("20", "29")]),
+    "exclude": (("--exclude", "3/4"), [("3", "4")]),
+    "score_from": (("--score-from", "40"), "40"),
+    "pool": (("--pool", "a*,b", "--pool", "c"), [["a*", "b"], ["c"]]),
+}
+
+
+def test_every_setting_is_tried_as_an_option() -> None:
+    assert set(GIVEN) == set(options.READ)
+
+
+@pytest.mark.parametrize("name", GIVEN)
+def test_an_option_says_what_the_key_says(tmp_path: Path, name: str) -> None:
+    """Nothing else is said by it, and nothing of it is lost, whatever its type."""
+    words, meant = GIVEN[name]
+    settings = by_options(tmp_path, "", *words)
+    said = {name: value for name, value in vars(settings.source).items() if value is not None}
+    assert {**said, **settings.parameters, **settings.calibration} == {name: meant}
+
+
+def test_there_is_none_can_be_said_by_an_option(tmp_path: Path) -> None:
+    settings = by_options(tmp_path, "", "--no-asset", "--no-channel")
+    assert (settings.source.asset, settings.source.channel) == (False, False)
+    wide = by_options(tmp_path, "", "--wide", "--channel", "a", "--channel", "b").source
+    assert (wide.layout, wide.channel, wide.channels) == ("wide", None, ("a", "b"))

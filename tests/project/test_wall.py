@@ -20,6 +20,7 @@ PACKAGE = Path(gam_db.__file__).parent
 LAYERS = [
     ["errors", "version"],
     ["address", "clock", "extras", "langevin"],
+    ["setting"],
     ["parameters", "calibration"],
     ["bits", "template"],
     ["source", "pipeline"],

@@ -9,9 +9,8 @@ import pytest
 from typer.testing import CliRunner, Result
 
 import small_plant
-from gam_db.cli import app, check_state
+from gam_db.cli import app, state
 from gam_db.errors import EngineError
-from gam_db.stored.proving import Proof
 from visible import put
 
 
@@ -92,10 +91,10 @@ def test_damage_says_what_to_do(plant: Path) -> None:
 def test_what_cannot_be_recorded_is_checked_all_the_same(
     plant: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def refusing(proof: Proof, **where: object) -> None:
+    def refusing(*_: object) -> None:
         raise EngineError("The database is open for reading only.")
 
-    monkeypatch.setattr(check_state, "_keep", refusing)
+    monkeypatch.setattr(state, "_keep", refusing)
     result = gam("check", "--state")
     assert result.exit_code == 0, result.output
     assert "that this was checked could not be recorded: The database is open" in said(result)

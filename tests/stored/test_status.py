@@ -7,7 +7,7 @@ from typing import Any
 import pyarrow as pa
 import pytest
 
-from gam_db.cli.report import advice
+from gam_db.cli.page import advice
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import ConfigurationError, ParameterError, StateError
 from gam_db.findings import shortcomings

@@ -1,13 +1,13 @@
 """``gam benchmark``: what the SQL costs on this machine, beside its floor and the extract script."""
 
-import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Annotated, Any
 
 import typer
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
+from gam_db.cli import options, page
 from gam_db.errors import ConfigurationError, nearest
 from gam_db.lab.benchmark import report
 from gam_db.lab.benchmark.measure import Listener, Plan, measure
@@ -27,7 +27,7 @@ def benchmark(
     explain: Annotated[
         bool, typer.Option("--explain", help="Show where gam-db's time goes, by step and operator.")
     ] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+    as_json: options.Json = False,
 ) -> None:
     """Measure gam-db from raw table to health indicator against the engine's floor and a script.
 
@@ -43,10 +43,17 @@ def benchmark(
         explain=explain,
     )
     figures = shown(plan.runs, lambda on_run: measure(plan, on_run))
+    told(figures, report.lines, as_json)
+
+
+def told(
+    figures: dict[str, Any], lines: Callable[[dict[str, Any]], Iterable[str]], as_json: bool
+) -> None:
+    """Print figures as JSON, or the lines that are made of them."""
     if as_json:
-        typer.echo(json.dumps(figures, indent=2))
+        page.print_json(figures)
     else:
-        for line in report.lines(figures):
+        for line in lines(figures):
             typer.echo(line)
 
 

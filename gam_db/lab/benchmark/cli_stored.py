@@ -1,16 +1,15 @@
 """``gam benchmark incremental|memory|stored|engines``: what the stored form costs, and other engines."""
 
-import json
-from collections.abc import Callable, Iterator
 from typing import Annotated, Any
 
 import typer
 from typer.core import TyperGroup
 
 from gam_db.address import has_password, is_url
+from gam_db.cli import options
 from gam_db.errors import ConfigurationError, nearest
 from gam_db.lab.benchmark import stored_report
-from gam_db.lab.benchmark.cli import benchmark, chosen, counts, shown
+from gam_db.lab.benchmark.cli import benchmark, chosen, counts, shown, told
 from gam_db.lab.benchmark.engines import EMBEDDED, EnginesPlan, measure_engines
 from gam_db.lab.benchmark.incremental import IncrementalPlan, measure_incremental
 from gam_db.lab.benchmark.memory import MemoryPlan, measure_memory
@@ -19,8 +18,6 @@ from gam_db.lab.benchmark.workload import ORDERS
 
 ChannelsOption = Annotated[int, typer.Option(min=1, help="Channels of the workload.")]
 RepeatOption = Annotated[int, typer.Option(min=1, help="Runs of each side.")]
-ThreadsOption = Annotated[int | None, typer.Option(min=1, help="Processor threads; default all.")]
-JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
 
 def incremental(
@@ -29,8 +26,8 @@ def incremental(
     ] = "10000000,100000000",
     channels: ChannelsOption = 100,
     repeat: RepeatOption = 5,
-    threads: ThreadsOption = None,
-    as_json: JsonOption = False,
+    threads: options.Threads = None,
+    as_json: options.Json = False,
 ) -> None:
     """Measure an hour of new rows after a little history, after much, and with a silent channel.
 
@@ -42,7 +39,7 @@ def incremental(
             f"--rows is {rows!r}; it takes two different numbers, such as 10000000,100000000."
         )
     plan = IncrementalPlan((sizes[0], sizes[1]), channels, repeat, threads)
-    _told(
+    told(
         shown(plan.runs, lambda on_run: measure_incremental(plan, on_run)),
         stored_report.incremental_lines,
         as_json,
@@ -53,15 +50,15 @@ def memory(
     rows: Annotated[int, typer.Option(min=1, help="Rows of the telemetry.")] = 100_000_000,
     channels: ChannelsOption = 100,
     memory_limit: Annotated[str, typer.Option(help="DuckDB's memory_limit.")] = "1GB",
-    threads: ThreadsOption = None,
-    as_json: JsonOption = False,
+    threads: options.Threads = None,
+    as_json: options.Json = False,
 ) -> None:
     """Measure scoring many rows from nothing with little memory.
 
     Everything is simulated and stays in a temporary folder (about 1 GB at the default size).
     """
     plan = MemoryPlan(rows, channels, memory_limit, threads)
-    _told(
+    told(
         shown(plan.runs, lambda on_run: measure_memory(plan, on_run)),
         stored_report.memory_lines,
         as_json,
@@ -74,7 +71,7 @@ def stored(
     repeat: RepeatOption = 3,
     threads: Annotated[str, typer.Option(help="Numbers of threads, with commas.")] = "1,2",
     order: Annotated[str, typer.Option(help=f"How rows lie: {', '.join(ORDERS)}.")] = "channel,time",
-    as_json: JsonOption = False,
+    as_json: options.Json = False,
 ) -> None:
     """Measure calibrating and scoring from nothing beside the exact form.
 
@@ -87,7 +84,7 @@ def stored(
         tuple(counts("threads", threads)),
         tuple(chosen("order", order, list(ORDERS))),
     )
-    _told(
+    told(
         shown(plan.runs, lambda on_run: measure_stored(plan, on_run)),
         stored_report.stored_lines,
         as_json,
@@ -106,7 +103,7 @@ def engines(
     channels: ChannelsOption = 12,
     samples: Annotated[int, typer.Option(min=100, help="Samples per channel.")] = 1_000_000,
     repeat: RepeatOption = 3,
-    as_json: JsonOption = False,
+    as_json: options.Json = False,
 ) -> None:
     """Measure gam-db inside each engine beside taking the rows out, and beside the engine's floor.
 
@@ -121,21 +118,11 @@ def engines(
                 "A password in an address would be seen by all who list processes; put it into the "
                 "environment (PGPASSWORD, CLICKHOUSE_PASSWORD)."
             )
-    _told(
+    told(
         shown(plan.runs, lambda on_run: measure_engines(plan, on_run)),
         stored_report.engines_lines,
         as_json,
     )
-
-
-def _told(
-    figures: dict[str, Any], lines: Callable[[dict[str, Any]], Iterator[str]], as_json: bool
-) -> None:
-    if as_json:
-        typer.echo(json.dumps(figures, indent=2))
-    else:
-        for line in lines(figures):
-            typer.echo(line)
 
 
 class _Throughput(TyperGroup):

@@ -3,20 +3,17 @@
 This module owns the command and how its results look; :mod:`gam_db.lab.evaluation` computes them.
 """
 
-import dataclasses
-import json
 from collections import Counter
 from collections.abc import Sequence
 from typing import Annotated, Any
 
 import typer
-from rich.cells import cell_len
 from rich.console import Console
-from rich.text import Text
 
-import gam_db
-from gam_db.cli import options, report
-from gam_db.cli.progress import Progress, interruptible
+from gam_db.checking.words import number_of
+from gam_db.cli import options, page
+from gam_db.cli.exits import Exit
+from gam_db.cli.progress import working
 from gam_db.connecting import connect
 from gam_db.errors import ConfigurationError
 from gam_db.lab.evaluation import Conventions, Evaluation
@@ -76,11 +73,9 @@ def evaluate(
             metavar="ADDRESS", help="Database that holds the tables (DuckDB); it is only read."
         ),
     ] = None,
-    everything: Annotated[
-        bool, typer.Option("--all", help=f"Print every channel, not only {report.SHOWN}.")
-    ] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object instead.")] = False,
-    threads: options.ThreadsOption = None,
+    everything: options.All = False,
+    as_json: options.Json = False,
+    threads: options.Threads = None,
     monotonicity: Annotated[
         Monotonicity,
         typer.Option(
@@ -150,26 +145,15 @@ def evaluate(
         values_per_window=values_per_window,
         stride=stride,
     )
-    with (
-        interruptible(),
-        connect(database, threads, writable=False) as session,
-        Progress(session) as progress,
-    ):
-        found = evaluated(session, health, outcomes, conventions, progress.on_step)
-    if as_json:
-        told = {
-            "version": gam_db.__version__,
-            "health": health,
-            "outcomes": outcomes,
-            "conventions": dataclasses.asdict(conventions),
-            "channels": found.channels.to_pylist(),
-            "summary": found.summary.to_pylist(),
-            "unmatched": found.unmatched,
-            "stride": found.stride,
-        }
-        print(json.dumps(told, ensure_ascii=False, indent=1))
-    else:
-        show(report.console(), health, found, conventions, everything)
+    session = connect(database, threads, writable=False)
+    with working(session) as on_step:
+        found = evaluated(session, health, outcomes, conventions, on_step)
+    figures = {"health": health, "outcomes": outcomes, "conventions": conventions, **vars(found)}
+
+    def page_of(out: Console) -> None:
+        show(out, health, found, conventions, everything)
+
+    page.tell(Exit.FINE, figures, page_of, as_json)
 
 
 def show(
@@ -187,24 +171,24 @@ def show(
     order = {"failed": 0, "healthy": 1, None: 2}
     rows: list[Row] = sorted(found.channels.to_pylist(), key=lambda row: order[row["outcome"]])
     for line in _heading(name, rows, found.unmatched):
-        report.say(out, line)
+        page.say(out, line)
     if found.stride > 1:
-        report.say(
+        page.say(
             out,
             f"a row per vector: the values at the end of each bucket of {found.stride:,} are taken; "
             "--stride N for others, --stride 1 for all",
         )
     out.print()
-    shown = rows if everything else rows[: report.SHOWN]
-    for text in _channels(out, shown):
-        out.print(text, no_wrap=True, overflow="crop", crop=True)
-    if len(rows) > len(shown):
-        report.say(out, f"and {len(rows) - len(shown)} more; --all")
+    shown = rows if everything else rows[: options.SHOWN]
+    names = page.names_of(shown)
+    marks = ["~" if _is_chance(row) else " " for row in shown]
+    page.table(out, {"channel": names, **_columns(shown)}, marks)
+    page.remarks(out, zip(names, map(_remarks, shown), strict=True))
+    page.cut(out, rows, everything)
     out.print()
-    for line in _summary(found.summary.to_pylist(), conventions):
-        out.print(Text(line), no_wrap=True, overflow="crop", crop=True)
+    page.table(out, _summary(found.summary.to_pylist(), conventions), left=("over",))
     out.print()
-    report.say(out, _legend(rows, conventions))
+    page.say(out, _legend(rows, conventions))
 
 
 def _check_relation(relation: str | None, what: str, database: str | None) -> None:
@@ -218,8 +202,7 @@ def _check_relation(relation: str | None, what: str, database: str | None) -> No
 def _heading(name: str, rows: Sequence[Row], unmatched: int) -> list[str]:
     outcomes = Counter(row["outcome"] for row in rows)
     assets = len({row["asset"] for row in rows})
-    line = f"{report.printable(name)}: {len(rows):,} channel{'s' * (len(rows) != 1)} of {assets:,} asset"
-    line += "s" * (assets != 1)
+    line = f"{page.printable(name)}: {number_of(len(rows), 'channel')} of {number_of(assets, 'asset')}"
     if outcomes["failed"] or outcomes["healthy"]:
         line += f"; channels: {outcomes['failed']:,} failed, {outcomes['healthy']:,} of healthy assets"
         line += f", {outcomes[None]:,} not judged" if outcomes[None] else ""
@@ -231,32 +214,18 @@ def _heading(name: str, rows: Sequence[Row], unmatched: int) -> list[str]:
     return lines
 
 
-def _channels(out: Console, rows: Sequence[Row]) -> list[Text]:
-    one_asset = len({row["asset"] for row in rows}) == 1
-    names = [report.printable(row["channel"] if one_asset else _both(row)) for row in rows]
-    judged = any(row["outcome"] for row in rows)
-    chance = any(row["chance_reason"] != "not_asked" for row in rows)
-    columns: list[tuple[str, int]] = [("outcome", 7)] if judged else []
-    columns += [("values", 7), ("windows", 7)]
-    columns += [("Mon", 6), *([("chance", 6)] if chance else []), ("Corr", 6), ("Rob", 5)]
-    free = out.width - 2 - sum(width + 2 for _, width in columns)
-    width = min(max([7, *map(cell_len, names)]), max(7, free))
-    heads = "".join(f"  {title:>{size}}" for title, size in columns)
-    lines = [Text(f"  {report.fit('channel', width)}{heads}", style="bold")]
-    for row, name in zip(rows, names, strict=True):
-        cells = [row["outcome"] or "-"] if judged else []
-        cells += [f"{row['k']:,}", _whole(row["independent_windows"])]
-        cells.append(_number(row["mon_signed"], "+"))
-        cells += [_number(row["mon_chance"])] if chance else []
-        cells += [_number(row["corr_signed"], "+"), _number(row["rob"])]
-        weak = _is_chance(row)
-        line = "".join(f"  {cell:>{size}}" for cell, (_, size) in zip(cells, columns, strict=True))
-        style = "yellow" if weak else ""
-        lines.append(Text(f"{'~' if weak else ' '} {report.fit(name, width)}{line}", style))
-        remark = _remark(row)
-        if remark:
-            lines.append(Text(f"    {remark}", "dim"))
-    return lines
+def _columns(rows: Sequence[Row]) -> dict[str, list[str]]:
+    columns = {"outcome": [row["outcome"] or "-" for row in rows]}
+    if not any(row["outcome"] for row in rows):
+        columns = {}
+    columns["values"] = [f"{row['k']:,}" for row in rows]
+    columns["windows"] = [_whole(row["independent_windows"]) for row in rows]
+    columns["Mon"] = [_number(row["mon_signed"], "+") for row in rows]
+    if any(row["chance_reason"] != "not_asked" for row in rows):
+        columns["chance"] = [_number(row["mon_chance"]) for row in rows]
+    columns["Corr"] = [_number(row["corr_signed"], "+") for row in rows]
+    columns["Rob"] = [_number(row["rob"]) for row in rows]
+    return columns
 
 
 def _is_chance(row: Row) -> bool:
@@ -266,30 +235,35 @@ def _is_chance(row: Row) -> bool:
     return bool(row["mon"] <= row["mon_chance"] + 2 * row["mon_chance_sd"])
 
 
-def _remark(row: Row) -> str:
+def _remarks(row: Row) -> list[str]:
     told: dict[str, list[str]] = {}
     for metric in ("mon", "corr", "rob"):
         reason = row[f"{metric}_reason"]
         if reason is not None:
             told.setdefault(reason, []).append(_TITLES[metric])
-    return "; ".join(f"{', '.join(metrics)}: {_REASONS[reason]}" for reason, metrics in told.items())
+    return [f"{', '.join(metrics)}: {_REASONS[reason]}" for reason, metrics in told.items()]
 
 
-def _summary(rows: Sequence[Row], conventions: Conventions) -> list[str]:
-    share = f"{100 * conventions.confidence:.4g} % interval"
-    lines = [f"  {'metric':12}  {'value':>6}  {'± sd':>6}  {share:>15}  over"]
+def _summary(rows: Sequence[Row], conventions: Conventions) -> dict[str, list[str]]:
     over = {"prog": "failed", "disc": "healthy", "trendability": "failed", "global": "metrics"}
-    for row in rows:
-        metric = row["metric"]
-        bounds = "-"
-        if row["lower_bound"] is not None:
-            bounds = f"{_number(row['lower_bound'])} to {_number(row['upper_bound'])}"
-        said = f"{row['counted']:,} {over.get(metric, 'channels')}"
+
+    def bounds(row: Row) -> str:
+        if row["lower_bound"] is None:
+            return "-"
+        return f"{_number(row['lower_bound'])} to {_number(row['upper_bound'])}"
+
+    def counted(row: Row) -> str:
         if row["value"] is None:
-            said = _REASONS[row["reason"]]
-        value, spread = _number(row["value"]), _number(row["sd"])
-        lines.append(f"  {_TITLES[metric]:12}  {value:>6}  {spread:>6}  {bounds:>15}  {said}")
-    return lines
+            return _REASONS[row["reason"]]
+        return f"{row['counted']:,} {over.get(row['metric'], 'channels')}"
+
+    return {
+        "metric": [_TITLES[row["metric"]] for row in rows],
+        "value": [_number(row["value"]) for row in rows],
+        "± sd": [_number(row["sd"]) for row in rows],
+        f"{100 * conventions.confidence:.4g} % interval": [bounds(row) for row in rows],
+        "over": [counted(row) for row in rows],
+    }
 
 
 def _legend(rows: Sequence[Row], conventions: Conventions) -> str:
@@ -310,10 +284,6 @@ def _legend(rows: Sequence[Row], conventions: Conventions) -> str:
             "trendability: they rise alike; Global: mean of the first five."
         )
     return " ".join(words)
-
-
-def _both(row: Row) -> str:
-    return f"{row['asset']} {row['channel']}"
 
 
 def _number(value: float | None, sign: str = "") -> str:

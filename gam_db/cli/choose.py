@@ -1,0 +1,253 @@
+"""``gam select``: which tau, m, B and W suit each channel, from its healthy part.
+
+This module owns the command and its page. What results mean is said by
+:class:`gam_db.selection.Selection`.
+"""
+
+import contextlib
+import dataclasses
+import math
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Annotated, Any, Literal
+
+import numpy as np
+import pyarrow as pa
+import typer
+from rich.console import Console
+from rich.text import Text
+
+from gam_db.checking.words import number_of
+from gam_db.cli import options, page
+from gam_db.cli.exits import Exit
+from gam_db.cli.job import Job, healthy_part, job_of
+from gam_db.cli.progress import working
+from gam_db.config import Settings
+from gam_db.connecting import connect
+from gam_db.selection import Search, Selection, Studied, alone, selected_by_all
+from gam_db.study import Study
+
+Row = dict[str, Any]
+
+_SEARCH = "The search"
+
+TauRule = Literal["first_minimum", "acf_1e", "acf_zero"]
+
+
+@options.taking(*options.READ, but=("tau", "stride", "score_from", "pool"))
+def select(
+    settings: Settings,
+    everything: options.All = False,
+    as_json: options.Json = False,
+    threads: options.Threads = None,
+    tau: Annotated[
+        int | None,
+        typer.Option(
+            "--tau", help="Take this delay, in samples; default chosen.", rich_help_panel=_SEARCH
+        ),
+    ] = None,
+    tau_by: Annotated[
+        TauRule,
+        typer.Option("--tau-by", help="First rule to try for the delay.", rich_help_panel=_SEARCH),
+    ] = "first_minimum",
+    tau_max: Annotated[
+        int,
+        typer.Option("--tau-max", help="Largest delay looked at, in samples.", rich_help_panel=_SEARCH),
+    ] = 100,
+    m_max: Annotated[
+        int,
+        typer.Option("--m-max", help="Largest embedding dimension looked at.", rich_help_panel=_SEARCH),
+    ] = 6,
+    theiler: Annotated[
+        int | None,
+        typer.Option(
+            "--theiler",
+            help="Samples within which vectors are no neighbours; default from the data.",
+            rich_help_panel=_SEARCH,
+        ),
+    ] = None,
+    references: Annotated[
+        int,
+        typer.Option(
+            "--references", help="Vectors whose neighbours are looked for.", rich_help_panel=_SEARCH
+        ),
+    ] = 2000,
+    seed: Annotated[int, typer.Option(help="Of their sample.", rich_help_panel=_SEARCH)] = 0,
+) -> None:
+    """Choose delay, embedding dimension, bins and window for every channel of SOURCE.
+
+    Only the healthy part is looked at (--calibration-fraction 1 for all of it). --bins is the finest
+    grid and --window the window that are asked for; --m is taken where no rule finds a dimension.
+    Overrides and pools of gam.toml are left out: each channel speaks for itself. --json prints all
+    curves.
+    """
+    search = Search(
+        tau=tau,
+        tau_by=tau_by,
+        tau_max=tau_max,
+        m_max=m_max,
+        theiler=theiler,
+        references=references,
+        seed=seed,
+    )
+    relation = options.named_relation(settings)
+    session = connect(settings.source.database, threads, writable=False)
+    with working(session):
+        job = job_of(session, settings, relation)
+    parameters, calibration = alone(job.parameters, job.calibration)
+    job = dataclasses.replace(job, parameters=parameters, calibration=calibration)
+
+    @contextlib.contextmanager
+    def studies() -> Iterator[Studied]:
+        opened = connect(settings.source.database, threads, writable=False)
+        with working(opened) as on_step:
+            yield lambda given: Study(opened, given, parameters, calibration, on_step)
+
+    found = selected_by_all(studies, job.guess.source, search)
+    code = Exit.OUR_FAULT if len(found.failures) else Exit.FINE
+    figures = {
+        "source": {"name": job.name, "guessed": job.guess.guessed},
+        "settings_file": job.file,
+        "search": search,
+        "asked": {name: getattr(parameters, name) for name in _ASKED},
+        **vars(found),
+    }
+    page.tell(code, figures, lambda out: _show(out, job, found, everything), as_json)
+
+
+_ASKED = ("m", "bins", "window", "target_floor")
+
+_CURVE = 40
+"""Characters of a curve."""
+
+_TAU = {
+    "given": "as given",
+    "first_minimum": "first minimum of mutual information",
+    "acf_1e": "first autocorrelation below 1/e",
+    "acf_zero": "first autocorrelation at or below zero",
+    "none": "no delay means anything: a sample tells nothing of the next",
+}
+_CAO = {
+    "saturated": "Cao: {m}",
+    "no_saturation": "Cao: not saturated",
+    "stochastic": "Cao: stochastic",
+    "none": "Cao: none",
+}
+
+
+def _show(out: Console, job: Job, found: Selection, everything: bool) -> None:
+    choices: list[Row] = found.choices.to_pylist()
+    page.say(out, f"{page.printable(job.name)}: {number_of(len(choices), 'channel')}")
+    page.say(out, job.columns_line())
+    page.say(out, f"chosen from {healthy_part(job.calibration)}")
+    lags, dimensions = _by_channel(found.lags), _by_channel(found.dimensions)
+    budget = _by_channel(found.budget)
+    for one in choices if everything else choices[: options.SHOWN]:
+        key = (one["asset"], one["channel"])
+        out.print()
+        out.print(Text(" ".join(map(page.printable, key)), style="bold"))
+        page.notes(out, _lines(one, lags[key], dimensions[key], budget[key], job))
+    for one in found.failures.to_pylist():
+        out.print()
+        name = f"{page.printable(one['asset'])} {page.printable(one['channel'])}"
+        page.say(out, f"{name}: nothing chosen, by a fault of gam-db or its engine: {one['reason']}")
+    if len(choices) > options.SHOWN:
+        out.print()
+    page.cut(out, choices, everything)
+
+
+def _lines(
+    one: Row,
+    lags: Sequence[Row],
+    dimensions: Sequence[Row],
+    budget: Sequence[Row],
+    job: Job,
+) -> list[tuple[str, str | page.Course]]:
+    if one["verdict"] in ("constant", "no_data"):
+        said = {"constant": "did not move", "no_data": "no usable sample or no whole vector"}
+        return [("", f"{one['verdict']}: {said[one['verdict']]} in {one['samples']:,} samples")]
+    tau = "-" if one["tau"] is None else one["tau"]
+    others = ", ".join(
+        f"{name} {one[lag]}"
+        for name, lag in (
+            ("minimum", "ami_minimum"),
+            ("acf < 1/e", "acf_1e"),
+            ("acf <= 0", "acf_zero"),
+        )
+        if one[lag] is not None
+    )
+    lines: list[tuple[str, str | page.Course]] = [
+        ("tau", f"{tau}: {_TAU[one['tau_rule']]}" + (f" ({others})" if others else ""))
+    ]
+    if len(lags) > 1:
+        highest = max(row["ami"] for row in lags[1:])
+        lines += [
+            ("AMI", page.Course(_scaled([row["ami"] for row in lags[1:]]))),
+            ("", f"lags 1 to {lags[-1]['delay']}, up to {highest:.2f} nats"),
+            ("acf", page.Course(_scaled([row["acf"] for row in lags[1:]]))),
+        ]
+    lines.append(("m", _dimension(one)))
+    if dimensions:
+        shares = [row["false_share"] for row in dimensions]
+        shown = " ".join("-" if share is None else f"{100 * share:.1f}" for share in shares)
+        lines.append(("", f"false neighbours, m = 1 to {len(shares)}: {shown} %"))
+    lines.append(("window", _window(one, job.parameters.window)))
+    if budget:
+        grids = " ".join(
+            "-" if row["finest_bins"] is None else str(row["finest_bins"]) for row in budget
+        )
+        lines.append(
+            ("bins", f"finest grid that this calibration fills, m = 1 to {len(budget)}: {grids}")
+        )
+    return [*lines, ("take", _together(one))]
+
+
+def _dimension(one: Row) -> str:
+    said = {
+        "fnn": f"{one['m_fnn']}: the first with at most 1 % false neighbours",
+        "noise_floor": "-: noise floor, neighbours part in every dimension",
+        "none": "-: no vector has a neighbour",
+    }
+    return f"{said[one['fnn_status']]}; {_CAO[one['cao_status']].format(m=one['m_cao'])}"
+
+
+def _window(one: Row, window: int) -> str:
+    if one["window_status"] == "no_cycle":
+        return f"{window}: as asked for; no cycle seen"
+    cycle = one["cycle_length"]
+    held = f"{window} holds {window / cycle:.1f} cycles of {cycle} samples"
+    if one["window_status"] == "enough":
+        return f"{window}: {held}"
+    return f"{one['recommended_window']}: {held}, which is short; take at least 5"
+
+
+def _together(one: Row) -> str:
+    taken = {
+        "--m": one["recommended_m"],
+        "--tau": 1 if one["tau"] is None else one["tau"],
+        "--bins": one["recommended_bins"],
+        "--window": one["recommended_window"],
+    }
+    line = " ".join(f"{option} {value}" for option, value in taken.items())
+    if one["verdict"] == "needs_data":
+        needed = one["vectors_needed"]
+        more = "" if needed is None else f", about {needed:,} vectors more"
+        return f"{line} (needs_data: no grid passes; calibrate longer{more})"
+    return f"{line} (floor {one['recommended_floor']:.3f})"
+
+
+def _by_channel(table: pa.Table) -> Mapping[tuple[str, str], list[Row]]:
+    rows: dict[tuple[str, str], list[Row]] = defaultdict(list)
+    for row in table.to_pylist():
+        rows[row["asset"], row["channel"]].append(row)
+    return rows
+
+
+def _scaled(curve: Sequence[float | None]) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """Return a curve between 0 and 1, whatever its range."""
+    points = np.array([math.nan if point is None else point for point in curve], dtype=np.float64)
+    known = points[~np.isnan(points)]
+    if not len(known) or known.max() == known.min():
+        return points * 0
+    scaled: np.ndarray[Any, np.dtype[np.float64]] = (points - known.min()) / (known.max() - known.min())
+    return scaled

@@ -1,0 +1,135 @@
+"""What was asked of a source: for the heading of a page, and for its figures.
+
+This module owns how that is said.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+from gam_db.calibration import Calibration
+from gam_db.checking.words import number_of
+from gam_db.cli.page import printable, some
+from gam_db.config import Settings
+from gam_db.engines.session import Session
+from gam_db.guess import Guess, guess
+from gam_db.parameters import Parameters
+from gam_db.setting import settings_of
+from gam_db.source import Source
+
+
+@dataclass(frozen=True)
+class Job:
+    """What was asked.
+
+    Attributes:
+        name: the source in the user's words.
+        guess: its columns.
+        parameters, calibration: the method.
+        file: the settings file that was read, if any.
+    """
+
+    name: str
+    guess: Guess
+    parameters: Parameters
+    calibration: Calibration
+    file: str | None = None
+
+    @property
+    def settings(self) -> str:
+        """Where settings came from, as the end of a heading."""
+        return f"; settings from {self.file}" if self.file else ""
+
+    @property
+    def columns(self) -> dict[str, str]:
+        """The columns that are read, but for those of a wide table, by what they say."""
+        source = self.guess.source
+        named = {"asset": source.asset, "time": source.time}
+        if isinstance(source, Source):
+            named = {
+                **{"asset": source.asset, "channel": source.channel},
+                **{"time": source.time, "value": source.value},
+            }
+        return {role: column for role, column in named.items() if column is not None}
+
+    def lines(self) -> list[str]:
+        """Return which columns are read, which of them were guessed, and by what method."""
+        method = [
+            f"{name}={getattr(self.parameters, name)}"
+            for name in settings_of(Parameters)
+            if getattr(self.parameters, name) is not None
+        ]
+        if self.parameters.overrides:
+            method.append(f"{len(self.parameters.overrides)} overrides")
+        healthy = healthy_part(self.calibration)
+        return [self.columns_line(), f"method: {' '.join(method)}; calibration: {healthy}"]
+
+    def columns_line(self) -> str:
+        """Return which columns are read, and which of them were guessed."""
+        shown, guessed = self.columns, self.guess.guessed
+        line = "columns: " + " ".join(f"{role}={printable(name)}" for role, name in shown.items())
+        if not isinstance(self.guess.source, Source):
+            names = [printable(name) for name in self.guess.source.value_columns]
+            line += f"; wide table, signals: {some(names, 8)}"
+        if guessed:
+            roles = [role for role in guessed if role != "layout"]
+            line += f"; guessed: {'all' if len(roles) == len(shown) else ', '.join(roles)}"
+        if "layout" in guessed:
+            line += f"; taken as {guessed['layout']}"
+        if self.guess.unused:
+            line += f"; not used: {some([printable(name) for name in self.guess.unused], 8)}"
+        return line
+
+    def figures(self) -> dict[str, Any]:
+        """Return the same for --json."""
+        source = self.guess.source
+        is_long = isinstance(source, Source)
+        columns: dict[str, Any] = {"asset": source.asset, "time": source.time}
+        if isinstance(source, Source):
+            columns |= {"channel": source.channel, "value": source.value}
+        else:
+            columns["channels"] = source.value_columns
+        overrides = [
+            {"asset": one.asset, "channel": one.channel, **one.changes()}
+            for one in self.parameters.overrides
+        ]
+        return {
+            "source": {
+                "name": self.name,
+                "layout": "long" if is_long else "wide",
+                "columns": columns,
+                "guessed": self.guess.guessed,
+                "where": source.where,
+            },
+            "settings_file": self.file,
+            "parameters": {**vars(self.parameters), "overrides": overrides},
+            "calibration": self.calibration,
+        }
+
+
+def job_of(session: Session, settings: Settings, relation: Any, name: str | None = None) -> Job:
+    """Return what is to be done with a source, its columns guessed where they were not named.
+
+    Args:
+        session: an open session.
+        settings: what was said of columns, parameters and calibration.
+        relation: a table name, a file or an Arrow table.
+        name: of the source, by default the relation.
+
+    Raises:
+        UserError: the source, a parameter or the calibration cannot be used.
+    """
+    parameters, calibration = settings.method()
+    guessed = guess(relation, session.describe(session.relation(relation)), settings.source, session)
+    file = None if settings.file is None else str(settings.file)
+    return Job(name or str(relation), guessed, parameters, calibration, file)
+
+
+def healthy_part(calibration: Calibration) -> str:
+    """Return what is calibration, in words."""
+    if calibration.fraction is not None:
+        healthy = f"the first {100 * calibration.fraction:.4g} % of each channel"
+    elif calibration.duration is not None:
+        healthy = f"the first {calibration.duration} of each channel"
+    else:
+        healthy = number_of(len(calibration.intervals or ()), "interval")
+    return healthy + (", pooled" if calibration.pool is not None else "")

@@ -1,0 +1,324 @@
+"""``gam run`` and ``gam demo``: from a recording to the findings of every channel, nothing kept.
+
+This module owns the commands, their page, and where results go.
+"""
+
+import re
+import shlex
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from importlib.metadata import entry_points
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import typer
+from pyarrow import parquet
+from rich.console import Console
+
+from gam_db import langevin
+from gam_db.checking.words import number_of
+from gam_db.cli import options, page
+from gam_db.cli.exits import Exit
+from gam_db.cli.job import Job, job_of
+from gam_db.cli.progress import Progress, interruptible, working
+from gam_db.config import Settings, SourceSettings
+from gam_db.connecting import connect
+from gam_db.engines.session import Session
+from gam_db.errors import ConfigurationError
+from gam_db.findings import Finding, findings, need_attention
+from gam_db.source import FILE_ENDINGS, is_file
+from gam_db.study import Study
+
+#: The estimator that is the method itself; others come by the entry points ``gam_db.estimators``.
+DSE = "dse"
+
+_OUTPUT = "Output"
+_PARQUET_ENDINGS = (".parquet", ".pq")
+
+Every = Literal["vector", "stride"]
+
+
+@options.taking(*options.READ)
+def run(
+    settings: Settings,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            "--out",
+            metavar="PATH",
+            help="Where the health indicator goes, replacing what is there. NAME.parquet: beside it go "
+            "NAME.support.parquet and NAME.certificate.parquet. A .duckdb or .db file: tables "
+            "gam_health_indicator, gam_support and gam_certificate. Default: SOURCE.health.parquet, "
+            "SOURCE.support.parquet, SOURCE.certificate.parquet in the current folder.",
+            rich_help_panel=_OUTPUT,
+        ),
+    ] = None,
+    no_out: Annotated[
+        bool, typer.Option("--no-out", help="Write no file.", rich_help_panel=_OUTPUT)
+    ] = False,
+    every: Annotated[
+        Every,
+        typer.Option(
+            help="Rows to write: one per scored vector, or one per full bucket of --stride vectors "
+            "(in a DuckDB file: table gam_health_at_buckets).",
+            rich_help_panel=_OUTPUT,
+        ),
+    ] = "vector",
+    everything: options.All = False,
+    as_json: options.Json = False,
+    quiet: options.Quiet = False,
+    threads: options.Threads = None,
+    estimator: Annotated[
+        str,
+        typer.Option(
+            metavar="NAME",
+            help="What scores vectors: dse (the method itself), or centroid, gmm, forest, ocsvm, which "
+            "have no certificate and no limit. The last three need pip install "
+            '"gam-db[benchmark]".',
+            rich_help_panel="Parameters of the method",
+        ),
+    ] = DSE,
+) -> None:
+    """Compute the health indicator of every channel of SOURCE, print what was found, write the table.
+
+    A channel needs attention (exit code 2) if its indicator is above its limit, the largest of twice
+    the floor, the highest block of calibration and --target-floor, or if its calibration is not good
+    enough to be watched (too_fine, needs_data). Constant channels and channels without calibration
+    never raise an alarm; exit code 2 also says that no channel at all has a calibration. By another
+    --estimator there is an indicator (written to SOURCE.NAME.parquet) but no verdict.
+    """
+    others = None if estimator.lower() == DSE else _others(estimator)
+    estimator = DSE if others is None else others.estimator_named(estimator).name
+    relation = options.named_relation(settings)
+    results = [] if no_out else _results(relation, settings.source.database, out, every, estimator)
+    show: Callable[[Console], None]
+    with interruptible(), connect(settings.source.database, threads, writable=False) as session:
+        with Progress(session, quiet) as progress:
+            job, study = open_job(session, relation, settings, progress.on_step)
+            if others is None:
+                found = findings(study)
+                code = Exit.ATTENTION if need_attention(found) else Exit.FINE
+                told = _figures(found)
+                show = partial(_show, job=job, found=found, everything=everything)
+            else:
+                others.add_estimator(study, estimator)
+                rows, code = study.table("last_scores").to_pylist(), Exit.FINE
+                told = {"estimator": estimator, "channels": rows}
+                asked = {"estimator": estimator, "rows": rows, "everything": everything}
+                show = partial(others.show_scores, job=job, **asked)
+        page.tell(Exit.FINE, {}, show, quiet=as_json or quiet)
+        with Progress(session, quiet) as progress:
+            for result in results:
+                progress.on_step(f"writing {result}")
+                study.write(result.step, result.path, result.table)
+    page.tell(
+        code,
+        {**job.figures(), **told, "written": [str(result) for result in results]},
+        lambda lines: _written(lines, results),
+        as_json,
+        quiet,
+    )
+
+
+def _others(estimator: str) -> Any:
+    """Return the module of the other estimators.
+
+    Raises:
+        ConfigurationError: they are not installed.
+        ParameterError: there is none of that name.
+    """
+    try:
+        others = next(found.load() for found in entry_points(group="gam_db.estimators"))
+    except (StopIteration, ModuleNotFoundError) as error:
+        raise ConfigurationError(
+            f"--estimator is {estimator}; all but {DSE} are part of the laboratory, which is not "
+            "installed here."
+        ) from error
+    others.estimator_named(estimator)
+    return others
+
+
+def open_job(
+    session: Session,
+    relation: Any,
+    settings: Settings,
+    on_step: Callable[[str], None],
+    name: str | None = None,
+) -> tuple[Job, Study]:
+    """Return what is to be done and the study that does it; see :func:`job_of`."""
+    job = job_of(session, settings, relation, name)
+    asked = (job.guess.source, job.parameters, job.calibration)
+    return job, Study(session, *asked, on_step=on_step, short_cuts=True)
+
+
+def _figures(found: Sequence[Finding]) -> dict[str, Any]:
+    return {
+        "channels": [{**one.row(), "course": page.thinned(one.course)} for one in found],
+        "verdicts": Counter(one.verdict for one in found),
+        "needs_attention": need_attention(found),
+    }
+
+
+def _show(out: Console, job: Job, found: Sequence[Finding], everything: bool = False) -> None:
+    assets, samples = {one.asset for one in found}, sum(one.support["samples"] for one in found)
+    page.say(
+        out,
+        f"{page.printable(job.name)}: {number_of(len(found), 'channel')} of "
+        f"{number_of(len(assets), 'asset')}, {samples:,} samples{job.settings}",
+    )
+    for line in job.lines():
+        page.say(out, line)
+    out.print()
+    shown = found if everything else found[: options.SHOWN]
+    page.channels(out, [one.row() for one in shown], "hi_now", "last_time")
+    page.cut(out, found, everything, page.counted(one.status for one in found[len(shown) :]))
+    out.print()
+    supports = [one.support for one in found]
+    page.say(out, f"verdicts: {page.verdicts(supports)}")
+    page.say(out, f"channels: {page.counted(one.status for one in found)}")
+    for line in page.advice(supports):
+        page.say(out, line)
+    short = [
+        one
+        for one in found
+        if one.status in ("high", "ok", "waiting")
+        and one.support["calibration_vectors"] < 8 * one.window
+    ]
+    if short:
+        page.say(
+            out,
+            f"{len(short)} ready, but on a calibration shorter than 8 windows: their floors come from "
+            "blocks shorter than a window",
+        )
+    if not need_attention(found):
+        page.say(out, "nothing needs attention")
+    page.say(out, page.legend(remark for one in found for remark in one.remarks))
+
+
+@dataclass(frozen=True)
+class _Result:
+    """Where the rows of one step go."""
+
+    step: str
+    path: Path
+    table: str
+
+    def __str__(self) -> str:
+        return f"{self.path} (table {self.table})" if _is_database(self.path) else str(self.path)
+
+
+def _written(out: Console, results: Sequence[_Result]) -> None:
+    for result in results:
+        out.print(f"written: {result}", soft_wrap=True)
+
+
+def _results(
+    relation: str, database: str | None, out: Path | None, every: Every, estimator: str
+) -> list[_Result]:
+    """Return what is written where; refuse, before any work, what cannot be written."""
+    health = ("bucket_health", "health_at_buckets") if every == "stride" else ("health_indicator",) * 2
+    steps = {health[0]: health[1], "support_summary": "support", "certificate": "certificate"}
+    if estimator != DSE:
+        steps = {
+            f"score_{health[0]}" if every == "stride" else "score_health": f"{health[1]}_{estimator}"
+        }
+    ending = "health" if estimator == DSE else estimator
+    path = Path(f"{_stem(relation)}.{ending}.parquet") if out is None else out
+    if _is_database(path):
+        paths = [path] * 3
+    elif path.suffix.lower() in _PARQUET_ENDINGS:
+        name = path.stem.removesuffix(".health")
+        beside = [path.with_name(f"{name}.{what}{path.suffix}") for what in ("support", "certificate")]
+        paths = [path, *beside]
+    else:
+        raise ConfigurationError(
+            f"--out is {path}; give a Parquet file (.parquet) or a DuckDB file (.duckdb, .db)."
+        )
+    if not path.parent.is_dir():
+        raise ConfigurationError(f"--out is {path}; the folder {path.parent} is not there.")
+    read = {Path(read).resolve() for read in (relation, database) if read is not None}
+    for one in paths:
+        if one.resolve() in read:
+            raise ConfigurationError(f"{one} would be overwritten while it is read; give another --out.")
+    return [
+        _Result(step, one, f"gam_{table}")
+        for (step, table), one in zip(steps.items(), paths[: len(steps)], strict=True)
+    ]
+
+
+def _stem(relation: str) -> str:
+    """Return a file name for the results of a source, whatever the source is called."""
+    name = Path(relation).name if is_file(relation) else relation
+    for ending in sorted(FILE_ENDINGS, key=len, reverse=True):
+        if name.lower().endswith(ending):
+            name = name[: -len(ending)]
+            break
+    return re.sub(r"[^\w.-]+", "_", name).strip("._")[:100] or "gam"
+
+
+def _is_database(path: Path) -> bool:
+    return path.suffix in options.DATABASE_ENDINGS
+
+
+_SIMULATED = Settings(
+    SourceSettings(asset="asset", channel="channel", time="time", value="value"),
+    {"m": langevin.M, "tau": langevin.TAU, "bins": langevin.BINS, "window": langevin.WINDOW},
+    {"fraction": langevin.CALIBRATION},
+)
+_INTRODUCTION = (
+    "A simulated machine: a controller moves it through five positions; after 40 % of the time two of "
+    "them begin to wear away, and the controller compensates. (The system is the paper's; its numbers "
+    "were chosen with the paper's row for this method in view, so this is an illustration, and no "
+    "evidence for that row.)"
+)
+_NEXT = (
+    "Next, on your own data: a Parquet or CSV file, or a table of a DuckDB file, with a column each for "
+    "the machine, the signal, the time and the reading (or one column per signal):"
+)
+_CALIBRATION = (
+    "Say when the machine was healthy by --calibration-duration '30 d' or --calibrate FROM/TO; all else "
+    "is in gam run --help."
+)
+
+
+def demo(
+    keep: Annotated[
+        Path | None,
+        typer.Option(
+            "--out",
+            "--keep",
+            metavar="FILE",
+            help="Save the series as Parquet, to go on with; a file that is there is left as it is.",
+        ),
+    ] = None,
+) -> None:
+    """Simulate a machine that wears out, and print what `gam run` prints of it. Writes nothing.
+
+    With --out it writes the series, and nothing else.
+    """
+    if keep is not None and (keep.suffix != ".parquet" or not keep.parent.is_dir()):
+        raise ConfigurationError(f"--out is {keep}; give a name in .parquet, in a folder that is there.")
+    if keep is not None and keep.exists():
+        raise ConfigurationError(f"{keep} is there already; give --out a new name, or remove it.")
+    session = connect()
+    with working(session) as on_step:
+        on_step("simulating")
+        series = langevin.series()
+        job, study = open_job(session, series, _SIMULATED, on_step, "simulated machine")
+        found = findings(study)
+    lines = page.console()
+    page.say(lines, _INTRODUCTION)
+    lines.print()
+    _show(lines, job, found)
+    lines.print()
+    if keep is not None:
+        parquet.write_table(series, keep)
+        words = [f"--{name} {value}" for name, value in _SIMULATED.parameters.items()]
+        words.append(f"--calibration-fraction {langevin.CALIBRATION}")
+        page.say(lines, f"The series is in {keep}. The same again, and the indicator written:")
+        lines.print(f"    gam run {shlex.quote(str(keep))} {' '.join(words)}", soft_wrap=True)
+    page.say(lines, _NEXT)
+    lines.print("    gam run recording.parquet")
+    page.say(lines, _CALIBRATION)

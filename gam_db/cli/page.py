@@ -1,0 +1,358 @@
+"""What commands print: prose, tables, courses and remarks for a terminal or a pipe, or one JSON object.
+
+This module owns how things look. What they mean is said by :mod:`gam_db.findings` and its like.
+"""
+
+import dataclasses
+import datetime as dt
+import json
+import math
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import typer
+from numpy.typing import NDArray
+from rich.cells import cell_len
+from rich.console import Console, ConsoleOptions, RenderResult
+from rich.table import Column, Table
+from rich.text import Text
+
+import gam_db
+from gam_db.cli.options import SHOWN
+from gam_db.findings import STATUSES, Row, is_short, share
+
+BLOCKS = "▁▂▃▄▅▆▇█"
+PLAIN_BLOCKS = "_.,-=+*#"
+"""The same scale, for a terminal that has no block characters."""
+
+MARKS = {"high": "!", "setup": "?", "waiting": "~"}
+_STYLES = {"!": "bold red", "?": "yellow", "~": "cyan"}
+_MEANINGS = {
+    "high": "above the limit",
+    "setup": "without a good enough calibration",
+    "waiting": "less than a window scored yet",
+    "ok": "ok",
+    "not assessed": "not assessable",
+}
+_WIDEST = 120
+"""Columns beyond which a page is hard to read."""
+_POINTS = 64
+"""Points of a course at most, as the state keeps them."""
+_NAMED = 5
+"""Channels that a remark names."""
+
+
+def console() -> Console:
+    """Return the console of pages: no markup, so that names mean nothing but themselves."""
+    return Console(markup=False, highlight=False, emoji=False)
+
+
+def tell(
+    code: int,
+    figures: Mapping[str, Any],
+    show: Callable[[Console], None],
+    as_json: bool = False,
+    quiet: bool = False,
+) -> None:
+    """Print a page, or its figures, and end with an exit code.
+
+    Args:
+        code: the exit code.
+        figures: what --json prints; the names in rows are those of the Arrow tables.
+        show: prints the page.
+        as_json: print the figures.
+        quiet: print nothing.
+    """
+    if as_json:
+        print_json({"version": gam_db.__version__, **figures, "exit_code": int(code)})
+    elif not quiet:
+        show(console())
+    if code:
+        raise typer.Exit(code)
+
+
+def print_json(said: Any) -> None:
+    """Print a value as JSON."""
+    print(json.dumps(plain(said), ensure_ascii=False, indent=1))
+
+
+def plain(value: Any) -> Any:
+    """Return a value in the types of JSON; NaN and infinity are null, times are ISO 8601."""
+    if isinstance(value, (pa.Table, np.generic)):
+        return plain(value.to_pylist() if isinstance(value, pa.Table) else value.item())
+    if isinstance(value, Mapping):
+        return {str(name): plain(one) for name, one in value.items()}
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return [plain(one) for one in value]
+    if isinstance(value, float):
+        return float(value) if math.isfinite(value) else None
+    if value is None or isinstance(value, (bool, int, str)):
+        return value
+    if isinstance(value, (dt.date, dt.datetime)):
+        return value.isoformat()
+    if dataclasses.is_dataclass(value):
+        return plain({one.name: getattr(value, one.name) for one in dataclasses.fields(value)})
+    return str(value)
+
+
+def say(out: Console, line: str) -> None:
+    """Print a line of prose, folded."""
+    for part in Text(line).wrap(out, min(out.width, _WIDEST)):
+        part.rstrip()
+        out.print(part, soft_wrap=True)
+
+
+def notes(out: Console, said: Iterable[tuple[str, "str | Course"]]) -> None:
+    """Print lines of prose, or courses, each behind a mark or a word."""
+    grid = Table.grid(padding=(0, 1))
+    for mark, line in said:
+        cell = Text(line) if isinstance(line, str) else line
+        grid.add_row(Text(mark, _STYLES.get(mark, "")), cell)
+    _print(out, grid)
+
+
+def table(
+    out: Console,
+    columns: Mapping[str, Sequence[Any]],
+    marks: Sequence[str] = (),
+    left: Sequence[str] = (),
+    spare: Sequence[str] = (),
+) -> None:
+    """Print rows as a table that fits, whatever the names.
+
+    Args:
+        out: where to.
+        columns: heading -> a cell per row. The first names the rows, and is folded where there is no
+            room; one of :class:`Course` takes what room is left.
+        marks: one per row: ``!``, ``?``, ``~`` or a space.
+        left: headings of columns that hold words.
+        spare: those left out where there is no room, in this order.
+    """
+    name, *_ = columns
+    marked = marks or [" "] * len(columns[name])
+    laid = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="bold", show_edge=False)
+    for heading, cells in columns.items():
+        if cells and isinstance(cells[0], Course):
+            laid.add_column(heading, width=Course.least, ratio=1, no_wrap=True)
+            laid.expand, laid.width = True, min(out.width, _WIDEST)
+            continue
+        longest = max(map(cell_len, [heading, *cells]))
+        if heading == name:
+            laid.add_column(f"  {heading}", min_width=min(longest + 2, 18 if spare else 12))
+        elif heading in left:
+            laid.add_column(heading, min_width=min(longest, 12), overflow="fold")
+        else:
+            laid.add_column(heading, min_width=longest, justify="right", no_wrap=True)
+    for mark, named, *others in zip(marked, *columns.values(), strict=True):
+        first = Table.grid(Column(width=1), Column(overflow="fold"), padding=(0, 1, 0, 0))
+        first.add_row(mark, Text(printable(named)))
+        laid.add_row(first, *others, style=_STYLES.get(mark, ""))
+    if spare and laid.__rich_measure__(out, out.options).minimum > out.width:
+        kept = {heading: cells for heading, cells in columns.items() if heading != spare[0]}
+        table(out, kept, marks, left, spare[1:])
+        return
+    _print(out, laid)
+
+
+def _print(out: Console, laid: Table) -> None:
+    """Print a table without blanks at the ends of its lines."""
+    for line in out.render_lines(laid, out.options.update(width=min(out.width, _WIDEST)), pad=False):
+        text = Text.assemble(*((part.text, part.style or "") for part in line))
+        text.rstrip()
+        out.print(text, soft_wrap=True)
+
+
+class Course:
+    """The indicator so far as a cell of a table, a character per stretch on the fixed scale 0 to 1.
+
+    Args:
+        points: shares, oldest first; NaN or None where there is none yet, shown as a gap.
+    """
+
+    least, most = 12, 48
+
+    def __init__(self, points: Sequence[float | None] | NDArray[np.float64]) -> None:
+        self.points = np.array(points, np.float64)
+
+    def __rich_console__(self, _: Console, options: ConsoleOptions) -> RenderResult:
+        blocks = PLAIN_BLOCKS if options.ascii_only else BLOCKS
+        yield Text(sparkline(self.points, min(options.max_width, self.most), blocks))
+
+
+def sparkline(course: NDArray[np.float64], width: int, blocks: str = BLOCKS) -> str:
+    """Return a course as one character per stretch of it, on the fixed scale 0 to 1.
+
+    Args:
+        course: shares; NaN where there is none yet, shown as a gap.
+        width: characters to use, each the highest of its stretch; a shorter course takes one each.
+        blocks: the characters, lowest first.
+    """
+    return "".join(
+        " " if math.isnan(point) else blocks[min(int(point * len(blocks)), len(blocks) - 1)]
+        for point in thinned(course, width)
+    )
+
+
+def thinned(course: NDArray[np.float64], points: int = _POINTS) -> list[float]:
+    """Return a course in at most so many points: the highest of each stretch, so that no peak is lost.
+
+    NaN where there is no indicator yet.
+    """
+    if not len(course):
+        return []
+    stretches = np.array_split(course, min(points, len(course)))
+    return [float(np.fmax.reduce(stretch)) for stretch in stretches]
+
+
+def channels(out: Console, rows: Sequence[Row], indicator: str, time: str) -> None:
+    """Print a line per channel, then what is to be said of them.
+
+    Args:
+        out: where to.
+        rows: asset, channel, status, verdict, floor, course, remarks, and perhaps trend.
+        indicator: the name of the health indicator in them.
+        time: the name of the time that is told.
+    """
+
+    def told(name: str) -> list[Any]:
+        return [None if row["status"] == "not assessed" else row[name] for row in rows]
+
+    names = names_of(rows)
+    columns: dict[str, Sequence[Any]] = {
+        "channel": names,
+        "verdict": [row["verdict"] for row in rows],
+        "floor": [share(floor) for floor in told("floor")],
+        "HI": [share(hi) for hi in told(indicator)],
+    }
+    if rows and "trend" in rows[0]:
+        columns["trend"] = [rise(trend) for trend in told("trend")]
+    columns["HI, 0 to 1"] = [Course(() if course is None else course) for course in told("course")]
+    columns["last"] = [time_text(row[time]) for row in rows]
+    table(out, columns, [MARKS.get(row["status"], " ") for row in rows], ("verdict",))
+    remarks(out, zip(names, (row["remarks"] for row in rows), strict=True))
+
+
+def remarks(out: Console, said: Iterable[tuple[str, Iterable[str]]]) -> None:
+    """Print what is said of some channels, each remark once, with the channels it is said of."""
+    told = [(name, list(words)) for name, words in said]
+    found: dict[str, list[str]] = {}
+    for name, words in told:
+        for remark in words:
+            found.setdefault(remark, []).append(name)
+    if found:
+        out.print()
+        told_of = ((some(names, of=len(told)), remark) for remark, names in found.items())
+        notes(out, (("-", f"{names}: {remark}") for names, remark in told_of))
+
+
+def names_of(rows: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return what channels are called in a table: without their asset, if it is the same for all."""
+    one_asset = len({row["asset"] for row in rows}) == 1
+    return [
+        printable(row["channel"] if one_asset else f"{row['asset']} {row['channel']}") for row in rows
+    ]
+
+
+def cut(out: Console, rows: Sequence[Any], everything: bool, words: str = "") -> None:
+    """Say how many rows were left out of a table, if any were."""
+    if not everything and len(rows) > SHOWN:
+        say(out, f"and {len(rows) - SHOWN:,} more{f' ({words})' if words else ''}; --all")
+
+
+def verdicts(supports: Iterable[Row]) -> str:
+    """Return how many calibrations have which verdict."""
+    count = Counter(row["verdict"] for row in supports)
+    order = ("ready", "too_fine", "needs_data", "constant", "no_data")
+    return ", ".join(f"{count[name]:,} {name}" for name in order if count[name])
+
+
+def counted(statuses: Iterable[str]) -> str:
+    """Return how many channels are what, in words, the most urgent first."""
+    count = Counter(statuses)
+    return ", ".join(f"{count[status]:,} {_MEANINGS[status]}" for status in STATUSES if count[status])
+
+
+def advice(supports: Sequence[Row]) -> list[str]:
+    """Return what can be done for calibrations that are not good enough, a line each.
+
+    Args:
+        supports: a row per channel, with its verdict and finest_bins.
+    """
+    lines = []
+    if any(row["verdict"] == "no_data" for row in supports):
+        lines.append(
+            "no_data: say which part is healthy by --calibrate FROM/TO, --calibration-duration or "
+            "--calibration-fraction, where it holds data"
+        )
+    short = sum(is_short(row) for row in supports)
+    if short:
+        lines.append(
+            f"too little calibration in {short:,} of {len(supports):,}: say a longer healthy part by "
+            "--calibrate FROM/TO, --calibration-duration or --calibration-fraction; a coarser grid "
+            "would pass and see nothing"
+        )
+    too_fine = [row for row in supports if row["verdict"] == "too_fine" and not is_short(row)]
+    grids = [row["finest_bins"] for row in too_fine]
+    if grids:
+        steps = [(bins, sum(other >= bins for other in grids)) for bins in sorted(set(grids))[::-1]]
+        ladder = ", ".join(
+            f"{bins} bins would do for {'all of them' if count == len(grids) else count}"
+            for bins, count in steps
+        )
+        lines.append(
+            f"grid too fine: {ladder} (--bins, or [[override]] in gam.toml); the coarser the grid, the "
+            "less it sees, so a longer calibration is better where it can be had"
+        )
+    return lines
+
+
+def legend(said: Iterable[str]) -> str:
+    """Return what the words of a page mean, and no others.
+
+    Args:
+        said: its remarks.
+    """
+    words = [
+        "HI: share of the last window's vectors in states that calibration never visited.",
+        "Floor: what a healthy machine would show, from calibration itself.",
+    ]
+    remarks = " ".join(said)
+    if "limit" in remarks:
+        words.append(
+            "Limit: twice the floor, the highest block of calibration or target_floor, whichever is "
+            "largest."
+        )
+    if "out of range" in remarks:
+        words.append("Out of range: holding a value beyond all those of calibration.")
+    if "incomplete" in remarks:
+        words.append("Incomplete: holding a missing sample, and left out.")
+    return " ".join(words)
+
+
+def printable(name: str) -> str:
+    """Return a name of the source with nothing in it that a terminal would obey."""
+    return "".join(sign if sign.isprintable() else "\N{REPLACEMENT CHARACTER}" for sign in name)
+
+
+def time_text(time: Any) -> str:
+    """Return an instant to the minute, or a counter; a dash where there is none."""
+    if time is None:
+        return "-"
+    return f"{time:%Y-%m-%d %H:%M}" if isinstance(time, dt.datetime) else f"{time:,}"
+
+
+def rise(trend: float | None) -> str:
+    """Return a change of the indicator with its sign: +0.02, -0.31; 0 where it is below 0.005."""
+    if trend is None:
+        return "-"
+    return "0" if abs(trend) < 0.005 else f"{trend:+.2f}"
+
+
+def some(names: Sequence[str], most: int = _NAMED, of: int = 1) -> str:
+    """Return the first names of a list, and how many more there are; a word if it is all ``of`` many."""
+    if len(names) == of > 1:
+        return "all channels"
+    return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")

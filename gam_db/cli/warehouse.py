@@ -1,0 +1,179 @@
+"""``gam compile``, ``gam export`` and ``gam engines``: for a warehouse that runs the method itself.
+
+This module owns the commands; :mod:`gam_db.script`, :mod:`gam_db.export` and :mod:`gam_db.engines` do
+the work.
+"""
+
+import dataclasses
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import typer
+from rich.console import Console
+
+from gam_db import look
+from gam_db.cli import options, page
+from gam_db.config import Settings, SourceSettings
+from gam_db.connecting import connect
+from gam_db.engines import NAMES, engine_named
+from gam_db.engines.evidence import evidence
+from gam_db.errors import ConfigurationError, SourceError
+from gam_db.export import Package, write
+from gam_db.export.adapters import ADAPTERS
+from gam_db.guess import guess
+from gam_db.script import render
+from gam_db.source import AnySource, Source, WideSource, is_file
+
+Form = Literal["exact", "view"]
+
+
+@options.taking(*options.READ, "time_kind")
+def compile(
+    settings: Settings,
+    form: Annotated[
+        Form, typer.Option(help="exact: one query. view: tables of what was learnt, and a view.")
+    ] = "view",
+    engine: Annotated[str, typer.Option(help=f"One of {', '.join(NAMES)}.")] = "duckdb",
+    out: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Where the script goes; default: printed.")
+    ] = None,
+    prefix: Annotated[str, typer.Option(help="Begins the names of tables and views.")] = "gam_live_",
+    schema: Annotated[
+        str | None,
+        typer.Option(help="Schema of tables and views (default: the current one; postgres: public)."),
+    ] = None,
+) -> None:
+    """Print the complete SQL script that computes the health indicator of SOURCE on an engine.
+
+    SOURCE is a table of that engine. Its columns are looked at where gam can see them (a file, or a
+    table of --database); elsewhere they are called asset, channel, time and value unless named.
+    """
+    parameters, calibration = settings.method()
+    script = render(form, engine, described(settings), parameters, calibration, prefix, schema)
+    if out is None:
+        print(script, end="")
+        return
+    try:
+        out.write_text(script, encoding="utf-8")
+    except OSError as error:
+        raise ConfigurationError(f"{out} cannot be written: {error.strerror}.") from error
+
+
+def described(settings: Settings) -> AnySource:
+    """Return the source with its columns: looked at where it can be seen, else as named.
+
+    Raises:
+        UserError: no source was named, or what can be seen of it cannot be used.
+    """
+    relation, database = settings.source.relation, settings.source.database
+    if relation is None:
+        raise ConfigurationError("Name a SOURCE: the table that the engine holds, or a file.")
+    if database is None and not is_file(relation):
+        return _as_named(relation, settings.source)
+    with connect(database, writable=False) as session:
+        columns = session.describe(session.relation(relation))
+        source = guess(relation, columns, settings.source, session).source
+        kind = look.kind_of(source, columns, session)
+    return dataclasses.replace(source, time_kind="counter" if kind.is_counter else "timestamp")
+
+
+def _as_named(relation: str, said: SourceSettings) -> AnySource:
+    asset = None if said.asset is False else said.asset or "asset"
+    time = said.time or "time"
+    if said.layout == "wide" or said.channels is not None:
+        if not said.channels:
+            raise SourceError(
+                "A wide table that gam cannot see needs its signals named: --channel COLUMN, repeated."
+            )
+        return WideSource(relation, said.channels, asset, time, said.where, said.time_kind)
+    channel = None if said.channel is False else said.channel or "channel"
+    return Source(
+        relation, asset, channel, time, said.value or "value", said.where, time_kind=said.time_kind
+    )
+
+
+export = typer.Typer(no_args_is_help=True, help="Write the method as a package of another tool.")
+
+
+@export.callback()
+def tools() -> None:
+    """Write the method as a package of another tool."""
+
+
+@export.command()
+@options.taking(
+    *(*options.READ, "time_kind", "prefix", "lookback", "park_after"), but=("fraction", "duration")
+)
+def dbt(
+    settings: Settings,
+    folder: Annotated[
+        Path,
+        typer.Argument(metavar="DIR", help="Where the package goes; empty, or that of an earlier one."),
+    ],
+    engine: Annotated[str, typer.Option(help=f"What dbt runs on: {', '.join(ADAPTERS)}.")] = "duckdb",
+    schema: Annotated[
+        str | None, typer.Option(help="Of the source table; default: that of dbt's target.")
+    ] = None,
+) -> None:
+    """Write a dbt package that keeps the health indicator of SOURCE up to date in the warehouse.
+
+    SOURCE is a table there. Its columns are looked at where gam can see them (a table of --database);
+    elsewhere they are called asset, channel, time and value unless named. Calibration must be fixed:
+    closed intervals, by --calibrate or in gam.toml. Files of an earlier export are replaced.
+    """
+    parameters, calibration = settings.method()
+    kept = settings.monitor
+    package = Package(
+        described(settings),
+        parameters,
+        calibration,
+        engine,
+        schema,
+        kept.prefix,
+        kept.lookback,
+        kept.park_after,
+    )
+    written = write(package, folder)
+    print(
+        f"{len(written)} files of a dbt package are in {folder}. README.md there says what it holds; "
+        "`dbt build` builds it."
+    )
+
+
+def engines(as_json: options.Json = False) -> None:
+    """Tell which engines gam-db writes SQL for, and what is known of each at work.
+
+    *Executed* means that the tests run there and compare every integer; *rendered*, that the SQL is only
+    made. Version and date are those of the last run of the tests.
+    """
+    found = [_known(name) for name in NAMES]
+    if as_json:
+        page.print_json(found)
+    else:
+        _show(page.console(), found)
+
+
+def _known(name: str) -> dict[str, Any]:
+    engine = engine_named(name)
+    return {
+        **dataclasses.asdict(evidence()[name]),
+        "title": engine.title,
+        "oldest": engine.oldest,
+        "extra": engine.extra,
+        "transactions": engine.transactions,
+        "limits": engine.limits,
+    }
+
+
+def _show(out: Console, found: list[dict[str, Any]]) -> None:
+    for row in found:
+        rest = [
+            *([f"accepted from {row['oldest']} on"] if row["oldest"] else []),
+            *([f'pip install "gam-db[{row["extra"]}]"'] if row["extra"] else []),
+            "transactions" if row["transactions"] else "no transactions",
+        ]
+        page.say(out, f"{row['title']} ({row['engine']}): {row['evidence']}")
+        tested = f"by {row['by']} {row['version']} on {row['date']}, {row['tests']}"
+        page.notes(out, [(" ", line) for line in (tested, "; ".join(rest), row["limits"])])
+        if row is not found[-1]:
+            out.print()

@@ -1,0 +1,229 @@
+"""What can be set is said once: a field of a dataclass with its default, unit, range and words.
+
+This module owns how a field says so, and how a value is checked. The option of the command line, the key
+of gam.toml, the keyword in Python and the line of docs/gam.toml all follow from the field.
+"""
+
+import dataclasses
+import numbers
+import operator
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any, Literal, SupportsIndex, TypeVar, cast
+
+from gam_db.clock import looks_like_calendar
+from gam_db.errors import ParameterError, UserError, nearest
+
+_KEY = "setting"
+_Class = TypeVar("_Class")
+
+
+@dataclass(frozen=True)
+class Kind:
+    """What a setting takes.
+
+    Attributes:
+        checked: from setting, name and value to the value as it is kept; raises ParameterError.
+        option: type of the option on the command line; bool for one that takes no value.
+        read: from the option's name and value to the value of the setting.
+        metavar: stands for the value in help.
+        how: how an option is written, in help; ``{example!r}`` stands for the setting's example.
+        none: that there is none is said by an option of its own, --no-NAME.
+    """
+
+    checked: Callable[["Setting", str, Any], Any]
+    option: Any = str
+    read: Callable[[str, Any], Any] = lambda _, given: given
+    metavar: str | None = None
+    how: str = ""
+    none: bool = False
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What a field says of itself beside its type.
+
+    Attributes:
+        default: what counts where nothing is said.
+        takes: the values it takes.
+        what: what it is, and its unit.
+        option: name of its option, where it is not that of the field.
+        metavar: stands for the value in help, where it is not that of its kind.
+        more: what else the option's help says.
+        off: value and words of "there is none": false in gam.toml, 'none' or --no-NAME as an option.
+        usual: the default in words, where the value does not say it.
+        example: value in docs/gam.toml, by default the default.
+        note: what else is said there.
+        aside: the example is a comment there, since it goes with others.
+        least, most: bounds of a number, or of the length of a text.
+    """
+
+    default: Any
+    takes: Kind
+    what: str
+    option: str = ""
+    metavar: str | None = None
+    more: str = ""
+    off: tuple[Any, str] | None = None
+    usual: str = ""
+    example: Any = None
+    note: str = ""
+    aside: bool = False
+    least: float | None = None
+    most: float | None = None
+
+    @property
+    def help(self) -> str:
+        """What the option's help says."""
+        parts = [self.what + self.takes.how.format(example=self.example)]
+        parts += [self.more] if self.more else []
+        usual = self.usual
+        if self.off is not None and self.takes.option is str and not self.takes.none:
+            is_default = self.off[0] is self.default and not usual
+            parts.append(f"'none' for {self.off[1]}{' (the default)' * is_default}")
+        if not usual and self.default:
+            usual = repr(self.default)
+        words = "; ".join(parts) + (f" (default {usual})" if usual else "")
+        return f"{words[0].upper()}{words[1:]}."
+
+    def checked(self, name: str, value: Any) -> Any:
+        """Return a value as it is kept.
+
+        Raises:
+            ParameterError: it is none that the setting takes.
+        """
+        if value is self.default or (self.off is not None and value is self.off[0]):
+            return value
+        return self.takes.checked(self, name, value)
+
+    def of_toml(self, name: str, value: Any) -> Any:
+        """Return the value that gam.toml says, where false means that there is none.
+
+        Raises:
+            ParameterError: it is none that the setting takes.
+        """
+        if value is False and self.off is not None:
+            return self.off[0]
+        return self.takes.checked(self, name, value)
+
+    def of_option(self, option: str, value: Any) -> Any:
+        """Return the value that an option says, unchecked; 'none' means that there is none."""
+        if value == "none" and self.off is not None:
+            return self.off[0]
+        return self.takes.read(option, value)
+
+
+def setting(default: Any, takes: Kind, what: str, **more: Any) -> Any:
+    """Return a field of a dataclass that can be set; see :class:`Setting`."""
+    return dataclasses.field(default=default, metadata={_KEY: Setting(default, takes, what, **more)})
+
+
+def settings_of(of: type) -> Mapping[str, Setting]:
+    """Return what can be set in a dataclass, by name."""
+    fields = dataclasses.fields(of)
+    return {one.name: one.metadata[_KEY] for one in fields if _KEY in one.metadata}
+
+
+def declared(of: type[_Class]) -> type[_Class]:
+    """Add to the docstring of a dataclass what its settings say."""
+    said = (f"    {name}: {one.help}" for name, one in settings_of(of).items())
+    of.__doc__ = "\n    ".join([(of.__doc__ or "").rstrip(), "", "Settings:", *said]) + "\n    "
+    return of
+
+
+def check(of: Any, refusal: type[UserError] = ParameterError) -> None:
+    """Check each setting of a dataclass, and keep it in its usual form.
+
+    Raises:
+        UserError: one is out of its range; of the type that is given.
+    """
+    try:
+        for name, one in settings_of(type(of)).items():
+            object.__setattr__(of, name, one.checked(name, getattr(of, name)))
+    except ParameterError as error:
+        raise refusal(str(error)) from error
+
+
+def number(text: str) -> int | float | str:
+    """A plain number has no unit; anything else is left to the clock, which knows the units."""
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            continue
+    return text
+
+
+def texts(value: object) -> bool:
+    """Tell whether a value is a list of texts."""
+    return isinstance(value, (list, tuple)) and all(isinstance(one, str) for one in value)
+
+
+def one_of(*values: str) -> Kind:
+    """Return the kind of a setting that takes one of some words."""
+
+    def checked(_: Setting, name: str, value: Any) -> Any:
+        if value not in values:
+            raise ParameterError(f"{name} is {value!r}{nearest(str(value), values)}")
+        return value
+
+    return Kind(checked, Literal[values])
+
+
+def _count(of: Setting, name: str, value: Any) -> int:
+    try:
+        if isinstance(value, bool):
+            raise TypeError
+        whole = operator.index(cast(SupportsIndex, value))
+    except TypeError:
+        raise ParameterError(f"{name} is {value!r}; it must be an integer.") from None
+    if whole < 1:
+        raise ParameterError(f"{name} is {whole}; it must be at least 1.")
+    if of.most is not None and whole > of.most:
+        raise ParameterError(f"{name} is {whole}; it must not exceed {of.most:,}.")
+    return whole
+
+
+def _share(of: Setting, name: str, value: Any) -> Any:
+    is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    if not is_number or not 0 <= value <= 1 or value == of.least:
+        bounds = "0 to 1" if of.least is None else f"above {of.least} and at most 1"
+        raise ParameterError(
+            f"{name} is {value!r}; it is a share, {bounds}, e.g. {of.example or of.default}."
+        )
+    return value
+
+
+def _length(of: Setting, name: str, value: Any) -> Any:
+    is_number = isinstance(value, numbers.Real) and not isinstance(value, bool)
+    if not (is_number or isinstance(value, str) or looks_like_calendar(value)):
+        raise ParameterError(
+            f"{name} is {value!r}; give a number, a timedelta or a text such as {of.example!r}."
+        )
+    return value
+
+
+def _text(of: Setting, name: str, value: Any) -> Any:
+    if not isinstance(value, str) or len(value) < (1 if of.least is None else of.least):
+        raise ParameterError(f"{name} is {value!r}; it takes a text.")
+    return value
+
+
+def _names(_: Setting, name: str, value: Any) -> tuple[str, ...]:
+    if not texts(value):
+        raise ParameterError(f"{name} is {value!r}; it takes a list of column names.")
+    return tuple(cast(Iterable[str], value))
+
+
+COUNT = Kind(_count, int)
+SHARE = Kind(_share, float)
+LENGTH = Kind(
+    _length,
+    read=lambda _, given: number(given),
+    metavar="LENGTH",
+    how=": seconds or a text like {example!r}, or steps of a counter",
+)
+TEXT = Kind(_text)
+COLUMN = Kind(_text, none=True)
+COLUMNS = Kind(_names)
+INSTANT = Kind(lambda _, __, value: value, metavar="TIME")

@@ -1,0 +1,65 @@
+"""What can be set of a monitor: its keywords, the section [monitor] of gam.toml, and options."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from gam_db.clock import Length
+from gam_db.setting import LENGTH, TEXT, check, declared, setting
+from gam_db.stored import lengths
+from gam_db.stored.pruning import NOVEL_ROWS
+from gam_db.stored.tables import StateTables
+
+
+@declared
+@dataclass(kw_only=True)
+class MonitorSettings:
+    """What is kept in the database, where, and for how long.
+
+    Lengths are counter steps, or seconds, a timedelta or a text where the source has timestamps.
+
+    Raises:
+        UserError: a value cannot be used.
+    """
+
+    name: str = setting(
+        "default", TEXT, "monitor, of which several can share one database", metavar="MONITOR"
+    )
+    schema: str | None = setting(
+        *(None, TEXT, "schema of the state tables"),
+        usual="the current one",
+        example="monitoring",
+        aside=True,
+    )
+    prefix: str = setting("gam_", TEXT, "begins the names of tables, views and models", least=0)
+    lookback: Length | None = setting(
+        *(None, LENGTH, "how late a row may come"),
+        usual=f"{lengths.LOOKBACK}, or 0 steps of a counter",
+        example="1 h",
+    )
+    park_after: Length | Literal[False] | None = setting(
+        *(
+            None,
+            LENGTH,
+            "a channel that lags behind the newest data by more is silent, and looked at once a day",
+        ),
+        usual=f"{lengths.PARK_AFTER}, or never for a counter",
+        off=(False, "never"),
+        example="1 d",
+    )
+    keep: Length | None = setting(
+        *(None, LENGTH, "age up to which buckets stay, for gam prune"), usual="all", example="400 d"
+    )
+    keep_novel: Length | None = setting(
+        *(None, LENGTH, "the same for their novel cells"),
+        usual=f"the newest {NOVEL_ROWS:,} of each version, so that a saturated channel stays bounded",
+        example="90 d",
+    )
+
+    def __post_init__(self) -> None:
+        check(self)
+        _ = self.tables  # which refuses a prefix that cannot begin a name
+
+    @property
+    def tables(self) -> StateTables:
+        """Where the state lies."""
+        return StateTables(self.schema, self.prefix)

@@ -1,0 +1,99 @@
+"""Pages: tables that fit, remarks that are said once, and figures as JSON; the exit codes."""
+
+import io
+import json
+import math
+import re
+from pathlib import Path
+
+import numpy as np
+import pyarrow as pa
+import pytest
+import typer
+from rich.cells import cell_len
+from rich.console import Console
+
+import gam_db
+from gam_db.cli import app, exits, page
+from gam_db.cli.exits import MEANINGS, Exit
+
+FOLDER = Path(exits.__file__).parent
+LONG = ("a_very_long_name_" * 4 + "1", "a_very_long_name_" * 4 + "2")
+
+
+def console(width: int = 80, encoding: str = "utf-8") -> Console:
+    """A console of some width that keeps what is printed."""
+    written = io.TextIOWrapper(io.BytesIO(), encoding=encoding)
+    return Console(file=written, width=width, markup=False, highlight=False, emoji=False)
+
+
+def lines(out: Console) -> list[str]:
+    """What was printed, line by line."""
+    out.file.seek(0)
+    return out.file.read().splitlines()
+
+
+@pytest.mark.parametrize("width", [50, 80, 120, 200])
+def test_a_table_fits_and_cuts_no_name(width: int) -> None:
+    out = console(width)
+    courses = [page.Course([0.5, math.nan, 1.0])] * 2
+    page.table(out, {"channel": LONG, "HI": ["0.10", "1.00"], "course": courses}, ["!", " "])
+    found = lines(out)
+    assert max(map(cell_len, found)) <= width
+    assert not any(line.endswith(" ") for line in found)
+    for name in LONG:
+        assert name in "".join(re.sub(r"^[ !] ", "", line).split("  ")[0].strip() for line in found)
+
+
+def test_columns_that_say_least_go_first_and_no_others() -> None:
+    columns = {"channel": ["j1"], "samples": ["1,000,000"], "least": ["-1.5"], "most": ["2.5"]}
+    heads = []
+    for width in (80, 30, 24):
+        out = console(width)
+        page.table(out, columns, spare=("most", "least"))
+        heads.append(lines(out)[0].split())
+    assert heads == [["channel", "samples", "least", "most"], ["channel", "samples", "least"], heads[2]]
+    assert heads[2] == ["channel", "samples"]
+
+
+def test_a_course_takes_the_room_that_is_left() -> None:
+    longest = []
+    for width in (40, 80, 120, 300):
+        out = console(width)
+        page.table(out, {"channel": ["j1"], "course": [page.Course(np.ones(500))]})
+        longest.append(lines(out)[1].count("█"))
+    assert longest[0] < longest[1] <= longest[2] == longest[3] == page.Course.most
+
+
+def test_a_remark_is_said_once_with_its_channels() -> None:
+    out = console()
+    names = [f"j{number}" for number in range(8)]
+    said = [("too short", "odd") if number < 7 else ("odd",) for number in range(8)]
+    page.remarks(out, zip(names, said, strict=True))
+    assert lines(out) == ["", "- j0, j1, j2, j3, j4 and 2 more: too short", "- all channels: odd"]
+    silent = console()
+    page.remarks(silent, [("j1", ())])
+    assert lines(silent) == []
+
+
+def test_figures_are_json_whatever_they_hold(capsys: pytest.CaptureFixture[str]) -> None:
+    table = pa.table({"asset": ["ü"], "hi": [math.nan], "time": pa.array([0], pa.timestamp("us"))})
+    with pytest.raises(typer.Exit) as ended:
+        page.tell(Exit.ATTENTION, {"rows": table, "of": gam_db.Override("a", m=2)}, print, as_json=True)
+    assert ended.value.exit_code == 2
+    assert json.loads(capsys.readouterr().out) == {
+        "version": gam_db.__version__,
+        "rows": [{"asset": "ü", "hi": None, "time": "1970-01-01T00:00:00"}],
+        "of": {"asset": "a", "channel": "*", "changed": [["m", 2]]},
+        "exit_code": 2,
+    }
+
+
+def test_every_exit_code_has_its_meaning_and_stands_in_one_place() -> None:
+    assert set(MEANINGS) == set(Exit)
+    assert app.info.epilog is not None
+    for code, meaning in MEANINGS.items():
+        assert f"{code:d} {meaning}" in str(app.info.epilog)
+    for path in FOLDER.glob("*.py"):
+        ends = re.findall(r"(?:Exit|sys\.exit|tell)\((\d+)", path.read_text(encoding="utf-8"))
+        assert ends == [], path.name
