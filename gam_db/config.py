@@ -5,6 +5,7 @@ over it. What a value may be is said by the dataclasses it ends up in. It looks 
 """
 
 import dataclasses
+import os
 import tomllib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
@@ -20,6 +21,9 @@ from gam_db.source import is_file
 from gam_db.stored.settings import MonitorSettings
 
 DEFAULT_FILE = "gam.toml"
+
+#: Users whose settings are read like one's own: the administrator.
+_TRUSTED = frozenset({0})
 
 #: A column that was named, False for "there is none", None for "not said".
 Column: TypeAlias = str | Literal[False] | None
@@ -166,6 +170,7 @@ def load(path: Path | None = None, folder: Path | None = None) -> Settings:
         path = (folder or Path()) / DEFAULT_FILE
         if not path.exists():
             return Settings()
+        _check_owner(path)
     try:
         document = tomllib.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
@@ -176,6 +181,24 @@ def load(path: Path | None = None, folder: Path | None = None) -> Settings:
         return _settings(document, path)
     except UserError as error:
         raise ConfigurationError(f"{path}: {error}") from error
+
+
+def _check_owner(path: Path) -> None:
+    """Refuse a settings file that nobody asked for and another user could write.
+
+    Its conditions are SQL that runs with the rights of whoever calls gam.
+
+    Raises:
+        ConfigurationError: it, or its folder, belongs to another user.
+    """
+    if not hasattr(os, "getuid"):
+        return
+    for one in (path, path.resolve().parent):
+        if one.stat().st_uid not in {os.getuid(), *_TRUSTED}:
+            raise ConfigurationError(
+                f"{path} is not read: {'it' if one is path else 'its folder'} belongs to another user, "
+                f"and what it says runs with your rights. If you trust it, say --config {path}."
+            )
 
 
 def _settings(document: Mapping[str, Any], path: Path) -> Settings:

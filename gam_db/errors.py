@@ -7,7 +7,10 @@
     │   ├── SourceError         the relation, a column of it, or its rows are not usable
     │   ├── ConfigurationError  gam.toml or an option of the command line
     │   ├── EngineError         an unknown engine, or one that cannot do what is asked
-    │   │   └── ConflictError   another writer was faster; running again is all there is to do
+    │   │   └── RunAgainError   only the moment was wrong; the command line exits with 75
+    │   │       ├── ConflictError        another writer was faster
+    │   │       ├── LockedError          another process has the file
+    │   │       └── LostConnectionError  the server went away, or is not there yet
     │   └── StateError          the state tables are missing, changed, or of another gam-db
     └── InternalError           our fault; the command line exits with 3
         ├── TemplateError       a file in sql/ breaks a rule, or its slots were not filled
@@ -21,45 +24,81 @@ from collections.abc import Iterable
 
 
 class GamError(Exception):
-    """Base of all errors that gam-db raises."""
+    """Base of all errors that gam-db raises; ``code`` is a word for machines, which stays."""
+
+    code = "error"
 
 
 class UserError(GamError):
     """Something the user can mend."""
 
+    code = "user"
+
 
 class ParameterError(UserError):
     """A parameter of the method is out of its range."""
+
+    code = "parameter"
 
 
 class CalibrationError(UserError):
     """The calibration is contradictory or cannot be resolved."""
 
+    code = "calibration"
+
 
 class SourceError(UserError):
     """The relation, a column of it, or its rows are not usable."""
+
+    code = "source"
 
 
 class ConfigurationError(UserError):
     """A key of gam.toml or an option of the command line is not usable."""
 
+    code = "configuration"
+
 
 class EngineError(UserError):
     """An unknown engine, or one that cannot do what is asked."""
 
+    code = "engine"
 
-class ConflictError(EngineError):
-    """Another writer was faster: nothing was lost, and running again is all there is to do."""
+
+class RunAgainError(EngineError):
+    """Only the moment was wrong: nothing was lost, and running again is all there is to do."""
+
+    code = "again"
+
+
+class ConflictError(RunAgainError):
+    """Another writer was faster."""
 
     code = "conflict"
+
+
+class LockedError(RunAgainError):
+    """Another process has the file open."""
+
+    code = "locked"
+
+
+class LostConnectionError(RunAgainError):
+    """The server went away, has no room, or is not there yet."""
+
+    code = "connection"
 
 
 class StateError(UserError):
     """The state tables are missing, were changed, or are of another gam-db."""
 
+    code = "state"
+
 
 class InternalError(GamError):
     """A fault of gam-db itself."""
+
+    code = "fault"
 
 
 class TemplateError(InternalError):
@@ -75,6 +114,13 @@ class StatementError(InternalError):
     def __init__(self, message: str, statement: str = "") -> None:
         super().__init__(message)
         self.statement = statement
+
+
+def printable(text: str) -> str:
+    """Return a text with nothing in it that a terminal would obey: such signs are spelt, ESC as x1b."""
+    return "".join(
+        sign if sign.isprintable() else sign.encode("unicode_escape").decode("ascii") for sign in text
+    )
 
 
 def nearest(word: str, known: Iterable[str]) -> str:

@@ -3,7 +3,9 @@
 This module owns how errors are told.
 """
 
+import json
 import sys
+import time
 import traceback
 from collections.abc import Sequence
 from typing import Annotated, Any
@@ -14,15 +16,27 @@ from typer.core import TyperGroup
 from gam_db.address import without_passwords
 from gam_db.cli import commands
 from gam_db.cli.exits import MEANINGS, Exit
-from gam_db.errors import ConflictError, StatementError, UserError
+from gam_db.cli.limits import limited
+from gam_db.errors import (
+    ConfigurationError,
+    InternalError,
+    RunAgainError,
+    StatementError,
+    UserError,
+    printable,
+)
 from gam_db.version import __version__
 
 #: What Typer raises for options it cannot parse; it does not export the name.
 _UsageError: type[Exception] = typer.BadParameter.__bases__[0]
 
 
+#: Seconds before a command is tried again: twice as long each time, up to the longest.
+_PAUSE, _LONGEST_PAUSE = 1.0, 60.0
+
+
 class Commands(TyperGroup):
-    """The commands, with our exit codes, and with ``--debug`` wherever it stands.
+    """The commands, with our exit codes, and with the options of all of them wherever they stand.
 
     A command is imported when it is run; until then a stand-in tells its name and what it does.
     """
@@ -40,21 +54,61 @@ class Commands(TyperGroup):
     def main(self, args: Sequence[str] | None = None, *more: Any, **named: Any) -> Any:
         """Run one command and end the process with its exit code."""
         named.setdefault("prog_name", "gam")
-        words = list(sys.argv[1:] if args is None else args)
-        debug = "--debug" in words
+        named["standalone_mode"] = False  # or Typer would end the process itself, its own way
         for stream in (sys.stdout, sys.stderr):
             if hasattr(stream, "reconfigure"):  # names of machines may not fit the terminal's alphabet
                 stream.reconfigure(errors="backslashreplace")
+        said = list(sys.argv[1:] if args is None else args)
+        debug, as_json = "--debug" in said, "--json" in said
         try:
-            named["standalone_mode"] = False  # or Typer would end the process itself, its own way
-            code = super().main([word for word in words if word != "--debug"], *more, **named)
-        except Exception as error:
-            code = _told(error, debug)
-        except KeyboardInterrupt:
-            code = Exit.INTERRUPTED
+            words, retry = _taken([word for word in said if word != "--debug"], "--retry", int)
+            words, seconds = _taken(words, "--timeout", float)
+        except ConfigurationError as error:
+            sys.exit(_told(error, debug, as_json))
+        for turn in range(int(retry or 0) + 1):
+            try:
+                with limited(seconds):
+                    code = super().main(words, *more, **named)
+            except RunAgainError as error:
+                if turn < int(retry or 0):
+                    print(f"gam: {_legible(str(error))} Trying again.", file=sys.stderr)
+                    time.sleep(min(_PAUSE * 2**turn, _LONGEST_PAUSE))
+                    continue
+                code = _told(error, debug, as_json)
+            except Exception as error:
+                code = _told(error, debug, as_json)
+            except KeyboardInterrupt:
+                code = Exit.INTERRUPTED
+            break
         if code == Exit.INTERRUPTED:
             print("gam: interrupted; no file was left half written.", file=sys.stderr)
         sys.exit(code if isinstance(code, int) else Exit.FINE)
+
+
+def _taken(
+    words: list[str], option: str, kind: type[int] | type[float]
+) -> tuple[list[str], float | None]:
+    """Return the words without an option of all commands, and its value; None where it is not there.
+
+    Raises:
+        ConfigurationError: its value is no positive number.
+    """
+    left: list[str] = []
+    value: float | None = None
+    rest = iter(words)
+    for word in rest:
+        name, given, text = word.partition("=")
+        if name != option:
+            left.append(word)
+            continue
+        text = text if given else next(rest, "")
+        try:
+            value = kind(text)
+        except ValueError:
+            value = None
+        if value is None or not 0 < value < float("inf"):
+            raise ConfigurationError(f"{option} is {text!r}; it takes a positive number, such as 3.")
+    return left, value
 
 
 app = typer.Typer(
@@ -83,8 +137,22 @@ def of_every_command(
     debug: Annotated[
         bool, typer.Option("--debug", help="With any command: show the traceback of an error.")
     ] = False,
+    retry: Annotated[
+        int | None,
+        typer.Option(
+            metavar="N",
+            help="With any command: instead of ending with 75, run it again, up to N times.",
+        ),
+    ] = None,
+    timeout: Annotated[
+        float | None,
+        typer.Option(
+            metavar="SECONDS",
+            help="With any command: stop it after so long, as Ctrl-C does, and end with 75.",
+        ),
+    ] = None,
 ) -> None:
-    """Take the options of every command; ``--debug`` was taken by :class:`Commands`."""
+    """Take the options of every command; all but ``--version`` were taken by :class:`Commands`."""
 
 
 def main() -> None:
@@ -92,26 +160,41 @@ def main() -> None:
     app()
 
 
-def _told(error: Exception, debug: bool) -> int:
-    """Tell an error on stderr and return the exit code it means."""
+def _told(error: Exception, debug: bool, as_json: bool) -> int:
+    """Tell an error on stderr, for --json as an object on stdout, too; return the exit code it means."""
     if isinstance(error, typer.Abort):
         return Exit.INTERRUPTED
     if debug:
         print(without_passwords("".join(traceback.format_exception(error))), file=sys.stderr)
         if isinstance(error, StatementError) and error.statement:
             print(f"\nThe statement was:\n{error.statement}\n", file=sys.stderr)
-    if isinstance(error, _UsageError):
-        error.message = without_passwords(error.message)  # type: ignore[attr-defined]
+    is_usage = isinstance(error, _UsageError)
+    said = error.message if is_usage else str(error)  # type: ignore[attr-defined]
+    message = _legible(said)
+    exit_code = _meant(error)
+    if exit_code == Exit.OUR_FAULT:
+        kind = "" if type(error).__module__.startswith("gam_db") else f"{type(error).__name__}: "
+        message = f"this is a fault of gam-db, not yours. {kind}{message.partition(chr(10))[0]} " + (
+            "Please report it." if debug else "Run it again with --debug for all of it, to report it."
+        )
+    if as_json:
+        code = "usage" if is_usage else getattr(error, "code", InternalError.code)
+        told = {"version": __version__, "error": {"code": code, "message": message}}
+        print(json.dumps({**told, "exit_code": int(exit_code)}, indent=1))
+    if is_usage:
+        error.message = message  # type: ignore[attr-defined]
         error.show()  # type: ignore[attr-defined]
-        return Exit.USER_ERROR
-    if isinstance(error, UserError):
-        print(f"gam: {without_passwords(str(error))}", file=sys.stderr)
-        return Exit.RUN_AGAIN if isinstance(error, ConflictError) else Exit.USER_ERROR
-    first = without_passwords(str(error)).partition("\n")[0]
-    kind = "" if type(error).__module__.startswith("gam_db") else f"{type(error).__name__}: "
-    print(
-        f"gam: this is a fault of gam-db, not yours. {kind}{first} "
-        + ("Please report it." if debug else "Run it again with --debug for all of it, to report it."),
-        file=sys.stderr,
-    )
-    return Exit.OUR_FAULT
+    else:
+        print(f"gam: {message}", file=sys.stderr)
+    return exit_code
+
+
+def _legible(text: str) -> str:
+    """Return the lines of a message without passwords, and without signs that a terminal would obey."""
+    return "\n".join(map(printable, without_passwords(text).split("\n")))
+
+
+def _meant(error: Exception) -> Exit:
+    if isinstance(error, RunAgainError):
+        return Exit.RUN_AGAIN
+    return Exit.USER_ERROR if isinstance(error, (UserError, _UsageError)) else Exit.OUR_FAULT

@@ -24,6 +24,7 @@ from gam_db.cli.job import Job, healthy_part, job_of
 from gam_db.cli.progress import working
 from gam_db.config import Settings
 from gam_db.connecting import connect
+from gam_db.errors import printable
 from gam_db.selection import Search, Selection, Studied, alone, selected_by_all
 from gam_db.study import Study
 
@@ -137,7 +138,7 @@ _CAO = {
 
 def _show(out: Console, job: Job, found: Selection, everything: bool) -> None:
     choices: list[Row] = found.choices.to_pylist()
-    page.say(out, f"{page.printable(job.name)}: {number_of(len(choices), 'channel')}")
+    page.say(out, f"{printable(job.name)}: {number_of(len(choices), 'channel')}")
     page.say(out, job.columns_line())
     page.say(out, f"chosen from {healthy_part(job.calibration)}")
     lags, dimensions = _by_channel(found.lags), _by_channel(found.dimensions)
@@ -145,11 +146,11 @@ def _show(out: Console, job: Job, found: Selection, everything: bool) -> None:
     for one in choices if everything else choices[: options.SHOWN]:
         key = (one["asset"], one["channel"])
         out.print()
-        out.print(Text(" ".join(map(page.printable, key)), style="bold"))
+        out.print(Text(" ".join(map(printable, key)), style="bold"))
         page.notes(out, _lines(one, lags[key], dimensions[key], budget[key], job))
     for one in found.failures.to_pylist():
         out.print()
-        name = f"{page.printable(one['asset'])} {page.printable(one['channel'])}"
+        name = f"{printable(one['asset'])} {printable(one['channel'])}"
         page.say(out, f"{name}: nothing chosen, by a fault of gam-db or its engine: {one['reason']}")
     if len(choices) > options.SHOWN:
         out.print()

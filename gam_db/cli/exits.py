@@ -19,6 +19,6 @@ MEANINGS = {
     Exit.USER_ERROR: "something for you to mend, told on stderr",
     Exit.ATTENTION: "done, and something needs attention",
     Exit.OUR_FAULT: "our fault",
-    Exit.RUN_AGAIN: "another writer was faster: run it again",
+    Exit.RUN_AGAIN: "only the moment was wrong: run it again",
     Exit.INTERRUPTED: "interrupted",
 }

@@ -8,9 +8,10 @@ from typing import Any
 
 from gam_db.calibration import Calibration
 from gam_db.checking.words import number_of
-from gam_db.cli.page import printable, some
+from gam_db.cli.page import some
 from gam_db.config import Settings
 from gam_db.engines.session import Session
+from gam_db.errors import printable
 from gam_db.guess import Guess, guess
 from gam_db.parameters import Parameters
 from gam_db.setting import settings_of

@@ -27,7 +27,7 @@ from gam_db.cli.state import check_state
 from gam_db.config import DEFAULT_FILE, Settings, SourceSettings
 from gam_db.connecting import connect
 from gam_db.engines.session import Session
-from gam_db.errors import ConfigurationError
+from gam_db.errors import ConfigurationError, printable
 from gam_db.parameters import Parameters
 from gam_db.setting import settings_of
 from gam_db.source import Source, is_file
@@ -149,7 +149,7 @@ def heading(seen: Seen) -> str:
     assets = number_of(len({row["asset"] for row in look.channels}), "asset")
     channels = number_of(len(look.channels), "channel")
     samples = number_of(sum(row["samples"] for row in look.channels), "sample")
-    line = f"{page.printable(seen.job.name)}: {channels} of {assets}, {samples}"
+    line = f"{printable(seen.job.name)}: {channels} of {assets}, {samples}"
     if look.channels:
         first = instant(min(row["first_tick"] for row in look.channels), look.kind)
         last = instant(max(row["last_tick"] for row in look.channels), look.kind)
@@ -161,8 +161,7 @@ def note_line(note: Note, look: Look) -> str:
     """Return a note as a line, with the channels it concerns, if not all of them."""
     one_asset, channels = len({row["asset"] for row in look.channels}) <= 1, len(look.channels)
     names = [
-        page.printable(channel if one_asset else f"{asset} {channel}")
-        for asset, channel in note.channels
+        printable(channel if one_asset else f"{asset} {channel}") for asset, channel in note.channels
     ]
     if not names:
         return note.text
@@ -295,7 +294,7 @@ def _proposed(lines: Console, seen: Seen, out: Path) -> None:
     must = sum(note.must for note in seen.notes)
     if must:
         page.say(lines, f"{must} to be fixed first; gam check says what")
-    lines.print(f"written: {out}; read it, then: gam run", soft_wrap=True)
+    lines.print(f"written: {printable(str(out))}; read it, then: gam run", soft_wrap=True)
 
 
 def text(seen: Seen, settings: Settings, folder: Path) -> str:

@@ -26,7 +26,7 @@ from gam_db.cli.progress import Progress, interruptible, working
 from gam_db.config import Settings, SourceSettings
 from gam_db.connecting import connect
 from gam_db.engines.session import Session
-from gam_db.errors import ConfigurationError
+from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Finding, findings, need_attention
 from gam_db.source import FILE_ENDINGS, is_file
 from gam_db.study import Study
@@ -165,7 +165,7 @@ def _show(out: Console, job: Job, found: Sequence[Finding], everything: bool = F
     assets, samples = {one.asset for one in found}, sum(one.support["samples"] for one in found)
     page.say(
         out,
-        f"{page.printable(job.name)}: {number_of(len(found), 'channel')} of "
+        f"{printable(job.name)}: {number_of(len(found), 'channel')} of "
         f"{number_of(len(assets), 'asset')}, {samples:,} samples{job.settings}",
     )
     for line in job.lines():
@@ -211,7 +211,7 @@ class _Result:
 
 def _written(out: Console, results: Sequence[_Result]) -> None:
     for result in results:
-        out.print(f"written: {result}", soft_wrap=True)
+        out.print(f"written: {printable(str(result))}", soft_wrap=True)
 
 
 def _results(

@@ -22,6 +22,7 @@ from rich.text import Text
 
 import gam_db
 from gam_db.cli.options import SHOWN
+from gam_db.errors import printable
 from gam_db.findings import STATUSES, Row, is_short, share
 
 BLOCKS = "▁▂▃▄▅▆▇█"
@@ -76,7 +77,14 @@ def tell(
 
 def print_json(said: Any) -> None:
     """Print a value as JSON."""
-    print(json.dumps(plain(said), ensure_ascii=False, indent=1))
+    text = json.dumps(plain(said), ensure_ascii=False, indent=1)
+    # JSON lets signs stand that a terminal obeys: those beyond ASCII that cannot be printed.
+    print("".join(sign if sign.isprintable() or sign == "\n" else escaped(sign) for sign in text))
+
+
+def escaped(sign: str) -> str:
+    """Return a sign as JSON spells it."""
+    return json.dumps(sign)[1:-1]
 
 
 def plain(value: Any) -> Any:
@@ -330,11 +338,6 @@ def legend(said: Iterable[str]) -> str:
     if "incomplete" in remarks:
         words.append("Incomplete: holding a missing sample, and left out.")
     return " ".join(words)
-
-
-def printable(name: str) -> str:
-    """Return a name of the source with nothing in it that a terminal would obey."""
-    return "".join(sign if sign.isprintable() else "\N{REPLACEMENT CHARACTER}" for sign in name)
 
 
 def time_text(time: Any) -> str:

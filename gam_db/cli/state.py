@@ -21,7 +21,7 @@ from gam_db.clock import TimeKind, shown_instant
 from gam_db.config import Settings
 from gam_db.engines import NAMES, engine_named
 from gam_db.engines.session import Session
-from gam_db.errors import ConfigurationError, EngineError
+from gam_db.errors import ConfigurationError, EngineError, printable
 from gam_db.findings import Row
 from gam_db.stored import dropping, migrations, pruning
 from gam_db.stored.dropping import Removal
@@ -83,7 +83,7 @@ def migrate(
             _show_migrations(out, tables, found)
         elif done:
             applied = ", ".join(f"{one.number} {one.name}" for one in done)
-            out.print(f"{tables}*: applied {applied}", soft_wrap=True)
+            out.print(printable(f"{tables}*: applied {applied}"), soft_wrap=True)
         else:
             page.say(out, f"{tables}*: up to date, {len(found.applied)} migrations")
 
@@ -217,7 +217,7 @@ def _show_differences(
 def _line(row: Row, kind: TimeKind) -> str:
     if row["part"] not in _MENDED:
         return _damage(row, kind)
-    named = page.printable(f"{row['asset']} {row['channel']}")
+    named = printable(f"{row['asset']} {row['channel']}")
     counted = f"{row['samples_then']:,} then, {row['samples_now']:,} now"
     if row["part"] == "calibration":
         return f"{named}: calibration: rows {counted}; {row['differing']:,} cells visited otherwise"
@@ -236,7 +236,7 @@ def _damage(row: Row, kind: TimeKind) -> str:
         said += f", from {shown_instant(row['since'], kind)} on"
     if row["asset"] is None:
         return said
-    named = page.printable(f"{row['asset']} {row['channel']}")
+    named = printable(f"{row['asset']} {row['channel']}")
     return f"{named}: version {row['version']}: {said}"
 
 
@@ -355,7 +355,8 @@ def drop(
             _show_removals(tables, found, name)
             _ask(str(tables) if name is None else name)
         dropping.remove(session, found)
-    print(f"removed: {tables}*" if name is None else f"removed: monitor {name} from {tables}*")
+    said = f"{tables}*" if name is None else f"monitor {name} from {tables}*"
+    print(f"removed: {printable(said)}")
 
 
 def _show_removals(tables: StateTables, found: Sequence[Removal], name: str | None) -> None:

@@ -24,7 +24,7 @@ from gam_db.cli.progress import working
 from gam_db.clock import LONG_AGO, TimeKind, instant, shown_instant
 from gam_db.config import Settings, SourceSettings
 from gam_db.engines.session import Session
-from gam_db.errors import ConfigurationError
+from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, any_needs_attention, share, shortcomings, status_of
 from gam_db.parameters import pattern_matches
 from gam_db.source import AnySource, WideSource, is_file
@@ -165,7 +165,7 @@ def _absolute(relation: str) -> str:
 
 def _show_versions(out: Console, where: str, job: Job, rows: Sequence[Row], everything: bool) -> None:
     if not rows:
-        page.say(out, page.printable(where))
+        page.say(out, printable(where))
         page.say(
             out,
             "nothing to do: every channel has a version with these settings; --again learns them anew",
@@ -173,7 +173,7 @@ def _show_versions(out: Console, where: str, job: Job, rows: Sequence[Row], ever
         return
     assets = number_of(len({row["asset"] for row in rows}), "asset")
     versions = number_of(len(rows), "new version")
-    page.say(out, f"{page.printable(f'{where}, from {job.name}')}: {versions} of {assets}{job.settings}")
+    page.say(out, f"{printable(f'{where}, from {job.name}')}: {versions} of {assets}{job.settings}")
     for line in job.lines():
         page.say(out, line)
     out.print()
@@ -404,7 +404,7 @@ class _Outcome:
     def show(self, out: Console) -> None:
         """Print it."""
         where = f"{self.settings.source.shown_database}, monitor {self.settings.monitor.name}"
-        page.say(out, f"{page.printable(where)}: {page.printable(self.source)}")
+        page.say(out, f"{printable(where)}: {printable(self.source)}")
         if self.status is None:
             ranges = self.run.ranges
             columns = {
@@ -460,7 +460,7 @@ class _Outcome:
 
 
 def _named(channels: Any) -> str:
-    return page.some([page.printable(f"{asset} {channel}") for asset, channel in sorted(channels)])
+    return page.some([printable(f"{asset} {channel}") for asset, channel in sorted(channels)])
 
 
 ASSETS = 20
@@ -525,7 +525,7 @@ def _heading(channels: pa.Table, where: str) -> str:
     assets = len(channels["asset"].unique())
     newest = pc.max(channels["last_data"]).as_py()
     return (
-        f"{page.printable(where)}: {number_of(channels.num_rows, 'channel')} of "
+        f"{printable(where)}: {number_of(channels.num_rows, 'channel')} of "
         f"{number_of(assets, 'asset')}, newest data {page.time_text(newest)}"
     )
 
@@ -575,7 +575,7 @@ def _show_assets(out: Console, rows: Sequence[Row]) -> None:
 
     columns = {
         "asset": [row["asset"] for row in rows],
-        "worst channel": [page.printable(row["channel"]) for row in rows],
+        "worst channel": [printable(row["channel"]) for row in rows],
         "HI": [share(hi) for hi in told("hi")],
         "trend": [page.rise(trend) for trend in told("trend")],
         "channels": [f"{row['channels']:,}" for row in rows],

@@ -20,7 +20,7 @@ from gam_db.engines.base import deletion
 from gam_db.engines.clickhouse import ENGINE, create_table, temporary_table
 from gam_db.engines.clickhouse_address import EXTRA, folder, is_locked, server
 from gam_db.engines.clickhouse_errors import MARK, problem
-from gam_db.errors import EngineError, SourceError, UserError
+from gam_db.errors import EngineError, LockedError, SourceError, UserError
 from gam_db.extras import needed
 
 #: Conditions beside the equality of a join need no permission since then.
@@ -105,7 +105,7 @@ def connected(target: Any, writable: bool) -> "ClickHouseDriver":
         return ClickHouseDriver(client, address, owned=True)
     except package.driver.exceptions.ClickHouseError as error:
         if is_locked(wanted.get("path")):
-            raise EngineError(
+            raise LockedError(
                 f"{address} is open in another process; only one can open a folder of chdb at a time. "
                 "Wait for it to end, or take a server."
             ) from error

@@ -4,7 +4,7 @@ import re
 from typing import Any
 
 from gam_db.engines.session import FULL
-from gam_db.errors import EngineError, SourceError, UserError
+from gam_db.errors import EngineError, LostConnectionError, SourceError, UserError
 
 #: What the temporary tables of a session begin with.
 MARK = "gam_"
@@ -67,7 +67,7 @@ def problem(error: Exception, address: str) -> UserError | None:
             "leave it out by where=, or cast the column in a view."
         )
     if code in _LOST or (code is None and _is_transport(error)):
-        return EngineError(
+        return LostConnectionError(
             f"The connection to {address} was lost or refused; is the server there? What was written "
             "before is as it was: run it again."
         )

@@ -11,7 +11,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.duckdb_journal import Journal, journal_of, put_back
-from gam_db.errors import EngineError, SourceError
+from gam_db.errors import EngineError, LockedError, SourceError
 
 _UNITS = {"bytes": 1, "KiB": 2**10, "MiB": 2**20, "GiB": 2**30, "TiB": 2**40}
 
@@ -55,7 +55,7 @@ def opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:
                 "old one. Take a copy that is whole, or make the monitor anew in another file."
             ) from error
         if "lock on file" in reason:
-            raise EngineError(
+            raise LockedError(
                 f"{path} is open in another process; while one writes a DuckDB file, no other can open "
                 "it. Wait for it to end, or read a copy."
             ) from error

@@ -4,7 +4,7 @@ import re
 from typing import Any
 
 from gam_db.engines.session import CONFLICT, FULL
-from gam_db.errors import ConflictError, EngineError, SourceError, UserError
+from gam_db.errors import ConflictError, EngineError, LostConnectionError, SourceError, UserError
 
 REFUSED_TRANSACTION = (
     "The connection to PostgreSQL is in a transaction that has failed, or still busy; roll it back, or "
@@ -26,8 +26,8 @@ NO_SCHEMA = (
 
 #: SQLSTATE, or the class of it -> what is said
 _SAID: dict[str, UserError] = {
-    "08": EngineError(LOST),
-    "57P": EngineError(LOST),
+    "08": LostConnectionError(LOST),
+    "57P": LostConnectionError(LOST),
     "25006": EngineError(READ_ONLY),
     "25P02": EngineError(REFUSED_TRANSACTION),
     "40": ConflictError(CONFLICT),
@@ -80,7 +80,11 @@ _CONNECTING = (
         "does not answer in time: is it running, and is no firewall between?",
     ),
     (r"SSL|certificate", "and this client do not agree on encryption; see sslmode"),
-    (r"too many clients|connection slots", "has no room for another connection"),
+)
+
+#: The same, of what passes by itself.
+_PASSING = (
+    (r"too many clients|connection slots", "has no room for another connection; try again in a while"),
     (r"starting up|shutting down|recovery mode", "is starting or stopping; try again in a while"),
 )
 
@@ -100,6 +104,9 @@ def of_connecting(said: str, place: str) -> EngineError:
             "The address of the database is none that PostgreSQL understands; write it like "
             "postgresql://user@host:5432/database."
         )
+    for pattern, meaning in _PASSING:
+        if re.search(pattern, said, re.IGNORECASE):
+            return LostConnectionError(f"The PostgreSQL server at {place} {meaning}.")
     for pattern, meaning in _CONNECTING:
         if re.search(pattern, said, re.IGNORECASE):
             return EngineError(f"The PostgreSQL server at {place} {meaning}.")
@@ -118,7 +125,7 @@ def of_statement(error: Any, statement: str, closed: bool) -> UserError | None:
     """
     state = error.sqlstate or ""
     if closed:
-        return EngineError(LOST)
+        return LostConnectionError(LOST)
     if state == "42501":
         return _denied(error.diag.message_primary or "", statement)
     if state == "XX000" and "concurrently" in (error.diag.message_primary or ""):

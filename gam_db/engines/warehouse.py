@@ -22,7 +22,14 @@ from gam_db.engines.base import Engine
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.engines.duckdb_types import check_columns
 from gam_db.engines.session import OPEN
-from gam_db.errors import EngineError, SourceError, StatementError, UserError, nearest
+from gam_db.errors import (
+    EngineError,
+    LostConnectionError,
+    SourceError,
+    StatementError,
+    UserError,
+    nearest,
+)
 from gam_db.source import is_file, table_names
 
 T = TypeVar("T")
@@ -234,6 +241,15 @@ class WarehouseSession:
         """
         self._asked(lambda: self.driver.delete(table, keys, found))
 
+    def _commit(self) -> None:
+        try:
+            self._asked(self.driver.commit)
+        except LostConnectionError as error:
+            raise LostConnectionError(
+                f"The connection to {self.engine.title} was lost while the work was being committed: "
+                "whether it counts is not known. Run it again: what counts already is not done twice."
+            ) from error
+
     @contextlib.contextmanager
     def transaction(self) -> Iterator[None]:
         """Do all that is executed inside as one, where the engine can; else one after another.
@@ -249,7 +265,7 @@ class WarehouseSession:
         self._asked(self.driver.begin)
         try:
             yield
-            self._asked(self.driver.commit)
+            self._commit()
         except BaseException:
             with contextlib.suppress(*self.driver.errors):
                 self.driver.rollback()

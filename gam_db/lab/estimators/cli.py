@@ -12,6 +12,7 @@ from rich.console import Console
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.job import Job
+from gam_db.errors import printable
 from gam_db.lab.estimators.scoring import add_estimator, estimator_named
 
 #: What ``gam run`` takes from here, by the entry point ``gam_db.estimators``.
@@ -39,7 +40,7 @@ def show_scores(
         rows: those of the step ``last_scores``.
         everything: show every channel, however many there are.
     """
-    page.say(out, f"{page.printable(job.name)}: {number_of(len(rows), 'channel')} by {estimator}")
+    page.say(out, f"{printable(job.name)}: {number_of(len(rows), 'channel')} by {estimator}")
     for line in job.lines():
         page.say(out, line)
     out.print()

@@ -15,7 +15,7 @@ from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
 from gam_db.cli.progress import working
 from gam_db.connecting import connect
-from gam_db.errors import ConfigurationError
+from gam_db.errors import ConfigurationError, printable
 from gam_db.lab.evaluation import Conventions, Evaluation
 from gam_db.lab.evaluation.conventions import Amplitude, Monotonicity
 from gam_db.lab.evaluation.run import evaluated
@@ -202,7 +202,7 @@ def _check_relation(relation: str | None, what: str, database: str | None) -> No
 def _heading(name: str, rows: Sequence[Row], unmatched: int) -> list[str]:
     outcomes = Counter(row["outcome"] for row in rows)
     assets = len({row["asset"] for row in rows})
-    line = f"{page.printable(name)}: {number_of(len(rows), 'channel')} of {number_of(assets, 'asset')}"
+    line = f"{printable(name)}: {number_of(len(rows), 'channel')} of {number_of(assets, 'asset')}"
     if outcomes["failed"] or outcomes["healthy"]:
         line += f"; channels: {outcomes['failed']:,} failed, {outcomes['healthy']:,} of healthy assets"
         line += f", {outcomes[None]:,} not judged" if outcomes[None] else ""

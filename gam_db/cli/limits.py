@@ -1,0 +1,56 @@
+"""A limit of time for a command: it is stopped as Ctrl-C stops it, and told apart from that.
+
+This module owns the clock; that a statement ends when it is interrupted is the engines'.
+"""
+
+import contextlib
+import os
+import signal
+import threading
+from collections.abc import Iterator
+
+from gam_db.errors import ConfigurationError, RunAgainError
+
+
+class OutOfTimeError(RunAgainError):
+    """A command took longer than it was given; what counts already stays."""
+
+    code = "timeout"
+
+
+@contextlib.contextmanager
+def limited(seconds: float | None) -> Iterator[None]:
+    """Interrupt some work after so many seconds; None for never.
+
+    Raises:
+        OutOfTimeError: they have passed.
+        ConfigurationError: this system cannot wake a process by a clock.
+    """
+    if seconds is None or threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    if not hasattr(signal, "setitimer"):
+        raise ConfigurationError("--timeout needs a clock that this system does not have.")
+    passed = []
+
+    def interrupt(*_: object) -> None:
+        passed.append(True)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    ended: BaseException | None = None
+    try:
+        yield
+    except (KeyboardInterrupt, Exception) as error:
+        if not passed:
+            raise
+        ended = error
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    if passed:  # Typer may have made an exit code of it
+        raise OutOfTimeError(
+            f"It took longer than --timeout {seconds:g}, and was stopped; nothing was left half "
+            "written. Run it again, with more time if need be."
+        ) from ended
