@@ -3,11 +3,13 @@
 This module owns when that is done (:mod:`gam_db.method.census` has the steps), and what proves it: each
 vector of calibration and each scored one is marked where it has the instant of the sample before it,
 and between them they hold every sample. One mark, and the study begins anew with the steps that look
-first; so it does for what is asked before there is a proof.
+first; so it does for what is asked before there is a proof. Single vectors are theirs as well: after a
+proof they go on from what there is.
 """
 
 from collections.abc import Callable
 
+import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.clock import FAR_AHEAD
@@ -75,7 +77,10 @@ class Trust:
                 self._is_proven = self._proves()
             if self._is_proven or "series" not in needed:
                 return
-        self._give_up()
+        if self._is_proven:
+            self._hand_over()
+        else:
+            self._give_up()
 
     @property
     def _sets(self) -> range:
@@ -113,7 +118,20 @@ class Trust:
         marked = exp.select(exp.Max(this=exp.column("doubled")).as_("marked")).from_(table.copy())
         return bool(self.running.session.fetch(marked)["marked"][0].as_py())
 
+    def _hand_over(self) -> None:
+        """Let the steps that look first go on with all that is proven: no instant occurs twice."""
+        series = self.running.session.fetch(self.running.query("series")).to_pylist()
+        self.holds = False
+        self.running.steps = self._careful()
+        self.running.forget(but=self.running.steps.steps)
+        timeline = [{"repeats": 0, **{name: row[name] for name in _OF_SERIES}} for row in series]
+        self.running.load("timeline", pa.Table.from_pylist(timeline, schema=_TIMELINE))
+
     def _give_up(self) -> None:
         self.holds = False
         self.running.forget(but=("names", "readings"))
         self.running.steps = self._careful()
+
+
+_OF_SERIES = ("channel_id", "first_time", "quota_time")
+_TIMELINE = pa.schema([(name, pa.int64()) for name in ("repeats", *_OF_SERIES)])

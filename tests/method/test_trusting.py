@@ -160,6 +160,24 @@ def test_the_certificate_alone_is_not_taken_on_trust() -> None:
     harness.assert_same(harness.by_reference("support", table, *method), found)
 
 
+def test_single_vectors_go_on_from_what_is_proven() -> None:
+    """Nothing that was found of calibration is found again."""
+    method = harness.made(*SERVED["delays"])
+    session = engines.session("duckdb")
+    begun: list[str] = []
+    with session.lent(harness.arrow(rows())) as lent:
+        asked = gam_db.Source(lent.name), *method
+        study = Study(session, *asked, on_step=begun.append, short_cuts=True)
+        study.table("bucket_health")
+        before = set(begun)
+        begun.clear()
+        found = study.table("health_indicator").to_pylist()
+        study.forget()
+    assert {"support", "bounds", "calibrated", "series"} <= before
+    assert not before & set(begun)
+    harness.assert_same(harness.by_reference("health_indicator", rows(), *method), found)
+
+
 def test_few_rows_are_not_worth_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(trusting, "TRUSTED_FROM", len(rows()) + 1)
     method = harness.made(*SERVED["delays"])
