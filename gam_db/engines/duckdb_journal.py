@@ -8,7 +8,6 @@ unless the new header is there. The log (``plant.duckdb.wal``) has what was comm
 """
 
 import contextlib
-import fcntl
 import io
 import os
 import shutil
@@ -16,6 +15,11 @@ import zipfile
 from pathlib import Path
 
 import duckdb
+
+try:
+    import fcntl
+except ImportError:  # Windows: there is no journal, and a file may be damaged as by DuckDB alone
+    fcntl = None  # type: ignore[assignment]
 
 #: Bytes before the first block: what the file is, and two headers, of which the newer one counts.
 HEADERS = 3 * 4096
@@ -55,6 +59,8 @@ class Journal:
         Raises:
             OSError: there is no room for it.
         """
+        if fcntl is None:
+            return
         query = "SELECT block_id FROM pragma_metadata_info(?) ORDER BY block_id"
         blocks = self._connection.execute(query, [self._database]).fetchall()
         if self._file is None:
@@ -118,7 +124,7 @@ def put_back(path: Path) -> None:
     """
     path = path.resolve()
     kept = journal_of(path)
-    if kept in _AT_WORK or not kept.exists():
+    if fcntl is None or kept in _AT_WORK or not kept.exists():
         return
     with contextlib.suppress(OSError, zipfile.BadZipFile), path.open("r+b") as file:
         fcntl.lockf(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
