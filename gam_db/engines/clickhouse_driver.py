@@ -184,7 +184,14 @@ class ClickHouseDriver:
 
     def fetch(self, query: str) -> pa.Table:
         """Return the rows of a query; columns keep their names, integers are int64, doubles float64."""
-        return types.fetched(self._client.query_arrow(query, settings=self._settings))
+        try:
+            return types.fetched(self._client.query_arrow(query, settings=self._settings))
+        except Exception:
+            # chdb puts what a refused query had written by then before the next answer, which is no
+            # Arrow any more; the one after that is right again.
+            with contextlib.suppress(Exception):
+                self._client.query_arrow("SELECT 1")
+            raise
 
     def begin(self) -> None:
         """Do nothing: there are no transactions."""

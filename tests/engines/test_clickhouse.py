@@ -141,6 +141,12 @@ def test_a_counter_beyond_64_bits_is_refused_not_wrapped(session: WarehouseSessi
         gam_db.health_indicator(gam_db.Source(named), engine=session)
 
 
+def test_a_refused_query_leaves_nothing_in_the_next_answer(session: WarehouseSession) -> None:
+    with pytest.raises(Exception, match="safely converted"):
+        session.driver.fetch("SELECT accurateCast(materialize(18446744073709551615), 'Int64') AS a")
+    assert session.driver.fetch("SELECT 3 AS a").to_pylist() == [{"a": 3}]
+
+
 def test_rows_come_back_as_on_other_engines(session: WarehouseSession) -> None:
     found = session.driver.fetch(
         "SELECT toUInt64(3) AS a, toLowCardinality('x') AS b, toFloat32(0.5) AS c, count() AS d, "

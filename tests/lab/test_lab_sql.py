@@ -91,9 +91,12 @@ def test_every_file_is_used() -> None:
             {"asset": ["a", "a"], "channel": ["c", "c"], "index": [0, 1], "hi": [0.0, 1.0]}
         )
         counts = values.append_column("novel_in_window", pa.array([0, 1]))
+        vectors = counts.rename_columns(["asset", "channel", "time", "hi", "novel_in_window"])
+        vectors = vectors.append_column("vectors_in_window", pa.array([2, 2]))
         outcomes = pa.table({"asset": ["a"], "failed_at": [1]})
         sign = gam_db.Conventions(monotonicity="sign", amplitude="ends", samples=1)
         gam_db.evaluate(values, outcomes, conventions=gam_db.Conventions(values_per_window=1))
         gam_db.evaluate(counts, outcomes, conventions=sign)
+        gam_db.evaluate(vectors, outcomes, conventions=gam_db.Conventions(stride=None))
     assert set(NAMES) - loaded == set()
     assert {name for name in loaded if name.startswith(f"{LAB}/") and name not in NAMES} == set()

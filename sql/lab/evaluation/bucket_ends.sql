@@ -1,8 +1,8 @@
 -- Bucket ends: of an indicator that is there for every vector, the values at the end of each bucket of so
 -- many vectors, as gam run --every stride writes them.
--- Reads:  given, with the columns of indicator
--- A row:  one value of one channel; what cannot be numbered, and instants that are there twice, stay, so
---         that they can be refused.
+-- Reads:  given
+-- A row:  one value of one channel, with the columns of indicator; what cannot be numbered, and
+--         instants that are there twice, stay, so that they can be refused.
 -- Slots:  :stride  vectors of a bucket
 SELECT asset, channel, place, time, hi, novel_in_window, vectors_in_window
 FROM (
@@ -16,7 +16,7 @@ FROM (
     vectors_in_window,
     CAST(ROW_NUMBER() OVER (PARTITION BY asset, channel ORDER BY place) AS BIGINT) AS number,
     LAG(place, 1) OVER (PARTITION BY asset, channel ORDER BY place) AS place_before,
-    LEAD(place, 1) OVER (PARTITION BY asset, channel ORDER BY place) AS place_after
+    LAG(place, 1) OVER (PARTITION BY asset, channel ORDER BY place DESC) AS place_after
   FROM given
 ) AS numbered
 WHERE number % :stride = 0

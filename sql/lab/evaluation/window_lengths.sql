@@ -1,5 +1,5 @@
 -- Window lengths: how many vectors the indicator is a share of, where the window is full.
--- Reads:  given, with the columns of indicator
+-- Reads:  given
 -- A row:  one length.
 SELECT DISTINCT vectors_in_window
 FROM given
