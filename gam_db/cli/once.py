@@ -3,6 +3,7 @@
 This module owns the commands, their page, and where results go.
 """
 
+import os
 import re
 import shlex
 from collections import Counter
@@ -238,6 +239,9 @@ def _results(
         )
     if not path.parent.is_dir():
         raise ConfigurationError(f"--out is {path}; the folder {path.parent} is not there.")
+    for one in paths:
+        if not os.access(one if one.exists() else one.parent, os.W_OK):
+            raise ConfigurationError(f"--out is {path}; you may not write {one}.")
     read = {Path(read).resolve() for read in (relation, database) if read is not None}
     for one in paths:
         if one.resolve() in read:

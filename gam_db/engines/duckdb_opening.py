@@ -11,6 +11,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.duckdb_journal import Journal, journal_of, put_back
+from gam_db.engines.session import unwritable
 from gam_db.errors import EngineError, LockedError, SourceError
 
 _UNITS = {"bytes": 1, "KiB": 2**10, "MiB": 2**20, "GiB": 2**30, "TiB": 2**40}
@@ -106,11 +107,12 @@ def attached(
     try:
         with _written(path):
             journal.keep()  # on a connection of the user's DuckDB may make a checkpoint of its own
-        yield catalog
+        with _written(path):
+            yield catalog
         with _written(path):
             journal.checkpoint()
     finally:
-        with contextlib.closing(journal), _without_checkpoint(connection):
+        with _written(path), contextlib.closing(journal), _without_checkpoint(connection):
             run(exp.Detach(this=catalog.copy()))
 
 
@@ -130,8 +132,8 @@ def _without_checkpoint(connection: duckdb.DuckDBPyConnection) -> Iterator[None]
 def _written(path: Path) -> Iterator[None]:
     try:
         yield
-    except (OSError, duckdb.Error) as error:
-        raise SourceError(f"{path} cannot be written; is its disk full?") from error
+    except (OSError, duckdb.IOException, duckdb.FatalException, duckdb.TransactionException) as error:
+        raise unwritable(path, error) from error
 
 
 def check_settings(connection: duckdb.DuckDBPyConnection) -> None:

@@ -17,7 +17,7 @@ from gam_db.engines.duckdb import ENGINE, file_reader
 from gam_db.engines.duckdb_journal import Journal
 from gam_db.engines.duckdb_opening import attached, check_settings, is_among, opened, rows_at_once
 from gam_db.engines.duckdb_types import check_columns, is_name, is_numeric, is_text, time_kind
-from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY
+from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY, unwritable
 from gam_db.errors import ConflictError, EngineError, SourceError, StatementError, nearest
 from gam_db.source import is_file, table_names
 
@@ -316,7 +316,7 @@ class DuckSession:
             self._run(copy)
             unfinished.replace(path)
         except (duckdb.IOException, OSError) as error:
-            raise SourceError(f"{path} cannot be written; is its folder there?") from error
+            raise unwritable(path, error) from error
         finally:
             unfinished.unlink(missing_ok=True)
 

@@ -14,6 +14,7 @@ from sqlglot import exp
 
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine
+from gam_db.errors import SourceError
 
 #: What is said of a connection that refuses to write.
 READ_ONLY = "The database is open for reading only; it cannot be changed."
@@ -23,6 +24,16 @@ CONFLICT = (
     "Another connection changed the same tables at the same time; what was to be written here was not. "
     "Run it again."
 )
+
+
+def unwritable(path: Path, error: BaseException) -> SourceError:
+    """Return why a target of results cannot be written, in the user's words."""
+    said = str(error)
+    if "No space left" in said or "Disk quota" in said:
+        return SourceError(f"{path} cannot be written: its disk is full.")
+    if "Permission denied" in said or "Read-only" in said:
+        return SourceError(f"{path} cannot be written: you may only read there.")
+    return SourceError(f"{path} cannot be written; is its folder there, and may you write there?")
 
 
 @runtime_checkable

@@ -21,7 +21,7 @@ from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.engines.duckdb_types import check_columns
-from gam_db.engines.session import OPEN
+from gam_db.engines.session import OPEN, unwritable
 from gam_db.errors import (
     EngineError,
     LostConnectionError,
@@ -308,7 +308,7 @@ class WarehouseSession:
             else:
                 _write_parquet(rows, path)
         except (OSError, duckdb.Error) as error:
-            raise SourceError(f"{path} cannot be written; is its folder there?") from error
+            raise unwritable(path, error) from error
 
     def rows_at_once(self) -> int:
         """Return how many readings can be worked on at once within the memory of the engine."""

@@ -13,6 +13,7 @@ import duckdb
 import pyarrow as pa
 import pytest
 from pyarrow import parquet
+from sqlglot import exp
 from typer.testing import CliRunner
 
 import gam_db
@@ -20,6 +21,7 @@ from gam_db import config
 from gam_db.cli import app
 from gam_db.engines import postgres_refusals
 from gam_db.engines.clickhouse_errors import problem
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import (
     ConfigurationError,
     ConflictError,
@@ -210,3 +212,39 @@ def test_control_c_is_told_in_one_line(folder: Path) -> None:
     _, told = process.communicate(timeout=60)
     assert process.returncode == 130
     assert told == "gam: interrupted; no file was left half written.\n"
+
+
+def small_recording(folder: Path, rows: int = 600) -> None:
+    table = pa.table({"time": range(rows), "value": [float(one % 7) for one in range(rows)]})
+    parquet.write_table(table, folder / "t.parquet")
+
+
+@pytest.mark.parametrize("target", ["out.parquet", "out.duckdb"])
+def test_a_target_that_may_not_be_written_is_told_before_the_work(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, target: str
+) -> None:
+    small_recording(folder)
+    monkeypatch.setattr(os, "access", lambda path, mode: mode != os.W_OK)
+    answer = invoked("run", "t.parquet", "--window", "40", "--out", target)
+    assert answer.exit_code == 1
+    assert answer.stderr == f"gam: --out is {target}; you may not write {target}.\n"
+
+
+@pytest.mark.parametrize("target", ["out.parquet", "out.duckdb"])
+def test_a_full_disk_is_told_as_such(folder: Path, monkeypatch: pytest.MonkeyPatch, target: str) -> None:
+    """In DuckDB's own words, where it writes the rows."""
+    small_recording(folder)
+    run = DuckSession._run
+
+    def without_room(session: DuckSession, tree: exp.Expr, *more: Any) -> Any:
+        is_target = isinstance(tree, exp.Copy) or (
+            isinstance(tree, exp.Create) and "target" in tree.sql()
+        )
+        if is_target:
+            raise duckdb.IOException('IO Error: Could not write file "x": No space left on device')
+        return run(session, tree, *more)
+
+    monkeypatch.setattr(DuckSession, "_run", without_room)
+    answer = invoked("run", "t.parquet", "--window", "40", "--out", target)
+    assert answer.exit_code == 1
+    assert answer.stderr == f"gam: {target} cannot be written: its disk is full.\n"
