@@ -16,7 +16,7 @@ from gam_db.address import has_password, is_url, shown
 from gam_db.calibration import WAYS, Calibration
 from gam_db.errors import ConfigurationError, UserError, nearest
 from gam_db.parameters import Override, Parameters
-from gam_db.setting import COLUMN, COLUMNS, TEXT, declared, one_of, setting, settings_of
+from gam_db.setting import COLUMN, COLUMNS, FLAG, TEXT, declared, one_of, setting, settings_of
 from gam_db.source import is_file
 from gam_db.stored.settings import MonitorSettings
 
@@ -77,6 +77,11 @@ class SourceSettings:
         more="for example \"machine = 'R7'\"",
         example="reading < 1000",
     )
+    where_any: bool | None = setting(
+        *(None, FLAG, "let where ask other tables, too: it is SQL that runs with your rights"),
+        example=True,
+        aside=True,
+    )
     time_kind: str | None = setting(
         *(
             None,
@@ -130,6 +135,9 @@ class Settings:
 
         Args:
             said: section -> name -> value, as in the file; only what was said.
+
+        Raises:
+            UserError: ``where`` is no condition, or asks other tables and was not let.
         """
         columns, calibration = said.get("source", {}), said.get("calibration", {})
         source, kept = self.source, dict(self.calibration)
@@ -139,9 +147,11 @@ class Settings:
             source = dataclasses.replace(source, layout=None, channels=None)
         if calibration.keys() & set(WAYS):
             kept = {name: value for name, value in kept.items() if name not in WAYS}
+        source = dataclasses.replace(source, **columns)
+        _check_where(source)
         return dataclasses.replace(
             self,
-            source=dataclasses.replace(source, **columns),
+            source=source,
             parameters={**self.parameters, **said.get("parameters", {})},
             calibration={**kept, **calibration},
             monitor=dataclasses.replace(self.monitor, **said.get("monitor", {})),
@@ -181,6 +191,26 @@ def load(path: Path | None = None, folder: Path | None = None) -> Settings:
         return _settings(document, path)
     except UserError as error:
         raise ConfigurationError(f"{path}: {error}") from error
+
+
+def _check_where(source: SourceSettings) -> None:
+    """Refuse a condition that reads other tables or files, unless that is wanted.
+
+    Raises:
+        ConfigurationError: it does.
+        SourceError: it is no condition.
+    """
+    if source.where is None or source.where_any:
+        return
+    from sqlglot import exp  # most commands need neither
+
+    from gam_db.source import parsed_condition
+
+    if parsed_condition(source.where).find(exp.Query):
+        raise ConfigurationError(
+            f"where is {source.where!r}; it asks other tables or files, with your rights. If you "
+            "trust it, say --where-any, or where_any = true under [source]."
+        )
 
 
 def _check_owner(path: Path) -> None:

@@ -209,12 +209,19 @@ def _text(of: Setting, name: str, value: Any) -> Any:
     return value
 
 
+def _flag(_: Setting, name: str, value: Any) -> bool:
+    if not isinstance(value, bool):
+        raise ParameterError(f"{name} is {value!r}; it is true or false.")
+    return value
+
+
 def _names(_: Setting, name: str, value: Any) -> tuple[str, ...]:
     if not texts(value):
         raise ParameterError(f"{name} is {value!r}; it takes a list of column names.")
     return tuple(cast(Iterable[str], value))
 
 
+FLAG = Kind(_flag, bool)
 COUNT = Kind(_count, int)
 SHARE = Kind(_share, float)
 LENGTH = Kind(

@@ -167,6 +167,33 @@ def test_settings_of_another_user_are_not_read_unasked(
     assert config.load(folder / "gam.toml").source.where == "x > 0"
 
 
+@pytest.mark.parametrize(
+    "where",
+    [
+        "time IN (SELECT time FROM read_csv('other.csv'))",
+        "EXISTS (SELECT 1)",
+        "value > (SELECT 1 UNION SELECT 2)",
+        "value < 9 OR (time, value) IN (FROM 'other.parquet')",
+    ],
+)
+def test_a_condition_that_asks_other_tables_must_be_wanted(folder: Path, where: str) -> None:
+    small_recording(folder)
+    (folder / "other.csv").write_text("time\n5\n", encoding="utf-8")
+    answer = invoked("check", "t.parquet", "--where", where)
+    assert answer.exit_code == 1
+    assert "--where-any" in answer.stderr
+    (folder / "gam.toml").write_text(f'[source]\nwhere = """{where}"""\n', encoding="utf-8")
+    assert "--where-any" in invoked("check", "t.parquet").stderr
+    assert "--where-any" not in invoked("check", "t.parquet", "--where-any").stderr
+
+
+def test_a_plain_condition_needs_nothing(folder: Path) -> None:
+    small_recording(folder)
+    assert invoked(
+        "run", "t.parquet", "--window", "40", "--no-out", "--where", "value < 6"
+    ).exit_code in (0, 2)
+
+
 #: Signs that a terminal obeys: ESC, 8-bit CSI, OSC with a bell, and a carriage return.
 SIGNS = "a\x1b[31m\x9b2J\x1b]0;title\x07\rb"
 

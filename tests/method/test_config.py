@@ -267,6 +267,7 @@ GIVEN: dict[str, tuple[tuple[str, ...], Any]] = {
     "value": (("--value", "v"), "v"),
     "layout": (("--wide",), "wide"),
     "where": (("--where", "v > 0"), "v > 0"),
+    "where_any": (("--where-any",), True),
     "m": (("--m", "2"), 2),
     "tau": (("--tau", "0"), 0),
     "bins": (("--bins", "7"), 7),
