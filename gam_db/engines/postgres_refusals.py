@@ -64,28 +64,28 @@ _UNKNOWN = ("42P01", "42883", "42704", "3F000")
 
 #: What libpq and the server say of a refused connection, and what that means.
 _CONNECTING = (
-    (r"password authentication failed", "does not accept this user and password"),
-    (r"no password supplied", "wants a password; set PGPASSWORD, or write it into ~/.pgpass"),
-    (r'database ".*" does not exist', "has no such database"),
-    (r'role ".*" does not exist', "has no such user"),
-    (r"no pg_hba.conf entry|authentication failed", "does not let this user in (pg_hba.conf)"),
+    (r"password authentication failed", "does not accept this user and password."),
+    (r"no password supplied", "wants a password; set PGPASSWORD, or write it into ~/.pgpass."),
+    (r'database ".*" does not exist', "has no such database."),
+    (r'role ".*" does not exist', "has no such user."),
+    (r"no pg_hba.conf entry|authentication failed", "does not let this user in (pg_hba.conf)."),
     (
         r"permission denied for database",
-        "lets this user into no such database (GRANT CONNECT)",
+        "lets this user into no such database (GRANT CONNECT).",
     ),
-    (r"resolve host|translate host", "is not known by that name"),
+    (r"resolve host|translate host", "is not known by that name."),
+    (r"SSL|certificate", "and this client do not agree on encryption; see sslmode."),
+)
+
+#: The same, of what passes by itself.
+_PASSING = (
+    (r"too many clients|connection slots", "has no room for another connection; try again in a while."),
+    (r"starting up|shutting down|recovery mode", "is starting or stopping; try again in a while."),
     (r"refused|No such file", "does not answer: is it running, and does it listen there?"),
     (
         r"timeout|timed out",
         "does not answer in time: is it running, and is no firewall between?",
     ),
-    (r"SSL|certificate", "and this client do not agree on encryption; see sslmode"),
-)
-
-#: The same, of what passes by itself.
-_PASSING = (
-    (r"too many clients|connection slots", "has no room for another connection; try again in a while"),
-    (r"starting up|shutting down|recovery mode", "is starting or stopping; try again in a while"),
 )
 
 _DENIED = re.compile(r"permission denied (?:for|to create temporary tables in) (\w+) (.+)")
@@ -106,10 +106,10 @@ def of_connecting(said: str, place: str) -> EngineError:
         )
     for pattern, meaning in _PASSING:
         if re.search(pattern, said, re.IGNORECASE):
-            return LostConnectionError(f"The PostgreSQL server at {place} {meaning}.")
+            return LostConnectionError(f"The PostgreSQL server at {place} {meaning}")
     for pattern, meaning in _CONNECTING:
         if re.search(pattern, said, re.IGNORECASE):
-            return EngineError(f"The PostgreSQL server at {place} {meaning}.")
+            return EngineError(f"The PostgreSQL server at {place} {meaning}")
     return EngineError(
         f"The PostgreSQL server at {place} cannot be reached, or does not let this user in."
     )

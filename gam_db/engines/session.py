@@ -29,8 +29,12 @@ CONFLICT = (
 def unwritable(path: Path, error: BaseException) -> SourceError:
     """Return why a target of results cannot be written, in the user's words."""
     said = str(error)
-    if "No space left" in said or "Disk quota" in said:
+    if "No space left" in said:
         return SourceError(f"{path} cannot be written: its disk is full.")
+    if "Disk quota" in said or "File too large" in said:
+        return SourceError(
+            f"{path} cannot be written: you may not write so much there (a quota or ulimit)."
+        )
     if "Permission denied" in said or "Read-only" in said:
         return SourceError(f"{path} cannot be written: you may only read there.")
     return SourceError(f"{path} cannot be written; is its folder there, and may you write there?")
