@@ -21,6 +21,7 @@ _FILE = "duckdb:///"
 #: scheme of an address -> the module of gam_db.engines whose ``connected`` opens it
 _DRIVERS = {
     "sqlite": "sqlite_driver",
+    "mariadb": "mariadb_driver",
     "postgresql": "postgres_driver",
     "postgres": "postgres_driver",
     "clickhouse": "clickhouse_driver",
@@ -32,6 +33,7 @@ _DRIVERS = {
 #: package of an open connection -> the same
 _PACKAGES = {
     "sqlite3": "sqlite_driver",
+    "pymysql": "mariadb_driver",
     "psycopg": "postgres_driver",
     "clickhouse_connect": "clickhouse_driver",
     "pyspark": "spark_driver",
@@ -39,7 +41,8 @@ _PACKAGES = {
 
 ADDRESSES = (
     "the path of a DuckDB file, duckdb:///PATH, sqlite:///PATH, postgresql://HOST/DATABASE, "
-    "clickhouse://HOST/DATABASE, chdb:///FOLDER, spark:///FOLDER or spark://MASTER"
+    "mariadb://HOST/DATABASE, clickhouse://HOST/DATABASE, chdb:///FOLDER, spark:///FOLDER or "
+    "spark://MASTER"
 )
 
 
@@ -49,12 +52,12 @@ def connect(target: Any = None, threads: int | None = None, writable: bool = Tru
     Args:
         target: an address, or an open connection, which stays open. Addresses are the path of a DuckDB
             file or ``duckdb:///plant.duckdb`` (None or ``duckdb://``: in memory), ``sqlite:///plant.db``,
-            ``postgresql://user@host:5432/plant``, ``clickhouse://user@host:8123/plant``
-            (``clickhouses`` with TLS), ``chdb:///folder`` (ClickHouse inside this process),
-            ``spark:///folder`` (Spark inside this process, tables as Parquet in the folder). Passwords
-            are best left to the environment, in the words of each engine (PGPASSWORD,
-            CLICKHOUSE_PASSWORD). Open connections are those of duckdb, sqlite3, psycopg and
-            clickhouse_connect, and a SparkSession.
+            ``postgresql://user@host:5432/plant``, ``mariadb://user@host:3306/plant``,
+            ``clickhouse://user@host:8123/plant`` (``clickhouses`` with TLS), ``chdb:///folder``
+            (ClickHouse inside this process), ``spark:///folder`` (Spark inside this process, tables as
+            Parquet in the folder). Passwords are best left to the environment, in the words of each
+            engine (PGPASSWORD, MYSQL_PWD, CLICKHOUSE_PASSWORD). Open connections are those of duckdb,
+            sqlite3, psycopg, pymysql and clickhouse_connect, and a SparkSession.
         threads: processor threads of DuckDB; None leaves its own choice.
         writable: open files for writing, and make them if they are not there; else they are only read.
 

@@ -13,6 +13,7 @@ NAMES = (
     "duckdb",
     "sqlite",
     "postgres",
+    "mariadb",
     "clickhouse",
     "spark",
     "databricks",

@@ -4,8 +4,11 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import SECOND, TimeKind
-from gam_db.engines.base import Engine, called, counter
+from gam_db.engines.base import Engine, called, compared_by, counter
 from gam_db.engines.storage import Definition, key_index, with_statements
+
+#: The collation that compares texts by their bytes.
+BYTES = template.name("C")
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
@@ -28,19 +31,6 @@ def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
     )
     step = exp.Interval(this=template.text("1 microsecond"))
     return exp.Add(this=epoch, expression=exp.Mul(this=micros, expression=step))
-
-
-def compare_by_bytes(tree: exp.Expr) -> exp.Expr:
-    """Compare and order names by their bytes, from where they are read on.
-
-    Cause: text is compared and ordered by the collation of its column, else of the database. Symptom:
-    with a common locale (en_US, not C) channels are numbered in another order than elsewhere, and the
-    blocks of a pool with them; in a case-insensitive column A1 and a1 are one machine.
-    """
-    for alias in tree.find_all(exp.Alias):
-        if isinstance(alias.this, exp.Cast) and alias.this.to.is_type(*exp.DataType.TEXT_TYPES):
-            alias.set("this", exp.Collate(this=alias.this.copy(), expression=template.name("C")))
-    return tree
 
 
 def keep_small_steps(tree: exp.Expr) -> exp.Expr:
@@ -86,7 +76,7 @@ def define(definition: Definition) -> list[exp.Expr]:
         return [create, *comments]
     for column in create.this.expressions:
         if column.kind.is_type(*exp.DataType.TEXT_TYPES):
-            by_bytes = exp.CollateColumnConstraint(this=template.name("C"))
+            by_bytes = exp.CollateColumnConstraint(this=BYTES.copy())
             column.args["constraints"].insert(0, exp.ColumnConstraint(kind=by_bytes))
     return [create, key_index(definition), *comments]
 
@@ -117,5 +107,5 @@ ENGINE = Engine(
         ". Only what is PostgreSQL's own goes without a schema there; name functions, operators, types "
         "and tables of others in full: public.f(x), a OPERATOR(public.+) b, public.t."
     ),
-    rewrites=(compare_by_bytes, keep_small_steps, fence_windows),
+    rewrites=(compared_by(BYTES), keep_small_steps, fence_windows),
 )

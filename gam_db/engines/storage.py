@@ -192,13 +192,22 @@ def added_with_notes(
     return statements
 
 
-def key_index(definition: Definition) -> exp.Expr:
-    """Return CREATE INDEX on the key of a table, called after it."""
+def key_index(definition: Definition, texts: bool = True) -> exp.Expr:
+    """Return CREATE INDEX on the key of a table, called after it.
+
+    Args:
+        definition: of the table.
+        texts: whether texts of any length can be in it.
+    """
     table = definition.create.this.this
+    kinds = {column.name: column.kind for column in definition.create.this.expressions}
+    key = [
+        one for one in definition.key if texts or not kinds[one.name].is_type(*exp.DataType.TEXT_TYPES)
+    ]
     index = exp.Index(
         this=exp.to_identifier(f"{table.name}_key", quoted=True),
         table=table.copy(),
-        params=exp.IndexParameters(columns=[exp.Ordered(this=key) for key in definition.key]),
+        params=exp.IndexParameters(columns=[exp.Ordered(this=one) for one in key]),
     )
     return exp.Create(this=index, kind="INDEX", exists=True)
 

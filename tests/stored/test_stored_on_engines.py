@@ -22,7 +22,7 @@ from visible import BUCKETS, NOVEL, CrashError, crashing, visible
 
 #: Histories per engine; each is one of many channels with a series and a lateness of its own. DuckDB has
 #: its own, many more, in test_incremental.py.
-EXAMPLES = {"duckdb": 1, "sqlite": 2, "postgres": 2, "clickhouse": 2, "spark": 1}
+EXAMPLES = {"duckdb": 1, "sqlite": 2, "postgres": 2, "mariadb": 1, "clickhouse": 2, "spark": 1}
 
 
 def play(session: Session, table: exp.Table, monitor: Monitor, told: History) -> None:

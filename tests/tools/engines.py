@@ -20,6 +20,7 @@ import pytest
 import sqlglot
 from hypothesis import settings
 
+import mariadb_server
 import postgres_server
 from gam_db.connecting import connect
 from gam_db.engines.session import Session
@@ -46,6 +47,7 @@ OPENERS: dict[str, Callable[[], Session]] = {
     "duckdb": lambda: connect(),
     "sqlite": lambda: connect("sqlite://"),
     "postgres": lambda: connect(postgres_server.server().url),
+    "mariadb": lambda: connect(mariadb_server.server()),
     "clickhouse": lambda: connect("chdb://"),
     "spark": spark,
 }
@@ -55,12 +57,13 @@ VERSIONS: dict[str, Callable[[], str]] = {
     "duckdb": lambda: duckdb.__version__,
     "sqlite": lambda: sqlite3.sqlite_version,
     "postgres": postgres_server.version,
+    "mariadb": mariadb_server.version,
     "clickhouse": lambda: clickhouse_version(),
     "spark": lambda: importlib.import_module("pyspark").__version__,
 }
 
 #: engine -> random cases of the agreement tests, about as many as take the same time on each
-EXAMPLES = {"duckdb": 16, "sqlite": 12, "postgres": 6, "clickhouse": 3, "spark": 1}
+EXAMPLES = {"duckdb": 16, "sqlite": 12, "postgres": 6, "mariadb": 4, "clickhouse": 3, "spark": 1}
 
 
 def examples(name: str) -> int:

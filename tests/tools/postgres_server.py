@@ -71,7 +71,7 @@ def server() -> Server:
     if os.geteuid() == 0:
         shutil.chown(folder, "postgres")
     folder.chmod(0o755)
-    started = Server(_free_port(), folder)
+    started = Server(free_port(), folder)
     atexit.register(_stop, binaries, folder)
     _watch(binaries, folder)
     _run(
@@ -153,7 +153,8 @@ def _run(command: str, folder: Path) -> None:
             raise RuntimeError(f"PostgreSQL did not start or stop: {said[-2000:]}")
 
 
-def _free_port() -> int:
+def free_port() -> int:
+    """Return a port of this machine that nobody listens on."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         return int(probe.getsockname()[1])

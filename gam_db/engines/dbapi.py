@@ -1,0 +1,155 @@
+"""Engines whose client library keeps to PEP 249: what their drivers do alike.
+
+A driver of one of them says what differs: its catalogue, what its types mean, how rows come out.
+"""
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.engines.base import Engine, deletion
+from gam_db.errors import UserError
+
+#: What a library says -> what the user can do about it. The first that is found in a message counts.
+Refusals = Sequence[tuple[str, UserError]]
+
+
+class DbapiDriver:
+    """A connection of such a library; see :class:`gam_db.engines.warehouse.Driver`.
+
+    Attributes:
+        begins: the statement that begins a transaction.
+        place: what stands for a value in a statement.
+        refusals: see :data:`Refusals`.
+
+    Args:
+        connection: open, with no transaction.
+        owned: whether closing the driver closes it.
+    """
+
+    engine: Engine
+    errors: tuple[type[Exception], ...]
+    transactions = True
+    begins = "BEGIN"
+    place = "?"
+    refusals: Refusals = ()
+
+    def __init__(self, connection: Any, owned: bool) -> None:
+        self._connection, self._owned = connection, owned
+
+    def execute(self, statement: str) -> None:
+        """Run one statement."""
+        self._asked(statement)
+
+    def fetch(self, query: str) -> pa.Table:
+        """Return the rows of a query; a column without any value has the type null."""
+        cursor = self._connection.cursor()
+        cursor.execute(query)
+        described = cursor.description
+        rows = cursor.fetchall()
+        columns = list(zip(*rows, strict=True)) if rows else [()] * len(described)
+        arrays = [self.array(one, column) for one, column in zip(described, columns, strict=True)]
+        return pa.table(arrays, names=[name for name, *_ in described])
+
+    def array(self, described: Sequence[Any], column: Sequence[Any]) -> pa.Array:
+        """Return a column that was fetched as Arrow; ``described`` is what the library says of it."""
+        return pa.array(column)
+
+    def begin(self) -> None:
+        """Begin a transaction."""
+        self._asked(self.begins)
+
+    def commit(self) -> None:
+        """End it."""
+        self._asked("COMMIT")
+
+    def rollback(self) -> None:
+        """Undo it."""
+        if self.in_transaction():
+            self._asked("ROLLBACK")
+
+    def in_transaction(self) -> bool:
+        """Tell whether a transaction is open."""
+        return bool(self._connection.in_transaction)
+
+    def keep(self, table: exp.Table, query: exp.Query) -> None:
+        """Make a temporary table of the rows of a query."""
+        self.execute(self.engine.text(_temporary(table, query)))
+
+    def ingest(self, table: exp.Table, rows: pa.Table) -> None:
+        """Make a temporary table of the rows of an Arrow table."""
+        columns = [
+            exp.ColumnDef(this=template.name(field.name), kind=self.type_of(field.type))
+            for field in rows.schema
+        ]
+        self.execute(self.engine.text(_temporary(exp.Schema(this=table, expressions=columns))))
+        places = exp.Tuple(expressions=[exp.var(self.place) for _ in columns])
+        insert = exp.Insert(this=table.copy(), expression=exp.Values(expressions=[places]))
+        cursor = self._connection.cursor()
+        for batch in rows.to_batches(max_chunksize=65_536):
+            plain = ([self.plain(value) for value in column.to_pylist()] for column in batch.columns)
+            cursor.executemany(self.engine.text(insert), list(zip(*plain, strict=True)))
+
+    def type_of(self, arrow: pa.DataType) -> exp.DataType:
+        """Return the type of a column that is to hold Arrow's values."""
+        if pa.types.is_integer(arrow) or pa.types.is_boolean(arrow):
+            return exp.DataType.build("BIGINT")
+        if pa.types.is_floating(arrow) or pa.types.is_decimal(arrow):
+            return exp.DataType.build("DOUBLE")
+        return exp.DataType.build("TEXT")
+
+    def plain(self, value: Any) -> Any:
+        """Return a value of an Arrow table as the library takes it."""
+        return value
+
+    def drop(self, table: exp.Table) -> None:
+        """Drop a table made by :meth:`keep` or :meth:`ingest`."""
+        self.execute(self.engine.text(exp.Drop(tables=[table.copy()], kind="TABLE", exists=True)))
+
+    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+        """Delete the rows of a table whose keys are among the rows of a query."""
+        self.execute(self.engine.text(deletion(table, keys, found)))
+
+    def located(self, table: exp.Expr) -> exp.Expr:
+        """Return the node as it is."""
+        return table
+
+    def problem(self, error: Exception) -> UserError | None:
+        """Return what the user can do about an error; None if it is none of the user's."""
+        said = str(error)
+        return next((told for sign, told in self.refusals if sign in said), None)
+
+    def close(self) -> None:
+        """Close the connection if it is ours."""
+        if self._owned:
+            self._connection.close()
+
+    def _asked(self, statement: str, values: Sequence[Any] = ()) -> list[tuple[Any, ...]]:
+        """Run a statement; return its rows, none of one that has none."""
+        cursor = self._connection.cursor()
+        cursor.execute(statement, *([values] if values else []))  # without values no sign stands for one
+        return list(cursor.fetchall()) if cursor.description else []
+
+
+def by_table(rows: Iterable[tuple[str, str]]) -> dict[str, tuple[str, ...]]:
+    """Return the columns of tables; names of tables in lower case.
+
+    Args:
+        rows: (table, column), in order.
+    """
+    found: dict[str, tuple[str, ...]] = {}
+    for table, column in rows:
+        found[table.casefold()] = (*found.get(table.casefold(), ()), column)
+    return found
+
+
+def _temporary(made: exp.Expr, query: exp.Query | None = None) -> exp.Create:
+    return exp.Create(
+        this=made.copy(),
+        kind="TABLE",
+        expression=query,
+        properties=exp.Properties(expressions=[exp.TemporaryProperty()]),
+    )

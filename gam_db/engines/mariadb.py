@@ -1,0 +1,79 @@
+"""MariaDB 10.11 and later; times are DATETIME(6) in UTC, or integers."""
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.clock import TimeKind
+from gam_db.engines.base import Engine, called, compared_by, counter, escape_by_backslash
+from gam_db.engines.storage import Definition, added_with_notes, key_index, with_notes
+
+#: A collation by bytes, in which a blank at the end counts.
+COLLATION = "utf8mb4_nopad_bin"
+
+_EPOCH = "1970-01-01 00:00:00.000000"
+
+
+def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
+    """Return epoch microseconds."""
+    if kind.is_counter:
+        return counter(column)
+    return called("TIMESTAMPDIFF", exp.var("MICROSECOND"), _epoch(), column)
+
+
+def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
+    """Return the instant of epoch microseconds."""
+    if kind.is_counter:
+        return micros
+    return called("TIMESTAMPADD", exp.var("MICROSECOND"), micros, _epoch())
+
+
+def _epoch() -> exp.Expr:
+    return exp.cast(template.text(_EPOCH), exp.DataType.build("DATETIME(6)", dialect="mysql"))
+
+
+def quote_names(tree: exp.Expr) -> exp.Expr:
+    """Quote all names.
+
+    Cause: more words are reserved than elsewhere. Symptom: a syntax error at ``delayed``, ``offset``.
+    """
+    for name in tree.find_all(exp.Identifier):
+        name.set("quoted", True)
+    return tree
+
+
+def floor_to_double(tree: exp.Expr) -> exp.Expr:
+    """Let FLOOR give a double.
+
+    Cause: of a double it gives one of as many digits as seem enough. Symptom: "out of range" for whole
+    numbers beyond 2^53, where a step is kept.
+    """
+    for floor in list(tree.find_all(exp.Floor)):
+        if not isinstance(floor.parent, exp.Cast):
+            floor.replace(exp.cast(floor.copy(), "DOUBLE"))
+    return tree
+
+
+def define(definition: Definition) -> list[exp.Expr]:
+    """Return the definition with its comments inside, of which a view has none; texts by their bytes."""
+    if definition.is_view:
+        return [definition.create.copy()]
+    (create,) = with_notes(definition, [exp.CollateProperty(this=exp.var(COLLATION))])
+    return [create, key_index(definition, texts=False)]
+
+
+ENGINE = Engine(
+    name="mariadb",
+    title="MariaDB",
+    dialect="mysql",
+    oldest="10.11",
+    extra="mariadb",
+    limits=(
+        "It reads no files; load them into a table. What changes the form of tables cannot be undone: a "
+        "migration that is cut short is run again."
+    ),
+    micros_of=micros_of,
+    instant_of=instant_of,
+    define=define,
+    extend=added_with_notes,
+    rewrites=(compared_by(exp.var(COLLATION)), escape_by_backslash, quote_names, floor_to_double),
+)

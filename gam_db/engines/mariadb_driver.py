@@ -1,0 +1,214 @@
+"""MariaDB at work, by PyMySQL."""
+
+import datetime as dt
+import getpass
+import math
+import os
+from collections.abc import Sequence
+from typing import Any
+from urllib.parse import unquote, urlsplit
+
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db.address import shown
+from gam_db.clock import TimeKind
+from gam_db.engines.dbapi import DbapiDriver, by_table
+from gam_db.engines.duckdb_types import check_columns
+from gam_db.engines.mariadb import COLLATION, ENGINE
+from gam_db.errors import EngineError, LostConnectionError, SourceError
+from gam_db.extras import needed
+
+OLDEST = (10, 11)
+PORT = 3306
+
+#: Seconds to wait for a server.
+PATIENCE = 15
+
+#: What PyMySQL calls a server that is not there.
+_UNREACHED = 2003
+
+#: What a connection is set to: instants are UTC, a statement sees what is committed by then, a number
+#: that does not fit is an error, and joins hash instead of walking through the other side for each row.
+_SETTINGS = (
+    f"SET NAMES utf8mb4 COLLATE {COLLATION}",
+    "SET time_zone = '+00:00'",
+    "SET sql_mode = 'STRICT_ALL_TABLES,ERROR_FOR_DIVISION_BY_ZERO'",
+    "SET SESSION TRANSACTION ISOLATION LEVEL READ COMMITTED",
+    "SET join_cache_level = 8, join_buffer_space_limit = 268435456, join_buffer_size = 67108864",
+    "SET optimizer_switch = 'join_cache_hashed=on,optimize_join_buffer_size=off'",
+)
+
+#: Readings worked on at once: MariaDB sorts on its disk.
+ROWS_AT_ONCE = 4_000_000
+
+_INTEGERS = ("tinyint", "smallint", "mediumint", "int", "bigint")
+_TEXTS = ("char", "varchar", "tinytext", "text", "mediumtext", "longtext")
+
+
+def connected(target: Any, writable: bool) -> "MariaDriver":
+    """Open ``mariadb://USER@HOST:3306/DATABASE``, or take an open connection of PyMySQL.
+
+    The password is best left to the environment (MYSQL_PWD).
+
+    Raises:
+        EngineError: PyMySQL is not installed, the server cannot be reached, refuses the user, or is no
+            MariaDB 10.11 or later.
+    """
+    pymysql = needed("pymysql", "mariadb")
+    if not isinstance(target, str):
+        return MariaDriver(pymysql, target, owned=False)
+    address, place = urlsplit(target), shown(target)
+    if address.query or address.fragment:
+        raise EngineError(
+            f"{place} has options, which gam-db does not take of MariaDB; give an open connection of "
+            "PyMySQL for TLS and the like."
+        )
+    try:
+        connection = pymysql.connect(
+            host=address.hostname or "127.0.0.1",
+            port=address.port or PORT,
+            user=unquote(address.username or "") or getpass.getuser(),
+            password=unquote(address.password or "") or os.environ.get("MYSQL_PWD", ""),
+            database=unquote(address.path.lstrip("/")) or None,
+            charset="utf8mb4",
+            autocommit=True,
+            connect_timeout=PATIENCE,
+        )
+    except ValueError:
+        raise EngineError(f"{place} cannot be read: a port is a number, and %40 stands for @.") from None
+    except pymysql.err.OperationalError as error:
+        if error.args[0] == _UNREACHED:
+            raise LostConnectionError(f"{place} does not answer: is it running?") from None
+        raise EngineError(
+            f"{place} does not let this user in, or has no such database; the password stands in MYSQL_PWD."
+        ) from None
+    return MariaDriver(pymysql, connection, owned=True)
+
+
+class MariaDriver(DbapiDriver):
+    """A connection of PyMySQL."""
+
+    engine = ENGINE
+    begins = "START TRANSACTION"
+    place = "%s"
+    refusals = (
+        ("(2006", LostConnectionError("The connection to MariaDB was lost; run it again.")),
+        ("(2013", LostConnectionError("The connection to MariaDB was lost; run it again.")),
+        ("(1142", EngineError("The user has no right to do that in this MariaDB database.")),
+        ("(1044", EngineError("The user has no right to this MariaDB database.")),
+        ("(1114", EngineError("MariaDB has no room left; what was there before is as it was.")),
+    )
+
+    def __init__(self, pymysql: Any, connection: Any, owned: bool) -> None:
+        super().__init__(connection, owned)
+        self.errors = (pymysql.err.Error,)
+        self._lent: set[str] = set()
+        self._types = pymysql.constants.FIELD_TYPE
+        ((version,),) = self._asked("SELECT VERSION()")
+        found = tuple(int(part) for part in version.split("-")[0].split(".")[:2])
+        if "MariaDB" not in version or found < OLDEST:
+            raise EngineError(f"The server is {version}; gam-db needs MariaDB 10.11 or later.")
+        for setting in _SETTINGS:
+            self.execute(setting)
+
+    def in_transaction(self) -> bool:
+        """Tell whether a transaction is open."""
+        return bool(self._asked("SELECT @@in_transaction")[0][0])
+
+    def array(self, described: Sequence[Any], column: Sequence[Any]) -> pa.Array:
+        """Return a column by the type that the server says."""
+        types, kind = self._types, described[1]
+        if kind in (types.DOUBLE, types.FLOAT):
+            return pa.array(column, pa.float64())
+        if kind in (types.TINY, types.SHORT, types.LONG, types.LONGLONG, types.INT24):
+            return pa.array(column, pa.int64())
+        if kind in (types.DATETIME, types.TIMESTAMP):
+            return pa.array(column, pa.timestamp("us"))
+        return pa.array(column, pa.string()) if kind in _texts(types) else pa.array(column)
+
+    def ingest(self, table: exp.Table, rows: pa.Table) -> None:
+        """Make a temporary table of the rows of an Arrow table."""
+        check_columns(rows)
+        super().ingest(table, rows)
+        self._lent.add(table.name)
+
+    def drop(self, table: exp.Table) -> None:
+        """Drop a temporary table."""
+        super().drop(table)
+        self._lent.discard(table.name)
+
+    def type_of(self, arrow: pa.DataType) -> exp.DataType:
+        """Return the type of a column that is to hold Arrow's values."""
+        if pa.types.is_timestamp(arrow) or pa.types.is_date(arrow):
+            return exp.DataType.build("DATETIME(6)", dialect="mysql")
+        return super().type_of(arrow)
+
+    def plain(self, value: Any) -> Any:
+        """Return a value as the server takes it: what is not finite is no double here, and missing."""
+        if isinstance(value, float):
+            return value if math.isfinite(value) else None
+        is_zoned = isinstance(value, dt.datetime) and value.tzinfo is not None
+        return value.astimezone(dt.UTC).replace(tzinfo=None) if is_zoned else value
+
+    def tables(self) -> list[tuple[str, ...]]:
+        """Return the tables and views of all databases, and temporary ones, which no list has."""
+        listed = self._asked(
+            "SELECT table_schema, table_name FROM information_schema.tables "
+            "WHERE table_schema NOT IN ('information_schema', 'mysql', 'performance_schema', 'sys')"
+        )
+        return [*listed, *((name,) for name in self._lent)]
+
+    def describe(self, relation: exp.Expr) -> dict[str, str]:
+        """Return the columns of a relation and their types."""
+        rows = self._asked(self.engine.text(exp.Describe(this=relation.find(exp.Table))))
+        return {name: str(declared) for name, declared, *_ in rows}
+
+    def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
+        """Return the tables and views of a database with their columns, in order."""
+        return by_table(
+            self._asked(
+                "SELECT table_name, column_name FROM information_schema.columns "
+                "WHERE table_schema = COALESCE(%s, DATABASE()) ORDER BY table_name, ordinal_position",
+                (schema,),
+            )
+        )
+
+    def file(self, path: str) -> exp.Expr:
+        """Refuse a file.
+
+        Raises:
+            SourceError: the server reads none of its users'.
+        """
+        raise SourceError(f"MariaDB does not read the file {path}; load it into a table and name that.")
+
+    def time_kind(self, type_name: str) -> TimeKind | None:
+        """Return how a column of this type tells time; None if it does not."""
+        if _plain(type_name) in _INTEGERS:
+            return TimeKind.COUNTER
+        return TimeKind.TIMESTAMP if _plain(type_name) in ("datetime", "timestamp", "date") else None
+
+    def is_numeric(self, type_name: str) -> bool:
+        """Tell whether a column of this type holds numbers."""
+        return _plain(type_name) in (*_INTEGERS, "double", "float", "decimal")
+
+    def is_name(self, type_name: str) -> bool:
+        """Tell whether a column of this type can name an asset or a channel."""
+        return _plain(type_name) in (*_INTEGERS, *_TEXTS, "enum", "uuid")
+
+    def is_text(self, type_name: str) -> bool:
+        """Tell whether a column of this type holds text."""
+        return _plain(type_name) in _TEXTS
+
+    def rows_at_once(self) -> int:
+        """Return how many readings can be worked on at once."""
+        return ROWS_AT_ONCE
+
+
+def _plain(type_name: str) -> str:
+    """Return a type without its sizes and what follows: ``bigint`` of ``bigint(20) unsigned``."""
+    return type_name.lower().partition("(")[0].partition(" ")[0]
+
+
+def _texts(types: Any) -> tuple[int, ...]:
+    return (types.VAR_STRING, types.STRING, types.BLOB, types.LONG_BLOB, types.MEDIUM_BLOB)
