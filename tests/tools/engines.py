@@ -75,7 +75,7 @@ def examples(name: str) -> int:
 #: name, they run all. (To Spark one case of the specification is as dear as thirty of one setting.)
 OMITTED = {
     "test_cases": ("spark-1 case",),
-    "test_cases_by_script": ("spark", "clickhouse-1 case"),
+    "test_cases_by_script": ("spark", "clickhouse-1 case", "mariadb-1 case"),
     "test_scripts_equal_the_reference": ("spark",),
     "test_any_history_ends_in_the_tables_of_one_full_run": ("spark",),
     "test_all_that_is_shown_is_what_duckdb_shows": ("spark",),

@@ -10,6 +10,7 @@ import os
 import shlex
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
@@ -77,6 +78,8 @@ def _answers(port: int) -> bool:
 
 
 def _stop(running: "subprocess.Popen[bytes]", folder: Path) -> None:
+    if running.poll() is not None:  # it was not we who ended it
+        print((folder / "log").read_text(errors="replace")[-4000:], file=sys.stderr)
     running.kill()
     running.wait()
     shutil.rmtree(folder, ignore_errors=True)
