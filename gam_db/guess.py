@@ -122,7 +122,7 @@ class _Guesser:
         """A strong name, then the only calendar column, then weak names; weak ones must fit by type."""
         found = self._by_name("time", self.free, weak=False)
         if found is None:
-            kinds = {name: self.session.time_kind(self.columns[name]) for name in self.free}
+            kinds = {name: self.session.engine.types.time_kind(self.columns[name]) for name in self.free}
             calendars = [name for name, kind in kinds.items() if kind and not kind.is_counter]
             if len(calendars) == 1:
                 return self._take("time", calendars[0])
@@ -190,10 +190,10 @@ class _Guesser:
         return [name for name in self.free if self._is_number(name)]
 
     def _is_number(self, name: str) -> bool:
-        return self.session.is_numeric(self.columns[name])
+        return self.session.engine.types.is_numeric(self.columns[name])
 
     def _can_name(self, name: str) -> bool:
-        return self.session.is_name(self.columns[name])
+        return self.session.engine.types.is_name(self.columns[name])
 
     def _unclear(self, what: str, roles: Sequence[str]) -> SourceError:
         options = "; ".join(

@@ -32,7 +32,7 @@ def resolved(source: AnySource, columns: dict[str, str], session: Session) -> An
         numeric = tuple(
             name
             for name, type_name in columns.items()
-            if name not in others and session.is_numeric(type_name)
+            if name not in others and session.engine.types.is_numeric(type_name)
         )
         if not numeric:
             raise SourceError("The wide table has no numeric column beside asset and time.")
@@ -55,7 +55,7 @@ def kind_of(source: AnySource, columns: dict[str, str], session: Session) -> Tim
     Raises:
         SourceError: it is not what the user declared.
     """
-    kind = session.time_kind(columns[source.time])
+    kind = session.engine.types.time_kind(columns[source.time])
     if kind is None:
         raise SourceError(f"The column {source.time!r} does not tell time.")
     declared = declared_kind(source)
@@ -122,18 +122,18 @@ def check_clock(names: pa.Table) -> None:
 
 def _check_type(role: str, column: str, type_name: str, session: Session) -> None:
     if role == "time":
-        if session.time_kind(type_name) is None:
+        if session.engine.types.time_kind(type_name) is None:
             raise SourceError(
                 f"The time column {column!r} is of type {type_name}; it must be a timestamp or an "
                 "integer counter. Cast it in a view (text: CAST(... AS TIMESTAMP); seconds with a "
                 "fraction: CAST(FLOOR(seconds * 1000000) AS BIGINT))."
             )
     elif role in ("asset", "channel"):
-        if not session.is_name(type_name):
+        if not session.engine.types.is_name(type_name):
             raise SourceError(
                 f"The {role} column {column!r} is of type {type_name}; it must be text or an integer."
             )
-    elif not session.is_numeric(type_name):
+    elif not session.engine.types.is_numeric(type_name):
         raise SourceError(
             f"The {'value' if role == 'value' else 'channel'} column {column!r} is of type "
             f"{type_name}; readings must be numbers. Cast it in a view if that is what it holds."

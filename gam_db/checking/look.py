@@ -125,7 +125,7 @@ def _number_texts(study: Study) -> tuple[str, ...]:
     read = set(source.columns.values())
     found = []
     for column, type_name in study.columns.items():
-        if column in read or not session.is_text(type_name):
+        if column in read or not session.engine.types.is_text(type_name):
             continue
         query = template.fill(
             "check/number_texts",

@@ -23,6 +23,7 @@ from gam_db.engines.storage import (
     updated,
     with_statements,
 )
+from gam_db.engines.types import USUAL, Types
 from gam_db.errors import EngineError
 from gam_db.source import AnySource, readings
 
@@ -50,6 +51,7 @@ class Engine:
         micros_of: the integer time of a column of a kind of time.
         instant_of: the way back, for the last step of a query.
         range_of: conditions on a column of times, where its own order is not that of the instants.
+        types: what those of its columns mean.
         rewrites: from tree to tree, each with its reason in its docstring.
         create_table: CREATE TABLE ... AS with what the engine wants to know of storage.
         define: a table or view of the state, with keys, formats and comments as the engine has them.
@@ -79,6 +81,7 @@ class Engine:
     micros_of: TimeRewrite
     instant_of: TimeRewrite
     range_of: RangeRewrite | None = None
+    types: Types = USUAL
     rewrites: Sequence[Rewrite] = ()
     create_table: Callable[[exp.Table, exp.Query], exp.Create] = table_as
     define: Callable[[Definition], list[exp.Expr]] = with_statements

@@ -5,6 +5,7 @@ from sqlglot import exp
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter, escape_by_backslash
 from gam_db.engines.storage import Addition, Definition, added_with_notes, clustered, with_notes
+from gam_db.engines.types import Types
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
@@ -87,6 +88,7 @@ ENGINE = Engine(
     dialect="bigquery",
     limits="gam-db does not connect to it; it prints the SQL. Storage, quotas and transactions of the "
     "service were not seen at work.",
+    types=Types("bigquery"),
     micros_of=micros_of,
     instant_of=instant_of,
     define=define,

@@ -9,6 +9,7 @@ from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter, escape_by_backslash, table_as
 from gam_db.engines.storage import Addition, Definition, Filling, added_with_notes, with_notes
+from gam_db.engines.types import Types
 
 _UTC = "UTC"
 _PLAN_STEPS = 1_000_000
@@ -173,6 +174,7 @@ ENGINE = Engine(
     "Steps are kept in temporary tables of a session: behind a load balancer, one server must answer "
     "it. Inside this process (chdb) only one process opens a folder, and a process only one. It reads "
     "no files by path.",
+    types=Types("clickhouse", (("BFloat16", "Float32"),)),
     micros_of=micros_of,
     instant_of=instant_of,
     rewrites=(escape_by_backslash, allow_long_plans),

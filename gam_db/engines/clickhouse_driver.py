@@ -133,10 +133,6 @@ class ClickHouseDriver:
 
     engine = ENGINE
     transactions = False
-    time_kind = staticmethod(types.time_kind)
-    is_numeric = staticmethod(types.is_numeric)
-    is_name = staticmethod(types.is_name)
-    is_text = staticmethod(types.is_text)
 
     def __init__(self, client: Any, address: str, owned: bool) -> None:
         self._client, self._address, self._owned = client, address, owned

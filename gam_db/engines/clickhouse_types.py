@@ -1,63 +1,12 @@
-"""What ClickHouse's column types mean to the method, and how its rows go into Arrow tables and back."""
+"""How rows of ClickHouse go into Arrow tables and back."""
 
-import re
 from collections.abc import Callable
 
 import pyarrow as pa
 
-from gam_db.clock import TimeKind
 from gam_db.errors import SourceError
 
-_WRAPPED = re.compile(r"(?:Nullable|LowCardinality)\((.*)\)")
-_INTEGER = re.compile(r"U?Int(?:8|16|32|64|128|256)")
-_NUMBER = re.compile(r"Float32|Float64|BFloat16|Decimal\(.*\)")
-_NAME = re.compile(r"String|FixedString\([0-9]+\)|Enum(?:8|16)\(.*\)|UUID", re.DOTALL)
-_INSTANT = re.compile(r"DateTime(?:64\((?P<digits>[0-9])(?P<zone64>,.*)?\)|(?P<zone>\(.*\))?)")
-
 _INT64 = pa.int64()
-
-
-def plain(type_name: str) -> str:
-    """Return a type without Nullable and LowCardinality around it."""
-    wrapped = _WRAPPED.fullmatch(type_name)
-    return plain(wrapped[1]) if wrapped else type_name
-
-
-def time_kind(type_name: str) -> TimeKind | None:
-    """Return how a column of this type tells time; None if it does not.
-
-    Every DateTime is an instant of its own, whatever zone it is shown in; a zone in its type is taken
-    for one that the source has.
-    """
-    name = plain(type_name)
-    if _INTEGER.fullmatch(name):
-        return TimeKind.COUNTER
-    if name in ("Date", "Date32"):
-        return TimeKind.TIMESTAMP
-    found = _INSTANT.fullmatch(name)
-    if found is None:
-        return None
-    zoned = bool(found["zone"] or found["zone64"])
-    if int(found["digits"] or 0) > 6:
-        return TimeKind.NANOSECONDS_WITH_ZONE if zoned else TimeKind.NANOSECONDS
-    return TimeKind.TIMESTAMP_WITH_ZONE if zoned else TimeKind.TIMESTAMP
-
-
-def is_numeric(type_name: str) -> bool:
-    """Tell whether a column of this type holds numbers (Bool does not)."""
-    name = plain(type_name)
-    return bool(_INTEGER.fullmatch(name) or _NUMBER.fullmatch(name))
-
-
-def is_name(type_name: str) -> bool:
-    """Tell whether a column of this type can name an asset or a channel."""
-    name = plain(type_name)
-    return bool(_INTEGER.fullmatch(name) or _NAME.fullmatch(name))
-
-
-def is_text(type_name: str) -> bool:
-    """Tell whether a column of this type holds text."""
-    return plain(type_name) == "String"
 
 
 def column_type(arrow: pa.DataType) -> str:

@@ -6,6 +6,7 @@ from gam_db import template
 from gam_db.bits import Bits
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, counter
+from gam_db.engines.types import Types
 
 _NANOSECONDS = (TimeKind.NANOSECONDS, TimeKind.NANOSECONDS_WITH_ZONE)
 
@@ -61,6 +62,7 @@ ENGINE = Engine(
     dialect="duckdb",
     oldest="2.0",
     limits="One process at a time can write a file.",
+    types=Types("duckdb", (("TIMESTAMPTZ_NS", "TIMESTAMPTZ(9)"),)),
     micros_of=micros_of,
     instant_of=instant_of,
     flow_hint=True,

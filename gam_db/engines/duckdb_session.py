@@ -16,8 +16,7 @@ from gam_db.engines.base import deletion
 from gam_db.engines.duckdb import ENGINE, file_reader
 from gam_db.engines.duckdb_journal import Journal
 from gam_db.engines.duckdb_opening import attached, check_settings, is_among, opened, rows_at_once
-from gam_db.engines.duckdb_types import check_columns, is_name, is_numeric, is_text, time_kind
-from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY, unwritable
+from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY, check_columns, unwritable
 from gam_db.errors import ConflictError, EngineError, SourceError, StatementError, nearest
 from gam_db.source import is_file, table_names
 
@@ -43,10 +42,6 @@ class DuckSession:
 
     engine = ENGINE
     transactions = True
-    time_kind = staticmethod(time_kind)
-    is_numeric = staticmethod(is_numeric)
-    is_name = staticmethod(is_name)
-    is_text = staticmethod(is_text)
 
     def __init__(self, target: Any = None, threads: int | None = None, writable: bool = False) -> None:
         if tuple(int(part) for part in duckdb.__version__.split(".")[:2]) < OLDEST:

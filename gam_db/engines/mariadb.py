@@ -6,6 +6,7 @@ from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, compared_by, counter, escape_by_backslash
 from gam_db.engines.storage import Definition, added_with_notes, key_index, with_notes
+from gam_db.engines.types import Types
 
 #: A collation by bytes, in which a blank at the end counts.
 COLLATION = "utf8mb4_nopad_bin"
@@ -71,6 +72,7 @@ ENGINE = Engine(
         "It reads no files; load them into a table. What changes the form of tables cannot be undone: a "
         "migration that is cut short is run again."
     ),
+    types=Types("mysql"),
     micros_of=micros_of,
     instant_of=instant_of,
     define=define,

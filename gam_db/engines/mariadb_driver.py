@@ -12,10 +12,9 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.address import shown
-from gam_db.clock import TimeKind
 from gam_db.engines.dbapi import DbapiDriver, by_table
-from gam_db.engines.duckdb_types import check_columns
 from gam_db.engines.mariadb import COLLATION, ENGINE
+from gam_db.engines.session import check_columns
 from gam_db.errors import EngineError, LostConnectionError, SourceError
 from gam_db.extras import needed
 
@@ -41,9 +40,6 @@ _SETTINGS = (
 
 #: Readings worked on at once: MariaDB sorts on its disk.
 ROWS_AT_ONCE = 4_000_000
-
-_INTEGERS = ("tinyint", "smallint", "mediumint", "int", "bigint")
-_TEXTS = ("char", "varchar", "tinytext", "text", "mediumtext", "longtext")
 
 
 def connected(target: Any, writable: bool) -> "MariaDriver":
@@ -81,7 +77,7 @@ def connected(target: Any, writable: bool) -> "MariaDriver":
         if error.args[0] == _UNREACHED:
             raise LostConnectionError(f"{place} does not answer: is it running?") from None
         raise EngineError(
-            f"{place} does not let this user in, or has no such database; the password stands in MYSQL_PWD."
+            f"{place} does not let this user in, or has no such database; its password is MYSQL_PWD."
         ) from None
     return MariaDriver(pymysql, connection, owned=True)
 
@@ -182,32 +178,9 @@ class MariaDriver(DbapiDriver):
         """
         raise SourceError(f"MariaDB does not read the file {path}; load it into a table and name that.")
 
-    def time_kind(self, type_name: str) -> TimeKind | None:
-        """Return how a column of this type tells time; None if it does not."""
-        if _plain(type_name) in _INTEGERS:
-            return TimeKind.COUNTER
-        return TimeKind.TIMESTAMP if _plain(type_name) in ("datetime", "timestamp", "date") else None
-
-    def is_numeric(self, type_name: str) -> bool:
-        """Tell whether a column of this type holds numbers."""
-        return _plain(type_name) in (*_INTEGERS, "double", "float", "decimal")
-
-    def is_name(self, type_name: str) -> bool:
-        """Tell whether a column of this type can name an asset or a channel."""
-        return _plain(type_name) in (*_INTEGERS, *_TEXTS, "enum", "uuid")
-
-    def is_text(self, type_name: str) -> bool:
-        """Tell whether a column of this type holds text."""
-        return _plain(type_name) in _TEXTS
-
     def rows_at_once(self) -> int:
         """Return how many readings can be worked on at once."""
         return ROWS_AT_ONCE
-
-
-def _plain(type_name: str) -> str:
-    """Return a type without its sizes and what follows: ``bigint`` of ``bigint(20) unsigned``."""
-    return type_name.lower().partition("(")[0].partition(" ")[0]
 
 
 def _texts(types: Any) -> tuple[int, ...]:

@@ -6,6 +6,7 @@ from gam_db import template
 from gam_db.clock import SECOND, TimeKind
 from gam_db.engines.base import Engine, called, compared_by, counter
 from gam_db.engines.storage import Definition, key_index, with_statements
+from gam_db.engines.types import Types
 
 #: The collation that compares texts by their bytes.
 BYTES = template.name("C")
@@ -96,6 +97,7 @@ ENGINE = Engine(
         "It reads no files; load them into a table. Steps are kept in temporary tables: not on a "
         "standby, and not behind a pool that changes connections between transactions."
     ),
+    types=Types("postgres", (("citext", "text"),)),
     micros_of=micros_of,
     instant_of=instant_of,
     define=define,

@@ -108,10 +108,6 @@ class PostgresDriver:
     """
 
     transactions = True
-    is_numeric = staticmethod(postgres_types.is_numeric)
-    is_name = staticmethod(postgres_types.is_name)
-    is_text = staticmethod(postgres_types.is_text)
-    time_kind = staticmethod(postgres_types.time_kind)
 
     def __init__(self, psycopg: Any, connection: Any, owned: bool) -> None:
         self._psycopg = psycopg

@@ -1,4 +1,4 @@
-"""What PostgreSQL's column types mean to the method, and how Arrow columns travel there and back."""
+"""How Arrow columns travel to PostgreSQL and back."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -6,19 +6,8 @@ from typing import Any
 import pyarrow as pa
 import pyarrow.compute as pc
 
-from gam_db.clock import TimeKind
-from gam_db.engines.duckdb_types import check_columns
+from gam_db.engines.session import check_columns
 from gam_db.errors import SourceError
-
-INTEGERS = ("smallint", "integer", "bigint")
-TEXTS = ("text", "character varying", "character", "name", "citext")
-
-_KINDS = {
-    "timestamp without time zone": TimeKind.TIMESTAMP,
-    "date": TimeKind.TIMESTAMP,
-    "timestamp with time zone": TimeKind.TIMESTAMP_WITH_ZONE,
-    **dict.fromkeys(INTEGERS, TimeKind.COUNTER),
-}
 
 #: the number of a type in PostgreSQL's catalogue -> what its values are in Arrow
 _ARROW = {
@@ -33,32 +22,6 @@ _ARROW = {
 
 #: Longer names are cut off by PostgreSQL, with no more than a notice.
 _LONGEST_NAME = 63
-
-
-def without_size(type_name: str) -> str:
-    """Return a type without its sizes: ``timestamp with time zone`` for ``timestamp(3) with ...``."""
-    head, opened, rest = type_name.partition("(")
-    return f"{head}{rest.partition(')')[2]}" if opened else head
-
-
-def time_kind(type_name: str) -> TimeKind | None:
-    """Return how a column of this type tells time; None if it does not."""
-    return _KINDS.get(without_size(type_name))
-
-
-def is_numeric(type_name: str) -> bool:
-    """Tell whether a column of this type holds numbers."""
-    return without_size(type_name) in (*INTEGERS, "numeric", "real", "double precision")
-
-
-def is_name(type_name: str) -> bool:
-    """Tell whether a column of this type can name an asset or a channel."""
-    return without_size(type_name) in (*INTEGERS, *TEXTS, "uuid", "enum")
-
-
-def is_text(type_name: str) -> bool:
-    """Tell whether a column of this type holds text."""
-    return without_size(type_name) in TEXTS
 
 
 def arrow_column(values: Sequence[Any], number: int) -> pa.Array:

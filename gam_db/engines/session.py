@@ -12,7 +12,6 @@ from typing import Any, Protocol, runtime_checkable
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine
 from gam_db.errors import SourceError
 
@@ -58,18 +57,6 @@ class Session(Protocol):
 
     def close(self) -> None:
         """Drop what was made on the way; close the connection if it is ours."""
-
-    def time_kind(self, type_name: str) -> TimeKind | None:
-        """Return how a column of this type tells time; None if it does not."""
-
-    def is_numeric(self, type_name: str) -> bool:
-        """Tell whether a column of this type holds numbers."""
-
-    def is_name(self, type_name: str) -> bool:
-        """Tell whether a column of this type can name an asset or a channel."""
-
-    def is_text(self, type_name: str) -> bool:
-        """Tell whether a column of this type holds text."""
 
     def relation(self, relation: Any) -> exp.Expr:
         """Return the node that reads a relation: a table, a file, or an Arrow table.
@@ -142,3 +129,22 @@ class Session(Protocol):
 
     def progress(self) -> float:
         """Return how far the running statement is, in percent; negative if it is not known."""
+
+
+def check_columns(table: pa.Table) -> None:
+    """Refuse an Arrow table whose columns DuckDB cannot tell apart.
+
+    Raises:
+        SourceError: it has no columns, or names that differ by case only.
+    """
+    if not table.column_names:
+        raise SourceError("The Arrow table has no columns.")
+    seen: dict[str, str] = {}
+    for name in table.column_names:
+        twin = seen.get(name.casefold())
+        if twin is not None:
+            raise SourceError(
+                f"The Arrow table has the columns {twin!r} and {name!r}, which DuckDB cannot tell "
+                "apart; rename one of them."
+            )
+        seen[name.casefold()] = name

@@ -19,6 +19,7 @@ from gam_db.engines.storage import (
     overwritten,
     with_notes,
 )
+from gam_db.engines.types import Types
 
 #: Groups of channels, by hash, that the large tables are stored in: a look at one machine opens the
 #: files of one group, in which rows are ordered. Every run writes a file for each, so they are few.
@@ -128,6 +129,7 @@ ENGINE = Engine(
     unpivots=True,
     limits="A run is seen once its commit row is there; of two at once one "
     "gives way; calibrations at once are detected, not prevented.",
+    types=Types("spark"),
     micros_of=micros_of,
     instant_of=instant_of,
     create_table=create_table,

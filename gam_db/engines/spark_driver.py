@@ -12,7 +12,6 @@ import pyarrow.parquet as pq
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.engines import spark_types
 from gam_db.engines.base import Engine
 from gam_db.engines.session import READ_ONLY
 from gam_db.engines.spark import ENGINE, OVER
@@ -62,10 +61,6 @@ class SparkDriver:
     """
 
     transactions = False
-    time_kind = staticmethod(spark_types.time_kind)
-    is_numeric = staticmethod(spark_types.is_numeric)
-    is_name = staticmethod(spark_types.is_name)
-    is_text = staticmethod(spark_types.is_text)
     problem = staticmethod(problem)
 
     def __init__(self, session: Any, engine: Engine, writable: bool, kept: Folder | str) -> None:

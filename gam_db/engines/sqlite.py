@@ -8,6 +8,7 @@ from gam_db import template
 from gam_db.clock import SECOND, TimeKind
 from gam_db.engines.base import Engine, called, counter
 from gam_db.engines.storage import Addition, Definition, added, key_index
+from gam_db.engines.types import Types
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
@@ -115,12 +116,36 @@ def extend(addition: Addition) -> list[exp.Expr]:
     return added(addition, twice=False)
 
 
+class Affinities(Types):
+    """SQLite takes any word for a type; what it holds follows from parts of the word."""
+
+    def time_kind(self, type_name: str) -> TimeKind | None:
+        """Return how a column of this type tells time: an integer counts, a text is a timestamp."""
+        if "INT" in type_name:
+            return TimeKind.COUNTER
+        is_date = any(word in type_name for word in ("TIME", "DATE"))
+        return TimeKind.TIMESTAMP if is_date or self.is_text(type_name) else None
+
+    def is_numeric(self, type_name: str) -> bool:
+        """Tell whether a column of this type holds numbers."""
+        return any(word in type_name for word in ("INT", "REAL", "FLOA", "DOUB", "NUM", "DEC"))
+
+    def is_name(self, type_name: str) -> bool:
+        """Tell whether a column of this type can name an asset or a channel."""
+        return "INT" in type_name or self.is_text(type_name)
+
+    def is_text(self, type_name: str) -> bool:
+        """Tell whether a column of this type holds text."""
+        return any(word in type_name for word in ("CHAR", "TEXT", "CLOB"))
+
+
 ENGINE = Engine(
     name="sqlite",
     title="SQLite",
     dialect="sqlite",
     oldest="3.35",
     limits="One connection at a time writes. It has no schemas and no comments, and reads no files.",
+    types=Affinities("sqlite"),
     micros_of=micros_of,
     instant_of=instant_of,
     range_of=range_of,

@@ -13,7 +13,6 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.clock import TimeKind
 from gam_db.engines.base import called
 from gam_db.engines.dbapi import DbapiDriver
 from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY
@@ -161,25 +160,6 @@ class SqliteDriver(DbapiDriver):
             SourceError: SQLite reads none.
         """
         raise SourceError(f"SQLite reads no files by path; load {path} into a table and name that.")
-
-    def time_kind(self, type_name: str) -> TimeKind | None:
-        """Return how a column of this type tells time: an integer counts, a text is a timestamp."""
-        if "INT" in type_name:
-            return TimeKind.COUNTER
-        is_date = any(word in type_name for word in ("TIME", "DATE"))
-        return TimeKind.TIMESTAMP if is_date or self.is_text(type_name) else None
-
-    def is_numeric(self, type_name: str) -> bool:
-        """Tell whether a column of this type holds numbers."""
-        return any(word in type_name for word in ("INT", "REAL", "FLOA", "DOUB", "NUM", "DEC"))
-
-    def is_name(self, type_name: str) -> bool:
-        """Tell whether a column of this type can name an asset or a channel."""
-        return "INT" in type_name or self.is_text(type_name)
-
-    def is_text(self, type_name: str) -> bool:
-        """Tell whether a column of this type holds text."""
-        return any(word in type_name for word in ("CHAR", "TEXT", "CLOB"))
 
     def rows_at_once(self) -> int:
         """Return how many readings can be worked on at once."""

@@ -17,11 +17,9 @@ import pyarrow.parquet as pq
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine
 from gam_db.engines.duckdb_session import DuckSession
-from gam_db.engines.duckdb_types import check_columns
-from gam_db.engines.session import OPEN, unwritable
+from gam_db.engines.session import OPEN, check_columns, unwritable
 from gam_db.errors import (
     EngineError,
     LostConnectionError,
@@ -101,18 +99,6 @@ class Driver(Protocol):
             SourceError: the engine reads none.
         """
 
-    def time_kind(self, type_name: str) -> TimeKind | None:
-        """Return how a column of this type tells time; None if it does not."""
-
-    def is_numeric(self, type_name: str) -> bool:
-        """Tell whether a column of this type holds numbers."""
-
-    def is_name(self, type_name: str) -> bool:
-        """Tell whether a column of this type can name an asset or a channel."""
-
-    def is_text(self, type_name: str) -> bool:
-        """Tell whether a column of this type holds text."""
-
     def rows_at_once(self) -> int:
         """Return how many readings can be worked on at once."""
 
@@ -150,22 +136,6 @@ class WarehouseSession:
                 self.driver.drop(made)
         self._made.clear()
         self.driver.close()
-
-    def time_kind(self, type_name: str) -> TimeKind | None:
-        """Return how a column of this type tells time; None if it does not."""
-        return self.driver.time_kind(type_name)
-
-    def is_numeric(self, type_name: str) -> bool:
-        """Tell whether a column of this type holds numbers."""
-        return self.driver.is_numeric(type_name)
-
-    def is_name(self, type_name: str) -> bool:
-        """Tell whether a column of this type can name an asset or a channel."""
-        return self.driver.is_name(type_name)
-
-    def is_text(self, type_name: str) -> bool:
-        """Tell whether a column of this type holds text."""
-        return self.driver.is_text(type_name)
 
     def relation(self, relation: Any) -> exp.Expr:
         """Return the node that reads a relation.

@@ -18,7 +18,6 @@ import harness
 import small_plant
 from gam_db.clock import TimeKind
 from gam_db.engines import clickhouse_driver
-from gam_db.engines.clickhouse_driver import ClickHouseDriver
 from gam_db.engines.warehouse import WarehouseSession
 from gam_db.errors import EngineError, SourceError
 from gam_db.pipeline import filled, place
@@ -54,7 +53,7 @@ def read(session: WarehouseSession, relation: Any, **columns: Any) -> list[tuple
     """Return (asset, channel, integer time, value) as gam-db reads them."""
     source = gam_db.Source(relation, **columns)
     node = session.relation(source.relation)
-    kind = session.time_kind(session.describe(node)[source.time])
+    kind = session.engine.types.time_kind(session.describe(node)[source.time])
     assert kind is not None
     query = reading_query(source, node, lambda time: session.engine.micros_of(kind, time))
     found = session.fetch(query).to_pylist()
@@ -62,26 +61,6 @@ def read(session: WarehouseSession, relation: Any, **columns: Any) -> list[tuple
 
 
 # Types and times
-
-
-@pytest.mark.parametrize(
-    ("type_name", "kind"),
-    [
-        ("Int8", TimeKind.COUNTER),
-        ("Nullable(UInt64)", TimeKind.COUNTER),
-        ("Date", TimeKind.TIMESTAMP),
-        ("DateTime", TimeKind.TIMESTAMP),
-        ("DateTime('Asia/Tokyo')", TimeKind.TIMESTAMP_WITH_ZONE),
-        ("LowCardinality(Nullable(DateTime))", TimeKind.TIMESTAMP),
-        ("DateTime64(6, 'UTC')", TimeKind.TIMESTAMP_WITH_ZONE),
-        ("DateTime64(7)", TimeKind.NANOSECONDS),
-        ("Nullable(DateTime64(9, 'UTC'))", TimeKind.NANOSECONDS_WITH_ZONE),
-        ("String", None),
-        ("Array(DateTime)", None),
-    ],
-)
-def test_how_columns_tell_time(type_name: str, kind: TimeKind | None) -> None:
-    assert ClickHouseDriver.time_kind(type_name) is kind
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,6 @@ from collections.abc import Sequence
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db.clock import TimeKind
 from gam_db.engines import engine_named
 from gam_db.engines.base import deletion, table_as
 from gam_db.errors import SourceError, UserError
@@ -74,18 +73,6 @@ class GoogleSqlDriver:
 
     def file(self, path: str) -> exp.Expr:
         raise SourceError(f"{path}: there are no files.")
-
-    def time_kind(self, type_name: str) -> TimeKind | None:
-        return TimeKind.COUNTER if type_name == "INT64" else None
-
-    def is_numeric(self, type_name: str) -> bool:
-        return type_name in ("INT64", "FLOAT64")
-
-    def is_name(self, type_name: str) -> bool:
-        return type_name in ("INT64", "STRING")
-
-    def is_text(self, type_name: str) -> bool:
-        return type_name == "STRING"
 
     def rows_at_once(self) -> int:
         return 1_000_000

@@ -91,9 +91,10 @@ def outcomes_of(session: Session, relation: Any, kind: TimeKind | None) -> list[
     if "failed_at" not in columns and "healthy" not in columns:
         raise SourceError("The outcomes need a column 'failed_at', a column 'healthy', or both.")
     failed = columns.get("failed_at")
-    failed_kind = None if failed is None else session.time_kind(failed)
+    types = session.engine.types
+    failed_kind = None if failed is None else types.time_kind(failed)
     healthy = columns.get("healthy", "BOOLEAN")
-    if healthy != "BOOLEAN" and not (session.is_numeric(healthy) and session.time_kind(healthy)):
+    if healthy != "BOOLEAN" and not (types.is_numeric(healthy) and types.time_kind(healthy)):
         raise SourceError(f"The column 'healthy' is of type {healthy}; it must be true or false.")
     query = filled(
         "lab/evaluation/outcomes",

@@ -52,11 +52,11 @@ def health_table(session: Session, relation: Any) -> HealthTable:
                 "takes what gam run writes, or asset, channel, index and hi."
             )
     for name in ("asset", "channel"):
-        if not session.is_name(columns[name]):
+        if not session.engine.types.is_name(columns[name]):
             raise SourceError(
                 f"The column {name!r} is of type {columns[name]}; it must be text or an integer."
             )
-    if not session.is_numeric(columns["hi"]):
+    if not session.engine.types.is_numeric(columns["hi"]):
         raise SourceError(f"The column 'hi' is of type {columns['hi']}; it must be a number.")
     place = next((name for name in PLACES if name in columns), None)
     if place is None:
@@ -96,7 +96,7 @@ def read_from(query: exp.Query, name: str, relation: exp.Expr) -> None:
 
 
 def _kind(session: Session, name: str, type_name: str) -> TimeKind:
-    kind = session.time_kind(type_name)
+    kind = session.engine.types.time_kind(type_name)
     if kind is None or (name == "bucket" and not kind.is_counter):
         wanted = "an integer" if name == "bucket" else "an integer or a timestamp"
         raise SourceError(f"The column {name!r} is of type {type_name}; it must be {wanted}.")
