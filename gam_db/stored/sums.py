@@ -4,6 +4,7 @@ This module owns which integers of a version and of its bounds are summed, and i
 formula stands in ``sql/stored/mixed.sql``.
 """
 
+from collections.abc import Sequence
 from functools import cache
 
 from sqlglot import exp
@@ -23,7 +24,11 @@ OF_VERSION = (
 OF_BOUNDS = ("calibration_vectors", "cells", "seen_once", "blocks", "finest_bins", "vectors_needed")
 
 
-def slots() -> dict[str, template.Slot]:
+#: The ends of the range, and what the tables called them when their checksums came.
+ENDS, _FIRST_ENDS = ("calibrated_lo", "calibrated_hi"), ("lo", "hi")
+
+
+def slots(ends: Sequence[str] = ENDS) -> dict[str, template.Slot]:
     """Return the slots of ``sql/stored/checksum_rows.sql``."""
     figures = [
         *(exp.column(name, table="learnt") for name in OF_VERSION),
@@ -35,6 +40,7 @@ def slots() -> dict[str, template.Slot]:
             exp.column("time_from", table="piece"),
             exp.Mod(this=exp.column("time_to", table="piece"), expression=exp.Literal.number(2**31 - 1)),
         ),
+        "ends": [exp.alias_(exp.column(name, table="scale"), name) for name in ends],
         "figures": template.added([_figure(one, place) for place, one in enumerate(figures)]),
     }
 
@@ -57,17 +63,17 @@ def first_rows(table: str) -> exp.Query | None:
     if table == "checksum":
         steps = Pipeline()
         add(steps, "stored/unsummed", name="wanted")
-        return _summing(steps).query("checksum_rows")
+        return _summing(steps, _FIRST_ENDS).query("checksum_rows")
     return None
 
 
-def _summing(steps: Pipeline | None = None) -> Pipeline:
+def _summing(steps: Pipeline | None = None, ends: Sequence[str] = ENDS) -> Pipeline:
     steps = steps or Pipeline()
     frozen: list[exp.Expr] = [
         exp.alias_(exp.column(name, table="made"), name) for name in OF_VERSION if name != "support_id"
     ]
     add(steps, "stored/frozen", {"figures": frozen})
-    add(steps, "stored/checksum_rows", slots())
+    add(steps, "stored/checksum_rows", slots(ends))
     return steps
 
 

@@ -4,14 +4,14 @@
 -- A row:  one version that has bounds.
 -- Slots:  :cell      a cell and its visits, by stored/mixed.sql
 --         :interval  the edges of an interval, by stored/mixed.sql
+--         :ends      the ends of the range, under the names that the checksums have for them
 --         :figures   the sum of stored/figure.sql over the integers of version and bounds
 SELECT
   learnt.version_id AS version_id,
   CASE WHEN held.hit = 1 THEN held.cells_sum ELSE 0 END AS cells_sum,
   CASE WHEN healthy.hit = 1 THEN healthy.intervals_sum ELSE 0 END AS intervals_sum,
   :figures AS figures_sum,
-  scale.lo AS lo,
-  scale.hi AS hi,
+  :ends,
   learnt.target_floor AS target_floor,
   learnt.settings_hash AS settings_hash,
   learnt.method_hash AS method_hash

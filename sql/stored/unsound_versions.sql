@@ -34,10 +34,10 @@ FROM (
     CASE
       WHEN bounded.hit = 1
         THEN CASE
-          WHEN bounded.hits <> 1 OR bounded.hi < bounded.lo THEN 1
-          WHEN bounded.lo IS NULL AND bounded.hi IS NOT NULL THEN 1
-          WHEN bounded.lo IS NOT NULL AND bounded.hi IS NULL THEN 1
-          WHEN bounded.lo IS NULL AND (bounded.verdict <> 'no_data' OR bounded.blocks <> 0) THEN 1
+          WHEN bounded.hits <> 1 OR bounded.calibrated_hi < bounded.calibrated_lo THEN 1
+          WHEN bounded.calibrated_lo IS NULL AND bounded.calibrated_hi IS NOT NULL THEN 1
+          WHEN bounded.calibrated_lo IS NOT NULL AND bounded.calibrated_hi IS NULL THEN 1
+          WHEN bounded.calibrated_lo IS NULL AND (bounded.verdict <> 'no_data' OR bounded.blocks <> 0) THEN 1
           WHEN bounded.blocks = 0
             AND (
               bounded.verdict <> 'no_data'
@@ -92,8 +92,8 @@ FROM (
   LEFT JOIN (
     SELECT
       support_id,
-      MIN(scale.lo) AS lo,
-      MIN(scale.hi) AS hi,
+      MIN(scale.calibrated_lo) AS calibrated_lo,
+      MIN(scale.calibrated_hi) AS calibrated_hi,
       MIN(scale.calibration_vectors) AS calibration_vectors,
       MIN(scale.cells) AS cells,
       MIN(scale.seen_once) AS seen_once,

@@ -61,7 +61,7 @@ def sums(version: dict[str, Any], tables: dict[str, list[dict[str, Any]]]) -> di
             for place, name in enumerate(FIGURES)
             if figures[name] is not None
         ),
-        **{name: bounds[name] for name in ("lo", "hi")},
+        **{name: bounds[name] for name in ("calibrated_lo", "calibrated_hi")},
         **{name: version[name] for name in ("target_floor", "settings_hash", "method_hash")},
     }
 
