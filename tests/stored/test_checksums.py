@@ -62,6 +62,7 @@ def sums(version: dict[str, Any], tables: dict[str, list[dict[str, Any]]]) -> di
             if figures[name] is not None
         ),
         **{name: bounds[name] for name in ("calibrated_lo", "calibrated_hi")},
+        **dict.fromkeys(("lo", "hi")),  # their earlier names
         **{name: version[name] for name in ("target_floor", "settings_hash", "method_hash")},
     }
 
