@@ -73,7 +73,8 @@ def support(
         constant, ready, too_fine or needs_data), floor, floor_sd, floor_max (shares), good_turing,
         cells_per_vector, blocks, finest_bins (the finest grid that passes), vectors_needed (further
         calibration vectors, 0 if it passes, NULL if no figure can be given), hi_limit (the health
-        indicator above which the channel is high, NULL where nothing is to be judged), limit_reason (why there is none).
+        indicator above which the channel is high, NULL where nothing is to be judged), limit_reason (why
+        there is none).
     """
     return _table("support_summary", source, parameters, calibration, engine)
 

@@ -381,7 +381,7 @@ class _Outcome:
             "parked": run.parked,
             "not_calibrated": [
                 {"asset": asset, "channel": channel, "rows": rows}
-                for (asset, channel), rows in sorted(run.strangers.items())
+                for (asset, channel), rows in sorted(run.unknown_channels.items())
             ],
             "rows_without_name": run.nameless,
             "rows_without_time": run.undated,
@@ -424,11 +424,11 @@ class _Outcome:
         if run.parked:
             parked = number_of(run.parked, "channel")
             yield f"{parked} parked: looked at once a day, or now by --everything"
-        if run.strangers:
-            rows = number_of(sum(run.strangers.values()), "row")
+        if run.unknown_channels:
+            rows = number_of(sum(run.unknown_channels.values()), "row")
             yield (
-                f"{rows} of {number_of(len(run.strangers), 'channel')} "
-                f"without calibration: {_named(run.strangers)}; gam calibrate gives them one"
+                f"{rows} of {number_of(len(run.unknown_channels), 'channel')} "
+                f"without calibration: {_named(run.unknown_channels)}; gam calibrate gives them one"
             )
         if run.nameless:
             yield f"{number_of(run.nameless, 'row')} without asset or channel, left out"

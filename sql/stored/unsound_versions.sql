@@ -137,7 +137,7 @@ FROM (
       MAX(
         CASE
           WHEN part.first_time > part.last_time THEN 1
-          WHEN part.novel <> CASE WHEN lonely.hit = 1 THEN lonely.visits ELSE 0 END THEN 1
+          WHEN part.novel <> CASE WHEN exclusive.hit = 1 THEN exclusive.visits ELSE 0 END THEN 1
           WHEN member.hit = 1 THEN 0
           ELSE 1
         END
@@ -153,7 +153,7 @@ FROM (
       FROM stored_support AS cell
       WHERE cell.first_block = cell.last_block
       GROUP BY cell.support_id, cell.first_block
-    ) AS lonely ON lonely.support_id = part.support_id AND lonely.block = part.block
+    ) AS exclusive ON exclusive.support_id = part.support_id AND exclusive.block = part.block
     LEFT JOIN (
       SELECT DISTINCT support_id, channel_id, 1 AS hit
       FROM checked

@@ -67,7 +67,7 @@ _ABOUT = {
     "census/*": "test_trusting",
     "certificate/*": "test_spec[certificate",
     "judgement/*": "test_judged",
-    "stored/doomed_*": "test_pruning",
+    "stored/expired_*": "test_pruning",
     "stored/aged_buckets": "test_pruning",
     "stored/horizons": "test_pruning",
     "stored/pruned_versions": "test_pruning",
