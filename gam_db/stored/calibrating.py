@@ -77,7 +77,7 @@ def calibrate(
     add(steps, "stored/version_rows", {"long_ago": LONG_AGO, "created": now()})
     for part in ("calibration", "bounds", "block", "support"):
         add(steps, f"stored/{part}_rows")
-    add(steps, "stored/checksum_rows", sums.slots(), tables=_SUMMED)
+    add(steps, "stored/checksum_rows", tables=_SUMMED)
     versions = {
         (row["asset"], row["channel"]): row
         for row in state.fetch("stored/active", {"monitor_id": monitor["monitor_id"]}).to_pylist()
