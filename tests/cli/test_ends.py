@@ -265,7 +265,7 @@ def test_a_full_disk_is_told_as_such(folder: Path, monkeypatch: pytest.MonkeyPat
 
     def without_room(session: DuckSession, tree: exp.Expr, *more: Any) -> Any:
         is_target = isinstance(tree, exp.Copy) or (
-            isinstance(tree, exp.Create) and "target" in tree.sql()
+            isinstance(tree, exp.Create) and "_target" in tree.find(exp.Table).catalog
         )
         if is_target:
             raise duckdb.IOException('IO Error: Could not write file "x": No space left on device')

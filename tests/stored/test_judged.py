@@ -135,7 +135,8 @@ def test_so_do_the_commands_the_files_and_a_dbt_package(
     found = {asset: tuple(words) for asset, *words in duckdb.execute(files).fetchall()}
     assert found == {asset: (one[0], *one[2:4]) for asset, one in EXPECTED.items()}
     above = """
-        SELECT DISTINCT asset FROM 'found.parquet' JOIN 'found.support.parquet' USING (asset, channel)
+        SELECT DISTINCT asset
+        FROM 'found.parquet' AS scored JOIN 'found.support.parquet' AS learnt USING (asset, channel)
         WHERE hi > hi_limit
     """
     assert duckdb.execute(above).fetchall() == [("high",)]
