@@ -1,22 +1,11 @@
-"""Findings: what the numbers of each channel say to the engineer, and whether they ask for attention.
+"""Findings: what the numbers of each channel say to the engineer, in plain words.
 
-This module owns the rule of attention and the remarks in plain words, for a recording just studied and
-for what is stored of a monitor alike. It knows no terminal.
-
-A channel needs attention in two cases:
-
-* ``high``: its calibration is good (verdict ``ready``) and the last health indicator is above its
-  *limit*, the largest of twice the floor, the highest block of calibration, and ``target_floor``: more
-  than calibration ever showed, and more than the user is willing to call healthy.
-* ``setup``: its calibration is not good enough to be watched (``too_fine``, ``needs_data``).
-
-A channel that was constant in calibration, or has no calibration, cannot be assessed and never raises
-an alarm. A recording as a whole needs attention if one of its channels does, or if none has any
-calibration: then nothing is watched at all.
+What is high, and what needs attention, is said by ``sql/judgement/``. This module owns the remarks, for
+a recording just studied and for what is stored of a monitor alike. It knows no terminal.
 """
 
 import itertools
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -27,11 +16,13 @@ from numpy.typing import NDArray
 from gam_db.parameters import Parameters
 from gam_db.study import Study
 
-#: Every status, the most urgent first.
-STATUSES = ("high", "setup", "waiting", "ok", "not assessed")
-
-#: Those that ask for attention.
-URGENT = STATUSES[:2]
+#: How channels are sorted: the most urgent first.
+ORDER = (
+    ("urgency", "descending"),
+    ("hi", "descending"),
+    ("asset", "ascending"),
+    ("channel", "ascending"),
+)
 
 #: A grid of fewer bins tells little but high from low, and fewer vectors than this fill none: then the
 #: advice is a longer calibration, and not a coarser grid.
@@ -43,72 +34,11 @@ Row = dict[str, Any]
 
 
 @dataclass(frozen=True)
-class Finding:
-    """One channel.
-
-    Attributes:
-        asset, channel: its names.
-        status: "high", "setup", "waiting" (less than a window is scored), "ok" or "not assessed".
-        support: its row of the support: verdict, floor, counts.
-        window: W, in vectors.
-        limit: the health indicator above which it is high; None without a certificate.
-        hi: the last health indicator, a share; None until a window is scored.
-        time: the instant of the last full bucket as the source tells time; None if there is none.
-        scored: vectors in full buckets, missing ones left out.
-        course: the health indicator so far, oldest first; NaN until a window is scored.
-        remarks: what is to be known, in plain words.
-    """
-
-    asset: str
-    channel: str
-    status: str
-    support: Row
-    window: int
-    limit: float | None
-    hi: float | None
-    time: Any
-    scored: int
-    course: NDArray[np.float64]
-    remarks: tuple[str, ...]
-
-    @property
-    def verdict(self) -> str:
-        """The certificate's verdict."""
-        return str(self.support["verdict"])
-
-    @property
-    def is_above(self) -> bool:
-        """Tell whether the health indicator is above the limit, whatever the verdict."""
-        return self.hi is not None and self.limit is not None and self.hi > self.limit
-
-    @property
-    def needs_attention(self) -> bool:
-        """Tell whether somebody should look at it."""
-        return self.status in URGENT
-
-    def row(self) -> Row:
-        """Return its row of the support, where ``hi`` is the end of a range, and what else is known."""
-        return {
-            **self.support,
-            "status": self.status,
-            "needs_attention": self.needs_attention,
-            "limit": self.limit,
-            "hi_now": self.hi,
-            "window": self.window,
-            "course": self.course,
-            "scored": self.scored,
-            "last_time": self.time,
-            "remarks": self.remarks,
-        }
-
-
-@dataclass(frozen=True)
 class Course:
     """What a channel showed since it is scored.
 
     Attributes:
         hi: (points,) the health indicator, oldest first; NaN until a window is scored.
-        now: its last value; None until a window is scored.
         highest: its highest value; None until a window is scored.
         vectors: scored vectors in full buckets.
         novel, out_of_range: of those of the last window, or of as many as there are.
@@ -117,101 +47,72 @@ class Course:
     """
 
     hi: NDArray[np.float64]
-    now: float | None
     highest: float | None
     vectors: int
     novel: int
     out_of_range: int
     has_moved: bool
-    time: Any
+    time: Any = None
 
 
-def findings(study: Study) -> list[Finding]:
-    """Return the findings of a study, the most urgent first.
+def findings(study: Study) -> list[Row]:
+    """Return what is found of each channel, the most urgent first.
+
+    A row holds what was learnt of the channel (*support_summary*), what it is judged (*judged*), and
+    what :func:`finding` adds.
 
     Raises:
         UserError: the source cannot be used.
     """
     buckets = study.table("bucket_health")  # first: what it proves of the samples serves the rest
-    support = study.table("support_summary").to_pylist()
+    learnt = study.table("support_summary").to_pylist()
+    supports = {(row["asset"], row["channel"]): row for row in learnt}
     settings = {
         (row["asset"], row["channel"]): study.method.settings[row["settings_no"]]
         for row in study.table("channels").to_pylist()
     }
     courses = _courses(buckets, settings)
     found = []
-    for row in support:
+    for row in study.table("judged").sort_by(list(ORDER)).to_pylist():
         name = (row["asset"], row["channel"])
-        found.append(finding(row, settings[name], courses.get(name)))
-    return sorted(found, key=urgency)
+        setting = settings[name]
+        course = courses.get(name)
+        said = finding({**supports[name], **row}, setting.span, setting.window, course)
+        found.append({**said, "last_time": None if course is None else course.time})
+    return found
 
 
-def finding(row: Row, setting: Parameters, course: Course | None) -> Finding:
-    """Return the finding of one channel.
+def finding(row: Row, span: int, window: int, course: Course | None) -> Row:
+    """Return a row of a channel with what else is known of it.
 
     Args:
-        row: what was learnt of it, as in the support.
-        setting: its parameters.
+        row: what was learnt of it, and what it is judged.
+        span: samples between the oldest and the newest of a vector.
+        window: W, in vectors.
         course: what it showed; None while no bucket is full.
+
+    Returns:
+        The row, and ``window``; ``course``, (points,) the health indicator so far, oldest first, NaN
+        until a window is scored; ``scored``, vectors in full buckets; ``remarks``, what is to be known.
     """
-    limit = limit_of(row["floor"], row["floor_max"], setting.target_floor)
-    hi = None if course is None else course.now
-    status = status_of(row["verdict"], hi, limit)
-    return Finding(
-        asset=row["asset"],
-        channel=row["channel"],
-        status=status,
-        support=row,
-        window=setting.window,
-        limit=limit,
-        hi=hi,
-        time=None if course is None else course.time,
-        scored=0 if course is None else course.vectors,
-        course=np.empty(0) if course is None else course.hi,
-        remarks=tuple(_remarks(row, setting, status, limit, course)),
-    )
-
-
-def limit_of(floor: float | None, floor_max: float | None, target_floor: float) -> float | None:
-    """Return the health indicator above which a channel is high; None without a certificate."""
-    if floor is None or floor_max is None:
-        return None
-    return max(2 * floor, floor_max, target_floor)
-
-
-def status_of(verdict: str, hi: float | None, limit: float | None) -> str:
-    """Return the status of a channel: its verdict, and its health indicator against the limit."""
-    if verdict in ("constant", "no_data"):
-        return "not assessed"
-    if verdict != "ready":
-        return "setup"
-    if hi is None or limit is None:
-        return "waiting"
-    return "high" if hi > limit else "ok"
-
-
-def urgency(one: Finding) -> tuple[int, bool, float, str, str]:
-    """Return what findings are sorted by, the most urgent first."""
-    return (
-        STATUSES.index(one.status),
-        not one.is_above,
-        -(one.hi if one.hi is not None else -1.0),
-        one.asset,
-        one.channel,
-    )
-
-
-def need_attention(found: Sequence[Finding]) -> bool:
-    """Tell whether a recording needs attention; see the module."""
-    return any_needs_attention((one.status, one.verdict) for one in found)
-
-
-def any_needs_attention(channels: Iterable[tuple[str, str]]) -> bool:
-    """Tell the same from the statuses and verdicts of all channels."""
-    known = set(channels)
-    return any(status in URGENT for status, _ in known) or {verdict for _, verdict in known} <= {
-        "no_data"
+    return {
+        **row,
+        "needs_attention": bool(row["needs_attention"]),
+        "window": window,
+        "course": np.empty(0) if course is None else course.hi,
+        "scored": 0 if course is None else course.vectors,
+        "remarks": _remarks(row, span, window, course),
     }
+
+
+def need_attention(rows: Iterable[Row]) -> bool:
+    """Tell whether a recording needs attention: one of its channels does, or nothing of it is watched.
+
+    Args:
+        rows: needs_attention and verdict of each channel.
+    """
+    known = {(row["needs_attention"], row["verdict"]) for row in rows}
+    return any(urgent for urgent, _ in known) or {verdict for _, verdict in known} <= {"no_data"}
 
 
 def _courses(
@@ -236,7 +137,6 @@ def _courses(
         is_complete = not np.isnan(course[-1])
         courses[name] = Course(
             hi=course,
-            now=float(course[-1]) if is_complete else None,
             highest=float(np.nanmax(course)) if is_complete else None,
             vectors=len(course) * setting.bucket_length,
             novel=int(novel[window].sum()),
@@ -247,17 +147,14 @@ def _courses(
     return courses
 
 
-def _remarks(
-    row: Row, setting: Parameters, status: str, limit: float | None, course: Course | None
-) -> list[str]:
-    has_moved = course is not None and course.has_moved
-    remarks = shortcomings(row, setting.span, has_moved)
-    hi = None if course is None else course.now
-    if status != "not assessed":
+def _remarks(row: Row, span: int, window: int, course: Course | None) -> list[str]:
+    remarks = shortcomings(row, span, course is not None and course.has_moved)
+    hi, limit = row["hi"], row["hi_limit"]
+    if row["status"] != "not assessed":
         if course is None or hi is None:
             scored = 0 if course is None else course.vectors
-            remarks.append(f"HI not yet available: {scored:,} of {setting.window:,} vectors scored")
-        elif limit is not None and hi > limit:
+            remarks.append(f"HI not yet available: {scored:,} of {window:,} vectors scored")
+        elif row["status"] == "high":
             remarks.append(f"above its limit of {share(limit)}{_out_of_range(course)}")
         elif limit is not None and course.highest is not None and course.highest > limit:
             remarks.append(f"below its limit of {share(limit)} now, was up to {share(course.highest)}")
@@ -272,15 +169,15 @@ def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
     """Return why a channel cannot be watched, and what would help; nothing for a good calibration.
 
     Args:
-        row: what was learnt of it: verdict, lo, finest_bins, vectors_needed, and calibration_vectors
-            where they are known.
+        row: what was learnt of it: verdict, calibrated_lo, finest_bins, vectors_needed, and
+            calibration_vectors where they are known.
         span: samples between the oldest and the newest of a vector.
         has_moved: a vector was novel since.
     """
     verdict = row["verdict"]
     if verdict == "constant":
         return [f"was constant in calibration{' and has moved since' * has_moved}: not assessable"]
-    if verdict == "no_data" and row["lo"] is None:
+    if verdict == "no_data" and row["calibrated_lo"] is None:
         return ["no usable sample in calibration: not assessable"]
     if verdict == "no_data":
         return [

@@ -214,7 +214,7 @@ class Streams:
     def _bounds(self, number: int) -> dict[int, Row]:
         """Return the bounds of the channels of a set that have a range."""
         rows = self.running.table(self.method.named("bounds", number)).to_pylist()
-        return {row["channel_id"]: row for row in rows if row["lo"] is not None}
+        return {row["channel_id"]: row for row in rows if row["calibrated_lo"] is not None}
 
     def _vectors(
         self, row: Row, number: int, bounds: Mapping[int, Row], time_from: int, time_to: int
@@ -264,7 +264,7 @@ def _names(row: Row) -> Slots:
 
 
 def _range(bounds: Row) -> Slots:
-    return {name: bounds[name] for name in ("lo", "hi")}
+    return {name: bounds[f"calibrated_{name}"] for name in ("lo", "hi")}
 
 
 def _stacked(queries: Iterable[exp.Query]) -> exp.Query:

@@ -1,5 +1,7 @@
 """Templates: one formula, one ``.sql`` file, parsed once; slots are filled on the tree.
 
+A file may begin with macros of DuckDB, which are put in the place of their calls.
+
 This module owns reading a file of ``sql/`` and putting nodes in the place of its ``:slots``. It knows
 neither the method nor any engine, and it never makes SQL from text.
 
@@ -70,9 +72,13 @@ def parse(name: str, source: str) -> Template:
         statements = sqlglot.parse(source, dialect="duckdb")
     except SqlglotError as error:
         raise TemplateError(f"sql/{name}.sql cannot be parsed: {error}") from error
-    if len(statements) != 1 or statements[0] is None:
-        raise TemplateError(f"sql/{name}.sql must hold exactly one statement.")
-    tree = statements[0]
+    found = [one for one in statements if one is not None]
+    if not found or any(one.args.get("kind") != "MACRO" for one in found[:-1]):
+        raise TemplateError(f"sql/{name}.sql must hold exactly one statement, after macros if any.")
+    *macros, tree = found
+    for place, macro in enumerate(macros):
+        for reader in (*macros[place + 1 :], tree):
+            _inline(macro, reader)
     said = [line.removeprefix("--").strip() for line in source.splitlines() if line.startswith("--")]
     comment = "\n".join(takewhile(lambda line: not line.startswith(("Reads:", "Slots:")), said))
     for node in tree.walk():
@@ -91,6 +97,18 @@ def parse(name: str, source: str) -> Template:
     slots = frozenset(node.name for node in tree.find_all(exp.Placeholder))
     tables = frozenset(node.name for node in tree.find_all(exp.Table))
     return Template(name, comment, tree, slots, tables)
+
+
+def _inline(macro: exp.Expr, reader: exp.Expr) -> None:
+    """Put what a macro stands for in the place of its calls, so that no engine has to know it."""
+    about: exp.Expr = macro.this
+    for call in reversed(list(reader.find_all(exp.Anonymous))):  # inner calls first
+        if call.name == about.this.name:
+            said = dict(zip((one.name for one in about.expressions), call.expressions, strict=True))
+            body = exp.Paren(this=macro.expression.copy())
+            for column in list(body.find_all(exp.Column)):
+                column.replace(_fenced(said[column.name].copy(), column))
+            call.replace(body)
 
 
 def fill(name: str, slots: Mapping[str, Slot] | None = None) -> exp.Expr:

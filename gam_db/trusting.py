@@ -95,7 +95,7 @@ class Trust:
                 self.method.named(step, number)
                 for step in ("bounds", "learnable", "run_up", "visited", SCORED)
             )
-            if any(lo is None for lo in self.running.table(bounds)["lo"].to_pylist()):
+            if self.running.table(bounds)["calibrated_lo"].null_count:
                 return False
             if self._is_doubled(learnable):
                 return False

@@ -28,7 +28,7 @@ from gam_db.config import Settings, SourceSettings
 from gam_db.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, printable
-from gam_db.findings import Finding, findings, need_attention
+from gam_db.findings import Row, findings, need_attention
 from gam_db.source import FILE_ENDINGS, is_file
 from gam_db.study import Study
 
@@ -154,16 +154,16 @@ def open_job(
     return job, Study(session, *asked, on_step=on_step, short_cuts=True)
 
 
-def _figures(found: Sequence[Finding]) -> dict[str, Any]:
+def _figures(found: Sequence[Row]) -> dict[str, Any]:
     return {
-        "channels": [{**one.row(), "course": page.thinned(one.course)} for one in found],
-        "verdicts": Counter(one.verdict for one in found),
+        "channels": [{**row, "course": page.thinned(row["course"])} for row in found],
+        "verdicts": Counter(row["verdict"] for row in found),
         "needs_attention": need_attention(found),
     }
 
 
-def _show(out: Console, job: Job, found: Sequence[Finding], everything: bool = False) -> None:
-    assets, samples = {one.asset for one in found}, sum(one.support["samples"] for one in found)
+def _show(out: Console, job: Job, found: Sequence[Row], everything: bool = False) -> None:
+    assets, samples = {row["asset"] for row in found}, sum(row["samples"] for row in found)
     page.say(
         out,
         f"{printable(job.name)}: {number_of(len(found), 'channel')} of "
@@ -173,19 +173,17 @@ def _show(out: Console, job: Job, found: Sequence[Finding], everything: bool = F
         page.say(out, line)
     out.print()
     shown = found if everything else found[: options.SHOWN]
-    page.channels(out, [one.row() for one in shown], "hi_now", "last_time")
-    page.cut(out, found, everything, page.counted(one.status for one in found[len(shown) :]))
+    page.channels(out, shown, "last_time")
+    page.cut(out, found, everything, page.counted(found[len(shown) :]))
     out.print()
-    supports = [one.support for one in found]
-    page.say(out, f"verdicts: {page.verdicts(supports)}")
-    page.say(out, f"channels: {page.counted(one.status for one in found)}")
-    for line in page.advice(supports):
+    page.say(out, f"verdicts: {page.verdicts(found)}")
+    page.say(out, f"channels: {page.counted(found)}")
+    for line in page.advice(found):
         page.say(out, line)
     short = [
-        one
-        for one in found
-        if one.status in ("high", "ok", "waiting")
-        and one.support["calibration_vectors"] < 8 * one.window
+        row
+        for row in found
+        if row["hi_limit"] is not None and row["calibration_vectors"] < 8 * row["window"]
     ]
     if short:
         page.say(
@@ -195,7 +193,7 @@ def _show(out: Console, job: Job, found: Sequence[Finding], everything: bool = F
         )
     if not need_attention(found):
         page.say(out, "nothing needs attention")
-    page.say(out, page.legend(remark for one in found for remark in one.remarks))
+    page.say(out, page.legend(remark for row in found for remark in row["remarks"]))
 
 
 @dataclass(frozen=True)

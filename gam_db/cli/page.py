@@ -23,7 +23,7 @@ from rich.text import Text
 import gam_db
 from gam_db.cli.options import SHOWN
 from gam_db.errors import printable
-from gam_db.findings import STATUSES, Row, is_short, share
+from gam_db.findings import Row, is_short, share
 
 BLOCKS = "▁▂▃▄▅▆▇█"
 PLAIN_BLOCKS = "_.,-=+*#"
@@ -215,13 +215,12 @@ def thinned(course: NDArray[np.float64], points: int = _POINTS) -> list[float]:
     return [float(np.fmax.reduce(stretch)) for stretch in stretches]
 
 
-def channels(out: Console, rows: Sequence[Row], indicator: str, time: str) -> None:
+def channels(out: Console, rows: Sequence[Row], time: str) -> None:
     """Print a line per channel, then what is to be said of them.
 
     Args:
         out: where to.
-        rows: asset, channel, status, verdict, floor, course, remarks, and perhaps trend.
-        indicator: the name of the health indicator in them.
+        rows: asset, channel, status, verdict, floor, hi, course, remarks, and perhaps trend.
         time: the name of the time that is told.
     """
 
@@ -233,7 +232,7 @@ def channels(out: Console, rows: Sequence[Row], indicator: str, time: str) -> No
         "channel": names,
         "verdict": [row["verdict"] for row in rows],
         "floor": [share(floor) for floor in told("floor")],
-        "HI": [share(hi) for hi in told(indicator)],
+        "HI": [share(hi) for hi in told("hi")],
     }
     if rows and "trend" in rows[0]:
         columns["trend"] = [rise(trend) for trend in told("trend")]
@@ -277,10 +276,10 @@ def verdicts(supports: Iterable[Row]) -> str:
     return ", ".join(f"{count[name]:,} {name}" for name in order if count[name])
 
 
-def counted(statuses: Iterable[str]) -> str:
+def counted(rows: Iterable[Row]) -> str:
     """Return how many channels are what, in words, the most urgent first."""
-    count = Counter(statuses)
-    return ", ".join(f"{count[status]:,} {_MEANINGS[status]}" for status in STATUSES if count[status])
+    count = Counter(row["status"] for row in rows)
+    return ", ".join(f"{count[status]:,} {said}" for status, said in _MEANINGS.items() if count[status])
 
 
 def advice(supports: Sequence[Row]) -> list[str]:

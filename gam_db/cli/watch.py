@@ -25,7 +25,7 @@ from gam_db.clock import LONG_AGO, TimeKind, instant, shown_instant
 from gam_db.config import Settings, SourceSettings
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, printable
-from gam_db.findings import Row, any_needs_attention, share, shortcomings, status_of
+from gam_db.findings import Row, need_attention, share, shortcomings
 from gam_db.parameters import pattern_matches
 from gam_db.source import AnySource, WideSource, is_file
 from gam_db.stored import migrations
@@ -86,9 +86,7 @@ def calibrate(
         with Monitor(session, *asked, **vars(settings.monitor)) as monitor:
             applied = monitor.migrate() if is_new else []
             rows = monitor.calibrate(again, on_step=on_step).to_pylist()
-    for row in rows:
-        row["status"] = status_of(row["verdict"], None, None)
-    urgent = bool(rows) and any_needs_attention((row["status"], row["verdict"]) for row in rows)
+    urgent = bool(rows) and need_attention(rows)
 
     def show(out: Console) -> None:
         if applied:
@@ -198,7 +196,7 @@ def _show_versions(out: Console, where: str, job: Job, rows: Sequence[Row], ever
     page.say(out, f"verdicts: {page.verdicts(rows)}")
     for line in page.advice(rows):
         page.say(out, line)
-    if not any_needs_attention((row["status"], row["verdict"]) for row in rows):
+    if not need_attention(rows):
         page.say(out, "nothing needs attention")
     if any(row["verdict"] != "no_data" for row in rows):
         page.say(out, "gam score now brings the health indicator up to date")
@@ -310,8 +308,7 @@ def score(
 
 
 def _is_urgent(status: pa.Table) -> bool:
-    told = zip(status["status"].to_pylist(), status["verdict"].to_pylist(), strict=True)
-    return any_needs_attention(told)
+    return need_attention(status.select(["needs_attention", "verdict"]).to_pylist())
 
 
 def _instant(option: str, text: str | None, kind: TimeKind) -> str | None:
@@ -372,7 +369,7 @@ class _Outcome:
         def told(row: Row, *times: str) -> Row:
             return {**row, **{name: self._told(row[name]) for name in times}}
 
-        told_of = ["asset", "channel", "status", "hi", "limit", "last_time"]
+        told_of = ["asset", "channel", "status", "hi", "hi_limit", "limit_reason", "last_time"]
         return {
             "database": self.settings.source.shown_database,
             "monitor": self.settings.monitor.name,
@@ -384,7 +381,7 @@ class _Outcome:
             "parked": run.parked,
             "not_calibrated": [
                 {"asset": asset, "channel": channel, "rows": rows}
-                for (asset, channel), rows in sorted(run.strangers.items())
+                for (asset, channel), rows in sorted(run.unknown_channels.items())
             ],
             "rows_without_name": run.nameless,
             "rows_without_time": run.undated,
@@ -427,11 +424,11 @@ class _Outcome:
         if run.parked:
             parked = number_of(run.parked, "channel")
             yield f"{parked} parked: looked at once a day, or now by --everything"
-        if run.strangers:
-            rows = number_of(sum(run.strangers.values()), "row")
+        if run.unknown_channels:
+            rows = number_of(sum(run.unknown_channels.values()), "row")
             yield (
-                f"{rows} of {number_of(len(run.strangers), 'channel')} "
-                f"without calibration: {_named(run.strangers)}; gam calibrate gives them one"
+                f"{rows} of {number_of(len(run.unknown_channels), 'channel')} "
+                f"without calibration: {_named(run.unknown_channels)}; gam calibrate gives them one"
             )
         if run.nameless:
             yield f"{number_of(run.nameless, 'row')} without asset or channel, left out"
@@ -456,7 +453,7 @@ class _Outcome:
         if set(self.status["verdict"].to_pylist()) <= {"no_data"}:
             yield "no channel has a calibration, so nothing is watched; run gam calibrate"
         else:
-            yield f"channels: {page.counted(self.status['status'].to_pylist())}; gam status shows them"
+            yield f"channels: {page.counted(self.status.to_pylist())}; gam status shows them"
 
 
 def _named(channels: Any) -> str:
@@ -556,8 +553,8 @@ def _show_status(out: Console, channels: pa.Table, everything: bool) -> None:
         return
     rows = channels.to_pylist()
     shown = rows if everything else rows[: options.SHOWN]
-    page.channels(out, shown, "hi", "last_data")
-    page.cut(out, rows, everything, page.counted(row["status"] for row in rows[len(shown) :]))
+    page.channels(out, shown, "last_data")
+    page.cut(out, rows, everything, page.counted(rows[len(shown) :]))
     out.print()
     assets = stored_status.by_asset(channels).to_pylist()
     if len(assets) > 1:
@@ -587,7 +584,7 @@ def _show_assets(out: Console, rows: Sequence[Row]) -> None:
 
 
 def _summary(channels: pa.Table) -> Iterator[str]:
-    yield "channels: " + page.counted(channels["status"].to_pylist())
+    yield "channels: " + page.counted(channels.to_pylist())
     silent = pc.sum(channels["silent"]).as_py()
     if silent:
         yield f"silent: {silent:,}"

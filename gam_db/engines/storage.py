@@ -47,7 +47,8 @@ class Addition:
     Attributes:
         table: that is changed.
         columns: what is added, by name, in order.
-        comments: what each column means, by its name.
+        comments: what each column means, by its name, and what columns that are there mean from now on:
+            an engine whose comments stand inside the definition leaves those as they are.
     """
 
     table: exp.Table

@@ -128,13 +128,14 @@ It needs no Python but dbt's own.
 | model | |
 |---|---|
 | {prefix}health | the indicator `hi`, at the end of every bucket of {of.setting.stride} scored vectors |
-| {prefix}fleet | one row per channel: verdict, limit, latest indicator |
+| {prefix}fleet | one row per channel: status, verdict, limit, latest indicator |
 | {prefix}bucket | incremental: the integers behind them |
 | {taught} | what calibration taught |
 
 `hi` is the share of the last {of.setting.window_length} scored vectors whose cell healthy operation
-never visited. In {prefix}fleet, a channel is above its limit
-where `verdict = 'ready'` and `hi > hi_limit`.
+never visited. In {prefix}fleet, a channel whose `status` is `high` is
+above its limit, which is to say `hi > hi_limit`; where nothing is to be judged there is no limit, and
+`limit_reason` says why.
 
 ## What holds
 

@@ -23,6 +23,7 @@ from gam_db.method import Method, pipeline
 from gam_db.method.adding import add
 from gam_db.method.calibration import add_calibration
 from gam_db.method.certificate import add_certificate
+from gam_db.method.judgement import add_judged, limit_slots
 from gam_db.method.source import add_rules
 from gam_db.pipeline import Pipeline, filled, union_of
 from gam_db.source import AnySource, under
@@ -333,20 +334,21 @@ def _scoring(of: Modelled, is_later: bool) -> Pipeline:
 def _views(of: Modelled) -> list[Model]:
     """Return what is for whoever reads on."""
     placed = {f"stored_{name}": of.reference(name) for name in ("channel", "bounds", "bucket")}
-    target = float(of.method.settings[0].target_floor)
-    lengths = {"window": of.setting.window_length, "stride": of.setting.stride}
-    fleet: dict[str, template.Slot] = {"target_floor": target, **lengths}
+    steps = Pipeline()
+    target = template.node_of(float(of.method.settings[0].target_floor))
+    add(steps, "export/assessed", {**limit_slots("learnt", target), "stride": of.setting.stride})
+    add_judged(steps)
     made = []
-    for name, names, slots, keys in (
+    for name, times_of, slots, keys in (
         ("health", ("first_time", "last_time"), {}, ("asset", "channel", "bucket")),
-        ("fleet", ("last_time",), fleet, ("asset", "channel")),
+        ("fleet", ("last_tick",), {"window": of.setting.window_length}, ("asset", "channel")),
     ):
         times: list[exp.Expr] = []
         if not of.kind.is_counter:
             times = [
-                exp.alias_(of.instant(exp.column(column, table="made")), column) for column in names
+                exp.alias_(of.instant(exp.column(column, table="made")), column.replace("tick", "time"))
+                for column in times_of
             ]
-        steps = Pipeline()
         add(steps, f"export/{name}", {"times": times, **slots})
         query = steps.query(name, placed)
         config = {"materialized": "view", **of.adapter.view}

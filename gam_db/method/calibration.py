@@ -2,6 +2,7 @@
 
 from sqlglot import exp
 
+from gam_db import template
 from gam_db.method.adding import add, add_of_set
 from gam_db.method.resolved import Method
 from gam_db.method.vectors import add_short_vectors, add_vectors, code_of
@@ -11,12 +12,7 @@ from gam_db.pipeline import Pipeline
 def add_calibration(steps: Pipeline, method: Method, number: int) -> None:
     """Add bounds, calibration vectors and support of one set (section 3, Eq. 1 and Eq. 3)."""
     setting = method.settings[number]
-    add(
-        steps,
-        "support/bounds",
-        {"settings_no": number, "bins": setting.bins, "window": setting.window},
-        name=method.named("bounds", number),
-    )
+    add_bounds(steps, method, number)
     add_breaks(steps, method, number)
     if method.gaps[number] is None and all(len(rule.allowed) <= 1 for rule in method.rules):
         codes = {"code": code_of(setting)}
@@ -35,6 +31,16 @@ def add_calibration(steps: Pipeline, method: Method, number: int) -> None:
         tables={vectors: "calibration_vectors"},
     )
     add_of_set(steps, method, number, "support/support")
+
+
+def add_bounds(steps: Pipeline, method: Method, number: int) -> None:
+    """Add the range of the channels of one set, with what later steps must know of the set."""
+    setting = method.settings[number]
+    said: dict[str, template.Slot] = {
+        **{"settings_no": number, "bins": setting.bins, "window": setting.window},
+        "target_floor": float(setting.target_floor),
+    }
+    add(steps, "support/bounds", said, name=method.named("bounds", number))
 
 
 def add_breaks(steps: Pipeline, method: Method, number: int) -> None:

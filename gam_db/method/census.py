@@ -12,6 +12,7 @@ from sqlglot import exp
 from gam_db.bits import Bits
 from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.method.adding import add, add_of_set
+from gam_db.method.calibration import add_bounds
 from gam_db.method.certificate import add_judgement
 from gam_db.method.resolved import Method
 from gam_db.method.scoring import add_bucket_counts, add_buckets, add_run_up, add_support_bits
@@ -73,8 +74,7 @@ def add_census(steps: Pipeline, method: Method, slicing: Slicing) -> None:
 def add_census_set(steps: Pipeline, method: Method, number: int, bits: Bits | None) -> None:
     """Add support, buckets and certificate of one set, after :func:`add_census`."""
     setting = method.settings[number]
-    said = {"settings_no": number, "bins": setting.bins, "window": setting.window}
-    add(steps, "support/bounds", said, name=method.named("bounds", number))
+    add_bounds(steps, method, number)
     taught = {"samples": "taught_samples"}
     codes = {"code": code_of(setting)}
     add_of_set(steps, method, number, "calibration/calibration_codes", codes, tables=taught)

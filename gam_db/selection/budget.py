@@ -19,7 +19,7 @@ _OWN = 1
 """The set whose certificate is this one; number 0 is that of the study."""
 
 #: What the certificate must know of a learner.
-_BOUNDS = ("channel_id", "support_id", "lo", "hi", "bins", "window_length")
+_BOUNDS = ("channel_id", "support_id", "calibrated_lo", "calibrated_hi", "bins", "window_length")
 
 
 def add_budget(steps: Pipeline, method: Method, search: Search) -> None:

@@ -9,12 +9,14 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import pyarrow as pa
+from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import LONG_AGO
 from gam_db.errors import CalibrationError
 from gam_db.method import Method
 from gam_db.method.adding import add
+from gam_db.method.judgement import add_judged
 from gam_db.parameters import Parameters, pattern_matches
 from gam_db.pipeline import filled, place
 from gam_db.stored import sums
@@ -38,7 +40,7 @@ _SUMMED = {
 #: What is told of a new version, as its support says it.
 _TOLD = (
     *("verdict", "floor", "floor_sd", "floor_max", "vectors", "cells"),
-    *("blocks", "finest_bins", "vectors_needed"),
+    *("blocks", "finest_bins", "vectors_needed", "hi_limit", "limit_reason", "status"),
 )
 
 
@@ -58,9 +60,10 @@ def calibrate(
         limit: most readings to work on at once; None for what memory allows.
 
     Returns:
-        One row per new version, ordered: asset, channel, version_no, reason, m, tau, bins, lo and hi (of
-        calibration), verdict, floor, floor_sd, floor_max, vectors (of calibration), cells, blocks,
-        finest_bins, vectors_needed.
+        One row per new version, ordered: asset, channel, version_no, reason, m, tau, bins,
+        calibrated_lo, calibrated_hi, verdict, floor, floor_sd, floor_max, vectors (of calibration),
+        cells, blocks, finest_bins, vectors_needed, hi_limit, limit_reason, status (setup, waiting or not
+        assessed, since nothing is scored yet), needs_attention.
 
     Raises:
         UserError: the source or the calibration cannot be used, or the monitor watches a source that
@@ -70,10 +73,11 @@ def calibrate(
     keys = state.keys()
     monitor = _monitor(state, study, name, keys)
     add(steps, "stored/recount")
+    add_judged(steps, "limited", exp.null(), "unscored")
     add(steps, "stored/version_rows", {"long_ago": LONG_AGO, "created": now()})
     for part in ("calibration", "bounds", "block", "support"):
         add(steps, f"stored/{part}_rows")
-    add(steps, "stored/checksum_rows", sums.slots(), tables=_SUMMED)
+    add(steps, "stored/checksum_rows", tables=_SUMMED)
     versions = {
         (row["asset"], row["channel"]): row
         for row in state.fetch("stored/active", {"monitor_id": monitor["monitor_id"]}).to_pylist()
@@ -251,7 +255,7 @@ def _write(
             state.append_rows("channel", pa.Table.from_pylist(channels))
         for part, query in queries.items():
             state.append(part, query)
-    verdicts = {row["channel_id"]: row for row in running.table("verdicts").to_pylist()}
+    verdicts = {row["channel_id"]: row for row in running.table("unscored").to_pylist()}
     ranges = {row["channel_id"]: row for row in running.table("bounds").to_pylist()}
     running.forget(but=("names", "readings"))
     del running.placed["numbering"]
@@ -260,8 +264,9 @@ def _write(
         {
             **{key: row[key] for key in ("asset", "channel", "reason")},
             **{key: numbered[key] for key in ("version_no", "m", "tau", "bins")},
-            **{key: ranges[numbered["channel_id"]][key] for key in ("lo", "hi")},
+            **{key: ranges[numbered["channel_id"]][key] for key in sums.ENDS},
             **{key: verdicts[numbered["channel_id"]][key] for key in _TOLD},
+            "needs_attention": bool(verdicts[numbered["channel_id"]]["needs_attention"]),
         }
         for row, numbered in zip(group, numbering, strict=True)
     ]
@@ -294,11 +299,15 @@ _RESULT = pa.schema(
         *(("asset", pa.string()), ("channel", pa.string()), ("version_no", pa.int64())),
         ("reason", pa.string()),
         *((name, pa.int64()) for name in ("m", "tau", "bins")),
-        *(("lo", pa.float64()), ("hi", pa.float64()), ("verdict", pa.string())),
+        *((name, pa.float64()) for name in sums.ENDS),
+        ("verdict", pa.string()),
         *((name, pa.float64()) for name in ("floor", "floor_sd", "floor_max")),
         *(
             (name, pa.int64())
             for name in ("vectors", "cells", "blocks", "finest_bins", "vectors_needed")
         ),
+        ("hi_limit", pa.float64()),
+        *((name, pa.string()) for name in ("limit_reason", "status")),
+        ("needs_attention", pa.bool_()),
     ]
 )

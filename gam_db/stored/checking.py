@@ -162,7 +162,7 @@ class _Check:
                     row["version_id"], "novel cells", what=what, differing=row["differing"], since=since
                 )
             self._runs(running.table("unsound_runs").to_pylist())
-            for row in running.table("lonely").to_pylist():
+            for row in running.table("orphans").to_pylist():
                 table = self.state.tables.shown(row["of_table"])
                 what = f"rows of {table} whose {row['lacks']} is not there"
                 if row["lacks"] == "another key":

@@ -160,6 +160,14 @@ def read(folder: Path) -> tuple[Migration, ...]:
             raise TemplateError(
                 f"The migration number {place_of} adds columns to a table that no file before it makes."
             )
+        about = migration.definition
+        if isinstance(about, Addition) and not {*about.comments} <= {
+            *about.columns,
+            *_made(found[: place_of - 1])[migration.name].columns,
+        }:
+            raise TemplateError(
+                f"The migration number {place_of} has a comment on a column that its table has not."
+            )
         if migration.filling is not None:
             whole = _made(found[:place_of])[migration.name]
             filling = dataclasses.replace(migration.filling, whole=whole)
@@ -246,13 +254,14 @@ def _addition(file: str, name: str, statements: Sequence[exp.Expr]) -> Addition:
         [*changes, *about] != list(statements)
         or len(columns) != len(changes)
         or any(change.this.name != f"stored_{name}" for change in changes)
-        or list(said) != list(columns)
+        or list(said)[: len(columns)] != list(columns)
         or len(about) != len(said)
         or any(_table_of(one) != f"stored_{name}" for one in about)
     ):
         raise TemplateError(
             f"migrations/{file} must add columns to stored_{name}, one by one (add column if not "
-            "exists, NULL in the rows that are there), with a comment on each, in order."
+            "exists, NULL in the rows that are there), with a comment on each, in order, and then "
+            "perhaps on columns that are there and mean something else from now on."
         )
     return Addition(exp.to_table(f"stored_{name}"), columns, said)
 

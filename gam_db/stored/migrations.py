@@ -58,7 +58,7 @@ def recorded(session: Session, tables: StateTables, there: Relations) -> tuple[A
     """
     if tables.folded("migration") not in there:
         return ()
-    _check_own(tables, "migration", there, RECORD)
+    _check_own(tables, "migration", there, [RECORD])
     query = exp.select(*RECORD).from_(tables.table("migration")).order_by("number")
     rows = tuple(Applied(**row) for row in session.fetch(query).to_pylist())
     if rows and rows[-1].number > len(files()):
@@ -88,10 +88,13 @@ def status(session: Session, tables: StateTables) -> Status:
                 "the database, or make it anew, empty, with what `gam migrate --sql` prints for it."
             )
     pending = known[len(applied) :]
+    forms: dict[str, list[tuple[str, ...]]] = {}  # a view that is made again may have more columns
     for migration in pending:
-        makes = isinstance(migration.definition, Definition)
-        if makes and migration.name not in made and tables.folded(migration.name) in there:
-            _check_own(tables, migration.name, there, tuple(migration.definition.columns))
+        if isinstance(migration.definition, Definition) and migration.name not in made:
+            forms.setdefault(migration.name, []).append(tuple(migration.definition.columns))
+    for name in forms:
+        if tables.folded(name) in there:
+            _check_own(tables, name, there, forms[name])
     return Status(applied, pending)
 
 
@@ -168,6 +171,8 @@ def rendered(engine: Engine, tables: StateTables, who: Roles | None = None) -> s
         statements = _complete(migration, engine, tables, now, makes_schema=who is None)
         if any(_adds_once(statement) for statement in statements):
             title += f" Only where it is pending: {engine.title} cannot be told to add a column once."
+        if migration.filling is not None:
+            title += " What fills the columns has nothing to do where the table is empty."
         parts.append(_part(title, statements, engine))
     if who is not None:
         parts.append(_part(roles.ALSO, roles.after(tables, who), engine))
@@ -228,9 +233,11 @@ def _check_record(applied: Sequence[Applied], tables: StateTables) -> None:
             )
 
 
-def _check_own(tables: StateTables, name: str, there: Relations, columns: tuple[str, ...]) -> None:
-    """Refuse a table that is called like one of ours and is not."""
-    if there[tables.folded(name)] != columns:
+def _check_own(
+    tables: StateTables, name: str, there: Relations, forms: Sequence[tuple[str, ...]]
+) -> None:
+    """Refuse a table that is called like one of ours and has none of the forms that ours has."""
+    if there[tables.folded(name)] not in forms:
         raise StateError(
             f"There is a {tables.shown(name)} in the database that is no state table of gam-db; give "
             "another --prefix or --schema, or rename it."

@@ -51,8 +51,8 @@ class Retention:
 #: The steps that find what goes, in order; all are read before anything is deleted.
 _STEPS = (
     *("pruned_versions", "recorded", "aged_buckets", "horizons"),
-    *("doomed_buckets", "doomed_novel", "doomed_runs", "doomed_versions", "doomed_supports"),
-    *("doomed_unplaced", "new_horizons", "doomed_horizons"),
+    *("expired_buckets", "expired_novel", "expired_runs", "expired_versions", "expired_supports"),
+    *("expired_unplaced", "new_horizons", "expired_horizons"),
 )
 
 #: How long it stays known how many rows runs could give to no channel, in microseconds: a year.
@@ -61,18 +61,18 @@ _UNPLACED = 365 * DAY
 #: What is deleted: the state table, and the step that lists the keys of its rows. Versions come last: as
 #: long as one is there, what is left of it is found again, should the work be cut short on an engine
 #: without transactions.
-_DOOMED = {
-    "bucket": "doomed_buckets",
-    "novel": "doomed_novel",
-    "run": "doomed_runs",
-    "unplaced": "doomed_unplaced",
-    "horizon": "doomed_horizons",
-    "calibration": "doomed_versions",
-    "checksum": "doomed_versions",
-    "support": "doomed_supports",
-    "block": "doomed_supports",
-    "bounds": "doomed_supports",
-    "version": "doomed_versions",
+_EXPIRED = {
+    "bucket": "expired_buckets",
+    "novel": "expired_novel",
+    "run": "expired_runs",
+    "unplaced": "expired_unplaced",
+    "horizon": "expired_horizons",
+    "calibration": "expired_versions",
+    "checksum": "expired_versions",
+    "support": "expired_supports",
+    "block": "expired_supports",
+    "bounds": "expired_supports",
+    "version": "expired_versions",
 }
 
 
@@ -176,7 +176,7 @@ def _deleted(
         told = steps.steps["new_horizons"].query.named_selects
         horizons = exp.select(*(template.column(one) for one in told)).from_(kept["new_horizons"].copy())
         State(session, tables).append("horizon", horizons)
-        for table, step in _DOOMED.items():
+        for table, step in _EXPIRED.items():
             keys = steps.steps[step].query.named_selects
             found = exp.select(*(template.column(key) for key in keys)).from_(kept[step].copy())
             session.delete(tables.table(table), keys, found)

@@ -76,7 +76,7 @@ class Report:
         channels: a row per channel that was read: asset, channel, first_bucket, buckets (new or written
             anew), read_from, read_to (integer time), rows_read, context_rows, context_expected.
         parked: channels that were not read.
-        strangers: rows of today that belong to no calibrated channel, by (asset, channel).
+        unknown_channels: rows of today that belong to no calibrated channel, by (asset, channel).
         nameless: rows of today without asset or channel.
         undated: rows of the source without a time.
         ranges: of each query: earliest instant, channels, rows in the range.
@@ -84,7 +84,7 @@ class Report:
 
     channels: list[Row] = field(default_factory=list)
     parked: int = 0
-    strangers: dict[tuple[str, str], int] = field(default_factory=dict)
+    unknown_channels: dict[tuple[str, str], int] = field(default_factory=dict)
     nameless: int = 0
     undated: int = 0
     ranges: list[Row] = field(default_factory=list)
@@ -147,7 +147,7 @@ class _Run:
             cohort = cohorts.pop(0)
             names = self._look(cohort)
             if cohort.everyone:
-                self._note_strangers(names, known)
+                self._note_unknown(names, known)
                 back = resumed(parked, names, wanted.lookback)
                 cohorts += back
                 again = {row["version_id"] for group in back for row in group.channels}
@@ -236,19 +236,19 @@ class _Run:
         found = {
             "nameless": report.nameless,
             "undated": report.undated,
-            "strangers": sum(report.strangers.values()),
-            "stranger_channels": len(report.strangers),
+            "strangers": sum(report.unknown_channels.values()),
+            "stranger_channels": len(report.unknown_channels),
         }
         if any(found.values()):
             run = {"monitor_id": self.monitor["monitor_id"], "started": self.started}
             self.state.append_rows("unplaced", pa.Table.from_pylist([{**run, **found}]))
 
-    def _note_strangers(self, names: Sequence[Row], known: set[tuple[str, str]]) -> None:
+    def _note_unknown(self, names: Sequence[Row], known: set[tuple[str, str]]) -> None:
         for row in names:
             if row["asset"] is None or row["channel"] is None:
                 self.report.nameless += row["readings"] + row["without_time"]
             elif (row["asset"], row["channel"]) not in known and row["readings"]:
-                self.report.strangers[row["asset"], row["channel"]] = row["readings"]
+                self.report.unknown_channels[row["asset"], row["channel"]] = row["readings"]
 
     def _trusts(self, group: Sequence[Row], counts: Mapping[tuple[str, str], int]) -> bool:
         """Tell whether a group is to be scored on trust: it has many rows."""
@@ -256,65 +256,79 @@ class _Run:
         return rows >= TRUSTED_FROM and can_trust(setting_of(group[0]), self.reader.kind)
 
     def _score(self, group: list[Row], cohort: Cohort, trusting: bool) -> list[Row]:
-        """Score channels of one setting, and publish them; return those that did not deserve trust."""
+        """Score channels of one setting, in four stages; return those that did not deserve trust."""
         if not group:
             return []
         steps = scoring_steps(setting_of(group[0]), self.reader.kind, trusting)
         running = Running(self.session, steps, self.state.tables.placed(), self.on_step)
-        earliest = min(row["read_from"] for row in group)
         try:
-            running.load("cohort", self._cohort(group))
-            # A part of a cohort is found by name, or each part would read the rows of all.
-            assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
-            due = any(self._is_due(row) for row in group)
-            edges = running.table("calibration_range").to_pylist()[0] if due else {}
-            if edges.get("earliest") is not None:
-                healthy = self.reader.readings(assets, edges["earliest"], edges["latest"])
-                counting = reading_steps(healthy, is_ranged=False)
-                running.put("recount", counting.query("recount", running.placed))
-            else:
-                running.load("recount", _NO_RECOUNT.empty_table())
-            rows = reading_steps(self.reader.readings(assets, earliest))
-            running.put("identified", rows.query("identified", running.placed))
-            doubtful = []
-            if trusting:
-                running.keep("visited")
-                found = {row["channel_id"] for row in running.table("doubtful").to_pylist()}
-                doubtful = [row for row in group if row["channel_id"] in found]
-                group = [row for row in group if row["channel_id"] not in found]
-                if doubtful:
-                    running.load("cohort", self._cohort(group))
-            if not group:
-                return doubtful
-            running.put("past_buckets", self._past(group, running))
-            self._check_past(group, running)
-            for part in PUBLISHED:
-                running.prepare(part)
-            made = {row["channel_id"]: row for row in running.table("new_counts").to_pylist()}
-            seen = {row["channel_id"]: row for row in running.table("seen").to_pylist()}
-            self.on_step("writing")
-            run_id = self.state.next_run()
-            stamp = {
-                "run_id": run_id,
-                "started": self.started,
-                "committed": now(),
-                "lookback": self.wanted.lookback,
-            }
-            running.load("stamp", pa.Table.from_pylist([stamp]))
-            after = min(row["first_scored"] for row in group) - 1
-            monitor_id = self.monitor["monitor_id"]
-            with publication(self.state, monitor_id, group, self.planned, run_id) as compare_again:
-                for part in PUBLISHED:
-                    if part == PUBLISHED[-1]:
-                        compare_again()
-                    self.state.append(part.removesuffix("_rows"), running.query(part))
-                if self.session.transactions:  # else `gam compact` does it now and then
-                    for table in ("bucket", "novel"):
-                        self.state.delete_hidden(table, run_id, after, near(group))
+            self._read(running, group, cohort)
+            doubtful = self._doubtful(running, group) if trusting else []
+            left_out = {row["channel_id"] for row in doubtful}
+            group = [row for row in group if row["channel_id"] not in left_out]
+            if group:
+                self._count(running, group)
+                self._publish(running, group)
         finally:
             running.forget()
-        self._note(group, made, seen)
         return doubtful
+
+    def _read(self, running: Running, group: Sequence[Row], cohort: Cohort) -> None:
+        """First stage: keep the rows of the channels, and those of their calibration where it is due."""
+        running.load("cohort", self._cohort(group))
+        # A part of a cohort is found by name, or each part would read the rows of all.
+        assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
+        due = any(self._is_due(row) for row in group)
+        edges = running.table("calibration_range").to_pylist()[0] if due else {}
+        if edges.get("earliest") is not None:
+            healthy = self.reader.readings(assets, edges["earliest"], edges["latest"])
+            counting = reading_steps(healthy, is_ranged=False)
+            running.put("recount", counting.query("recount", running.placed))
+        else:
+            running.load("recount", _NO_RECOUNT.empty_table())
+        rows = reading_steps(self.reader.readings(assets, min(row["read_from"] for row in group)))
+        running.put("identified", rows.query("identified", running.placed))
+
+    def _doubtful(self, running: Running, group: Sequence[Row]) -> list[Row]:
+        """Second stage: return the channels that did not deserve trust, and leave them out."""
+        running.keep("visited")
+        found = {row["channel_id"] for row in running.table("doubtful").to_pylist()}
+        rest = [row for row in group if row["channel_id"] not in found]
+        if found and rest:
+            running.load("cohort", self._cohort(rest))
+        return [row for row in group if row["channel_id"] in found]
+
+    def _count(self, running: Running, group: Sequence[Row]) -> None:
+        """Third stage: make the rows that are to be published, on from the buckets that stay."""
+        running.put("past_buckets", self._past(group, running))
+        self._check_past(group, running)
+        for part in PUBLISHED:
+            running.prepare(part)
+
+    def _publish(self, running: Running, group: Sequence[Row]) -> None:
+        """Last stage: append the rows, and commit them unless the state has changed meanwhile."""
+        made = {row["channel_id"]: row for row in running.table("new_counts").to_pylist()}
+        seen = {row["channel_id"]: row for row in running.table("seen").to_pylist()}
+        self.on_step("writing")
+        run_id = self.state.next_run()
+        stamp = {
+            "run_id": run_id,
+            "started": self.started,
+            "committed": now(),
+            "lookback": self.wanted.lookback,
+        }
+        running.load("stamp", pa.Table.from_pylist([stamp]))
+        after = min(row["first_scored"] for row in group) - 1
+        monitor_id = self.monitor["monitor_id"]
+        with publication(self.state, monitor_id, group, self.planned, run_id) as compare_again:
+            for part in PUBLISHED:
+                if part == PUBLISHED[-1]:
+                    compare_again()
+                self.state.append(part.removesuffix("_rows"), running.query(part))
+            if self.session.transactions:  # else `gam compact` does it now and then
+                for table in ("bucket", "novel"):
+                    self.state.delete_hidden(table, run_id, after, near(group))
+        self._note(group, made, seen)
 
     def _past(self, group: Sequence[Row], running: Running) -> exp.Query:
         """Return the query of the buckets that stay and are needed for the new ones' windows."""

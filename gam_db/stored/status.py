@@ -1,14 +1,12 @@
 """Status: what the state says of every channel, without a look at the source.
 
-This module owns the table that ``gam status`` prints. What deserves attention, and in which order, is
-said by :mod:`gam_db.findings`.
+This module owns the table that ``gam status`` prints. What deserves attention is said by the view
+``gam_fleet``, why by :mod:`gam_db.findings`.
 """
 
-import dataclasses
 import datetime as dt
 import itertools
 from collections.abc import Mapping, Sequence
-from functools import cache
 from typing import Literal
 
 import numpy as np
@@ -19,8 +17,7 @@ from sqlglot import exp
 
 from gam_db.clock import SECOND, Length, TimeKind, shown_instant
 from gam_db.engines.session import Session
-from gam_db.findings import Course, Finding, Row, finding, urgency
-from gam_db.parameters import Parameters
+from gam_db.findings import ORDER, Course, Row, finding
 from gam_db.pipeline import filled, place
 from gam_db.stored import lengths, migrations
 from gam_db.stored.proving import STATE, Proof, last_proofs
@@ -42,9 +39,11 @@ def status(
     A row is one channel under its active version:
 
     * ``asset``, ``channel``, ``version``: its names, and which calibration it is (1, 2, ...)
-    * ``status``: high, setup, waiting, ok or not assessed (see :mod:`gam_db.findings`);
-      ``needs_attention``: high or setup
-    * ``verdict``, ``floor``, ``limit``: of the certificate
+    * ``status``: high (``hi`` is above ``hi_limit``), setup (the calibration is not good enough to be
+      watched), waiting (less than a window is scored), ok or not assessed (constant in calibration, or
+      without one: never an alarm); ``needs_attention``: high or setup
+    * ``verdict``, ``floor``: of the certificate; ``hi_limit``, NULL where nothing is to be judged, for
+      ``limit_reason``
     * ``hi``: the latest health indicator, ``novel_in_window`` / ``window``; NULL before a full window
     * ``trend``: ``hi`` less the one a window earlier, (``novel_in_window`` - ``novel_window_before``) /
       ``window``, so that no vector is in both; NULL until two windows are scored
@@ -83,15 +82,16 @@ def status(
     loaded = session.load(stored)
     courses = _courses(_fetched(session, tables, "stored/course", {}, {"status_rows": loaded}))
     session.forget(loaded)
-    rows = stored.to_pylist()
+    rows = stored.sort_by(list(ORDER)).to_pylist()
     newest = max((row["data_tick"] for row in rows if row["data_tick"] is not None), default=None)
     found = []
     for row in rows:
         row["behind"] = _behind(row["data_tick"], newest)
         row["silent"] = _is_silent(row, longest)
-        one = finding(row, _setting(row), _course(row, courses.get(row["version_id"])))
-        found.append(dataclasses.replace(one, remarks=(*one.remarks, *_remarks(row, kind))))
-    return _table(sorted(found, key=urgency), kind)
+        course = _course(row, courses.get(row["version_id"]))
+        said = finding(row, (row["m"] - 1) * row["tau"], row["window_length"], course)
+        found.append({**said, "remarks": [*said["remarks"], *_remarks(row, kind)]})
+    return _table(found, kind)
 
 
 def proved(session: Session, tables: StateTables, monitor: str = "default") -> Proof | None:
@@ -109,7 +109,7 @@ def proved(session: Session, tables: StateTables, monitor: str = "default") -> P
 def by_asset(channels: pa.Table) -> pa.Table:
     """Return a row per asset, the most urgent first, each with its worst channel.
 
-    Columns: ``asset``; ``channel``, ``status``, ``hi``, ``limit`` and ``trend`` of its worst channel;
+    Columns: ``asset``; ``channel``, ``status``, ``hi``, ``hi_limit`` and ``trend`` of its worst channel;
     ``channels``, how many it has; ``need_attention`` and ``silent``, how many of them do and are.
 
     Args:
@@ -126,7 +126,7 @@ def by_asset(channels: pa.Table) -> pa.Table:
         count[0] += 1
         count[1] += needs_attention
         count[2] += silent
-    rows = channels.select(["asset", "channel", "status", "hi", "limit", "trend"]).take(
+    rows = channels.select(["asset", "channel", "status", "hi", "hi_limit", "trend"]).take(
         pa.array(worst.values(), pa.int64())
     )
     for number, name in enumerate(("channels", "need_attention", "silent")):
@@ -193,25 +193,12 @@ def _course(row: Row, hi: NDArray[np.float64] | None) -> Course | None:
         return None
     return Course(
         hi=hi,
-        now=row["hi"],
         highest=row["hi_highest"],
         vectors=(row["bucket"] + 1) * row["stride"],
         novel=row["novel_in_window"] or 0,
         out_of_range=row["out_of_range_in_window"],
         has_moved=row["novel_in_buckets"] > 0,
-        time=row["last_tick"],
     )
-
-
-def _setting(row: Row) -> Parameters:
-    return _parameters(
-        row["m"], row["tau"], row["bins"], row["window_length"], row["stride"], row["target_floor"]
-    )
-
-
-@cache
-def _parameters(m: int, tau: int, bins: int, window: int, stride: int, target: float) -> Parameters:
-    return Parameters(m=m, tau=tau, bins=bins, window=window, stride=stride, target_floor=target)
 
 
 def _behind(tick: int | None, newest: int | None) -> int | None:
@@ -251,12 +238,11 @@ def _added(row: Row) -> int | None:
     return None if now is None else now - row["calibration_readings"]
 
 
-def _table(found: Sequence[Finding], kind: TimeKind) -> pa.Table:
+def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
     """Return the findings as a table, in their order."""
     time = pa.int64()
     if not kind.is_counter:
         time = pa.timestamp("us", "UTC" if kind.has_zone else None)
-    rows: list[Row] = [one.support for one in found]
 
     def stored(name: str, of: pa.DataType) -> pa.Array:
         return pa.array([row[name] for row in rows], of)
@@ -270,18 +256,19 @@ def _table(found: Sequence[Finding], kind: TimeKind) -> pa.Table:
             "asset": stored("asset", word),
             "channel": stored("channel", word),
             "version": stored("version_no", count),
-            "status": pa.array([one.status for one in found], word),
-            "needs_attention": pa.array([one.needs_attention for one in found], pa.bool_()),
+            "status": stored("status", word),
+            "needs_attention": stored("needs_attention", pa.bool_()),
             "verdict": stored("verdict", word),
             "floor": stored("floor", share),
-            "limit": pa.array([one.limit for one in found], share),
+            "hi_limit": stored("hi_limit", share),
+            "limit_reason": stored("limit_reason", word),
             "hi": stored("hi", share),
             "trend": pa.array([_trend(row) for row in rows], share),
             "novel_in_window": stored("novel_in_window", count),
             "novel_window_before": stored("novel_window_before", count),
             "window": stored("window_length", count),
-            "course": pa.array([one.course for one in found], pa.list_(share), from_pandas=True),
-            "scored": pa.array([one.scored for one in found], count),
+            "course": pa.array([row["course"] for row in rows], pa.list_(share), from_pandas=True),
+            "scored": stored("scored", count),
             "last_time": ticks("last_tick"),
             "last_data": ticks("data_tick"),
             "silent": stored("silent", pa.bool_()),
@@ -292,7 +279,7 @@ def _table(found: Sequence[Finding], kind: TimeKind) -> pa.Table:
             "calibration_rows_added": pa.array([_added(row) for row in rows], count),
             "settings_hash": stored("settings_hash", word),
             "method_hash": stored("method_hash", word),
-            "remarks": pa.array([one.remarks for one in found], pa.list_(word)),
+            "remarks": stored("remarks", pa.list_(word)),
         }
     )
 

@@ -235,10 +235,10 @@ def soundness_steps(monitor_id: int, is_whole: bool) -> Pipeline:
     """Return the steps that tell what does not hold between the state tables, without the source.
 
     The last are *checked*, *unsound_versions*, *unsound_buckets*, *unsound_novel*, *unsound_runs* and
-    *lonely*.
+    *orphans*.
 
     Args:
-        monitor_id: of the monitor; *lonely* is about all.
+        monitor_id: of the monitor; *orphans* is about all.
         is_whole: whether a run is there as a whole or not at all.
     """
     steps = Pipeline(small=frozenset({"checked"}))
@@ -246,7 +246,7 @@ def soundness_steps(monitor_id: int, is_whole: bool) -> Pipeline:
     for name in ("unsound_versions", "unsound_buckets", "unsound_novel"):
         add(steps, f"stored/{name}")
     add(steps, "stored/unsound_runs", {"nothing": FAR_AHEAD})
-    add(steps, "stored/lonely", {"whole": int(is_whole)})
+    add(steps, "stored/orphans", {"whole": int(is_whole)})
     return steps
 
 

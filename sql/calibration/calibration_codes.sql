@@ -8,8 +8,8 @@ FROM (
     sampled.channel_id AS channel_id,
     sampled.time AS time,
     sampled.value AS value,
-    scale.lo AS lo,
-    scale.hi AS hi
+    scale.calibrated_lo AS lo,
+    scale.calibrated_hi AS hi
   FROM samples AS sampled
   JOIN bounds AS scale ON scale.channel_id = sampled.channel_id
   JOIN calibration AS piece ON piece.channel_id = sampled.channel_id

@@ -29,7 +29,7 @@ FROM (
     size.first_time AS first_time,
     size.last_time AS last_time,
     size.vectors AS vectors,
-    CASE WHEN lonely.hit = 1 THEN lonely.visits ELSE 0 END AS novel,
+    CASE WHEN exclusive.hit = 1 THEN exclusive.visits ELSE 0 END AS novel,
     FLOOR(CAST(4611686018427387904 AS DOUBLE) / CAST(size.pool_blocks AS DOUBLE)) AS units
   FROM block_sizes AS size
   LEFT JOIN (
@@ -37,5 +37,5 @@ FROM (
     FROM cells AS cell
     WHERE first_block = last_block
     GROUP BY support_id, first_block
-  ) AS lonely ON lonely.support_id = size.support_id AND lonely.first_block = size.pool_block
+  ) AS exclusive ON exclusive.support_id = size.support_id AND exclusive.first_block = size.pool_block
 ) AS counted

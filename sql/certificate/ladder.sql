@@ -17,10 +17,10 @@ FROM (
     step.level_bins AS level_bins,
     block.units AS units,
     CASE
-      WHEN lonely.hit = 1
+      WHEN exclusive.hit = 1
         THEN CAST(
           FLOOR(
-            CAST(lonely.visits AS DOUBLE) / CAST(block.vectors AS DOUBLE) * block.units
+            CAST(exclusive.visits AS DOUBLE) / CAST(block.vectors AS DOUBLE) * block.units
             + CAST(5e-1 AS DOUBLE)
           ) AS BIGINT
         )
@@ -53,9 +53,9 @@ FROM (
     ) AS merged
     WHERE first_block = last_block
     GROUP BY support_id, level, first_block
-  ) AS lonely
-    ON lonely.support_id = block.support_id
-    AND lonely.level = step.level
-    AND lonely.first_block = block.pool_block
+  ) AS exclusive
+    ON exclusive.support_id = block.support_id
+    AND exclusive.level = step.level
+    AND exclusive.first_block = block.pool_block
 ) AS leveled
 GROUP BY support_id, level, level_bins

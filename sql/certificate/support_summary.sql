@@ -1,36 +1,38 @@
 -- Support summary: what was learnt of each channel, and whether it is good enough to be watched
 -- (method, section 5).
--- Reads:  channels, series, bounds, blocks, verdicts, missing_vectors
+-- Reads:  channels, series, bounds, blocks, limited, missing_vectors
 -- A row:  one channel, in order. What speaks of the support is the pool's.
 SELECT
   named.asset AS asset,
   named.channel AS channel,
-  scale.lo AS lo,
-  scale.hi AS hi,
+  scale.calibrated_lo AS calibrated_lo,
+  scale.calibrated_hi AS calibrated_hi,
   CAST(extent.samples AS BIGINT) AS samples,
   CAST(scale.calibration_samples AS BIGINT) AS calibration_samples,
   CAST(CASE WHEN own.hit = 1 THEN own.vectors ELSE 0 END AS BIGINT) AS calibration_vectors,
-  judged.cells AS cells,
+  learnt.cells AS cells,
   CAST(CASE WHEN incomplete.hit = 1 THEN incomplete.missing_vectors ELSE 0 END AS BIGINT)
     AS missing_vectors,
   CAST(extent.conflicts AS BIGINT) AS conflicts,
-  judged.verdict AS verdict,
-  judged.floor AS floor,
-  judged.floor_sd AS floor_sd,
-  judged.floor_max AS floor_max,
+  learnt.verdict AS verdict,
+  learnt.floor AS floor,
+  learnt.floor_sd AS floor_sd,
+  learnt.floor_max AS floor_max,
   CASE
-    WHEN judged.vectors > 0 THEN CAST(judged.seen_once AS DOUBLE) / CAST(judged.vectors AS DOUBLE)
+    WHEN learnt.vectors > 0 THEN CAST(learnt.seen_once AS DOUBLE) / CAST(learnt.vectors AS DOUBLE)
   END AS good_turing,
   CASE
-    WHEN judged.vectors > 0 THEN CAST(judged.cells AS DOUBLE) / CAST(judged.vectors AS DOUBLE)
+    WHEN learnt.vectors > 0 THEN CAST(learnt.cells AS DOUBLE) / CAST(learnt.vectors AS DOUBLE)
   END AS cells_per_vector,
-  judged.blocks AS blocks,
-  judged.finest_bins AS finest_bins,
-  judged.vectors_needed AS vectors_needed
+  learnt.blocks AS blocks,
+  learnt.finest_bins AS finest_bins,
+  learnt.vectors_needed AS vectors_needed,
+  learnt.hi_limit AS hi_limit,
+  learnt.limit_reason AS limit_reason
 FROM channels AS named
 JOIN series AS extent ON extent.channel_id = named.channel_id
 JOIN bounds AS scale ON scale.channel_id = named.channel_id
-JOIN verdicts AS judged ON judged.channel_id = named.channel_id
+JOIN limited AS learnt ON learnt.channel_id = named.channel_id
 LEFT JOIN (
   SELECT channel_id, CAST(SUM(part.vectors) AS BIGINT) AS vectors, 1 AS hit
   FROM blocks AS part

@@ -6,10 +6,10 @@
 SELECT
   scale.channel_id AS channel_id,
   CASE
-    WHEN scale.lo IS NULL THEN 'no_data'
+    WHEN scale.calibrated_lo IS NULL THEN 'no_data'
     WHEN whole.hit = 1
       THEN CASE
-        WHEN scale.hi = scale.lo THEN 'constant'
+        WHEN scale.calibrated_hi = scale.calibrated_lo THEN 'constant'
         WHEN grid.hit = 1 AND grid.finest_bins = scale.bins THEN 'ready'
         WHEN grid.hit = 1 THEN 'too_fine'
         ELSE 'needs_data'

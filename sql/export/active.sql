@@ -9,8 +9,8 @@ SELECT
   known.asset AS asset,
   known.channel AS channel,
   known.support_id AS support_id,
-  scale.lo AS lo,
-  scale.hi AS hi,
+  scale.calibrated_lo AS lo,
+  scale.calibrated_hi AS hi,
   CAST(:window AS BIGINT) AS window_length,
   CAST(:stride AS BIGINT) AS stride,
   known.calibration_end AS calibration_end,
@@ -18,4 +18,4 @@ SELECT
   known.run_up_from AS run_up_from
 FROM stored_channel AS known
 JOIN stored_bounds AS scale ON scale.support_id = known.support_id
-WHERE scale.lo IS NOT NULL
+WHERE scale.calibrated_lo IS NOT NULL

@@ -16,4 +16,4 @@ JOIN bounds AS scale ON scale.channel_id = vector.channel_id
 WHERE vector.time >= scale.first_scored
   AND vector.calibration_vector = 0
   AND vector.cell_key IS NOT NULL
-  AND scale.lo IS NOT NULL
+  AND scale.calibrated_lo IS NOT NULL

@@ -5,8 +5,8 @@
 -- Slots:  :span  (m-1) * tau, the samples between oldest and newest
 SELECT
   scale.channel_id AS channel_id,
-  scale.lo AS lo,
-  scale.hi AS hi,
+  scale.calibrated_lo AS lo,
+  scale.calibrated_hi AS hi,
   CASE WHEN earlier.hit = 1 THEN earlier.run_from ELSE scale.first_scored END AS read_from,
   CASE WHEN earlier.hit = 1 THEN earlier.context_rows ELSE 0 END AS context_rows,
   CASE WHEN named.missing_readings = 0 THEN 1 ELSE 0 END AS complete
@@ -32,4 +32,4 @@ LEFT JOIN (
   WHERE steps_back <= :span
   GROUP BY channel_id
 ) AS earlier ON earlier.channel_id = scale.channel_id
-WHERE scale.lo IS NOT NULL
+WHERE scale.calibrated_lo IS NOT NULL

@@ -46,8 +46,8 @@ SELECT
     END AS BIGINT
   ) AS recommended_bins,
   CASE
-    WHEN scale.lo IS NULL THEN 'no_data'
-    WHEN scale.hi = scale.lo THEN 'constant'
+    WHEN scale.calibrated_lo IS NULL THEN 'no_data'
+    WHEN scale.calibrated_hi = scale.calibrated_lo THEN 'constant'
     WHEN chosen.hit = 1 THEN chosen.verdict
     ELSE 'no_data'
   END AS verdict,

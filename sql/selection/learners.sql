@@ -8,8 +8,8 @@ SELECT
   learner_id AS channel_id,
   learner_id AS support_id,
   taught_id,
-  lo,
-  hi,
+  calibrated_lo,
+  calibrated_hi,
   bins,
   CAST(:m AS INTEGER) AS m,
   CAST(:window AS BIGINT) AS window_length
@@ -17,8 +17,8 @@ FROM (
   SELECT
     CAST(channel_id AS BIGINT) * 64 + :m AS learner_id,
     channel_id AS taught_id,
-    lo,
-    hi,
+    calibrated_lo,
+    calibrated_hi,
     bins
   FROM bounds
 ) AS numbered

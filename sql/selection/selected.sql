@@ -43,7 +43,7 @@ FROM (
       ) AS position,
       CASE WHEN piece.hit = 1 THEN 1 ELSE 0 END AS calibrating,
       CASE WHEN pause.hit = 1 THEN 1 ELSE 0 END AS breaking,
-      (sampled.value - scale.lo) / NULLIF(scale.hi - scale.lo, CAST(0 AS DOUBLE)) AS scaled,
+      (sampled.value - scale.calibrated_lo) / NULLIF(scale.calibrated_hi - scale.calibrated_lo, CAST(0 AS DOUBLE)) AS scaled,
       CASE WHEN sampled.value IS NULL THEN 0 ELSE 1 END AS known
     FROM samples AS sampled
     JOIN bounds AS scale ON scale.channel_id = sampled.channel_id

@@ -5,8 +5,8 @@
 SELECT
   member.channel_id AS channel_id,
   member.support_id AS support_id,
-  member.lo AS lo,
-  member.hi AS hi,
+  member.lo AS calibrated_lo,
+  member.hi AS calibrated_hi,
   member.calibration_end AS calibration_end,
   member.first_scored AS first_scored
 FROM cohort AS member

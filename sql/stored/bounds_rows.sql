@@ -3,8 +3,8 @@
 -- A row:  one support.
 SELECT
   numbered.stored_support_id AS support_id,
-  scale.lo AS lo,
-  scale.hi AS hi,
+  scale.calibrated_lo AS calibrated_lo,
+  scale.calibrated_hi AS calibrated_hi,
   judged.vectors AS calibration_vectors,
   judged.cells AS cells,
   judged.seen_once AS seen_once,

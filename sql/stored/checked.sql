@@ -41,7 +41,7 @@ JOIN (
   GROUP BY channel_id
 ) AS latest ON latest.channel_id = made.channel_id
 LEFT JOIN (
-  SELECT support_id, MIN(learnt.lo) AS lo, MIN(learnt.hi) AS hi, 1 AS hit
+  SELECT support_id, MIN(learnt.calibrated_lo) AS lo, MIN(learnt.calibrated_hi) AS hi, 1 AS hit
   FROM stored_bounds AS learnt
   GROUP BY support_id
 ) AS scale ON scale.support_id = made.support_id

@@ -5,8 +5,8 @@
 SELECT
   scale.channel_id AS channel_id,
   scale.support_id AS support_id,
-  scale.lo AS lo,
-  scale.hi AS hi,
+  scale.calibrated_lo AS calibrated_lo,
+  scale.calibrated_hi AS calibrated_hi,
   CAST(:bins AS BIGINT) AS bins,
   CAST(:window AS BIGINT) AS window_length
 FROM bounds AS scale

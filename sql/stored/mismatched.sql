@@ -33,7 +33,7 @@ FROM (
       CASE WHEN MIN(figures_sum) <> MAX(figures_sum) THEN 1 ELSE 0 END AS figures_differ,
       CASE
         WHEN MIN(target_floor) <> MAX(target_floor) THEN 1
-        WHEN MIN(lo) <> MAX(lo) OR MIN(hi) <> MAX(hi) THEN 1
+        WHEN MIN(calibrated_lo) <> MAX(calibrated_lo) OR MIN(calibrated_hi) <> MAX(calibrated_hi) THEN 1
         WHEN MIN(lo_is_known) <> MAX(lo_is_known) OR MIN(hi_is_known) <> MAX(hi_is_known) THEN 1
         ELSE 0
       END AS range_differs,
@@ -48,10 +48,10 @@ FROM (
         cells_sum,
         intervals_sum,
         figures_sum,
-        lo,
-        hi,
-        CASE WHEN lo IS NULL THEN 0 ELSE 1 END AS lo_is_known,
-        CASE WHEN hi IS NULL THEN 0 ELSE 1 END AS hi_is_known,
+        calibrated_lo,
+        calibrated_hi,
+        CASE WHEN calibrated_lo IS NULL THEN 0 ELSE 1 END AS lo_is_known,
+        CASE WHEN calibrated_hi IS NULL THEN 0 ELSE 1 END AS hi_is_known,
         target_floor,
         settings_hash,
         method_hash,
@@ -63,10 +63,10 @@ FROM (
         cells_sum,
         intervals_sum,
         figures_sum,
-        lo,
-        hi,
-        CASE WHEN lo IS NULL THEN 0 ELSE 1 END AS lo_is_known,
-        CASE WHEN hi IS NULL THEN 0 ELSE 1 END AS hi_is_known,
+        calibrated_lo,
+        calibrated_hi,
+        CASE WHEN calibrated_lo IS NULL THEN 0 ELSE 1 END AS lo_is_known,
+        CASE WHEN calibrated_hi IS NULL THEN 0 ELSE 1 END AS hi_is_known,
         target_floor,
         settings_hash,
         method_hash,

@@ -1,7 +1,6 @@
 -- Status rows: what the state says of the channels of one monitor, for gam status.
 -- Reads:  stored_fleet
--- A row:  one channel under its active version. lo is the lowest value in calibration; times
---         are integers.
+-- A row:  one channel under its active version; times are integers.
 -- Slots:  :monitor  its name
 SELECT
   asset,
@@ -9,9 +8,13 @@ SELECT
   version_no,
   version_id,
   verdict,
+  status,
+  urgency,
+  needs_attention,
   floor,
-  floor_max,
-  calibrated_lo AS lo,
+  hi_limit,
+  limit_reason,
+  calibrated_lo,
   calibration_vectors,
   finest_bins,
   vectors_needed,
@@ -25,8 +28,6 @@ SELECT
   stride,
   m,
   tau,
-  bins,
-  target_floor,
   bucket,
   last_tick,
   data_tick,

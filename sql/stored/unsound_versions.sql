@@ -34,10 +34,10 @@ FROM (
     CASE
       WHEN bounded.hit = 1
         THEN CASE
-          WHEN bounded.hits <> 1 OR bounded.hi < bounded.lo THEN 1
-          WHEN bounded.lo IS NULL AND bounded.hi IS NOT NULL THEN 1
-          WHEN bounded.lo IS NOT NULL AND bounded.hi IS NULL THEN 1
-          WHEN bounded.lo IS NULL AND (bounded.verdict <> 'no_data' OR bounded.blocks <> 0) THEN 1
+          WHEN bounded.hits <> 1 OR bounded.calibrated_hi < bounded.calibrated_lo THEN 1
+          WHEN bounded.calibrated_lo IS NULL AND bounded.calibrated_hi IS NOT NULL THEN 1
+          WHEN bounded.calibrated_lo IS NOT NULL AND bounded.calibrated_hi IS NULL THEN 1
+          WHEN bounded.calibrated_lo IS NULL AND (bounded.verdict <> 'no_data' OR bounded.blocks <> 0) THEN 1
           WHEN bounded.blocks = 0
             AND (
               bounded.verdict <> 'no_data'
@@ -92,8 +92,8 @@ FROM (
   LEFT JOIN (
     SELECT
       support_id,
-      MIN(scale.lo) AS lo,
-      MIN(scale.hi) AS hi,
+      MIN(scale.calibrated_lo) AS calibrated_lo,
+      MIN(scale.calibrated_hi) AS calibrated_hi,
       MIN(scale.calibration_vectors) AS calibration_vectors,
       MIN(scale.cells) AS cells,
       MIN(scale.seen_once) AS seen_once,
@@ -137,7 +137,7 @@ FROM (
       MAX(
         CASE
           WHEN part.first_time > part.last_time THEN 1
-          WHEN part.novel <> CASE WHEN lonely.hit = 1 THEN lonely.visits ELSE 0 END THEN 1
+          WHEN part.novel <> CASE WHEN exclusive.hit = 1 THEN exclusive.visits ELSE 0 END THEN 1
           WHEN member.hit = 1 THEN 0
           ELSE 1
         END
@@ -153,7 +153,7 @@ FROM (
       FROM stored_support AS cell
       WHERE cell.first_block = cell.last_block
       GROUP BY cell.support_id, cell.first_block
-    ) AS lonely ON lonely.support_id = part.support_id AND lonely.block = part.block
+    ) AS exclusive ON exclusive.support_id = part.support_id AND exclusive.block = part.block
     LEFT JOIN (
       SELECT DISTINCT support_id, channel_id, 1 AS hit
       FROM checked

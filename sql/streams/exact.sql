@@ -4,6 +4,6 @@
 -- Slots:  :channel_id, :lo, :hi
 SELECT
   CAST(:channel_id AS INTEGER) AS channel_id,
-  CASE WHEN MIN(scale.lo) = :lo AND MIN(scale.hi) = :hi THEN 1 ELSE 0 END AS is_exact
+  CASE WHEN MIN(scale.calibrated_lo) = :lo AND MIN(scale.calibrated_hi) = :hi THEN 1 ELSE 0 END AS is_exact
 FROM bounds AS scale
 WHERE scale.channel_id = :channel_id

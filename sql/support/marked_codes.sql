@@ -10,8 +10,8 @@ FROM (
     sampled.channel_id AS channel_id,
     sampled.time AS time,
     sampled.value AS value,
-    scale.lo AS lo,
-    scale.hi AS hi,
+    scale.calibrated_lo AS lo,
+    scale.calibrated_hi AS hi,
     CAST(CASE WHEN piece.hit = 1 THEN 1 ELSE 0 END AS SMALLINT) AS calibrating,
     CAST(CASE WHEN pause.hit = 1 THEN 1 ELSE 0 END AS SMALLINT) AS breaking
   FROM samples AS sampled

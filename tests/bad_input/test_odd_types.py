@@ -52,7 +52,9 @@ def test_values_become_doubles_first() -> None:
         "FROM range(4) AS r(i)"
     )
     source = WideSource("t", ["single", "huge", "tenth"])
-    found = {row["channel"]: row["lo"] for row in support(source, Calibration(1.0), connection)}
+    found = {
+        row["channel"]: row["calibrated_lo"] for row in support(source, Calibration(1.0), connection)
+    }
     assert found == {"single": float(np.float32(0.1)), "huge": 2.0**53, "tenth": 0.1}
 
 

@@ -41,7 +41,9 @@ def test_figures_are_those_of_numpy(case: Case) -> None:
         learnt = harness.by_reference("support", rows, *made)
         for left, right in zip(learnt, found.to_pylist(), strict=True):
             assert left["calibration_samples"] == right["calibration_samples"]
-            assert (left["lo"], left["hi"]) == tuple(right[name] for name in OF_CALIBRATION[1:])
+            assert (left["calibrated_lo"], left["calibrated_hi"]) == tuple(
+                right[name] for name in OF_CALIBRATION[1:]
+            )
         comparisons.compared("duckdb", "check", rows, *made)
 
 

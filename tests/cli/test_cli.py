@@ -366,7 +366,7 @@ def test_json_is_what_the_library_returns() -> None:
         (row,) = [row for row in support if (row["asset"], row["channel"]) == name]
         assert {key: one[key] for key in row} == row
         own = [bucket for bucket in buckets if (bucket["asset"], bucket["channel"]) == name]
-        assert one["hi_now"] == own[-1]["hi"]
+        assert one["hi"] == own[-1]["hi"]
         assert one["last_time"] == own[-1]["last_time"]
         assert one["scored"] == 10 * len(own)
         assert one["course"][0] is None
@@ -551,7 +551,7 @@ def test_the_demo_keeps_its_series_for_gam_run() -> None:
     (line,) = [line.split() for line in result.stdout.splitlines() if "gam run series.parquet" in line]
     found = gam(*line[1:], "--json")
     (one,) = json.loads(found.stdout)["channels"]
-    assert (one["cells"], one["hi_now"]) == (4172, 0.875)
+    assert (one["cells"], one["hi"]) == (4172, 0.875)
 
 
 def test_every_command_has_help() -> None:

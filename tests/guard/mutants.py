@@ -36,7 +36,7 @@ LIST = Path(__file__).with_name("mutants.txt")
 #: The folders of ``sql/`` of which every file has a mutant.
 FOLDERS = (
     *("source", "support", "embedding", "score", "health", "calibration", "certificate", "stored"),
-    *("streams", "census"),
+    *("streams", "census", "judgement"),
 )
 
 #: Seconds after which a run is stopped: a mutant that never ends is caught, too.
@@ -47,7 +47,15 @@ LONGEST = 600
 _METHOD = ("test_spec", "test_agreement", "test_streaming", "test_trusting", "test_wide")
 _STORED = (
     *("test_learnt", "test_outside_the_contract", "test_fleet", "test_incremental", "test_planning"),
-    *("test_pruning", "test_status", "test_visible", "test_faults", "test_copying", "test_migrations"),
+    *(
+        "test_pruning",
+        "test_status",
+        "test_judged",
+        "test_visible",
+        "test_faults",
+        "test_copying",
+        "test_migrations",
+    ),
     *("test_cli_stored", "test_cli_state", "test_migrate_and_drop", "test_check_notes"),
 )
 
@@ -58,7 +66,8 @@ _ABOUT = {
     "source/unpivoted": "test_wide",
     "census/*": "test_trusting",
     "certificate/*": "test_spec[certificate",
-    "stored/doomed_*": "test_pruning",
+    "judgement/*": "test_judged",
+    "stored/expired_*": "test_pruning",
     "stored/aged_buckets": "test_pruning",
     "stored/horizons": "test_pruning",
     "stored/pruned_versions": "test_pruning",

@@ -98,7 +98,10 @@ def agrees(
     for row in expected:
         channel = (row["asset"], row["channel"])
         support, monitored, straddling = learnt[channel], scored[*channel, 0], scored[*channel, 1]
-        assert (support["lo"], support["hi"]) == (float(row["lo"]), float(row["hi"])), channel
+        assert (support["calibrated_lo"], support["calibrated_hi"]) == (
+            float(row["lo"]),
+            float(row["hi"]),
+        ), channel
         found = {
             "n": support["samples"],
             "n_cal_samples": support["calibration_samples"],

@@ -89,7 +89,7 @@ def test_counts(row: dict[str, str]) -> None:
     scored = health_indicator(rows, parameters, calibration)
     monitored = [vector for vector in scored if not vector["straddling"]]
     straddling = [vector for vector in scored if vector["straddling"]]
-    assert (found["lo"], found["hi"]) == (float(row["lo"]), float(row["hi"]))
+    assert (found["calibrated_lo"], found["calibrated_hi"]) == (float(row["lo"]), float(row["hi"]))
     counts = {
         "n": found["samples"],
         "n_cal_samples": found["calibration_samples"],

@@ -611,8 +611,8 @@ def test_filled_queries_of_a_selection_break_no_rule() -> None:
 #: What reads the state only; each may read those before it.
 OF_STATE = (
     *("status_rows", "course", "pruned_versions", "aged_buckets", "horizons"),
-    *("doomed_buckets", "doomed_novel", "doomed_runs", "doomed_versions", "doomed_supports"),
-    *("doomed_unplaced", "new_horizons", "doomed_horizons", "last_proofs", "state_sizes"),
+    *("expired_buckets", "expired_novel", "expired_runs", "expired_versions", "expired_supports"),
+    *("expired_unplaced", "new_horizons", "expired_horizons", "last_proofs", "state_sizes"),
 )
 
 

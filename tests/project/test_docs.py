@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 import settings_page
+import sql_page
 from gam_db import config
 from gam_db.engines import NAMES, engine_named
 from gam_db.engines.evidence import evidence
@@ -36,6 +37,16 @@ def test_the_documented_settings_file_is_read(tmp_path: Path) -> None:
     assert calibration.overrides["robot_8"] is None
     shown = (ROOT / "docs" / "gam.toml").read_text(encoding="utf-8")
     assert shown == settings_page.text(), "python tests/tools/settings_page.py > docs/gam.toml"
+
+
+def test_the_catalogue_lists_all_of_sql() -> None:
+    """Every file is in it once, under a folder that it knows, with what its head says now."""
+    folder = ROOT / "sql"
+    page = (folder / "README.md").read_text(encoding="utf-8")
+    listed = re.findall(r"^\| \[\w+\]\(([^)]+)\)", page, re.MULTILINE)
+    there = (path.relative_to(folder).as_posix() for path in folder.rglob("*.sql"))
+    assert sorted(listed) == sorted(there)
+    assert page == sql_page.text(), "python tests/tools/sql_page.py > sql/README.md"
 
 
 @pytest.mark.parametrize("name", NAMES)

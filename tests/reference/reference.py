@@ -348,14 +348,29 @@ def judgement(pool: Pool) -> dict[str, Any]:
     }
 
 
+NO_LIMIT = {
+    "no_data": "no calibration",
+    "constant": "constant in calibration",
+    "too_fine": "grid too fine for its calibration",
+    "needs_data": "calibration too short",
+}
+
+
+def limit(said: dict[str, Any], target_floor: float) -> dict[str, Any]:
+    """The health indicator above which a channel is high, or why there is none."""
+    reason = NO_LIMIT.get(said["verdict"])
+    highest = None if reason else max(2 * said["floor"], said["floor_max"], target_floor)
+    return {"hi_limit": highest, "limit_reason": reason}
+
+
 def support(rows: Iterable[Row], parameters: Any, calibration: Any) -> Answer:
     """Eq. 3 and section 5: per channel the bounds, the counts and the verdict of its pool."""
     return [
         {
             "asset": channel.asset,
             "channel": channel.name,
-            "lo": pool.lo,
-            "hi": pool.hi,
+            "calibrated_lo": pool.lo,
+            "calibrated_hi": pool.hi,
             "samples": len(channel.times),
             "calibration_samples": sum(channel.healthy),
             "calibration_vectors": len(channel.learnt),
@@ -363,7 +378,8 @@ def support(rows: Iterable[Row], parameters: Any, calibration: Any) -> Answer:
             "missing_vectors": channel.missing_vectors,
             "conflicts": channel.conflicts,
         }
-        | judgement(pool)
+        | (said := judgement(pool))
+        | limit(said, pool.settings.target_floor)
         for channel, pool in channels(rows, parameters, calibration)
     ]
 

@@ -150,7 +150,7 @@ def test_rows_that_belong_nowhere_stay_known(plant: duckdb.DuckDBPyConnection) -
         "('a', 'y', 199, 1), ('z', 'x', 199, 1), ('z', 'x', 198, 1)"
     )
     report = monitor(plant).score()
-    assert (report.nameless, report.undated, sum(report.strangers.values())) == (2, 1, 3)
+    assert (report.nameless, report.undated, sum(report.unknown_channels.values())) == (2, 1, 3)
     monitor(plant).score()
     assert monitor(plant).score(dry_run=True).undated == 1
     found = asked(

@@ -16,8 +16,8 @@ from gam_db.stored.monitor import Monitor
 from visible import put, rows_of
 
 BOUNDS = """
-    SELECT asset, channel, lo, hi, calibration_samples, calibration_vectors, cells, seen_once, blocks,
-        verdict, floor, floor_sd, floor_max, finest_bins, vectors_needed
+    SELECT asset, channel, calibrated_lo, calibrated_hi, calibration_samples, calibration_vectors,
+        cells, seen_once, blocks, verdict, floor, floor_sd, floor_max, finest_bins, vectors_needed
     FROM gam_bounds JOIN gam_version USING (support_id) JOIN gam_channel USING (channel_id)
     ORDER BY asset, channel
 """
@@ -51,8 +51,8 @@ def learnt(rows: list[Any], parameters: gam_db.Parameters, calibration: gam_db.C
         bounds.append(
             {
                 **name,
-                "lo": said["lo"],
-                "hi": said["hi"],
+                "calibrated_lo": said["calibrated_lo"],
+                "calibrated_hi": said["calibrated_hi"],
                 "calibration_samples": said["calibration_samples"],
                 "calibration_vectors": len(vectors),
                 "cells": len(cells),

@@ -26,19 +26,25 @@ def test_the_script_of_an_engine_can_be_parsed(name: str) -> None:
     engine = engine_named(name)
     script = rendered(engine, STATE).replace(engine.beginning(), "", 1)
     parsed = [one for one in sqlglot.parse(script, dialect=engine.dialect) if one]
-    assert not [one for one in parsed if one.find(exp.Command)]
+    exchanged = [one for one in parsed if one.find(exp.Command)]
+    assert [one.name for one in exchanged] == ["EXCHANGE"] * (2 if name == "clickhouse" else 0)
     made = [
         one.find(exp.Table)
         for one in parsed
         if isinstance(one, (exp.Create, exp.Alter)) and one.args["kind"] != "INDEX"
     ]
+    made = [table for table in made if table and not table.name.endswith("_filled")]
     names = [name for name, _ in itertools.groupby(table.name for table in made if table)]
     assert names == [f"gam_{name}" for name, _ in itertools.groupby(ALL)]
-    filled = [one.find(exp.Table) for one in parsed if isinstance(one, exp.Insert)]
-    tables = [table.name for table in filled if table]
+    filled = [
+        one.find(exp.Table)
+        for one in parsed
+        if isinstance(one, exp.Insert) and not one.args.get("overwrite")
+    ]
+    tables = [table.name for table in filled if table and not table.name.endswith("_filled")]
     assert sorted(tables) == sorted(["gam_migration"] * len(ALL) + ["gam_checksum", "gam_horizon"])
     others = {type(one) for one in parsed} - {exp.Create, exp.Alter, exp.Insert}
-    assert others <= {exp.Comment, exp.Drop}
+    assert others <= {exp.Comment, exp.Drop, exp.Command, exp.Update, exp.Merge}
 
 
 @pytest.mark.parametrize(

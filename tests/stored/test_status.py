@@ -67,7 +67,7 @@ def test_the_most_urgent_channel_comes_first_and_says_why(session: DuckSession) 
     assert first["remarks"] == ["above its limit of 0.050, 50 % of the novel vectors out of range"]
     assert (first["hi"], first["novel_in_window"], first["window"]) == (0.6, 12, 20)
     assert (first["novel_window_before"], first["trend"]) == (1, 11 / 20)
-    assert (first["floor"], first["limit"], first["verdict"]) == (0.01, 0.05, "ready")
+    assert (first["floor"], first["hi_limit"], first["verdict"]) == (0.01, 0.05, "ready")
     assert first["course"] == [None, 0.05, 0.15, 0.6]
     assert first["scored"] == 40
     assert first["last_time"] == first["last_data"] == dt.datetime(1970, 1, 1, 0, 0, 39)
@@ -109,7 +109,7 @@ def test_only_the_active_version_counts(session: DuckSession) -> None:
     plant.run(plant.version(channel, plant.support()), [FULL, FULL, FULL])
     plant.run(plant.version(channel, plant.support(floor=0.04), number=2), [QUIET, QUIET])
     (row,) = status(session, plant).to_pylist()
-    assert (row["version"], row["status"], row["hi"], row["limit"]) == (2, "ok", 0.0, 0.1)
+    assert (row["version"], row["status"], row["hi"], row["hi_limit"]) == (2, "ok", 0.0, 0.1)
 
 
 def test_a_channel_that_lags_behind_is_silent(session: DuckSession) -> None:
@@ -223,7 +223,7 @@ def test_an_asset_is_as_urgent_as_its_worst_channel(session: DuckSession) -> Non
             "channel": channel,
             "status": word,
             "hi": hi,
-            "limit": 0.05,
+            "hi_limit": 0.05,
             "trend": None,
             "channels": channels,
             "need_attention": attention,
@@ -257,7 +257,7 @@ def test_an_asset_is_as_urgent_as_its_worst_channel(session: DuckSession) -> Non
 def test_where_only_a_useless_grid_would_pass_the_advice_is_to_calibrate_longer(
     finest: int, vectors: int | None, remark: str
 ) -> None:
-    row = {"verdict": "too_fine", "lo": 0.0, "finest_bins": finest, "vectors_needed": 70}
+    row = {"verdict": "too_fine", "calibrated_lo": 0.0, "finest_bins": finest, "vectors_needed": 70}
     known = {} if vectors is None else {"calibration_vectors": vectors}
     assert shortcomings(row | known, 2) == [remark]
     said = " ".join(advice([row | known]))

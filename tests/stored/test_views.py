@@ -14,7 +14,6 @@ from hypothesis import strategies as st
 
 from gam_db.engines import engine_named
 from gam_db.engines.duckdb_session import DuckSession
-from gam_db.findings import limit_of
 from gam_db.stored.migrations import rendered
 from gam_db.stored.tables import TABLES as ALL
 from gam_db.stored.tables import StateTables
@@ -158,17 +157,18 @@ def test_the_views_show_what_finished_runs_left(
     assert [{key: row[key] for key in fleet[0]} for row in found] == ordered(fleet)
 
 
-def test_the_limit_is_that_of_the_findings(session: DuckSession) -> None:
-    """It stands in a view, for those who read no Python, and in Python for the rest."""
+def test_the_limit_is_the_largest_of_three(session: DuckSession) -> None:
+    """More than calibration ever showed, and more than the target; only a ready channel has one."""
     plant = Plant()
     monitor = plant.monitor()
     expected = {}
-    for floor in (None, 0.0, 0.01, 0.02, 0.025, 0.2):
-        for floor_max in (0.0, 0.03, 0.05, 0.06, 0.5):
-            most = None if floor is None else floor_max
-            name = f"{floor} {floor_max}"
-            plant.version(plant.channel(monitor, name, ""), plant.support(floor=floor, floor_max=most))
-            expected[name] = limit_of(floor, most, 0.05)
+    for verdict in ("ready", "too_fine"):
+        for floor in (0.0, 0.01, 0.02, 0.025, 0.2):
+            for floor_max in (0.0, 0.03, 0.05, 0.06, 0.5):
+                name = f"{verdict} {floor} {floor_max}"
+                learnt = plant.support(verdict, floor=floor, floor_max=floor_max)
+                plant.version(plant.channel(monitor, name, ""), learnt)
+                expected[name] = max(2 * floor, floor_max, 0.05) if verdict == "ready" else None
     plant.write(emptied(session, TABLES), TABLES)
     assert {row["asset"]: row["hi_limit"] for row in shown(session, "fleet")} == expected
 

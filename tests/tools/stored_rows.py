@@ -93,8 +93,8 @@ class Plant:
         """Note what was learnt and return its key."""
         key = self.next_id()
         learnt = {
-            "lo": None if floor is None else 0.0,
-            "hi": None if floor is None else 1.0,
+            "calibrated_lo": None if floor is None else 0.0,
+            "calibrated_hi": None if floor is None else 1.0,
             "calibration_vectors": 1000,
             "cells": 10,
             "seen_once": 1,

@@ -1,4 +1,4 @@
--- Doomed runs: records of runs that go, since no row of theirs stays and nothing that they found is still
+-- Expired runs: records of runs that go, since no row of theirs stays and nothing that they found is still
 -- to be told. Of each version the newest run stays, the newest of those that read furthest, the newest that
 -- recorded what is settled, and the newest that counted calibration; so does one that found other samples than
 -- were scored, where they are not too old to be scored again. A run whose record goes hides nothing any more,

@@ -1,4 +1,4 @@
--- Doomed versions: the versions that go altogether.
+-- Expired versions: the versions that go altogether.
 -- Reads:  pruned_versions
 -- A row:  one version, by its key.
 SELECT version_id

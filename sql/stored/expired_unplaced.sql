@@ -1,4 +1,4 @@
--- Doomed unplaced: the counts of rows without a place that runs of long ago left.
+-- Expired unplaced: the counts of rows without a place that runs of long ago left.
 -- Reads:  stored_unplaced, stored_monitor
 -- A row:  one run, by its key.
 -- Slots:  :monitor        its name

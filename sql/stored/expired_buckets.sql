@@ -1,26 +1,24 @@
--- Doomed novel: novel cells that go, by the same rule as buckets, but with a horizon of their own.
--- Reads:  pruned_versions, horizons, stored_novel, stored_visible_novel, stored_run, stored_finished_run
--- A row:  all novel cells of one bucket that one run wrote, by their key.
+-- Expired buckets: rows of buckets that go: hidden by a later run or left by one that never finished,
+-- older than the horizon, or of a version that goes.
+-- Reads:  pruned_versions, horizons, stored_bucket, stored_visible_bucket, stored_run, stored_finished_run
+-- A row:  one row of a bucket, by its key.
 -- Slots:  :unfinished_from, :unfinished_to  runs in this range may still be at work, unless a later one of
 --         their version has finished: then they will be refused
 SELECT
   written.version_id AS version_id,
   written.bucket_no AS bucket_no,
   written.run_id AS run_id
-FROM (
-  SELECT DISTINCT version_id, bucket_no, run_id
-  FROM stored_novel
-) AS written
+FROM stored_bucket AS written
 JOIN pruned_versions AS pruned ON pruned.version_id = written.version_id
 LEFT JOIN (
-  SELECT DISTINCT
+  SELECT
     visible.version_id AS version_id,
     visible.bucket_no AS bucket_no,
     visible.run_id AS run_id,
     1 AS hit
-  FROM stored_visible_novel AS visible
+  FROM stored_visible_bucket AS visible
   JOIN horizons AS horizon ON horizon.version_id = visible.version_id
-  WHERE visible.bucket_no >= horizon.first_novel
+  WHERE visible.bucket_no >= horizon.first_bucket
 ) AS staying
   ON staying.version_id = written.version_id
   AND staying.bucket_no = written.bucket_no

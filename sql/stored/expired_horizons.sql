@@ -1,4 +1,4 @@
--- Doomed horizons: records of what was pruned that go: a newer one takes their place, or the version goes.
+-- Expired horizons: records of what was pruned that go: a newer one takes their place, or the version goes.
 -- Reads:  stored_horizon, new_horizons, pruned_versions
 -- A row:  one record, as it is.
 SELECT

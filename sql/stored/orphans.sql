@@ -1,4 +1,4 @@
--- Lonely: rows that belong to nothing, since what they name is not there, and keys that are there twice. A run
+-- Orphans: rows that belong to nothing, since what they name is not there, and keys that are there twice. A run
 -- that was cut short leaves rows behind without a record where there are no transactions, and a calibration
 -- likewise; so there only rows count whose run is recorded for other versions.
 -- Reads:  stored_monitor, stored_channel, stored_version, stored_calibration, stored_checksum, stored_bounds,

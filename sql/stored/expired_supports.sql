@@ -1,4 +1,4 @@
--- Doomed supports: what was learnt for versions that go, where no version that stays shares it.
+-- Expired supports: what was learnt for versions that go, where no version that stays shares it.
 -- Reads:  pruned_versions, stored_version
 -- A row:  one support, by its key.
 SELECT DISTINCT pruned.support_id AS support_id

@@ -1,0 +1,20 @@
+-- Limited: what calibration says of each channel, with the limit of its health indicator.
+-- Reads:  bounds, verdicts
+-- A row:  one channel.
+-- Slots:  :hi_limit, :limit_reason  the expressions of judgement/hi_limit.sql and judgement/limit_reason.sql
+SELECT
+  learnt.channel_id AS channel_id,
+  learnt.verdict AS verdict,
+  learnt.vectors AS vectors,
+  learnt.cells AS cells,
+  learnt.seen_once AS seen_once,
+  learnt.blocks AS blocks,
+  learnt.floor AS floor,
+  learnt.floor_sd AS floor_sd,
+  learnt.floor_max AS floor_max,
+  learnt.finest_bins AS finest_bins,
+  learnt.vectors_needed AS vectors_needed,
+  :hi_limit AS hi_limit,
+  :limit_reason AS limit_reason
+FROM verdicts AS learnt
+JOIN bounds AS scale ON scale.channel_id = learnt.channel_id

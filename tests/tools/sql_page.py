@@ -1,0 +1,89 @@
+"""The catalogue of ``sql/``, from its heads: ``python tests/tools/sql_page.py > sql/README.md``."""
+
+import re
+from pathlib import Path
+
+from gam_db.template import sql_folder
+
+HEAD = """\
+# The catalogue of `sql/`
+
+Every formula is one file, in DuckDB's dialect, with named slots (`:stride`) for parameters. A file is a
+step, one SELECT that reads other steps, or a fragment, an expression that stands in a slot of one. The
+folders stand here in the order in which readings become a judgement. Equations are those of the paper,
+sections those of the method. This page is made from the heads of the files:
+`python tests/tools/sql_page.py > sql/README.md`.
+"""
+
+#: The folders in order, and what each is for.
+ROOMS = {
+    "source": "From a relation to samples: one value per channel and instant (section 2).",
+    "census": "The same where it is taken on trust, and proven later, that no instant occurs twice.",
+    "streams": "The same where channels are stored in order of time.",
+    "calibration": "When calibration begins and ends, and what may be learnt from (section 4).",
+    "support": "The range of a channel, the code of a sample, the cells of calibration (section 3).",
+    "embedding": "Delay vectors and their cells.",
+    "score": "Which vectors are scored, and which of them are novel.",
+    "health": "The health indicator, by vector and by bucket.",
+    "certificate": "What calibration says about itself (section 5).",
+    "judgement": "When a channel is high, its status, and what needs attention: the same in every form.",
+    "stored": "The stored form: restart, rows that are appended, checks, pruning.",
+    "export": "What a dbt package has instead.",
+    "check": "What a source is like, before anything is learnt.",
+    "selection": "The choice of delay, dimension, cycle, window and grid (section 8).",
+    "lab/estimators": "Other estimators of the framework.",
+    "lab/baselines": "What the reproduction compares with.",
+    "lab/evaluation": "How well an indicator shows wear (section 9).",
+    "lab/benchmark": "What is measured.",
+}
+
+_PARTS = ("Reads", "A row", "Slots")
+
+
+def head(path: Path) -> dict[str, str]:
+    """The head of a file in its parts: title, text, and as far as they are there reads, a row, slots."""
+    lines = path.read_text(encoding="utf-8").splitlines()
+    said = [line.removeprefix("--").strip() for line in lines if line.startswith("--")]
+    found, part = {"": ""}, ""
+    for line in said:
+        name, colon, rest = line.partition(":")
+        if colon and name in _PARTS:
+            part, line = name, rest.strip()
+        found[part] = f"{found.get(part, '')} {line}".strip()
+    _, _, text = found.pop("").partition(": ")
+    return {"text": text if text[1:2] == "(" else f"{text[:1].upper()}{text[1:]}", **found}
+
+
+def equations(text: str) -> str:
+    """The equations and sections that a text names."""
+    named = re.findall(r"Eq\. \d(?: (?:and|to) (?:Eq\. )?\d)?", text)
+    sections = [f"§ {number}" for number in re.findall(r"section (\d)", text)]
+    return ", ".join(dict.fromkeys([*named, *sections]))
+
+
+def row(path: Path) -> str:
+    """The row of a file."""
+    said = head(path)
+    reads = re.sub(r"(^|, )(\w+)(?=,|$)", r"\1`\2`", said.get("Reads", ""))
+    cells = [
+        f"[{path.stem}]({path.relative_to(sql_folder()).as_posix()})",
+        equations(said["text"] + said.get("A row", "")),
+        said["text"],
+        reads,
+        said.get("A row", "" if reads else "a fragment"),
+    ]
+    return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
+
+
+def text() -> str:
+    """The whole page."""
+    parts = [HEAD]
+    for room, purpose in ROOMS.items():
+        rows = [row(path) for path in sorted((sql_folder() / room).glob("*.sql"))]
+        title = ["| file | equation | what | reads | a row |", "|---|---|---|---|---|"]
+        parts.append("\n".join([f"## {room}", "", purpose, "", *title, *rows]) + "\n")
+    return "\n".join(parts)
+
+
+if __name__ == "__main__":
+    print(text(), end="")
