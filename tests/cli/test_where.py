@@ -92,9 +92,9 @@ def test_other_tables_and_the_source_itself_may_be_asked() -> None:
     ("source", "out"),
     [
         (("data/**/*.parquet",), "found.duckdb"),
-        (("data/*.parquet",), "data/found.parquet"),
+        (("data/*.parquet",), "found.db"),
         (("seen", "--database", "plant.duckdb"), "found.parquet"),
-        (("kept", "--database", "plant.duckdb"), "data/found.db"),
+        (("kept", "--database", "plant.duckdb"), "data/found.duckdb"),
     ],
 )
 def test_a_condition_changes_nothing_else(folder: Path, source: tuple[str, ...], out: str) -> None:
