@@ -383,6 +383,8 @@ class DuckSession:
                 f"{_first(error).partition(' - ')[0]}: once where was given, a connection of gam-db's "
                 "own opens the source and the results, and no other file."
             ) from error
+        except duckdb.InterruptException as error:
+            raise EngineError("The statement was stopped before its end.") from error
         except duckdb.OutOfMemoryException as error:
             raise EngineError(
                 "DuckDB ran out of memory; give it more (SET memory_limit), a folder to spill to "
