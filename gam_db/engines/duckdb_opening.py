@@ -93,10 +93,12 @@ def shut(connection: duckdb.DuckDBPyConnection, sources: Iterable[str], results:
         sources: paths of files that are read, patterns among them; what views name is added.
         results: paths of files that are written, as Parquet or by attaching them.
     """
-    settings = "SELECT current_setting('enable_external_access') AND count = 1"
-    query = f"{settings} FROM duckdb_connection_count()"
+    settings = "current_setting('enable_external_access') AND count = 1"
+    query = f"SELECT {settings} FROM duckdb_connection_count()"
+    if connection.execute(query).fetchall() != [(True,)]:
+        return
     patterns = {*sources, *_named_in_views(connection)}
-    if connection.execute(query).fetchall() != [(True,)] or any("://" in one for one in patterns):
+    if any("://" in one for one in patterns):
         return
     found = connection.execute("SELECT file FROM glob(?)", [sorted(patterns)]).fetchall()
     allowed = patterns.union(*found) | {f"{path}{end}" for path in results for end in _BESIDE}
