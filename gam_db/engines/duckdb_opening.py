@@ -93,8 +93,9 @@ def shut(connection: duckdb.DuckDBPyConnection, sources: Iterable[str], results:
         sources: paths of files that are read, patterns among them; what views name is added.
         results: paths of files that are written, as Parquet or by attaching them.
     """
-    settings = "current_setting('enable_external_access') AND count = 1"
-    query = f"SELECT {settings} FROM duckdb_connection_count()"
+    query = (
+        "SELECT current_setting('enable_external_access') AND count = 1 FROM duckdb_connection_count()"
+    )
     if connection.execute(query).fetchall() != [(True,)]:
         return
     patterns = {*sources, *_named_in_views(connection)}
