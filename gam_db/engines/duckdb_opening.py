@@ -101,8 +101,10 @@ def shut(connection: duckdb.DuckDBPyConnection, sources: Iterable[str], results:
     patterns = {*sources, *_named_in_views(connection)}
     if any("://" in one for one in patterns):
         return
-    found = connection.execute("SELECT file FROM glob(?)", [sorted(patterns)]).fetchall()
-    allowed = patterns.union(*found) | {f"{path}{end}" for path in results for end in _BESIDE}
+    allowed = patterns | {f"{path}{end}" for path in results for end in _BESIDE}
+    for pattern in patterns:
+        with contextlib.suppress(duckdb.IOException):  # a text in a view that is no pattern
+            allowed.update(*connection.execute("SELECT file FROM glob(?)", [pattern]).fetchall())
     connection.execute("SET allowed_paths = ?", [sorted(allowed)])
     connection.execute("SET enable_external_access = false")
 
@@ -112,7 +114,8 @@ def _named_in_views(connection: duckdb.DuckDBPyConnection) -> set[str]:
     views = connection.execute("SELECT sql FROM duckdb_views() WHERE NOT internal").fetchall()
     tokens = [token for (text,) in views for token in sqlglot.tokenize(text, read="duckdb")]
     quoted = (sqlglot.TokenType.STRING, sqlglot.TokenType.IDENTIFIER)
-    return {one.text for one in tokens if one.token_type in quoted and {".", "/"} & {*one.text}}
+    texts = {one.text for one in tokens if one.token_type in quoted and {".", "/"} & {*one.text}}
+    return {text for text in texts if not text.endswith(("/", "."))}
 
 
 @contextlib.contextmanager

@@ -41,6 +41,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (tmp_path / "other.csv").write_text("a\n1\n", encoding="utf-8")
     with duckdb.connect("plant.duckdb") as connection:
         connection.execute("CREATE VIEW seen AS FROM read_parquet('data/**/*.parquet')")
+        connection.execute("CREATE VIEW odd AS SELECT '**a/**.b' AS a, './*/../' AS b, '.' AS c")
         connection.execute("CREATE TABLE kept AS FROM seen")
     return tmp_path
 
