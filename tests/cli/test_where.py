@@ -69,7 +69,7 @@ def test_nor_does_that_of_a_monitor(folder: Path) -> None:
             monitor.calibrate()
 
 
-@pytest.mark.parametrize("where", OPENING)
+@pytest.mark.parametrize("where", OPENING[::4])
 def test_a_lent_connection_keeps_its_settings(where: str) -> None:
     """There a condition may do what the connection may."""
     with duckdb.connect("plant.duckdb") as connection:
