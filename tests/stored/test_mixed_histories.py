@@ -27,7 +27,13 @@ from strategies import Row
 from visible import BUCKETS, NOVEL, CrashError, crashing, visible
 
 #: Histories of an engine in the first set and in the full one; each is one of so many channels.
-HISTORIES = {"duckdb": (1, 400), "sqlite": (1, 200), "postgres": (1, 100), "clickhouse": (1, 12)}
+HISTORIES = {
+    "duckdb": (1, 400),
+    "sqlite": (1, 200),
+    "postgres": (1, 100),
+    "mariadb": (1, 60),
+    "clickhouse": (1, 12),
+}
 CHANNELS = 12
 
 ACTIVE = "WHERE version_id IN (SELECT MAX(version_id) FROM gam_version GROUP BY channel_id)"
