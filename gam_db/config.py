@@ -74,11 +74,12 @@ class SourceSettings:
     where: str | None = setting(
         *(None, TEXT, "rows to take, as a condition in SQL, before all else"),
         metavar="CONDITION",
-        more="for example \"machine = 'R7'\"",
+        more="for example \"machine = 'R7'\"; it is SQL that runs with your rights, see --where-any",
         example="reading < 1000",
     )
     where_any: bool | None = setting(
         *(None, FLAG, "let where ask other tables, too: it is SQL that runs with your rights"),
+        more="on DuckDB it reads no other files; on a connection that you lend it may do what that may",
         example=True,
         aside=True,
     )

@@ -5,7 +5,7 @@ This module owns which driver an address or an open connection belongs to.
 
 import contextlib
 import importlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -46,7 +46,12 @@ ADDRESSES = (
 )
 
 
-def connect(target: Any = None, threads: int | None = None, writable: bool = True) -> Session:
+def connect(
+    target: Any = None,
+    threads: int | None = None,
+    writable: bool = True,
+    files: Sequence[str | Path] = (),
+) -> Session:
     """Open a database; use it in a ``with`` statement, or close it.
 
     Args:
@@ -60,6 +65,9 @@ def connect(target: Any = None, threads: int | None = None, writable: bool = Tru
             sqlite3, psycopg, pymysql and clickhouse_connect, and a SparkSession.
         threads: processor threads of DuckDB; None leaves its own choice.
         writable: open files for writing, and make them if they are not there; else they are only read.
+        files: results to be written. Once a source with ``where`` is read, DuckDB opens these, its
+            database and the sources read until then, and no other file; an open connection keeps its
+            settings.
 
     Raises:
         EngineError: there is no such engine, its driver is not installed (the message names the
@@ -71,18 +79,18 @@ def connect(target: Any = None, threads: int | None = None, writable: bool = Tru
     if address is None:
         package = type(target).__module__.partition(".")[0].lstrip("_")
         if target is None or package == "duckdb":
-            return DuckSession(target, threads, writable)
+            return DuckSession(target, threads, writable, files)
         if package not in _PACKAGES:
             raise EngineError(f"The database is a {type(target).__name__}; it takes {ADDRESSES}.")
         return _opened(_PACKAGES[package], target, writable)
     check(address)
     if address in _IN_MEMORY:
-        return DuckSession(None, threads, writable)
+        return DuckSession(None, threads, writable, files)
     scheme, separator, _ = address.partition("://")
     if not separator or address.startswith(_FILE):
         if not address:
             raise EngineError(f"The database is empty; it takes {ADDRESSES}.")
-        return DuckSession(address.removeprefix(_FILE), threads, writable)
+        return DuckSession(address.removeprefix(_FILE), threads, writable, files)
     if scheme == "duckdb":
         raise EngineError(f"{address} names a server; a DuckDB file is duckdb:///PATH, three slashes.")
     if scheme not in _DRIVERS:

@@ -95,7 +95,8 @@ def run(
     relation = options.named_relation(settings)
     results = [] if no_out else _results(relation, settings.source.database, out, every, estimator)
     show: Callable[[Console], None]
-    with interruptible(), connect(settings.source.database, threads, writable=False) as session:
+    files = [result.path for result in results]
+    with interruptible(), connect(settings.source.database, threads, False, files) as session:
         with Progress(session, quiet) as progress:
             job, study = open_job(session, relation, settings, progress.on_step)
             if others is None:

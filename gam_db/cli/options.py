@@ -6,7 +6,7 @@ This module owns how a declaration becomes an option, and how options are laid o
 import functools
 import inspect
 import os
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -236,7 +236,11 @@ def named_relation(settings: Settings) -> str:
 
 
 def opened(
-    settings: Settings, threads: int | None = None, writable: bool = True, must_exist: bool = True
+    settings: Settings,
+    threads: int | None = None,
+    writable: bool = True,
+    must_exist: bool = True,
+    files: Sequence[Path] = (),
 ) -> Session:
     """Open the database that holds the state; use it in a ``with`` statement.
 
@@ -245,6 +249,7 @@ def opened(
         threads: processor threads.
         writable: whether the command writes; else the file is only read.
         must_exist: whether the file must be there already; it is never made to be read only.
+        files: results, see :func:`gam_db.connect`.
 
     Raises:
         UserError: no database was named, or it cannot be opened.
@@ -258,4 +263,4 @@ def opened(
     check(address)
     if must_exist and not is_url(address) and not Path(address).exists():
         raise EngineError(f"There is no database file {address}.")
-    return connect(address, threads, writable)
+    return connect(address, threads, writable, files)

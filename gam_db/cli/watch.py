@@ -281,7 +281,7 @@ def score(
     """
     if dry_run and copy_to is not None:
         raise ConfigurationError("--dry-run writes nothing; leave out --copy.")
-    session = options.opened(settings, threads)
+    session = options.opened(settings, threads, files=[] if copy_to is None else [copy_to])
     with working(session, quiet) as on_step:
         monitor, known = watched(session, settings, source)
         kind = kind_of(known)

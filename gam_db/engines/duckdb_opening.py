@@ -2,11 +2,12 @@
 
 import contextlib
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
 import duckdb
+import sqlglot
 from sqlglot import exp
 
 from gam_db import template
@@ -75,6 +76,46 @@ def _with_our_checkpoints(connection: duckdb.DuckDBPyConnection) -> duckdb.DuckD
     connection.execute("SET checkpoint_threshold = '1000 TB'")
     connection.execute("PRAGMA disable_checkpoint_on_shutdown")
     return connection
+
+
+#: What DuckDB writes beside a database file.
+_BESIDE = ("", ".wal", ".wal.checkpoint", ".wal.recovery")
+
+
+def shut(connection: duckdb.DuckDBPyConnection, sources: Iterable[str], results: Iterable[Path]) -> None:
+    """Let a connection open no other files for as long as it lasts, beside its own database.
+
+    It stays as it is where a source is remote, as what reads that is loaded when it is needed, and where
+    the database is open on another connection of the process, which shares the setting.
+
+    Args:
+        connection: of our own.
+        sources: paths of files that are read, patterns among them; what views name is added.
+        results: paths of files that are written, as Parquet or by attaching them.
+    """
+    query = (
+        "SELECT current_setting('enable_external_access') AND count = 1 FROM duckdb_connection_count()"
+    )
+    if connection.execute(query).fetchall() != [(True,)]:
+        return
+    patterns = {*sources, *_named_in_views(connection)}
+    if any("://" in one for one in patterns):
+        return
+    allowed = patterns | {f"{path}{end}" for path in results for end in _BESIDE}
+    for pattern in patterns:
+        with contextlib.suppress(duckdb.IOException):  # a text in a view that is no pattern
+            allowed.update(*connection.execute("SELECT file FROM glob(?)", [pattern]).fetchall())
+    connection.execute("SET allowed_paths = ?", [sorted(allowed)])
+    connection.execute("SET enable_external_access = false")
+
+
+def _named_in_views(connection: duckdb.DuckDBPyConnection) -> set[str]:
+    """Return all in the definitions of views that may be the path of a file."""
+    views = connection.execute("SELECT sql FROM duckdb_views() WHERE NOT internal").fetchall()
+    tokens = [token for (text,) in views for token in sqlglot.tokenize(text, read="duckdb")]
+    quoted = (sqlglot.TokenType.STRING, sqlglot.TokenType.IDENTIFIER)
+    texts = {one.text for one in tokens if one.token_type in quoted and {".", "/"} & {*one.text}}
+    return {text for text in texts if not text.endswith(("/", "."))}
 
 
 @contextlib.contextmanager

@@ -15,7 +15,14 @@ from gam_db import template
 from gam_db.engines.base import deletion
 from gam_db.engines.duckdb import ENGINE, file_reader
 from gam_db.engines.duckdb_journal import Journal
-from gam_db.engines.duckdb_opening import attached, check_settings, is_among, opened, rows_at_once
+from gam_db.engines.duckdb_opening import (
+    attached,
+    check_settings,
+    is_among,
+    opened,
+    rows_at_once,
+    shut,
+)
 from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY, check_columns, unwritable
 from gam_db.errors import ConflictError, EngineError, SourceError, StatementError, nearest
 from gam_db.source import is_file, table_names
@@ -34,6 +41,8 @@ class DuckSession:
             which stays open and keeps nothing of ours.
         threads: processor threads; None leaves DuckDB's own choice.
         writable: open a database file for writing, and make it if it is not there; else it is only read.
+        files: what it may open, beside its database and its sources, once a condition of a user's was
+            tried; an open connection keeps its settings, and may open all that it could.
 
     Raises:
         EngineError: the file cannot be opened, this DuckDB is too old, or the connection is closed or
@@ -43,7 +52,13 @@ class DuckSession:
     engine = ENGINE
     transactions = True
 
-    def __init__(self, target: Any = None, threads: int | None = None, writable: bool = False) -> None:
+    def __init__(
+        self,
+        target: Any = None,
+        threads: int | None = None,
+        writable: bool = False,
+        files: Sequence[str | Path] = (),
+    ) -> None:
         if tuple(int(part) for part in duckdb.__version__.split(".")[:2]) < OLDEST:
             raise EngineError(
                 f"DuckDB {duckdb.__version__} is too old; gam-db needs "
@@ -63,6 +78,8 @@ class DuckSession:
         if threads is not None:
             self.connection.execute("SET threads = ?", [threads])
         self._mark = f"gam_{secrets.token_hex(4)}"
+        self._sources: list[str] = []
+        self._results = [beside for path in map(Path, files) for beside in (path, self.unfinished(path))]
         self._made: list[str] = []
         self._registered: list[str] = []
 
@@ -175,6 +192,8 @@ class DuckSession:
         Raises:
             SourceError: DuckDB refuses it; the message shows it as the user wrote it.
         """
+        if self.owned:
+            shut(self.connection, self._sources, self._results)
         probe = exp.select(exp.Literal.number(1)).from_(relation.copy()).where(condition).limit(0)
         try:
             self._run(probe)
@@ -297,7 +316,7 @@ class DuckSession:
         if path.suffix in (".duckdb", ".db"):
             self._write_table(query, path, table)
             return
-        unfinished = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
+        unfinished = self.unfinished(path)
         copy = exp.Copy(
             this=exp.Subquery(this=query),
             kind=False,
@@ -314,6 +333,10 @@ class DuckSession:
             raise unwritable(path, error) from error
         finally:
             unfinished.unlink(missing_ok=True)
+
+    def unfinished(self, path: Path) -> Path:
+        """Return where this session writes what becomes a file when all of it is there."""
+        return path.with_name(f".{path.name}.{self._mark}")
 
     def attached(self, path: Path) -> contextlib.AbstractContextManager[exp.Identifier]:
         """Open another DuckDB file for writing beside this one, and give its catalogue.
@@ -348,6 +371,15 @@ class DuckSession:
             return (how or self.connection.execute)(statement)
         except (duckdb.IOException, duckdb.CatalogException, duckdb.BinderException):
             raise
+        except duckdb.PermissionException as error:
+            if not self.owned:
+                raise _refusal(error, statement) from error
+            raise SourceError(
+                f"{_first(error).partition(' - ')[0]}: once where was given, a connection of gam-db's "
+                "own opens the source and the results, and no other file."
+            ) from error
+        except duckdb.InterruptException as error:
+            raise EngineError("The statement was stopped before its end.") from error
         except duckdb.OutOfMemoryException as error:
             raise EngineError(
                 "DuckDB ran out of memory; give it more (SET memory_limit), a folder to spill to "
@@ -359,13 +391,13 @@ class DuckSession:
                 "bits; where= may ask for it, too); look at the file, or cast the column in a view."
             ) from error
         except duckdb.Error as error:
-            first = str(error).partition("\n")[0]
+            first = _first(error)
             if "CSV Error" in first:
                 raise SourceError(
                     f"Line {first.rpartition(' ')[2]} of the CSV file does not fit its columns; mend "
                     "it, or read the file into a table with options of your own."
                 ) from error
-            raise StatementError(f"DuckDB refused a statement: {first}", statement) from error
+            raise _refusal(error, statement) from error
 
     def _register(self, relation: Any) -> exp.Table:
         if not isinstance(relation, (pa.Table, pa.RecordBatch)) and not hasattr(
@@ -391,6 +423,7 @@ class DuckSession:
 
     def _file(self, path: str) -> exp.Expr:
         node = file_reader(path)
+        self._sources.append(path)
         try:
             self.describe(node)
         except duckdb.IOException as error:
@@ -415,6 +448,14 @@ class DuckSession:
         return self.connection.execute(
             "SELECT table_catalog, table_schema, table_name FROM information_schema.tables"
         ).fetchall()
+
+
+def _refusal(error: duckdb.Error, statement: str) -> StatementError:
+    return StatementError(f"DuckDB refused a statement: {_first(error)}", statement)
+
+
+def _first(error: BaseException) -> str:
+    return str(error).partition("\n")[0]
 
 
 def _temporary(name: str) -> exp.Table:

@@ -77,7 +77,8 @@ def connected(target: Any, writable: bool) -> "MariaDriver":
         if error.args[0] == _UNREACHED:
             raise LostConnectionError(f"{place} does not answer: is it running?") from None
         raise EngineError(
-            f"{place} does not let this user in, or has no such database; its password is MYSQL_PWD."
+            f"{place} does not let this user in, or has no such database; the password stands in "
+            "MYSQL_PWD."
         ) from None
     return MariaDriver(pymysql, connection, owned=True)
 

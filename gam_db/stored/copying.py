@@ -4,7 +4,6 @@ While one process writes a DuckDB file, no other can open it. A copy is as it wa
 holds nothing but the state: no telemetry, and no room left by rows that are gone.
 """
 
-import secrets
 from pathlib import Path
 
 from sqlglot import exp
@@ -53,7 +52,7 @@ def copy(session: Session, tables: StateTables, path: Path) -> None:
             f"{path} is called like the schema of the state, and DuckDB could not tell them apart; give "
             "the copy another name."
         )
-    unfinished = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
+    unfinished = session.unfinished(path)
     try:
         with DuckSession(unfinished, writable=True) as target:
             migrations.migrate(target, tables)

@@ -5,6 +5,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,7 @@ from typing import Any
 import duckdb
 import pyarrow as pa
 import pytest
+import sqlglot
 from pyarrow import parquet
 from sqlglot import exp
 from typer.testing import CliRunner
@@ -133,6 +135,17 @@ def test_a_limit_of_time_stops_a_command(folder: Path) -> None:
     assert "Traceback" not in answer.stderr
     assert time.monotonic() - started < 60
     assert os.listdir(folder) == ["long.parquet"]
+
+
+def test_a_statement_that_is_stopped_is_no_refusal_to_go_on_from() -> None:
+    """``gam select`` asks about every channel alone where one was refused, not where one was stopped."""
+    endless = sqlglot.parse_one("SELECT COUNT(*) FROM RANGE(100000000) AS a, RANGE(100000000) AS b")
+    with DuckSession() as session:
+        stop = threading.Timer(0.3, session.interrupt)
+        stop.start()
+        with pytest.raises(EngineError, match="was stopped"):
+            session.fetch(endless)
+        stop.join()
 
 
 @pytest.mark.parametrize(

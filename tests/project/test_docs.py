@@ -49,6 +49,18 @@ def test_the_catalogue_lists_all_of_sql() -> None:
     assert page == sql_page.text(), "python tests/tools/sql_page.py > sql/README.md"
 
 
+def test_what_the_page_on_reliability_names_is_there() -> None:
+    rows = (ROOT / "docs" / "reliability.md").read_text(encoding="utf-8").split("\n|")[3:]
+    assert len(rows) > 15
+    for row in rows:
+        named = re.findall(r"`(\w+/test_\w+\.py)::(test_\w+)`", row)
+        assert named, row
+        for file, test in named:
+            text = (ROOT / "tests" / file).read_text(encoding="utf-8")
+            assert f"\ndef {test}(" in text, (file, test)
+        assert len(row.split("|")) == 6, row
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_the_readme_claims_no_more_than_the_evidence(name: str) -> None:
     rows = [line for line in README.splitlines() if line.startswith(f"| {evidence()[name].evidence} |")]

@@ -9,6 +9,7 @@ Everything follows from one number: drawn value by value, hypothesis would spend
 """
 
 import random
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -20,6 +21,16 @@ LENGTH = 60
 #: What a history is about -> parameters and calibration that go with it.
 KINDS = ("short form", "pauses", "given start", "pools")
 
+#: What is done after a batch, as often as it stands here.
+PLAIN = (*["score"] * 6, *["crash"] * 3, "full", "everything")
+
+#: The same where all is in the mix; and with pruning, where no row comes too late.
+MIXED = (*PLAIN, *["beside"] * 4, *["clock"] * 3, *["from"] * 2, "recalibrate", "compact")
+PRUNED = (*MIXED, *["prune"] * 3)
+
+#: What a second writer does inside a run.
+BESIDE = ("score", "full", "from", "everything", "recalibrate")
+
 
 @dataclass
 class Batch:
@@ -28,7 +39,9 @@ class Batch:
     Attributes:
         rows: that arrive.
         runs: what is done then, in order: "score", "full", "everything", or "crash": a run that is cut
-            off when it announces its so-manieth step.
+            off when it announces its so-manieth step. In a mixed history also "from" a time; "clock":
+            from now on it stands so many days ahead; "recalibrate", "compact"; "prune" to so much time;
+            "beside full" and the like: that is done inside a run, at its so-manieth step.
     """
 
     rows: list[Row]
@@ -47,6 +60,8 @@ class History:
         park_after: see :class:`gam_db.Monitor`.
         limit: most readings that a run works on at once.
         trusted_from: rows from which on a run takes on trust that no instant occurs twice.
+        is_pruned: whether old buckets go in between; else, in a mixed history, rows come too late, and
+            a repair follows.
         final: all rows, each once.
     """
 
@@ -58,14 +73,15 @@ class History:
     limit: int
     trusted_from: int
     final: list[Row]
+    is_pruned: bool = False
     batches: list[Batch] = field(default_factory=list)
 
 
-def history(kind: str, seed: int) -> History:
+def history(kind: str, seed: int, channels: int = CHANNELS, mixed: bool = False) -> History:
     """Return the history that a number stands for."""
     chance = random.Random(seed)
     parameters, calibration = settings(kind, chance)
-    rows = [row for name in names(chance) for row in series(chance, *name, parameters["bins"])]
+    rows = [row for name in names(chance, channels) for row in series(chance, *name, parameters["bins"])]
     cut = chance.choice([20, 30, 40])
     starts: dict[tuple[str, str], int] = {}
     for row in rows:
@@ -79,25 +95,36 @@ def history(kind: str, seed: int) -> History:
         first,
         lookback,
         chance.choice([False, False, 5]),
-        chance.choice([15 * CHANNELS, 10**6, 10**6]),
+        chance.choice([15 * channels, 10**6, 10**6]),
         chance.choice([0, 10**6, 10**6]),
         rows,
     )
-    arrivals = Arrivals(chance, first, later, lookback)
-    made.batches.append(Batch([], runs(chance)))
+    made.is_pruned = mixed and chance.random() < 0.4
+    kinds = PLAIN if not mixed else PRUNED if made.is_pruned else MIXED
+    arrivals = Arrivals(chance, first, later, lookback, mixed and not made.is_pruned)
+    made.batches.append(Batch([], runs(chance, kinds)))
     left = chance.randint(1, 5)
-    while arrivals.pending:
+    while arrivals.pending or arrivals.late:
         left -= 1
-        made.batches.append(Batch(arrivals.next(left <= 0), runs(chance)))
+        late = [("from", min(row[2] for row in arrivals.late))] if arrivals.late else []
+        made.batches.append(Batch(arrivals.next(left <= 0), late + runs(chance, kinds)))
     made.batches.append(Batch([], [("everything", 0)]))
     return made
 
 
 class Arrivals:
-    """The rows that are still to come, batch by batch, none of them too late."""
+    """The rows that are still to come, batch by batch; but for ``late`` ones none comes too late."""
 
-    def __init__(self, chance: random.Random, first: list[Row], later: list[Row], lookback: int) -> None:
+    def __init__(
+        self,
+        chance: random.Random,
+        first: list[Row],
+        later: list[Row],
+        lookback: int,
+        may_be_late: bool = False,
+    ) -> None:
         self.chance, self.lookback, self.arrived = chance, lookback, list(first)
+        self.may_be_late, self.late = may_be_late, list[Row]()
         self.pending: dict[tuple[str, str], list[Row]] = {}
         for row in sorted(later, key=lambda row: row[2]):
             self.pending.setdefault(row[:2], []).append(row)
@@ -107,7 +134,7 @@ class Arrivals:
 
     def next(self, last: bool = False) -> list[Row]:
         """Return the rows of the next batch in any order, some old ones among them; in the last all."""
-        chance, batch = self.chance, []
+        chance, batch, self.late = self.chance, self.late, []
         share = chance.choice([0.3, 0.7, 1.0])
         for name, waiting in list(self.pending.items()):
             if not last and chance.random() < 0.2:
@@ -125,7 +152,10 @@ class Arrivals:
             self.newest[name] = max([self.newest[name], *(row[2] for row in come)])
             # What is left behind must not have become too late by what came.
             overdue = [row for row in rest if row[2] < self.newest[name] - self.lookback]
-            batch += overdue
+            if self.may_be_late and not last and chance.random() < 0.5:
+                self.late += overdue
+            else:
+                batch += overdue
             left = [row for row in rest if not any(row is one for one in overdue)]
             self.pending[name] = sorted(left, key=lambda row: row[2])
             if not left:
@@ -137,12 +167,16 @@ class Arrivals:
         return batch
 
 
-def runs(chance: random.Random) -> list[tuple[str, int]]:
+def runs(chance: random.Random, kinds: Sequence[str]) -> list[tuple[str, int]]:
     """Return what is done after a batch; at times nothing."""
     chosen: list[tuple[str, int]] = []
     for _ in range(chance.choice([0, 1, 1, 1, 2])):
-        what = chance.choice(["score"] * 6 + ["crash"] * 3 + ["full", "everything"])
-        chosen.append((what, chance.randint(1, 25)))
+        what, number = chance.choice(kinds), chance.randint(1, 25)
+        if what == "beside":
+            what = f"beside {chance.choice(BESIDE)}"
+        if what == "clock":
+            number = chance.choice([-30, -1, 0, 0, 1, 400])
+        chosen.append((what, number))
     return chosen
 
 
@@ -173,11 +207,11 @@ def settings(kind: str, chance: random.Random) -> tuple[Arguments, Arguments]:
     return parameters, calibration
 
 
-def names(chance: random.Random) -> list[tuple[str, str]]:
+def names(chance: random.Random, channels: int) -> list[tuple[str, str]]:
     """Return the names of the channels, some of which look like patterns."""
     assets = [*ASSETS, *(f"m_{number}" for number in range(10, 50))]
     both = [(asset, channel) for asset in assets for channel in ("x", "X", "y*")]
-    return chance.sample(both, CHANNELS)
+    return chance.sample(both, channels)
 
 
 def series(chance: random.Random, asset: str, channel: str, bins: int) -> list[Row]:

@@ -11,9 +11,11 @@ import functools
 import os
 import shlex
 import shutil
+import signal
 import socket
 import subprocess
 import tempfile
+import time
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -45,6 +47,40 @@ class Server:
         """Return the URL of another database or user of this server."""
         return f"postgresql://{user or self.user}@{self.host}:{self.port}/{database}"
 
+    def crash(self) -> None:
+        """Kill all of its processes (kill -9), the one that would clean up after the others first."""
+        noted = self.folder / "data" / "postmaster.pid"
+        first = int(noted.read_text(encoding="utf-8").split()[0])
+        others = Path(f"/proc/{first}/task/{first}/children").read_text(encoding="utf-8").split()
+        processes = [first, *map(int, others)]
+        for process in processes:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(process, signal.SIGKILL)
+        while any(map(_is_alive, processes)):
+            time.sleep(0.01)
+        # Both name the first process, which lives on as a number where nobody waits for its end.
+        noted.unlink()
+        (self.folder / f".s.PGSQL.{self.port}.lock").unlink()
+
+    def start(self, durable: bool) -> None:
+        """Start it, again after a crash; return when it takes connections.
+
+        Args:
+            durable: write to the disk what is committed, as a server must that is not thrown away.
+        """
+        settings = {
+            "port": self.port,
+            "listen_addresses": self.host,
+            "unix_socket_directories": self.folder,
+            "autovacuum": "off",
+            "shared_buffers": "64MB",
+        }
+        if not durable:
+            settings |= dict.fromkeys(("fsync", "synchronous_commit", "full_page_writes"), "off")
+        said = " ".join(f"-c {name}={value}" for name, value in settings.items())
+        place = f"-D {self.folder}/data -l {self.folder}/log"
+        _run(f"{_found()}/pg_ctl {place} -w -t 60 -o {shlex.quote(said)} start", self.folder)
+
 
 def programs() -> Path | None:
     """Return the folder of the newest server's programs, or None where there is none."""
@@ -57,16 +93,36 @@ def programs() -> Path | None:
     return None if on_path is None else Path(on_path).resolve().parent
 
 
-@functools.cache
-def server() -> Server:
+def _is_alive(process: int) -> bool:
+    try:
+        told = Path(f"/proc/{process}/stat").read_text(encoding="utf-8")
+    except (FileNotFoundError, ProcessLookupError):
+        return False
+    return told.rpartition(")")[2].split()[0] not in "ZX"
+
+
+def _found() -> Path:
+    binaries = programs()
+    if binaries is None:
+        raise RuntimeError("PostgreSQL is not installed (Debian: apt-get install postgresql).")
+    return binaries
+
+
+def server(durable: bool = False) -> Server:
     """Start the server of this process; the second call returns the same.
+
+    Args:
+        durable: another one, which writes to the disk what is committed.
 
     Raises:
         RuntimeError: PostgreSQL is not installed, or does not start; the message ends with its log.
     """
-    binaries = programs()
-    if binaries is None:
-        raise RuntimeError("PostgreSQL is not installed (Debian: apt-get install postgresql).")
+    return _started(durable)
+
+
+@functools.cache
+def _started(durable: bool) -> Server:
+    binaries = _found()
     folder = Path(tempfile.mkdtemp(prefix="gam_postgres_", dir="/tmp"))  # a socket's path is short
     if os.geteuid() == 0:
         shutil.chown(folder, "postgres")
@@ -78,21 +134,7 @@ def server() -> Server:
         f"{binaries}/initdb -D {folder}/data -U {USER} --auth=trust --locale=C --encoding=UTF8 -N",
         folder,
     )
-    settings = {
-        "port": started.port,
-        "listen_addresses": started.host,
-        "unix_socket_directories": folder,
-        "fsync": "off",
-        "synchronous_commit": "off",
-        "full_page_writes": "off",
-        "autovacuum": "off",
-        "shared_buffers": "64MB",
-    }
-    said = " ".join(f"-c {name}={value}" for name, value in settings.items())
-    _run(
-        f"{binaries}/pg_ctl -D {folder}/data -l {folder}/log -w -t 60 -o {shlex.quote(said)} start",
-        folder,
-    )
+    started.start(durable)
     return started
 
 
@@ -106,11 +148,9 @@ def version() -> str:
 
 def stop() -> None:
     """Stop the server before the process ends, and wipe it; the next call of server() starts another."""
-    if server.cache_info().currsize:
-        binaries = programs()
-        assert binaries is not None
-        _stop(binaries, server().folder)
-        server.cache_clear()
+    if _started.cache_info().currsize:
+        _stop(_found(), server().folder)
+        _started.cache_clear()
 
 
 def _stop(binaries: Path, folder: Path) -> None:

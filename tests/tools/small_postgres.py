@@ -20,21 +20,21 @@ TABLES = [name for name in tables.TABLES if name != "migration"]
 _numbers = itertools.count()
 
 
-def administrator(database: str = "postgres") -> Any:
+def administrator(database: str = "postgres", durable: bool = False) -> Any:
     """Connect as the superuser."""
-    return psycopg.connect(postgres_server.server().url_of(database), autocommit=True)
+    return psycopg.connect(postgres_server.server(durable).url_of(database), autocommit=True)
 
 
 @contextmanager
-def database(template: str = "template1") -> Iterator[str]:
+def database(template: str = "template1", durable: bool = False) -> Iterator[str]:
     """Make a database, a copy of another one, and drop it in the end; give its name."""
     name = f"plant_{os.getpid()}_{next(_numbers)}"
-    with administrator() as connection:
+    with administrator(durable=durable) as connection:
         connection.execute(f"CREATE DATABASE {name} TEMPLATE {template}")
     try:
         yield name
     finally:
-        with administrator() as connection:
+        with administrator(durable=durable) as connection:
             connection.execute(f"DROP DATABASE {name} WITH (FORCE)")
 
 
