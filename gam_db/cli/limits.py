@@ -11,6 +11,9 @@ from collections.abc import Iterator
 
 from gam_db.errors import ConfigurationError, RunAgainError
 
+#: Seconds after which it is interrupted again: a library may swallow an interrupt while it is imported.
+_AGAIN = 5.0
+
 
 class OutOfTimeError(RunAgainError):
     """A command took longer than it was given; what counts already stays."""
@@ -38,7 +41,7 @@ def limited(seconds: float | None) -> Iterator[None]:
         os.kill(os.getpid(), signal.SIGINT)
 
     before = signal.signal(signal.SIGALRM, interrupt)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
+    signal.setitimer(signal.ITIMER_REAL, seconds, _AGAIN)
     ended: BaseException | None = None
     try:
         yield

@@ -39,9 +39,11 @@ def begun(name: str, plant: Any, *words: str) -> "subprocess.Popen[str]":
         text=True,
     )
     until = time.monotonic() + 60
-    while not sleeping(plant) and time.monotonic() < until:
+    while not sleeping(plant) and process.poll() is None and time.monotonic() < until:
         time.sleep(0.05)
-    assert sleeping(plant), process.poll()
+    if not sleeping(plant):
+        process.kill()
+        pytest.fail(f"it never came to the server: {process.communicate()}")
     return process
 
 
