@@ -73,7 +73,7 @@ def calibrate(
     keys = state.keys()
     monitor = _monitor(state, study, name, keys)
     add(steps, "stored/recount")
-    add_judged(steps, "limited", exp.null(), "unscored")
+    add_judged(steps, "limited", exp.cast(exp.null(), "DOUBLE"), "unscored")
     add(steps, "stored/version_rows", {"long_ago": LONG_AGO, "created": now()})
     for part in ("calibration", "bounds", "block", "support"):
         add(steps, f"stored/{part}_rows")
