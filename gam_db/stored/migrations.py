@@ -19,7 +19,7 @@ from gam_db.errors import ConflictError, EngineError, StateError
 from gam_db.stored import roles
 from gam_db.stored.migration_files import RECORD, Migration, files
 from gam_db.stored.roles import Roles
-from gam_db.stored.tables import StateTables
+from gam_db.stored.tables import VIEWS, StateTables
 from gam_db.version import __version__
 
 #: The columns of the tables and views there are, by their names in lower case.
@@ -169,6 +169,11 @@ def rendered(engine: Engine, tables: StateTables, who: Roles | None = None) -> s
     for migration in files():
         title = f"-- Migration {migration.number}: {tables.shown(migration.name)}."
         statements = _complete(migration, engine, tables, now, makes_schema=who is None)
+        later = [one for one in files()[migration.number :] if one.name == migration.name]
+        columns = {tuple(one.definition.columns) for one in (migration, *later)}
+        if migration.name in VIEWS and len(columns) > 1:
+            # Made again later on, with more: an engine may refuse to take columns away from a view.
+            statements = statements[-1:]
         if any(_adds_once(statement) for statement in statements):
             title += f" Only where it is pending: {engine.title} cannot be told to add a column once."
         if migration.filling is not None:

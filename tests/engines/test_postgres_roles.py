@@ -227,7 +227,9 @@ def test_an_owner_migrates_and_the_script_is_run_again(plant: Any) -> None:
     worked(plant)
     before = plant.execute(BUCKETS).fetchall()
     plant.execute(f'DROP TABLE "{SCHEMA}".gam_proof')
-    plant.execute(f"DELETE FROM \"{SCHEMA}\".gam_migration WHERE name = 'proof'")
+    record = f'"{SCHEMA}".gam_migration'
+    made = f"(SELECT number FROM {record} WHERE name = 'proof')"
+    plant.execute(f"DELETE FROM {record} WHERE number >= {made}")
     assert refused(plant, WRITER, "migrate")
     assert gam(plant, OWNER, "migrate")[0] == 0
     assert refused(plant, READER, "status")
