@@ -23,6 +23,7 @@ class DbapiDriver:
     Attributes:
         begins: the statement that begins a transaction.
         place: what stands for a value in a statement.
+        storage: what is said of the storage of temporary tables.
         refusals: see :data:`Refusals`.
 
     Args:
@@ -35,6 +36,7 @@ class DbapiDriver:
     transactions = True
     begins = "BEGIN"
     place = "?"
+    storage: Sequence[exp.Expr] = ()
     refusals: Refusals = ()
 
     def __init__(self, connection: Any, owned: bool) -> None:
@@ -77,7 +79,7 @@ class DbapiDriver:
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
         """Make a temporary table of the rows of a query."""
-        self.execute(self.engine.text(_temporary(table, query)))
+        self.execute(self.engine.text(self._temporary(table, query)))
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
         """Make a temporary table of the rows of an Arrow table."""
@@ -85,7 +87,7 @@ class DbapiDriver:
             exp.ColumnDef(this=template.name(field.name), kind=self.type_of(field.type))
             for field in rows.schema
         ]
-        self.execute(self.engine.text(_temporary(exp.Schema(this=table, expressions=columns))))
+        self.execute(self.engine.text(self._temporary(exp.Schema(this=table, expressions=columns))))
         places = exp.Tuple(expressions=[exp.var(self.place) for _ in columns])
         insert = exp.Insert(this=table.copy(), expression=exp.Values(expressions=[places]))
         cursor = self._connection.cursor()
@@ -127,6 +129,11 @@ class DbapiDriver:
         if self._owned:
             self._connection.close()
 
+    def _temporary(self, made: exp.Expr, query: exp.Query | None = None) -> exp.Create:
+        said = [exp.TemporaryProperty(), *(one.copy() for one in self.storage)]
+        properties = exp.Properties(expressions=said)
+        return exp.Create(this=made.copy(), kind="TABLE", expression=query, properties=properties)
+
     def _asked(self, statement: str, values: Sequence[Any] = ()) -> list[tuple[Any, ...]]:
         """Run a statement; return its rows, none of one that has none."""
         cursor = self._connection.cursor()
@@ -144,12 +151,3 @@ def by_table(rows: Iterable[tuple[str, str]]) -> dict[str, tuple[str, ...]]:
     for table, column in rows:
         found[table.casefold()] = (*found.get(table.casefold(), ()), column)
     return found
-
-
-def _temporary(made: exp.Expr, query: exp.Query | None = None) -> exp.Create:
-    return exp.Create(
-        this=made.copy(),
-        kind="TABLE",
-        expression=query,
-        properties=exp.Properties(expressions=[exp.TemporaryProperty()]),
-    )

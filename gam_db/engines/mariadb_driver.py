@@ -1,5 +1,6 @@
 """MariaDB at work, by PyMySQL."""
 
+import contextlib
 import datetime as dt
 import getpass
 import math
@@ -14,8 +15,8 @@ from sqlglot import exp
 from gam_db.address import shown
 from gam_db.engines.dbapi import DbapiDriver, by_table
 from gam_db.engines.mariadb import COLLATION, ENGINE
-from gam_db.engines.session import check_columns
-from gam_db.errors import EngineError, LostConnectionError, SourceError
+from gam_db.engines.session import CONFLICT, OPEN, READ_ONLY, check_columns
+from gam_db.errors import ConflictError, EngineError, LostConnectionError, SourceError
 from gam_db.extras import needed
 
 OLDEST = (10, 11)
@@ -27,15 +28,20 @@ PATIENCE = 15
 #: What PyMySQL calls a server that is not there.
 _UNREACHED = 2003
 
-#: What a connection is set to: instants are UTC, a statement sees what is committed by then, a number
-#: that does not fit is an error, and joins hash instead of walking through the other side for each row.
+#: What a connection is set to while a session lies on it: instants are UTC, a statement sees what is
+#: committed by then, a number that does not fit is an error, and joins hash instead of walking through
+#: the other side for each row.
+_VALUES = (
+    *(1, "+00:00", "STRICT_ALL_TABLES,ERROR_FOR_DIVISION_BY_ZERO", "READ-COMMITTED"),
+    *(8, 67_108_864, 268_435_456, "join_cache_hashed=on,optimize_join_buffer_size=off"),
+)
 _SETTINGS = (
-    f"SET NAMES utf8mb4 COLLATE {COLLATION}",
-    "SET time_zone = '+00:00'",
-    "SET sql_mode = 'STRICT_ALL_TABLES,ERROR_FOR_DIVISION_BY_ZERO'",
-    "SET SESSION TRANSACTION ISOLATION LEVEL READ COMMITTED",
-    "SET join_cache_level = 8, join_buffer_space_limit = 268435456, join_buffer_size = 67108864",
-    "SET optimizer_switch = 'join_cache_hashed=on,optimize_join_buffer_size=off'",
+    "SELECT @@autocommit, @@time_zone, @@sql_mode, @@tx_isolation, "
+    "@@join_cache_level, @@join_buffer_size, @@join_buffer_space_limit, @@optimizer_switch"
+)
+_SET = (
+    "SET SESSION autocommit = %s, time_zone = %s, sql_mode = %s, tx_isolation = %s, "
+    "join_cache_level = %s, join_buffer_size = %s, join_buffer_space_limit = %s, optimizer_switch = %s"
 )
 
 #: Readings worked on at once: MariaDB sorts on its disk.
@@ -89,9 +95,13 @@ class MariaDriver(DbapiDriver):
     engine = ENGINE
     begins = "START TRANSACTION"
     place = "%s"
+    storage = (exp.CollateProperty(this=exp.var(COLLATION)),)  # the database's own may hold few signs
     refusals = (
         ("(2006", LostConnectionError("The connection to MariaDB was lost; run it again.")),
         ("(2013", LostConnectionError("The connection to MariaDB was lost; run it again.")),
+        ("(1213", ConflictError(CONFLICT)),
+        ("(1205", ConflictError(CONFLICT)),
+        ("(1290", EngineError(READ_ONLY)),
         ("(1142", EngineError("The user has no right to do that in this MariaDB database.")),
         ("(1044", EngineError("The user has no right to this MariaDB database.")),
         ("(1114", EngineError("MariaDB has no room left; what was there before is as it was.")),
@@ -106,8 +116,12 @@ class MariaDriver(DbapiDriver):
         found = tuple(int(part) for part in version.split("-")[0].split(".")[:2])
         if "MariaDB" not in version or found < OLDEST:
             raise EngineError(f"The server is {version}; gam-db needs MariaDB 10.11 or later.")
-        for setting in _SETTINGS:
-            self.execute(setting)
+        if self.in_transaction():
+            raise EngineError(OPEN)
+        self._before = self._asked(_SETTINGS)[0]
+        self._charset = connection.charset
+        self._asked(_SET, _VALUES)
+        connection.set_character_set("utf8mb4", COLLATION)
 
     def in_transaction(self) -> bool:
         """Tell whether a transaction is open."""
@@ -134,6 +148,14 @@ class MariaDriver(DbapiDriver):
         """Drop a temporary table."""
         super().drop(table)
         self._lent.discard(table.name)
+
+    def close(self) -> None:
+        """Close the connection if it is ours, or set it as it was."""
+        if not self._owned:
+            with contextlib.suppress(*self.errors):
+                self._asked(_SET, self._before)
+                self._connection.set_character_set(self._charset)
+        super().close()
 
     def type_of(self, arrow: pa.DataType) -> exp.DataType:
         """Return the type of a column that is to hold Arrow's values."""

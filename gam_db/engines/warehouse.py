@@ -256,8 +256,8 @@ class WarehouseSession:
     def load(self, rows: pa.Table) -> exp.Table:
         """Return the node that reads an Arrow table of ours, until it is forgotten."""
         table = self._new("arrow")
+        self._made[table.name] = table  # also where it is filled in part only: its name is not free then
         self._asked(lambda: self.driver.ingest(table, rows), "arrow")
-        self._made[table.name] = table
         return table.copy()
 
     def forget(self, kept: exp.Table) -> None:
