@@ -36,8 +36,11 @@ LIST = Path(__file__).with_name("mutants.txt")
 #: The folders of ``sql/`` of which every file has a mutant.
 FOLDERS = (
     *("source", "support", "embedding", "score", "health", "calibration", "certificate", "stored"),
-    *("streams", "census"),
+    *("streams", "census", "rowids", "arrays"),
 )
+
+#: Files of ``sql/`` -> the engine that runs them; DuckDB runs all others.
+_RUN_BY = {"rowids/*": "sqlite", "arrays/*": "clickhouse", "score/novelty_set": "sqlite"}
 
 #: Seconds after which a run is stopped: a mutant that never ends is caught, too.
 LONGEST = 600
@@ -57,6 +60,9 @@ _ABOUT = {
     "streams/*": "test_streaming",
     "source/unpivoted": "test_wide",
     "census/*": "test_trusting",
+    "rowids/*": "test_trusting",
+    "arrays/*": "test_trusting",
+    "score/novelty_set": "test_trusting",
     "certificate/*": "test_spec[certificate",
     "stored/doomed_*": "test_pruning",
     "stored/aged_buckets": "test_pruning",
@@ -81,7 +87,7 @@ _COPIED = ("gam_db", "sql", "migrations", "tests", "docs", "README.md", "pyproje
 
 #: How pytest is run; what was loaded before cannot be rewritten, which is of no concern here.
 _WORDS = (
-    *("-x", "-q", "-n", "0", "-p", "no:cacheprovider", "--engines", "duckdb"),
+    *("-x", "-q", "-n", "0", "-p", "no:cacheprovider"),
     *("-W", "ignore::pytest.PytestAssertRewriteWarning"),
 )
 
@@ -177,10 +183,13 @@ def run(mutant: Mutant | None, folder: Path, told: Connection) -> None:
     assert template.sql_folder() == folder / "sql", "the tests would not run the copy"
     files = {path.stem: str(path) for path in sorted((folder / "tests").rglob("test_*.py"))}
     watch = Watch()
+    changed = "" if mutant is None else mutant.file
+    engine = next((one for glob, one in _RUN_BY.items() if fnmatch.fnmatch(changed, glob)), "")
+    words = [*_WORDS, "--engines", engine or "duckdb"]
     with (folder / "output.txt").open("w") as output, contextlib.redirect_stdout(output):
         for name in tests_of(mutant):  # one after another: collecting them all takes longer than most
             file, _, word = name.partition("[")
-            code = pytest.main([*_WORDS, files[file], "-k", word], plugins=[watch])
+            code = pytest.main([*words, files[file], "-k", word], plugins=[watch])
             if code != 0:
                 break
     if code == 0 or watch.failed is not None:
