@@ -38,7 +38,7 @@ def add_novelty(
     that up at less cost, else by a join.
     """
     slots: dict[str, template.Slot] = {"carried": carried}
-    file, setting = "score/novelty_set" if by_sets else "score/novelty", method.settings[number]
+    file, setting = "census/novelty_set" if by_sets else "score/novelty", method.settings[number]
     if bits is not None and bits.serve(setting.radix**setting.m):
         held = (exp.column("bits", table="healthy"), exp.column("cell_key", table="vector"))
         file, slots["is_held"] = "score/novelty_bits", bits.held(*held)

@@ -40,7 +40,7 @@ FOLDERS = (
 )
 
 #: Files of ``sql/`` -> the engine that runs them; DuckDB runs all others.
-_RUN_BY = {"rowids/*": "sqlite", "arrays/*": "clickhouse", "score/novelty_set": "sqlite"}
+_RUN_BY = {"rowids/*": "sqlite", "arrays/*": "clickhouse", "census/novelty_set": "sqlite"}
 
 #: Seconds after which a run is stopped: a mutant that never ends is caught, too.
 LONGEST = 600
@@ -62,7 +62,6 @@ _ABOUT = {
     "census/*": "test_trusting",
     "rowids/*": "test_trusting",
     "arrays/*": "test_trusting",
-    "score/novelty_set": "test_trusting",
     "certificate/*": "test_spec[certificate",
     "stored/doomed_*": "test_pruning",
     "stored/aged_buckets": "test_pruning",

@@ -1,5 +1,6 @@
--- Novelty by a set: a(t) = 1 if the cell of v(t) is not in the support, else 0 (Eq. 4); as novelty, for engines
--- that look a row up in a set at less cost than they join (PostgreSQL, ClickHouse, SQLite).
+-- Novelty by a set: a(t) = 1 if the cell of v(t) is not in the support, else 0 (Eq. 4); as score/novelty, for
+-- engines that look a row up in a set at less cost than they join (PostgreSQL, ClickHouse, SQLite). Proof: IN and
+-- the join ask the same of the same rows; a set too large for PostgreSQL's memory is joined (most_in_set).
 -- Reads:  monitored, support
 -- A row:  one scored vector.
 -- Slots:  :carried  columns that travel with the vector
