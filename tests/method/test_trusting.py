@@ -282,13 +282,13 @@ def test_a_large_support_is_told_by_the_engine(engine: str, monkeypatch: pytest.
         study.forget()
 
 
-@pytest.mark.parametrize(("asset", "time"), [("a", 1), ("b", 100), ("c", 2 * LENGTH)])
-def test_rows_that_came_after_the_count_are_found(asset: str, time: int) -> None:
+@pytest.mark.parametrize(("name", "time"), [("ax", 1), ("bx", 100), ("cy", 2 * LENGTH)])
+def test_rows_that_came_after_the_count_are_found(name: str, time: int) -> None:
     """Where channels lie is told by what was counted, and proven."""
     session = engines.session("sqlite")
     with session.lent(harness.arrow(rows())) as lent:
         study = study_of(session, lent.name, harness.made(*SERVED["delays"]))
-        late = harness.arrow([(asset, "x", 2 * time + 1, 1.0)])
+        late = harness.arrow([(*name, 2 * time + 1, 1.0)])
         with session.lent(late) as more:
             session.execute(exp.insert(exp.select("*").from_(more), lent))
         study.table("bucket_health")
