@@ -135,9 +135,8 @@ class Study:
 
     def _opening(self, slicing: Slicing | None = None) -> Pipeline:
         """Return the steps that are asked first."""
-        _, source, relation, engine = self._asked
-        readings = engine.readings(source, relation, self.method.kind)
-        steps = opening_pipeline(readings, streaming.GLANCE if engine.bits else 0, slicing)
+        glance = streaming.GLANCE if self.session.engine.bits else 0
+        steps = _opened(*self._asked, glance, slicing).copied()
         return self._with_file(steps)
 
     def _ways(self, names: pa.Table) -> Ways:
@@ -182,6 +181,19 @@ class Study:
     def _looked(self) -> pa.Table:
         self.running.keep("names")
         return self.session.fetch(self.steps.query("names", self.running.placed))
+
+
+@lru_cache(maxsize=LATELY)
+def _opened(
+    method: Method,
+    source: AnySource,
+    relation: exp.Expr,
+    engine: Engine,
+    glance: int,
+    slicing: Slicing | None,
+) -> Pipeline:
+    """Return the steps that are asked first, likewise; arguments as for :func:`_filled`."""
+    return opening_pipeline(engine.readings(source, relation, method.kind), glance, slicing)
 
 
 @lru_cache(maxsize=LATELY)
