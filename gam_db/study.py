@@ -15,8 +15,9 @@ from gam_db.bits import Bits
 from gam_db.calibration import Calibration
 from gam_db.engines.base import Engine
 from gam_db.engines.session import Session
-from gam_db.method import Method, pipeline, trusting_pipeline
+from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
 from gam_db.method.census import Slicing
+from gam_db.method.delays import Ways
 from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline
 from gam_db.running import Listener, Running, unheard
@@ -67,24 +68,24 @@ class Study:
         self.method = Method(parameters, calibration, kind)
         unread = dataclasses.replace(self.source, relation=None)  # the node counts
         self._asked = (self.method, unread, relation, session.engine)
-        self.running = Running(session, self._steps(session.engine.bits), on_step=on_step)
+        self.running = Running(session, self._opening(), on_step=on_step)
         is_streamed = short_cuts and seems_ordered(self.method, self.running)
         slicing = None
         if short_cuts and not is_streamed and trusting.serves(self.method):
             slicing = trusting.sliced(self.running)
-            self.running.steps = self._steps(session.engine.bits, slicing)
+            self.running.steps = self._opening(slicing)
         names = self._looked()
         (look.check_rows if strict else look.check_clock)(names)
         bits = self._bits_for(names.num_rows)
-        if bits is None:
-            self.running.steps = self._steps(None, slicing)
+        ways = Ways() if slicing is None else self._ways(names)
+        self.running.steps = self._steps(bits, slicing, ways)
         self._short_cut: Streams | Trust | None = None
         if is_streamed and bits is not None and (streams := Streams(self.method, self.running)).serve():
             self._short_cut = streams
         elif slicing is not None:
-            self._short_cut = Trust(
-                self.method, self.running, partial(self._steps, bits), self._readings
-            )
+            made, careful = partial(self._steps, bits, slicing), partial(self._steps, bits)
+            asked = self.running, names, ways
+            self._short_cut = Trust(self.method, *asked, made, careful, self._readings)
 
     @property
     def steps(self) -> Pipeline:
@@ -132,9 +133,29 @@ class Study:
         if self._is_lent and isinstance(self.relation, exp.Table):
             self.session.forget(self.relation)
 
-    def _steps(self, bits: Bits | None, slicing: Slicing | None = None) -> Pipeline:
+    def _opening(self, slicing: Slicing | None = None) -> Pipeline:
+        """Return the steps that are asked first."""
+        glance = streaming.GLANCE if self.session.engine.bits else 0
+        steps = _opened(*self._asked, glance, slicing).copied()
+        return self._with_file(steps)
+
+    def _ways(self, names: pa.Table) -> Ways:
+        """Return what this engine does in a way of its own with a source of these names."""
+        engine, of_channel = self.session.engine, names.to_pylist()
+        rows = sum(row["readings"] for row in of_channel)
+        has_room = not engine.holds_delays or rows <= self.session.rows_at_once()
+        has_missing = any(row["missing_readings"] for row in of_channel)
+        return Ways(engine.delays if has_room else None, engine.by_sets, has_missing)
+
+    def _steps(
+        self, bits: Bits | None, slicing: Slicing | None = None, ways: Ways | None = None
+    ) -> Pipeline:
         """Return steps of the study's own; text is parsed once, not once per step."""
-        steps = _filled(*self._asked, streaming.GLANCE if bits else 0, slicing).copied()
+        steps = _filled(*self._asked, streaming.GLANCE if bits else 0, slicing, ways).copied()
+        return self._with_file(steps)
+
+    def _with_file(self, steps: Pipeline) -> Pipeline:
+        """Let the rows of a text file be kept, which are not to be parsed twice."""
         path = str(self._named).lower()
         if is_file(self._named) and not path.endswith((".parquet", ".pq")):
             steps.small |= {"readings"}
@@ -163,6 +184,19 @@ class Study:
 
 
 @lru_cache(maxsize=LATELY)
+def _opened(
+    method: Method,
+    source: AnySource,
+    relation: exp.Expr,
+    engine: Engine,
+    glance: int,
+    slicing: Slicing | None,
+) -> Pipeline:
+    """Return the steps that are asked first, likewise; arguments as for :func:`_filled`."""
+    return opening_pipeline(engine.readings(source, relation, method.kind), glance, slicing)
+
+
+@lru_cache(maxsize=LATELY)
 def _filled(
     method: Method,
     source: AnySource,
@@ -170,6 +204,7 @@ def _filled(
     engine: Engine,
     glance: int,
     slicing: Slicing | None = None,
+    ways: Ways | None = None,
 ) -> Pipeline:
     """Return the steps of a method, which nobody may add to; asked again, the same ones.
 
@@ -180,10 +215,11 @@ def _filled(
         engine: knows the way from the source's time to integers, and back.
         glance: keep supports as bits, as the engine does it, and look at so many rows first; 0: do not.
         slicing: how times are cut, for the steps that trust; None for those that look first.
+        ways: what this engine does differently, for the steps that trust.
     """
     kind, bits = method.kind, engine.bits if glance else None
     rows = engine.readings(source, relation, kind)
     said = method, rows, lambda node: engine.instant_of(kind, node)
     if slicing is not None:
-        return trusting_pipeline(*said, slicing, bits)
+        return trusting_pipeline(*said, slicing, bits, ways)
     return pipeline(*said, bits, glance)

@@ -35,13 +35,17 @@ LARGEST_INTEGER = 2**63 - 1
 
 @dataclass(frozen=True)
 class Template:
-    """A parsed file of ``sql/``: name (``folder/file``), what it computes, tree, slots, tables."""
+    """A parsed file of ``sql/``: name (``folder/file``), what it computes, tree, slots, tables.
+
+    ``dialect`` is that of the only engine it is for; None for a file that serves all.
+    """
 
     name: str
     comment: str
     tree: exp.Expr
     slots: frozenset[str]
     tables: frozenset[str]
+    dialect: str | None = None
 
 
 def sql_folder() -> Path:
@@ -67,9 +71,14 @@ def load(name: str) -> Template:
 
 
 def parse(name: str, source: str) -> Template:
-    """Parse the text of a template; see :func:`load`."""
+    """Parse the text of a template; see :func:`load`.
+
+    One for a single engine says so in its head (``Dialect: clickhouse``), and may use its functions.
+    """
+    said = [line.removeprefix("--").strip() for line in source.splitlines() if line.startswith("--")]
+    own = next((line.split()[1] for line in said if line.startswith("Dialect:")), None)
     try:
-        statements = sqlglot.parse(source, dialect="duckdb")
+        statements = sqlglot.parse(source, dialect=own or "duckdb")
     except SqlglotError as error:
         raise TemplateError(f"sql/{name}.sql cannot be parsed: {error}") from error
     found = [one for one in statements if one is not None]
@@ -79,12 +88,12 @@ def parse(name: str, source: str) -> Template:
     for place, macro in enumerate(macros):
         for reader in (*macros[place + 1 :], tree):
             _inline(macro, reader)
-    said = [line.removeprefix("--").strip() for line in source.splitlines() if line.startswith("--")]
-    comment = "\n".join(takewhile(lambda line: not line.startswith(("Reads:", "Slots:")), said))
+    after = ("Dialect:", "Reads:", "Slots:")
+    comment = "\n".join(takewhile(lambda line: not line.startswith(after), said))
     for node in tree.walk():
         node.comments = None
         node._meta = None  # places in the text; copying them takes longer than all else
-        if isinstance(node, exp.Anonymous):
+        if isinstance(node, exp.Anonymous) and not own:
             raise TemplateError(f"sql/{name}.sql uses the unknown function {node.name}.")
         if isinstance(node, exp.Star) and not isinstance(node.parent, exp.Count):
             raise TemplateError(f"sql/{name}.sql selects *; name every column.")
@@ -96,7 +105,7 @@ def parse(name: str, source: str) -> Template:
             raise TemplateError(f"sql/{name}.sql holds a statement that is not a query.")
     slots = frozenset(node.name for node in tree.find_all(exp.Placeholder))
     tables = frozenset(node.name for node in tree.find_all(exp.Table))
-    return Template(name, comment, tree, slots, tables)
+    return Template(name, comment, tree, slots, tables, own)
 
 
 def _inline(macro: exp.Expr, reader: exp.Expr) -> None:

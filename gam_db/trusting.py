@@ -8,6 +8,7 @@ proof they go on from what there is.
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import pyarrow as pa
 from sqlglot import exp
@@ -15,6 +16,7 @@ from sqlglot import exp
 from gam_db.clock import FAR_AHEAD
 from gam_db.method import Method
 from gam_db.method.census import EDGES, SCORED, TAUGHT, Slicing, serves
+from gam_db.method.delays import PROOFS, Ways
 from gam_db.pipeline import Pipeline
 from gam_db.running import Running
 
@@ -26,7 +28,8 @@ TRUSTED_FROM = 100_000
 
 def sliced(running: Running) -> Slicing | None:
     """Return how the times of a source are cut into slices; None where it has few rows, or odd times."""
-    (extent,) = running.session.fetch(running.query("extent")).to_pylist()
+    running.keep("extent")
+    (extent,) = running.table("extent").to_pylist()
     edges = extent["earliest"], extent["latest"]
     if extent["readings"] < TRUSTED_FROM or any(
         edge is None or abs(edge) >= FAR_AHEAD for edge in edges
@@ -41,6 +44,9 @@ class Trust:
     Args:
         method: of the study, one that is served.
         running: its steps at work.
+        names: the rows of that step.
+        ways: what the engine does in a way of its own.
+        made: gives the steps for other ways.
         careful: gives the steps that look first.
         between: makes the step *readings* for a range of time.
     """
@@ -49,15 +55,18 @@ class Trust:
         self,
         method: Method,
         running: Running,
+        names: pa.Table,
+        ways: Ways,
+        made: Callable[[Ways], Pipeline],
         careful: Callable[[], Pipeline],
         between: Callable[[int, int], exp.Query],
     ) -> None:
-        self.method, self.running, self._careful, self._between = method, running, careful, between
+        self.method, self.running, self._ways, self._made = method, running, ways, made
+        self._careful, self._between = careful, between
         self.holds = True
         self._is_proven = False
-        names = running.session.fetch(running.query("names")).to_pylist()
         declared = [rule.allowed[0][0] for rule in method.rules if rule.declared_end is not None]
-        first = min((row["earliest"] for row in names if row["earliest"] is not None), default=0)
+        first = min((start for start in names["earliest"].to_pylist() if start is not None), default=0)
         if any(first < start for start in declared):
             self._give_up()
 
@@ -90,22 +99,43 @@ class Trust:
         """Tell whether every sample is in a vector, and none is marked."""
         self._bound(EDGES, "edges", "first_time", "last_time")
         self._bound(TAUGHT, "calibration", "time_from", "time_to")
+        *proofs, last = PROOFS[self._ways.delays]
         for number in self._sets:
-            bounds, learnable, run_up, visited, scored = (
-                self.method.named(step, number)
-                for step in ("bounds", "learnable", "run_up", "visited", SCORED)
-            )
+            bounds, *marked = (self.method.named(step, number) for step in ("bounds", *proofs))
+            self.running.keep(bounds)
             if self.running.table(bounds)["calibrated_lo"].null_count:
                 return False
-            if self._is_doubled(learnable):
+            if any(self._is_doubled(step) for step in marked):
                 return False
+        if self._ways.by_sets and self._has_large_support():
+            self.running.steps = self._made(replace(self._ways, by_sets=False))
+        for number in self._sets:
+            run_up, final, scored = (
+                self.method.named(step, number) for step in ("run_up", last, SCORED)
+            )
             self._bound(scored, run_up, "read_from")
-            if self._is_doubled(visited):
+            if self._is_doubled(final):
                 return False
         return True
 
+    def _has_large_support(self) -> bool:
+        """Tell whether a support has more cells than the engine looks up as a set."""
+        session = self.running.session
+        if session.engine.most_in_set is None:
+            return False
+        most = session.fetch(session.engine.most_in_set)["most"][0].as_py()
+        for number in self._sets:
+            self.running.keep(support := self.method.named("support", number))
+            cells = exp.select(exp.Count(this=exp.Star()).as_("cells"))
+            counted = session.fetch(cells.from_(self.running.placed[support].copy()))
+            if counted["cells"][0].as_py() > most:
+                return True
+        return False
+
     def _bound(self, rows: str, step: str, low: str, high: str | None = None) -> None:
         """Let a step of readings be bounded by the least and greatest time of another one."""
+        if rows not in self.running.steps.steps:
+            return
         self.running.keep(step)
         said = [row for row in self.running.table(step).to_pylist() if row.get("is_edge", 1)]
         if said:

@@ -73,6 +73,11 @@ class Engine:
         limits: what it cannot promise, and what a user has to know.
         bits: for one whose tables give their rows in the order in which they were stored, and whose
             windows without an order follow it (:mod:`gam_db.streaming`); None for all others.
+        delays: the body of the delay vectors that costs least (:mod:`gam_db.method.delays`); None for
+            windows.
+        holds_delays: whether that body has all of a source in memory at once.
+        by_sets: whether a row is looked up in a set (IN) at less cost than it is joined.
+        most_in_set: asks how many rows a set may have for that (one row, *most*); None for any number.
     """
 
     name: str
@@ -101,6 +106,10 @@ class Engine:
     transactions: bool = True
     limits: str = ""
     bits: Bits | None = None
+    delays: str | None = None
+    holds_delays: bool = False
+    by_sets: bool = False
+    most_in_set: exp.Query | None = None
 
     def readings(self, source: AnySource, relation: exp.Expr, kind: TimeKind) -> exp.Query:
         """Return the step *readings* of a source that tells time in a way."""

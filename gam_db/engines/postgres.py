@@ -70,6 +70,19 @@ def fence_windows(tree: exp.Expr) -> exp.Expr:
     return tree
 
 
+def fence_sets(tree: exp.Expr) -> exp.Expr:
+    """Let a row be looked up in a set once.
+
+    Cause: a query whose rows are looked up is put in the place where it is read. Symptom: the set is
+    made and asked anew for every place that names the answer.
+    """
+    for among in tree.find_all(exp.In):
+        select = among.find_ancestor(exp.Where, exp.Select)
+        if isinstance(select, exp.Select) and among.args.get("query") and not select.args.get("offset"):
+            select.set("offset", exp.Offset(expression=exp.Literal.number(0)))
+    return tree
+
+
 def define(definition: Definition) -> list[exp.Expr]:
     """Return the definition with an index on its key, and texts that are compared by their bytes."""
     create, *comments = with_statements(definition)
@@ -80,6 +93,20 @@ def define(definition: Definition) -> list[exp.Expr]:
             by_bytes = exp.CollateColumnConstraint(this=BYTES.copy())
             column.args["constraints"].insert(0, exp.ColumnConstraint(kind=by_bytes))
     return [create, key_index(definition), *comments]
+
+
+#: What one row of a set takes where it is looked up by its hash, in bytes: a narrow row, its head, and
+#: room for an estimate that is wrong by half.
+_PER_ROW_OF_SET = 64
+
+
+def most_in_set() -> exp.Query:
+    """Return the query for how many rows a set (IN) may have: of a larger one every row is compared."""
+    settings = exp.Table(this=template.name("pg_settings"), db=template.name("pg_catalog"))
+    kilobytes = exp.cast(exp.column("setting"), "BIGINT")
+    rows = exp.Mul(this=kilobytes, expression=exp.Literal.number(1024 // _PER_ROW_OF_SET))
+    of_memory = exp.EQ(this=exp.column("name"), expression=template.text("work_mem"))
+    return exp.select(exp.alias_(rows, "most")).from_(settings).where(of_memory)
 
 
 #: Where names are looked up: nowhere but in PostgreSQL itself, and last among temporary tables. Whoever
@@ -109,5 +136,7 @@ ENGINE = Engine(
         ". Only what is PostgreSQL's own goes without a schema there; name functions, operators, types "
         "and tables of others in full: public.f(x), a OPERATOR(public.+) b, public.t."
     ),
-    rewrites=(compared_by(BYTES), keep_small_steps, fence_windows),
+    by_sets=True,
+    most_in_set=most_in_set(),
+    rewrites=(compared_by(BYTES), keep_small_steps, fence_windows, fence_sets),
 )

@@ -40,6 +40,17 @@ _SETTINGS = {"TimeZone": "UTC", "standard_conforming_strings": "on"}
 #: running them.
 _OWN_SETTINGS = {"jit": "off"}
 
+#: How queries are planned: joined by sorting or hashing. Cause: of a window's output the planner guesses
+#: that one row in a thousand fulfils a condition. Symptom: for each of a million vectors it walks
+#: through the whole support, or for each run through all buckets. Only what is appended and deleted is
+#: looked up by an index, outside of this.
+_PLANNED = {"enable_nestloop": "off"}
+
+#: The same for steps that are kept, by one process. Cause: windows do not run in parallel workers.
+#: Symptom: these only read, and handing over their rows takes longer than reading them (a fifth of a
+#: step).
+_PLANNED_ALONE = {**_PLANNED, "max_parallel_workers_per_gather": "0"}
+
 #: Pins where names are looked up, and says what they were looked up by before. It is run under the
 #: user's own path, so all that it names is named in full.
 _PIN = """
@@ -142,7 +153,7 @@ class PostgresDriver:
     def fetch(self, query: str) -> pa.Table:
         """Return the rows of a query."""
         self._statement = query
-        with self._without_nested_loops(), self._safely(), self._cursor(binary=True) as cursor:
+        with self._planned(_PLANNED), self._safely(), self._cursor(binary=True) as cursor:
             cursor.execute(query, prepare=False)
             names = [column.name for column in cursor.description]
             types = [column.type_code for column in cursor.description]
@@ -188,7 +199,7 @@ class PostgresDriver:
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
         """Make a temporary table of the rows of a query, and count what is in it for the planner."""
-        with self._without_nested_loops():
+        with self._planned(_PLANNED_ALONE):
             self.execute(self.engine.text(_temporary(table, query)))
         self._count(table)
 
@@ -372,20 +383,15 @@ class PostgresDriver:
         return before, schema
 
     @contextlib.contextmanager
-    def _without_nested_loops(self) -> Iterator[None]:
-        """Join by sorting or hashing.
-
-        Cause: of a window's output the planner guesses that one row in a thousand fulfils a condition.
-        Symptom: for each of a million vectors it walks through the whole support, or for each run
-        through all buckets. Only what is appended and deleted is looked up by an index, outside of this.
-        """
-        self._set({"enable_nestloop": "off"})
+    def _planned(self, settings: Mapping[str, str]) -> Iterator[None]:
+        """Let statements be planned otherwise."""
+        self._set(settings)
         try:
             yield
         finally:
             # In a transaction that has failed it cannot be said, and is undone with the rest.
             with contextlib.suppress(self._psycopg.Error):
-                self._set({"enable_nestloop": self._settings["enable_nestloop"]})
+                self._set({name: self._settings[name] for name in settings})
 
     def _cursor(self, binary: bool = False) -> Any:
         # A factory of the user's would make something else than tuples of the rows.

@@ -153,5 +153,7 @@ ENGINE = Engine(
     extend=extend,
     schemas=False,
     flow_hint=True,
+    delays="rowids",
+    by_sets=True,
     rewrites=(glob_for_like,),
 )

@@ -9,7 +9,7 @@ Steps of channels with the same parameters form a *set*; where there are several
 each carry its number, and the rows of all sets are put under one another before the last steps.
 """
 
-from gam_db.method.order import pipeline, trusting_pipeline
+from gam_db.method.order import opening_pipeline, pipeline, trusting_pipeline
 from gam_db.method.resolved import Method
 
-__all__ = ["Method", "pipeline", "trusting_pipeline"]
+__all__ = ["Method", "opening_pipeline", "pipeline", "trusting_pipeline"]

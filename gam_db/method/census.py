@@ -14,10 +14,19 @@ from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.method.adding import add, add_of_set
 from gam_db.method.calibration import add_bounds
 from gam_db.method.certificate import add_judgement
+from gam_db.method.delays import CALIBRATION, COMPLETE, INCOMPLETE, Ways, add_coded, add_delays
+from gam_db.method.delays import KEPT as KEPT_BY
 from gam_db.method.resolved import Method
-from gam_db.method.scoring import add_bucket_counts, add_buckets, add_run_up, add_support_bits
+from gam_db.method.scoring import (
+    add_bucket_counts,
+    add_incomplete,
+    add_novelty,
+    add_placed,
+    add_run_up,
+    add_support_bits,
+)
 from gam_db.method.source import add_channels, add_intervals, add_rules
-from gam_db.method.vectors import add_short_vectors, code_of
+from gam_db.method.vectors import add_short_vectors
 from gam_db.pipeline import Pipeline, union_of
 
 #: Slices of the time range. With 30,000 channels that is a million rows; the samples of a slice or two
@@ -26,6 +35,9 @@ SLICES = 32
 
 #: Its own steps that are kept.
 KEPT = frozenset(("slices", "edges", "edge_samples"))
+
+#: Small steps that are read once or are constants here: a table of each would cost more.
+FLOWING = frozenset(("rules", "declared", "series", "calibrated"))
 
 #: The readings of each range, to be bounded by whoever knows it: no optimizer finds that by itself.
 EDGES, TAUGHT, SCORED = "edge_readings", "taught_readings", "scored_readings"
@@ -56,8 +68,7 @@ def serves(method: Method) -> bool:
 
 def add_census(steps: Pipeline, method: Method, slicing: Slicing) -> None:
     """Add what speaks of whole channels, up to the range of calibration (method, sections 2 and 4)."""
-    add(steps, "census/slices", {"origin": slicing.origin, "width": slicing.width})
-    add(steps, "census/names")
+    add_names(steps, slicing)
     add_rules(steps, method)
     add_channels(steps, method)
     reach = max(1, *(setting.span for setting in method.settings))
@@ -67,25 +78,44 @@ def add_census(steps: Pipeline, method: Method, slicing: Slicing) -> None:
     add(steps, "census/series")
     add_intervals(steps)
     add(steps, "census/calibrated")
-    _add_identified(steps, "taught_samples", TAUGHT)
+    _add_readings(steps, TAUGHT)
     add(steps, "source/identified", {"read": exp.true()})
 
 
-def add_census_set(steps: Pipeline, method: Method, number: int, bits: Bits | None) -> None:
+def add_names(steps: Pipeline, slicing: Slicing) -> None:
+    """Add the counts by slice, and the names that follow from them."""
+    add(steps, "census/slices", {"origin": slicing.origin, "width": slicing.width})
+    add(steps, "census/names")
+
+
+def add_census_set(steps: Pipeline, method: Method, number: int, bits: Bits | None, ways: Ways) -> None:
     """Add support, buckets and certificate of one set, after :func:`add_census`."""
     setting = method.settings[number]
     add_bounds(steps, method, number)
-    taught = {"samples": "taught_samples"}
-    codes = {"code": code_of(setting)}
-    add_of_set(steps, method, number, "calibration/calibration_codes", codes, tables=taught)
-    add_short_vectors(steps, method, number, "calibration_", trusting=True)
-    vectors = {"vectors": "calibration_vectors"}
+    add_run_up(steps, method, number, {"samples": "edge_samples"})
+    add_of_set(steps, method, number, "census/scale")
+    scored = method.named(SCORED, number)
+    if ways.delays is not None:
+        add_coded(steps, method, number, ways.delays)
+    else:
+        _add_readings(steps, scored)
+    add_delays(steps, method, number, CALIBRATION, ways.delays, TAUGHT)
+    vectors = {"vectors": f"{CALIBRATION}vectors"}
     add_of_set(steps, method, number, "census/learnable", tables=vectors)
     add_of_set(steps, method, number, "support/support")
     add_support_bits(steps, method, number, bits)
-    add_run_up(steps, method, number, {"samples": "edge_samples"})
-    _add_identified(steps, method.named("samples", number), method.named(SCORED, number))
-    add_buckets(steps, method, number, trusting=True, bits=bits)
+    add_delays(steps, method, number, COMPLETE, ways.delays, scored)
+    place = exp.Sub(
+        this=exp.column("position", table="vector"), expression=exp.Literal.number(setting.span)
+    )
+    carried = [exp.alias_(place, "number"), exp.alias_(exp.column("doubled", table="vector"), "doubled")]
+    add_novelty(steps, method, number, carried, bits, COMPLETE, "vectors", ways.by_sets)
+    parts = [f"{COMPLETE}novelty"]
+    if ways.has_missing:
+        add_delays(steps, method, number, INCOMPLETE, ways.delays, scored)
+        add_incomplete(steps, method, number, ["doubled"], bits, ways.by_sets)
+        parts.append(f"{INCOMPLETE}numbered")
+    add_placed(steps, method, number, parts, trusting=True)
     add_bucket_counts(steps, method, number)
     add_judgement(steps, method, number)
     add_of_set(steps, method, number, "census/known_codes", {"settings_no": number})
@@ -94,8 +124,19 @@ def add_census_set(steps: Pipeline, method: Method, number: int, bits: Bits | No
     add_of_set(steps, method, number, "certificate/missing_vectors", tables=known)
 
 
+def kept(method: Method, ways: Ways) -> set[str]:
+    """Return the steps of the census that are kept beside those of every form."""
+    own = ("learnable", "scale", *KEPT_BY.get(ways.delays or "", ()))
+    return {method.named(step, number) for step in own for number in range(len(method.settings))} | KEPT
+
+
+def _add_readings(steps: Pipeline, name: str) -> None:
+    """Add the readings of a range of time."""
+    columns = steps.steps["readings"].query.named_selects
+    steps.add(name, union_of(steps, ["readings"], columns), "Readings: those of a range of time.")
+
+
 def _add_identified(steps: Pipeline, name: str, rows: str) -> None:
     """Add the readings of a range of time, by the channel's number."""
-    columns = steps.steps["readings"].query.named_selects
-    steps.add(rows, union_of(steps, ["readings"], columns), "Readings: those of a range of time.")
+    _add_readings(steps, rows)
     add(steps, "source/identified", {"read": exp.true()}, name, {"readings": rows})

@@ -6,8 +6,16 @@ from gam_db import template
 from gam_db.bits import Bits
 from gam_db.method.adding import add, join_sets
 from gam_db.method.calibration import add_calibration
-from gam_db.method.census import KEPT, Slicing, add_census, add_census_set
+from gam_db.method.census import (
+    FLOWING,
+    Slicing,
+    add_census,
+    add_census_set,
+    add_names,
+    kept,
+)
 from gam_db.method.certificate import add_certificate
+from gam_db.method.delays import Ways
 from gam_db.method.judgement import add_judged, limit_slots
 from gam_db.method.resolved import Method
 from gam_db.method.scoring import (
@@ -59,14 +67,7 @@ def pipeline(
     per block).
     """
     steps = Pipeline(small=frozenset(method.small()))
-    steps.add("readings", readings, template.load("source/readings").comment)
-    add(steps, "census/extent")
-    if glance:
-        add(steps, "streams/glance", {"rows": glance})
-        add(steps, "streams/as_stored")
-        proof = exp.alias_(template.fill("streams/in_order"), "in_order")
-        names = filled("source/names").select(proof, copy=False)
-        steps.add("ordered", names, "Ordered: names, with the proof.", {"readings": "as_stored"})
+    _add_readings(steps, readings, glance)
     add_source(steps, method)
     numbers = range(len(method.settings))
     for number in numbers:
@@ -82,37 +83,59 @@ def pipeline(
     return steps
 
 
+def opening_pipeline(readings: exp.Query, glance: int = 0, slicing: Slicing | None = None) -> Pipeline:
+    """Return the steps that are asked before it is known what else is: up to *names*, and *extent*.
+
+    Arguments as for :func:`pipeline` and :func:`trusting_pipeline`; without ``slicing`` the former.
+    """
+    steps = Pipeline(small=frozenset(("slices",)))
+    _add_readings(steps, readings, glance)
+    add(steps, "census/extent")
+    if slicing is None:
+        add(steps, "source/names")
+    else:
+        add_names(steps, slicing)
+    return steps
+
+
 def trusting_pipeline(
     method: Method,
     readings: exp.Query,
     instant_of: TimeNode,
     slicing: Slicing,
     bits: Bits | None = None,
+    ways: Ways | None = None,
 ) -> Pipeline:
     """Return the steps that take it on trust that no instant occurs twice (:mod:`gam_db.method.census`).
 
-    Arguments as for :func:`pipeline`; ``slicing`` is how the times of the readings are cut. Of the last
-    steps *health_indicator* is not among them.
+    Arguments as for :func:`pipeline`; ``slicing`` is how the times of the readings are cut, ``ways``
+    what engines do differently. Of the last steps *health_indicator* is not among them.
     """
-    steps = Pipeline(small=frozenset(method.small() | KEPT | _learnt(method)))
-    steps.add("readings", readings, template.load("source/readings").comment)
+    ways = ways or Ways()
+    steps = Pipeline(small=frozenset(method.small() - FLOWING | kept(method, ways)))
+    _add_readings(steps, readings)
     add_census(steps, method, slicing)
     for number in range(len(method.settings)):
-        add_census_set(steps, method, number, bits)
+        add_census_set(steps, method, number, bits, ways)
     join_sets(steps, method, (*_JOINED_BUCKETS, *_JOINED_CERTIFICATE))
     _add_summaries(steps, instant_of)
     return steps
-
-
-def _learnt(method: Method) -> set[str]:
-    """Return the steps of all sets that hold vectors of calibration."""
-    return {method.named("learnable", number) for number in range(len(method.settings))}
 
 
 def add_results(steps: Pipeline, instant_of: TimeNode) -> None:
     """Add the last steps: names and instants instead of integers, and the only divisions."""
     add(steps, "health/health_indicator", {"time": instant_of(_counted("time"))})
     _add_summaries(steps, instant_of)
+
+
+def _add_readings(steps: Pipeline, readings: exp.Query, glance: int = 0) -> None:
+    steps.add("readings", readings, template.load("source/readings").comment)
+    if glance:
+        add(steps, "streams/glance", {"rows": glance})
+        add(steps, "streams/as_stored")
+        proof = exp.alias_(template.fill("streams/in_order"), "in_order")
+        names = filled("source/names").select(proof, copy=False)
+        steps.add("ordered", names, "Ordered: names, with the proof.", {"readings": "as_stored"})
 
 
 def _add_summaries(steps: Pipeline, instant_of: TimeNode) -> None:

@@ -7,6 +7,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.bits import Bits
 from gam_db.method.adding import add_of_set
+from gam_db.method.delays import COMPLETE, INCOMPLETE
 from gam_db.method.resolved import Method
 from gam_db.method.vectors import add_short_vectors, add_vectors, code_of
 from gam_db.parameters import Parameters
@@ -21,21 +22,27 @@ def add_support_bits(steps: Pipeline, method: Method, number: int, bits: Bits | 
         add_of_set(steps, method, number, "support/support_bits", {"bits": cells})
 
 
-def _add_novelty(
+def add_novelty(
     steps: Pipeline,
     method: Method,
     number: int,
     carried: Sequence[exp.Expr],
     bits: Bits | None,
     prefix: str = "",
+    monitored: str = "monitored",
+    by_sets: bool = False,
 ) -> None:
-    """Add Eq. 4 over *monitored* of a prefix, by the support as bits where there is one."""
+    """Add Eq. 4 over *monitored* of a prefix.
+
+    It is by the support as bits where there is one, else by the support as a set if the engine looks
+    that up at less cost, else by a join.
+    """
     slots: dict[str, template.Slot] = {"carried": carried}
-    file, setting = "score/novelty", method.settings[number]
+    file, setting = "census/novelty_set" if by_sets else "score/novelty", method.settings[number]
     if bits is not None and bits.serve(setting.radix**setting.m):
         held = (exp.column("bits", table="healthy"), exp.column("cell_key", table="vector"))
         file, slots["is_held"] = "score/novelty_bits", bits.held(*held)
-    renamed = {"monitored": f"{prefix}monitored"}
+    renamed = {"monitored": f"{prefix}{monitored}"}
     add_of_set(steps, method, number, file, slots, f"{prefix}novelty", renamed)
 
 
@@ -49,7 +56,7 @@ def add_numbered(steps: Pipeline, method: Method, number: int, bits: Bits | None
     """Add Eq. 4 of one set by the complete form of its vectors."""
     add_vectors(steps, method, number, "", exp.true())
     add_of_set(steps, method, number, "score/monitored")
-    _add_novelty(steps, method, number, [_carried("straddling")], bits)
+    add_novelty(steps, method, number, [_carried("straddling")], bits)
     add_of_set(steps, method, number, "health/numbered", {"carried": []})
 
 
@@ -89,11 +96,34 @@ def add_buckets(
     marks = ("doubled",) if trusting else ()
     if method.is_short(number):
         _add_complete_scoring(steps, method, number, marks, bits)
-        _add_incomplete_scoring(steps, method, number, marks, bits)
+        _add_short_vectors(steps, method, number, INCOMPLETE, bool(marks))
+        add_incomplete(steps, method, number, marks, bits)
         parts = ["complete_novelty", "incomplete_numbered"]
     else:
         parts = ["numbered"]
-    columns = ("channel_id", "time", "number", "cell_key", "novel", "out_of_range", *ends, *marks)
+    add_placed(steps, method, number, parts, ends, trusting)
+
+
+def add_placed(
+    steps: Pipeline,
+    method: Method,
+    number: int,
+    parts: Sequence[str],
+    ends: Mapping[str, str] | None = None,
+    trusting: bool = False,
+) -> None:
+    """Add the groups of scored vectors, which lie with their numbers in some steps; see add_buckets."""
+    marks = ("doubled",) if trusting else ()
+    columns = (
+        "channel_id",
+        "time",
+        "number",
+        "cell_key",
+        "novel",
+        "out_of_range",
+        *(ends or {}),
+        *marks,
+    )
     steps.add(
         method.named("placed", number),
         union_of(steps, [method.named(part, number) for part in parts], columns),
@@ -139,7 +169,7 @@ def _add_complete_scoring(
     steps: Pipeline, method: Method, number: int, marks: Sequence[str], bits: Bits | None
 ) -> None:
     """Add the short form of Eq. 1 and Eq. 4 for channels without missing samples, with their marks."""
-    prefix = "complete_"
+    prefix = COMPLETE
     _add_short_vectors(steps, method, number, prefix, bool(marks))
     renamed = {"vectors": f"{prefix}vectors"}
     slots: dict[str, template.Slot] = {
@@ -148,15 +178,19 @@ def _add_complete_scoring(
     }
     add_of_set(steps, method, number, "score/monitored_complete", slots, f"{prefix}monitored", renamed)
     carried = [_carried(name) for name in ("number", *marks)]
-    _add_novelty(steps, method, number, carried, bits, prefix)
+    add_novelty(steps, method, number, carried, bits, prefix)
 
 
-def _add_incomplete_scoring(
-    steps: Pipeline, method: Method, number: int, marks: Sequence[str], bits: Bits | None
+def add_incomplete(
+    steps: Pipeline,
+    method: Method,
+    number: int,
+    marks: Sequence[str],
+    bits: Bits | None,
+    by_sets: bool = False,
 ) -> None:
-    """Add the same for channels with missing samples, whose vectors must be numbered one by one."""
-    prefix = "incomplete_"
-    _add_short_vectors(steps, method, number, prefix, bool(marks))
+    """Add Eq. 4 of channels with missing samples, whose vectors must be numbered one by one."""
+    prefix = INCOMPLETE
     renamed = {name: f"{prefix}{name}" for name in ("vectors", "novelty")}
     counted: exp.Expr = template.fill("score/counted")
     for mark in marks:
@@ -166,7 +200,7 @@ def _add_incomplete_scoring(
     slots: dict[str, template.Slot] = {"carried": carried, "counted": counted}
     add_of_set(steps, method, number, "score/monitored_short", slots, f"{prefix}monitored", renamed)
     unasked = exp.alias_(exp.cast(exp.null(), "INT"), "straddling")
-    _add_novelty(steps, method, number, [unasked, *carried], bits, prefix)
+    add_novelty(steps, method, number, [unasked, *carried], bits, prefix, by_sets=by_sets)
     said: dict[str, template.Slot] = {"carried": [exp.column(mark) for mark in marks]}
     add_of_set(steps, method, number, "health/numbered", said, f"{prefix}numbered", renamed)
 
@@ -176,7 +210,7 @@ def _add_short_vectors(
 ) -> None:
     """Add codes and vectors of the channels with, or without, missing samples."""
     complete = exp.column("complete", table="scale")
-    is_complete = exp.Literal.number(int(prefix == "complete_"))
+    is_complete = exp.Literal.number(int(prefix == COMPLETE))
     slots: dict[str, template.Slot] = {
         "code": code_of(method.settings[number]),
         "read": exp.EQ(this=complete, expression=is_complete),

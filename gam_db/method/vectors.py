@@ -1,5 +1,7 @@
 """Codes and delay vectors (Eq. 1; Phi, method section 3): the complete form and the short one."""
 
+from collections.abc import Sequence
+
 from sqlglot import exp
 
 from gam_db import template
@@ -37,7 +39,7 @@ def add_vectors(steps: Pipeline, method: Method, number: int, prefix: str, read:
         number,
         "embedding/marked_vectors",
         {
-            **_cell_slots(setting),
+            **cell_slots(setting),
             "delayed": delayed,
             "touching": touching,
             "long_ago": LONG_AGO,
@@ -48,9 +50,16 @@ def add_vectors(steps: Pipeline, method: Method, number: int, prefix: str, read:
 
 
 def add_short_vectors(
-    steps: Pipeline, method: Method, number: int, prefix: str, trusting: bool = False
+    steps: Pipeline,
+    method: Method,
+    number: int,
+    prefix: str,
+    trusting: bool = False,
+    carried: Sequence[str] = (),
 ) -> None:
     """Add the vectors of one set (Eq. 1) over the codes of the same prefix, where no segment ends.
+
+    Columns of the codes that are ``carried`` travel with the vectors.
 
     Where it is taken on trust that no instant occurs twice, ``doubled`` = 1 marks each sample that shows
     the contrary, be it the newest one of a vector or not.
@@ -58,7 +67,8 @@ def add_short_vectors(
     setting = method.settings[number]
     delayed = [_delayed("code", k, setting) for k in range(1, setting.m)]
     whole = template.fill("embedding/whole", {"span": setting.span})
-    carried: list[exp.Expr] = []
+    travelling: list[exp.Expr] = [exp.column(name) for name in carried]
+    delayed += travelling
     if trusting:
         # Where the next vector begins with the sample before this one, its time is known already.
         delay = max(setting.span - 1, 0)
@@ -67,7 +77,7 @@ def add_short_vectors(
             before = template.fill("embedding/delayed", {"column": exp.column("time"), "delay": 1})
             delayed.append(exp.alias_(before, previous.name))
         doubled = template.fill("embedding/doubled", {"previous_time": previous})
-        carried.append(exp.alias_(_flag(doubled), "doubled"))
+        travelling = [*travelling, exp.alias_(_flag(doubled), "doubled")]
         whole = exp.or_(whole, doubled)
     add_of_set(
         steps,
@@ -75,9 +85,9 @@ def add_short_vectors(
         number,
         "embedding/vectors",
         {
-            **{name: slot for name, slot in _cell_slots(setting).items() if name != "span"},
+            **{name: slot for name, slot in cell_slots(setting).items() if name != "span"},
             "delayed": delayed,
-            "carried": carried,
+            "carried": travelling,
             "whole": whole,
         },
         f"{prefix}vectors",
@@ -94,12 +104,13 @@ def code_of(setting: Parameters) -> exp.Expr:
 
 def stream_slots(setting: Parameters) -> dict[str, template.Slot]:
     """Return the slots of streams/vectors.sql that follow from the parameters alone."""
-    slots = {name: slot for name, slot in _cell_slots(setting).items() if name in _OF_STREAM}
+    slots = {name: slot for name, slot in cell_slots(setting).items() if name in _OF_STREAM}
     delayed = [_in_stored_order("code", k, setting) for k in range(1, setting.m)]
     return {**slots, "delayed": delayed, "code": code_of(setting)}
 
 
-def _cell_slots(setting: Parameters) -> dict[str, template.Slot]:
+def cell_slots(setting: Parameters) -> dict[str, template.Slot]:
+    """Return the slots of vectors that follow from the parameters, over code_0 ... code_(m-1)."""
     coordinates = [exp.column(f"code_{k}") for k in range(setting.m)]
     return {
         "span": setting.span,

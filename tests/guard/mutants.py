@@ -36,8 +36,11 @@ LIST = Path(__file__).with_name("mutants.txt")
 #: The folders of ``sql/`` of which every file has a mutant.
 FOLDERS = (
     *("source", "support", "embedding", "score", "health", "calibration", "certificate", "stored"),
-    *("streams", "census", "judgement"),
+    *("streams", "census", "rowids", "arrays", "judgement"),
 )
+
+#: Files of ``sql/`` -> the engine that runs them; DuckDB runs all others.
+_RUN_BY = {"rowids/*": "sqlite", "arrays/*": "clickhouse", "census/novelty_set": "sqlite"}
 
 #: Seconds after which a run is stopped: a mutant that never ends is caught, too.
 LONGEST = 600
@@ -65,6 +68,8 @@ _ABOUT = {
     "streams/*": "test_streaming",
     "source/unpivoted": "test_wide",
     "census/*": "test_trusting",
+    "rowids/*": "test_trusting",
+    "arrays/*": "test_trusting",
     "certificate/*": "test_spec[certificate",
     "judgement/*": "test_judged",
     "stored/expired_*": "test_pruning",
@@ -90,7 +95,7 @@ _COPIED = ("gam_db", "sql", "migrations", "tests", "docs", "README.md", "pyproje
 
 #: How pytest is run; what was loaded before cannot be rewritten, which is of no concern here.
 _WORDS = (
-    *("-x", "-q", "-n", "0", "-p", "no:cacheprovider", "--engines", "duckdb"),
+    *("-x", "-q", "-n", "0", "-p", "no:cacheprovider"),
     *("-W", "ignore::pytest.PytestAssertRewriteWarning"),
 )
 
@@ -186,10 +191,13 @@ def run(mutant: Mutant | None, folder: Path, told: Connection) -> None:
     assert template.sql_folder() == folder / "sql", "the tests would not run the copy"
     files = {path.stem: str(path) for path in sorted((folder / "tests").rglob("test_*.py"))}
     watch = Watch()
+    changed = "" if mutant is None else mutant.file
+    engine = next((one for glob, one in _RUN_BY.items() if fnmatch.fnmatch(changed, glob)), "")
+    words = [*_WORDS, "--engines", engine or "duckdb"]
     with (folder / "output.txt").open("w") as output, contextlib.redirect_stdout(output):
         for name in tests_of(mutant):  # one after another: collecting them all takes longer than most
             file, _, word = name.partition("[")
-            code = pytest.main([*_WORDS, files[file], "-k", word], plugins=[watch])
+            code = pytest.main([*words, files[file], "-k", word], plugins=[watch])
             if code != 0:
                 break
     if code == 0 or watch.failed is not None:

@@ -3,11 +3,15 @@
 Which of the two it was is asked for in each case, so that no case passes by the other way.
 """
 
+import dataclasses
+import random
+from collections.abc import Callable
 from typing import Any
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from sqlglot import exp
 
 import comparisons
 import engines
@@ -17,6 +21,7 @@ import strategies
 from gam_db import trusting
 from gam_db.engines.session import Session
 from gam_db.method import census
+from gam_db.method.delays import KEPT
 from gam_db.study import Study
 from harness import Answer, Row
 
@@ -173,7 +178,7 @@ def test_single_vectors_go_on_from_what_is_proven() -> None:
         begun.clear()
         found = study.table("health_indicator").to_pylist()
         study.forget()
-    assert {"support", "bounds", "calibrated", "series"} <= before
+    assert {"support", "bounds"} <= before
     assert not before & set(begun)
     harness.assert_same(harness.by_reference("health_indicator", rows(), *method), found)
 
@@ -203,3 +208,89 @@ def test_random_sources_give_the_integers_of_the_reference(data: st.DataObject) 
         patched.setattr(census, "SLICES", data.draw(st.sampled_from([1, 3, 32])))
         found, _ = answers(engines.session("duckdb"), table, method)
     agrees("duckdb", found, table, method)
+
+
+#: Ways in which the rows of a source may lie.
+ORDERS: dict[str, Callable[[list[Row]], list[Row]]] = {
+    "by channel": lambda table: sorted(table, key=lambda row: row[:3]),
+    "backwards": lambda table: sorted(table, key=lambda row: row[:3], reverse=True),
+    "one after its time": lambda table: [*(by := sorted(table, key=lambda row: row[:3]))[1:], by[0]],
+    "shuffled": lambda table: random.Random(3).sample(table, len(table)),
+}
+
+
+def whole(table: list[Row]) -> list[Row]:
+    """The same without the missing samples."""
+    return [(*row[:3], 1.0 if row[3] is None else row[3]) for row in table]
+
+
+@pytest.mark.parametrize("order", ORDERS)
+def test_however_rows_lie_the_body_of_the_engine_serves(engine: str, order: str) -> None:
+    """With a channel that lacks samples, and without: then nothing is made for such."""
+    method = harness.made(*SERVED["two sets and a pool of which one has no calibration"])
+    session = engines.session(engine)
+    for source in (rows(), whole(rows())):
+        table = ORDERS[order](source)
+        found, is_trusting = answers(session, table, method)
+        assert is_trusting
+        agrees(engine, found, table, method)
+    with session.lent(harness.arrow(whole(rows()))) as lent:
+        study = study_of(session, lent.name, method)
+        study.table("bucket_health")
+        body = session.engine.delays
+        assert {study.method.named(step, 0) for step in KEPT.get(body or "", ())} <= set(
+            study.running.placed
+        )
+        assert "incomplete_vectors_0" not in study.steps.steps
+        study.forget()
+
+
+@pytest.mark.parametrize("number", range(1, 6 * LENGTH, 173))
+def test_each_body_finds_what_occurs_twice(engine: str, number: int) -> None:
+    """Also among the samples before the first vector, and before the first scored one."""
+    method = harness.made(*SERVED["a reach of many slices"])
+    table = doubled(rows(), number)
+    found, is_trusting = answers(engines.session(engine), table, method)
+    assert not is_trusting
+    agrees(engine, found, table, method)
+
+
+def test_a_support_too_large_for_a_set_is_joined(engine: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(trusting.Trust, "_has_large_support", lambda trust: True)
+    method = harness.made(*SERVED["delays"])
+    session = engines.session(engine)
+    found, is_trusting = answers(session, rows(), method)
+    assert is_trusting
+    agrees(engine, found, rows(), method)
+    with session.lent(harness.arrow(rows())) as lent:
+        study = study_of(session, lent.name, method)
+        study.table("bucket_health")
+        assert study.steps.steps["complete_novelty"].query.find(exp.In) is None
+        study.forget()
+
+
+def test_a_large_support_is_told_by_the_engine(engine: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    session = engines.session(engine)
+    most = exp.select(exp.alias_(exp.Literal.number(1), "most"))
+    known = dataclasses.replace(session.engine, most_in_set=most)
+    monkeypatch.setattr(session, "engine", known)
+    with session.lent(harness.arrow(rows())) as lent:
+        study = study_of(session, lent.name, harness.made(*SERVED["delays"]))
+        study.table("bucket_health")
+        assert study.is_trusting
+        assert study.steps.steps["complete_novelty"].query.find(exp.In) is None
+        study.forget()
+
+
+@pytest.mark.parametrize(("name", "time"), [("ax", 1), ("bx", 100), ("cy", 2 * LENGTH)])
+def test_rows_that_came_after_the_count_are_found(name: str, time: int) -> None:
+    """Where channels lie is told by what was counted, and proven."""
+    session = engines.session("sqlite")
+    with session.lent(harness.arrow(rows())) as lent:
+        study = study_of(session, lent.name, harness.made(*SERVED["delays"]))
+        late = harness.arrow([(*name, 2 * time + 1, 1.0)])
+        with session.lent(late) as more:
+            session.execute(exp.insert(exp.select("*").from_(more), lent))
+        study.table("bucket_health")
+        assert not study.is_trusting
+        study.forget()

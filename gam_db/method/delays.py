@@ -1,0 +1,170 @@
+"""Delay vectors (Eq. 1) from readings, in the way that is cheapest on an engine: the hook of the census.
+
+One contract: readings in, and for each vector out its channel and support, the time of its newest
+sample, its cell (NULL where a sample is missing), whether it is out of range, the place of its newest
+sample among those that are read, and whether what shows that an instant occurs twice shows in it. The
+bodies are folders of ``sql/``; which of them an engine takes is said in :mod:`gam_db.engines`. One
+that is not right for a source shows it by ``doubled``, too: that costs time, never a number.
+
+* ``embedding``, by windows: for every engine.
+* ``rowids``, by the numbers of rows that are kept in order: SQLite.
+* ``arrays``, by arrays that are kept in order: ClickHouse.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.clock import FAR_AHEAD
+from gam_db.method.adding import add_of_set
+from gam_db.method.resolved import Method
+from gam_db.method.vectors import add_short_vectors, cell_slots, code_of
+from gam_db.parameters import Parameters
+from gam_db.pipeline import Pipeline, filled
+
+#: What is kept before vectors are made of it, body by body.
+KEPT = {"rowids": ("coded", "runs"), "arrays": ("coded",)}
+
+#: The steps with a column ``doubled`` that prove a body right where it is 0 everywhere.
+PROOFS = {
+    None: ("learnable", "visited"),
+    "rowids": ("runs", "learnable", "visited"),
+    "arrays": ("coded",),
+}
+
+#: The vectors that are made, by their prefix: of calibration, and the scored ones of channels without
+#: and with missing samples.
+CALIBRATION, COMPLETE, INCOMPLETE = "calibration_", "complete_", "incomplete_"
+
+_OF_BODY = ("span", "known", "cell_key", "outside")
+
+
+@dataclass(frozen=True)
+class Ways:
+    """How a source is worked on where engines differ, and sources.
+
+    Attributes:
+        delays: the body of the delays; None for windows.
+        by_sets: whether a cell is looked up in the support as a set, instead of by a join.
+        has_missing: whether a channel lacks a sample; if none does, nothing is made for such.
+    """
+
+    delays: str | None = None
+    by_sets: bool = False
+    has_missing: bool = True
+
+
+def add_coded(steps: Pipeline, method: Method, number: int, body: str) -> None:
+    """Add what vectors of one set are made of, once, where a body keeps it."""
+    setting = method.settings[number]
+    slots: dict[str, dict[str, template.Slot]] = {
+        "coded": {"code": code_of(setting)},
+        "runs": {"span": setting.span},
+    }
+    for name in KEPT[body]:
+        add_of_set(steps, method, number, f"{body}/{name}", slots[name])
+
+
+def add_delays(
+    steps: Pipeline, method: Method, number: int, prefix: str, body: str | None, rows: str
+) -> None:
+    """Add the step *vectors* of a prefix, for one set.
+
+    Args:
+        steps: with *scale* of the set, and what :func:`add_coded` adds.
+        method: what the user asked for.
+        number: of the set.
+        prefix: one of the three above.
+        body: a folder of ``sql/``; None for windows.
+        rows: the step that holds the readings of the vectors, for windows.
+    """
+    setting = method.settings[number]
+    if body is not None:
+        query = _BODIES[body](setting, prefix)
+        tables = {name: method.named(name, number) for name in KEPT[body]}
+        steps.add(method.named(f"{prefix}vectors", number), query, "", tables)
+        return
+    slots: dict[str, template.Slot] = {"code": code_of(setting), "read": _read(prefix)}
+    codes = f"{prefix}codes"
+    add_of_set(steps, method, number, "census/codes", slots, codes, {"readings": rows})
+    add_short_vectors(steps, method, number, prefix, trusting=True, carried=("support_id",))
+
+
+def _by_row(setting: Parameters, prefix: str) -> exp.Query:
+    """Return the vectors of a prefix by the numbers of rows."""
+    is_taught = prefix == CALIBRATION
+    first, last = ("first_row", "taught_row") if is_taught else ("start_row", "last_row")
+    others = range(1, setting.m)
+    query = filled(
+        "rowids/vectors",
+        {
+            **_slots(setting),
+            "first_row": exp.column(first, table="run"),
+            "last_row": exp.column(last, table="run"),
+            "delayed": [
+                exp.alias_(exp.column("code", table=f"delayed_{k}"), f"code_{k}") for k in others
+            ],
+            "read": exp.true() if is_taught else _is_complete(prefix, "run"),
+        },
+    )
+    (joined,) = (one for one in query.find_all(exp.Select) if one.args.get("joins"))
+    for k in others:
+        row = exp.column("rowid", table=f"delayed_{k}")
+        where = template.fill("rowids/delayed", {"row": row, "delay": k * setting.tau})
+        joined.join(
+            exp.to_table("coded"), on=where, join_type="cross", join_alias=f"delayed_{k}", copy=False
+        )
+    return query
+
+
+def _in_arrays(setting: Parameters, prefix: str) -> exp.Query:
+    """Return the vectors of a prefix by arrays."""
+    is_taught = prefix == CALIBRATION
+    delayed: list[exp.Expr] = []
+    for k in range(setting.m):
+        place = {"place": setting.span - k * setting.tau + 1}
+        delayed.append(exp.alias_(template.fill("arrays/delayed", place), f"code_{k}"))
+    return filled(
+        "arrays/vectors",
+        {
+            **_slots(setting),
+            "time_from": exp.column("taught_from" if is_taught else "read_from"),
+            "time_to": exp.column("taught_to") if is_taught else FAR_AHEAD,
+            "delayed": delayed,
+            "coordinates": [exp.column(f"code_{k}") for k in range(setting.m)],
+            "read": _is_complete(prefix) if not is_taught else _is_there("taught_from"),
+        },
+    )
+
+
+def _slots(setting: Parameters) -> dict[str, template.Slot]:
+    return {name: slot for name, slot in cell_slots(setting).items() if name in _OF_BODY}
+
+
+def _read(prefix: str) -> exp.Expr:
+    """Return which readings the vectors of a prefix are made of."""
+    time = exp.column("time", table="reading")
+    low, high, begin = (
+        exp.column(name, table="scale") for name in ("taught_from", "taught_to", "read_from")
+    )
+    if prefix == CALIBRATION:
+        return exp.Between(this=time, low=low, high=high)
+    return exp.and_(exp.GTE(this=time, expression=begin), _is_complete(prefix, "scale"))
+
+
+def _is_complete(prefix: str, table: str | None = None) -> exp.Expr:
+    """Return the condition that a channel has missing samples, or has none, as the prefix says."""
+    one = exp.Literal.number(int(prefix == COMPLETE))
+    return exp.EQ(this=exp.column("complete", table=table), expression=one)
+
+
+def _is_there(name: str) -> exp.Expr:
+    return exp.Not(this=exp.Is(this=exp.column(name), expression=exp.null()))
+
+
+_BODIES: dict[str, Callable[[Parameters, str], exp.Query]] = {
+    "rowids": _by_row,
+    "arrays": _in_arrays,
+}

@@ -1,0 +1,5 @@
+-- Delayed, in an array: the codes of one coordinate, vector by vector. Repeated by Python, once per coordinate. For
+-- ClickHouse; see arrays/vectors.sql.
+-- Dialect: clickhouse
+-- Slots:  :place  of the first one among the samples that are read
+arraySlice(codes, skipped + :place, vectors)

@@ -1,0 +1,51 @@
+-- Vectors in arrays: v(t) (Eq. 1) of coded samples, which lie in one array per channel: a delay is the same array
+-- from another place on. For ClickHouse. Proof: coded, whose arrays are in order.
+-- Dialect: clickhouse
+-- Reads:  coded
+-- A row:  one vector, at the time of its newest sample; cell_key is NULL where a sample is missing; position
+--         counts the samples from the first one that is read.
+-- Slots:  :time_from, :time_to  the instants of a channel that are read
+--         :span     (m-1) * tau, the samples between oldest and newest
+--         :delayed  code_0 ... code_(m-1), the arrays of the coordinates
+--         :coordinates  their names
+--         :known    all coordinates are there
+--         :cell_key the mixed-radix integer of the coordinates
+--         :outside  a coordinate lies outside the calibrated range
+--         :read     which channels are read
+SELECT
+  channel_id,
+  support_id,
+  time,
+  CASE WHEN :known THEN :cell_key END AS cell_key,
+  CASE WHEN :outside THEN 1 ELSE 0 END AS out_of_range,
+  :span + position AS position,
+  time AS context_time,
+  0 AS doubled
+FROM (
+  SELECT
+    channel_id,
+    support_id,
+    arraySlice(times, skipped + 1 + :span, vectors) AS time,
+    :delayed
+  FROM (
+    SELECT
+      channel_id,
+      support_id,
+      times,
+      codes,
+      skipped,
+      greatest(arrayCount(time -> time <= :time_to, times) - skipped - :span, 0) AS vectors
+    FROM (
+      SELECT
+        channel_id,
+        support_id,
+        times,
+        codes,
+        taught_to,
+        arrayCount(time -> time < :time_from, times) AS skipped
+      FROM coded
+      WHERE :read
+    ) AS begun
+  ) AS counted
+) AS embedded
+ARRAY JOIN time, arrayEnumerate(time) AS position, :coordinates

@@ -1,0 +1,6 @@
+-- Delayed, by row: which row holds the sample so many before. Repeated by Python, once per delay. For SQLite; see
+-- rowids/vectors.sql.
+-- Dialect: sqlite
+-- Slots:  :row    the number of that row
+--         :delay  k * tau, in samples
+:row = newest.rowid - :delay

@@ -1,0 +1,64 @@
+-- Runs: where each channel lies among the coded samples, by what was counted before. For SQLite. Proof: the rows
+-- at both ends of each part, and the next one after it, are looked at; the samples are in order, so that all
+-- between them are where they should be. doubled = 1 where one is not, or where an instant occurs twice among
+-- the samples that no vector ends with; if so, all is done again by windows.
+-- Dialect: sqlite
+-- Reads:  scale, coded
+-- A row:  one channel: its rows, the last one of calibration, and the first one that the scored vectors read.
+-- Slots:  :span  (m-1) * tau, the samples between oldest and newest
+SELECT
+  run.channel_id AS channel_id,
+  run.support_id AS support_id,
+  run.complete AS complete,
+  run.first_row AS first_row,
+  run.taught_row AS taught_row,
+  run.taught_row - run.context_rows + 1 AS start_row,
+  run.last_row AS last_row,
+  CASE
+    WHEN first_one.channel_id = run.channel_id
+      AND last_one.channel_id = run.channel_id
+      AND COALESCE(after_last.channel_id, 0) <> run.channel_id
+      AND (run.taught_row < run.first_row OR taught.time < run.first_scored)
+      AND (run.taught_row = run.last_row OR untaught.time >= run.first_scored)
+      AND NOT EXISTS (
+        SELECT 1
+        FROM coded AS later
+        JOIN coded AS earlier ON earlier.rowid = later.rowid - 1
+        WHERE later.rowid BETWEEN run.first_row + 1 AND run.first_row + :span
+          AND later.rowid <= run.last_row
+          AND later.time = earlier.time
+      ) THEN 0
+    ELSE 1
+  END AS doubled
+FROM (
+  SELECT
+    channel_id,
+    support_id,
+    complete,
+    first_scored,
+    context_rows,
+    rows_before + 1 AS first_row,
+    rows_before + calibration_samples AS taught_row,
+    rows_before + readings AS last_row
+  FROM (
+    SELECT
+      channel_id,
+      support_id,
+      complete,
+      first_scored,
+      context_rows,
+      calibration_samples,
+      readings,
+      CAST(
+        SUM(readings) OVER (
+          ORDER BY channel_id ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
+        ) AS BIGINT
+      ) - readings AS rows_before
+    FROM scale
+  ) AS placed
+) AS run
+LEFT JOIN coded AS first_one ON first_one.rowid = run.first_row
+LEFT JOIN coded AS last_one ON last_one.rowid = run.last_row
+LEFT JOIN coded AS after_last ON after_last.rowid = run.last_row + 1
+LEFT JOIN coded AS taught ON taught.rowid = run.taught_row
+LEFT JOIN coded AS untaught ON untaught.rowid = run.taught_row + 1
