@@ -128,6 +128,7 @@ def test_who_is_not_let_in_is_told(plant: Any) -> None:
 
 
 def test_a_user_who_may_only_read_leaves_nothing_half_made(plant: Any) -> None:
+    before = asked(plant, "SHOW TABLES")
     asked(plant, "CREATE OR REPLACE USER reader IDENTIFIED BY ''")
     asked(plant, "GRANT SELECT ON plant.telemetry TO reader")
     place = urlsplit(mariadb_server.server())
@@ -136,5 +137,5 @@ def test_a_user_who_may_only_read_leaves_nothing_half_made(plant: Any) -> None:
         monitor = gam_db.Monitor(session, gam_db.Source("telemetry"), PARAMETERS)
         with pytest.raises(EngineError, match="no right"):
             monitor.migrate()
-    assert asked(plant, "SHOW TABLES") == (("telemetry",),)
+    assert asked(plant, "SHOW TABLES") == before
     asked(plant, "DROP USER reader")
