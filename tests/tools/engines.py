@@ -31,9 +31,19 @@ FAST = ("duckdb", "sqlite")
 #: process needs more room than it is given by itself; without room nothing is compiled any more.
 QUICK_JAVA = "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC -XX:ReservedCodeCacheSize=256m"
 
+#: Spark that makes no program of its own for each query and plans none anew while it runs: a third of
+#: the time of small cases. Recordings run with Spark's own settings (test_spark_recordings.py).
+QUICK_SPARK = {
+    "spark.sql.codegen.wholeStage": "false",
+    "spark.sql.codegen.factoryMode": "NO_CODEGEN",
+    "spark.sql.adaptive.enabled": "false",
+}
+
 
 def spark() -> Session:
     """Open Spark in this process, small and quick to start; its tables go with the process."""
+    settings = " ".join(f"--conf {name}={value}" for name, value in QUICK_SPARK.items())
+    os.environ.setdefault("PYSPARK_SUBMIT_ARGS", f"{settings} pyspark-shell")
     os.environ.setdefault("SPARK_MASTER", "local[2]")
     os.environ.setdefault("SPARK_DRIVER_MEMORY", "1g")
     os.environ.setdefault("JDK_JAVA_OPTIONS", QUICK_JAVA)
