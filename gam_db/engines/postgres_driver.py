@@ -19,7 +19,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines import postgres_types
-from gam_db.engines.base import deletion
+from gam_db.engines.dbapi import DbapiDriver
 from gam_db.engines.postgres import ENGINE, PATH
 from gam_db.engines.postgres_refusals import (
     NO_SCHEMA,
@@ -111,20 +111,17 @@ def connected(target: Any, writable: bool) -> "PostgresDriver":
         raise
 
 
-class PostgresDriver:
+class PostgresDriver(DbapiDriver):
     """A psycopg connection; see :class:`gam_db.engines.warehouse.Driver`.
 
     What search_path says is read once: which schema tables are in that name none. A connection of ours
     then keeps to :data:`gam_db.engines.postgres.PATH`, a lent one while a statement of ours runs.
     """
 
-    transactions = True
-
     def __init__(self, psycopg: Any, connection: Any, owned: bool) -> None:
+        super().__init__(connection, owned)
         self._psycopg = psycopg
         self.errors: tuple[type[Exception], ...] = (psycopg.Error,)
-        self._connection = connection
-        self._owned = owned
         self._transaction: Any = None
         self._statement = ""
         self._settings: dict[str, str] = {}
@@ -200,7 +197,7 @@ class PostgresDriver:
     def keep(self, table: exp.Table, query: exp.Query) -> None:
         """Make a temporary table of the rows of a query, and count what is in it for the planner."""
         with self._planned(_PLANNED_ALONE):
-            self.execute(self.engine.text(_temporary(table, query)))
+            super().keep(table, query)
         self._count(table)
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
@@ -214,7 +211,7 @@ class PostgresDriver:
             )
             for name, kind in types.items()
         ]
-        self.execute(self.engine.text(_temporary(exp.Schema(this=table.copy(), expressions=columns))))
+        self.execute(self.engine.text(self._temporary(exp.Schema(this=table, expressions=columns))))
         written = io.BytesIO()
         pyarrow.csv.write_csv(travelling, written, pyarrow.csv.WriteOptions(include_header=False))
         sql = self._psycopg.sql
@@ -223,14 +220,6 @@ class PostgresDriver:
         with self._safely(), self._cursor() as cursor, cursor.copy(copy) as target:
             target.write(written.getbuffer())
         self._count(table)
-
-    def drop(self, table: exp.Table) -> None:
-        """Drop a table made by :meth:`keep` or :meth:`ingest`."""
-        self.execute(self.engine.text(exp.Drop(tables=[table.copy()], kind="TABLE", exists=True)))
-
-    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
-        """Delete the rows of a table whose keys are among the rows of a query."""
-        self.execute(self.engine.text(deletion(table, keys, found)))
 
     def tables(self) -> list[tuple[str, ...]]:
         """Return the tables and views of all schemas."""
@@ -321,11 +310,10 @@ class PostgresDriver:
 
     def close(self) -> None:
         """Close the connection if it is ours; else set it as it was."""
-        if self._owned:
-            self._connection.close()
-        else:
+        if not self._owned:
             with contextlib.suppress(self._psycopg.Error):
                 self._set(self._settings)
+        super().close()
 
     def _check(self) -> None:
         """Refuse what is no open connection of a PostgreSQL that can be used."""
@@ -397,20 +385,17 @@ class PostgresDriver:
         # A factory of the user's would make something else than tuples of the rows.
         return self._connection.cursor(binary=binary, row_factory=self._psycopg.rows.tuple_row)
 
-    def _asked(self, query: str, values: Sequence[Any] | None = None) -> list[tuple[Any, ...]]:
+    def _asked(self, query: str, values: Sequence[Any] = ()) -> list[tuple[Any, ...]]:
         """Return the rows of a query of our own."""
         with self._safely(), self._cursor() as cursor:
-            found: list[tuple[Any, ...]] = cursor.execute(query, values, prepare=False).fetchall()
+            found: list[tuple[Any, ...]] = cursor.execute(
+                query, values or None, prepare=False
+            ).fetchall()
         return found
 
     def _count(self, table: exp.Table) -> None:
         """Let the planner know what is in a table that was made."""
         self.execute(self.engine.text(exp.Analyze(tables=[table.copy()])))
-
-
-def _temporary(target: exp.Expr, query: exp.Query | None = None) -> exp.Create:
-    properties = exp.Properties(expressions=[exp.TemporaryProperty()])
-    return exp.Create(this=target.copy(), kind="TABLE", expression=query, properties=properties)
 
 
 def _by_bytes() -> exp.ColumnConstraint:
