@@ -24,6 +24,7 @@ from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, job_of
 from gam_db.cli.progress import Progress, interruptible, working
+from gam_db.clock import SINCE_1970, epoch_unit
 from gam_db.config import Settings, SourceSettings
 from gam_db.connecting import connect
 from gam_db.engines.session import Session
@@ -181,6 +182,14 @@ def _show(out: Console, job: Job, found: Sequence[Row], everything: bool = False
     page.say(out, f"channels: {page.counted(found)}")
     for line in page.advice(found):
         page.say(out, line)
+    ends = [row["last_time"] for row in found if isinstance(row["last_time"], int)]
+    unit = epoch_unit(min(ends), max(ends)) if ends else None
+    if unit is not None:
+        page.say(
+            out,
+            f"time looks like {SINCE_1970[unit][0]} since 1970, and is taken as a counter; --time-unit "
+            f"{unit} makes calendar time of it",
+        )
     short = [
         row
         for row in found
