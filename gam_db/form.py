@@ -18,12 +18,12 @@ from gam_db.setting import COUNT, TEXT, Kind, Setting, declared, one_of, setting
 #: Signs that are all meant by a space between thousands.
 SPACES = " \u00a0\u202f"
 #: Words of one column that a proposal is made from.
-LOOKED_AT = 200
+LOOKED_AT = 1000
 
 _NUMBER = re.compile(
     rf"\s*[+-]?([0-9][0-9.,'{SPACES}]*|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?\s*([^0-9\s]\S*)?\s*"
 )
-_DAYS = [f"%d{sign}%m{sign}%Y" for sign in "./-"] + [f"%m{sign}%d{sign}%Y" for sign in "/-."]
+_DAYS = [f"%d{sign}%m{sign}%Y" for sign in "./-"] + [f"%m{sign}%d{sign}%Y" for sign in "/-"]
 _DAYS += [f"%d{sign}%m{sign}%y" for sign in "./-"] + ["%Y/%m/%d", "%Y%m%d", "%Y-%m-%d"]
 _HOURS = ["", " %H:%M", " %H:%M:%S", " %H:%M:%S.%f", " %I:%M %p", " %I:%M:%S %p", "T%H%M%S", " %H.%M.%S"]
 

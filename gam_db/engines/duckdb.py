@@ -165,6 +165,7 @@ def file_reader(paths: Sequence[str], form: Form | None = None) -> exp.Expr:
     a column lie between -1e300 and 1e300, the test for missing ones is optimised away, and NaN counts as
     a reading (seen on files that PyArrow wrote; DuckDB's own have no statistics then).
     """
+    paths = [f"{path}**/*.parquet" if path.endswith("/") else path for path in paths]
     files = template.text(paths[0])
     if len(paths) > 1:
         files = exp.Array(expressions=[template.text(path) for path in paths])

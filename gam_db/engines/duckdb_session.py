@@ -17,17 +17,22 @@ from gam_db.engines.base import deletion
 from gam_db.engines.duckdb import ENGINE, all_as_text, file_reader, is_csv_reader
 from gam_db.engines.duckdb_journal import Journal
 from gam_db.engines.duckdb_opening import (
+    MARK,
+    SOURCE_MARK,
     attached,
     check_settings,
     is_among,
     opened,
     rows_at_once,
     shut,
+    source_mark,
+    without_results,
 )
 from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY, check_columns, unwritable
 from gam_db.errors import ConflictError, EngineError, SourceError, StatementError, nearest
 from gam_db.form import Form, options_for_null, options_for_numbers, shortened
 from gam_db.source import is_file, paths_of, table_names
+from gam_db.version import __version__
 
 OLDEST = (2, 0)
 
@@ -35,6 +40,8 @@ _LATE = re.compile(
     r"CSV Error on Line: (\d+).*column \"(.*?)\"\. Could not convert string \"(.*?)\" to '(.*?)'",
     re.DOTALL,
 )
+
+_NOT_THERE = re.compile(r"install the required extension '(\w+)")
 
 #: The log goes into the file when it has grown beyond so many bytes, and when the file is closed.
 LARGE_LOG = 2**24
@@ -331,6 +338,7 @@ class DuckSession:
             params=[
                 exp.CopyParameter(this=exp.var("FORMAT"), expression=exp.var("PARQUET")),
                 exp.CopyParameter(this=exp.var("COMPRESSION"), expression=exp.var("ZSTD")),
+                exp.CopyParameter(this=exp.var("KV_METADATA"), expression=_metadata(self._sources)),
             ],
         )
         try:
@@ -455,19 +463,21 @@ class DuckSession:
 
     def _files(self, paths: Sequence[str], form: Form | None) -> exp.Expr:
         path = paths[0] if len(paths) == 1 else f"{paths[0]} and {len(paths) - 1} more"
-        node = file_reader(paths, form)
-        self._sources += paths
+        found = [file for one in paths for file in without_results(self.connection, one)]
+        node = file_reader(found, form)
+        self._sources += found
         try:
-            self.describe(node)
-        except duckdb.IOException as error:
-            raise SourceError(
-                f"{path} cannot be read; is it there, and is it a file of that kind?"
-            ) from error
+            columns = self.describe(node)
+            if is_csv_reader(node) and set(columns.values()) == {"VARCHAR"}:
+                first = exp.select(exp.Literal.number(1)).from_(node.copy()).limit(1)
+                if not self._run(first).fetchall():
+                    raise SourceError(f"{path} has no rows; it is empty, or there is a header only.")
         except (duckdb.Error, StatementError) as error:
-            raise SourceError(
-                f"{path} is no table that DuckDB can make out; is it whole, and of the kind that its "
-                "name says?"
-            ) from error
+            if isinstance(error, duckdb.IOException):
+                raise SourceError(
+                    f"{path} cannot be read; is it there, and is it a file of that kind?"
+                ) from error
+            raise SourceError(_no_table(path, str(error.__cause__ or error))) from error
         return node
 
     def _free_name(self, word: str) -> str:
@@ -481,6 +491,30 @@ class DuckSession:
         return self.connection.execute(
             "SELECT table_catalog, table_schema, table_name FROM information_schema.tables"
         ).fetchall()
+
+
+def _metadata(sources: Sequence[str]) -> exp.Expr:
+    """Return what a file of results says of itself: whose results, and where from."""
+    said = {MARK: __version__, SOURCE_MARK: source_mark(sources)}
+    pairs = [
+        exp.PropertyEQ(this=template.text(name), expression=template.text(value))
+        for name, value in said.items()
+    ]
+    return exp.Struct(expressions=pairs)
+
+
+def _no_table(path: str, reason: str) -> str:
+    """Return why a path is no table, in the user's words."""
+    extension = _NOT_THERE.search(reason)
+    if extension is None:
+        return (
+            f"{path} is no table that DuckDB can make out; is it whole, and of the kind that its name "
+            "says?"
+        )
+    return (
+        f"{path} is read by DuckDB's extension {extension[1]}, which is not installed and cannot be "
+        f"fetched from here: INSTALL {extension[1]} where there is a network, or copy the file here."
+    )
 
 
 def _refusal(error: duckdb.Error, statement: str) -> StatementError:

@@ -14,7 +14,7 @@ from gam_db import template
 from gam_db.errors import ConfigurationError, StateError
 from gam_db.form import Form
 from gam_db.setting import settings_of
-from gam_db.source import AnySource, Source, WideSource
+from gam_db.source import AnySource, Source, WideSource, is_file
 
 #: The columns of ``gam_monitor`` that tell of the source.
 SOURCE_COLUMNS = (
@@ -94,6 +94,10 @@ def _parted(kept: str) -> tuple[str, dict[str, Any]]:
 def _shown(relation: Any) -> str:
     if isinstance(relation, (str, Path)):
         return str(relation)
+    if is_file(relation):
+        raise ConfigurationError(
+            "A monitor keeps one path; give a pattern or a folder that holds the files, not a list."
+        )
     if isinstance(relation, (tuple, list)):
         parts = [template.name(part).sql("duckdb") for part in relation]
         return ".".join(parts)
