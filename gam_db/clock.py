@@ -31,6 +31,15 @@ _UNITS = {
     "d": 86_400 * SECOND,
     "w": 604_800 * SECOND,
 }
+#: A unit of numbers since 1970 -> its name, and how many of it are a second.
+SINCE_1970 = {
+    "s": ("seconds", 1),
+    "ms": ("milliseconds", 10**3),
+    "us": ("microseconds", 10**6),
+    "ns": ("nanoseconds", 10**9),
+}
+_1990, _2100 = 631_152_000, 4_102_444_800
+"""In seconds since 1970: what else would count from there to here?"""
 _WHOLE = re.compile(r"-?[0-9]{1,30}")
 _LENGTH = re.compile(r"([0-9]{1,30}(?:\.[0-9]{0,30})?)\s*(us|ms|s|min|h|d|w)")
 
@@ -146,6 +155,14 @@ def length(value: object, kind: TimeKind, what: str) -> int:
     if steps < 0:
         raise ParameterError(f"{what} is {value!r}; it must not be negative.")
     return _bounded(steps, what)
+
+
+def epoch_unit(first: int, last: int) -> str | None:
+    """Return the unit by which a counter would tell times of our time; None if it looks like none."""
+    for unit, (_, ticks) in SINCE_1970.items():
+        if _1990 * ticks <= first and last <= _2100 * ticks:
+            return unit
+    return None
 
 
 def looks_like_calendar(value: object) -> bool:

@@ -15,6 +15,7 @@ from typing import Any, Literal, TypeAlias
 from gam_db.address import has_password, is_url, shown
 from gam_db.calibration import WAYS, Calibration
 from gam_db.errors import ConfigurationError, UserError, nearest
+from gam_db.form import Form
 from gam_db.parameters import Override, Parameters
 from gam_db.setting import COLUMN, COLUMNS, FLAG, TEXT, declared, one_of, setting, settings_of
 from gam_db.source import is_file
@@ -34,7 +35,7 @@ LAYOUT = dataclasses.replace(one_of("long", "wide"), option=bool, read=lambda *_
 
 @declared
 @dataclass(frozen=True)
-class SourceSettings:
+class SourceSettings(Form):
     """What was said of the source; None is "not said", and what is not said is guessed."""
 
     relation: str | None = setting(

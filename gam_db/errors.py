@@ -16,7 +16,8 @@
         ├── TemplateError       a file in sql/ breaks a rule, or its slots were not filled
         └── StatementError      a statement that we made failed; carries it as ``statement``
 
-A message says what is wrong, where, and what to do. Values of the telemetry never appear in one.
+A message says what is wrong, where, and what to do. Values of the telemetry never appear in one,
+but for the first word that cannot be read as the number or time that it should be.
 """
 
 import difflib

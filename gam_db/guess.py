@@ -28,7 +28,19 @@ KNOWN: Mapping[str, tuple[frozenset[str], frozenset[str]]] = {
     "time": (
         frozenset(("time", "ts", "timestamp", "datetime", "zeit", "zeitstempel", "timeutc", "utc")),
         frozenset(
-            ("t", "date", "instant", "tick", "ticks", "step", "sample", "seq", "sequence", "index")
+            (
+                "t",
+                "date",
+                "datum",
+                "instant",
+                "tick",
+                "ticks",
+                "step",
+                "sample",
+                "seq",
+                "sequence",
+                "index",
+            )
         ),
     ),
     "value": (
@@ -106,15 +118,15 @@ class _Guesser:
         channel = None if self.wide else self._name("channel")
         value = None if self.wide else self.said.value or self._value(channel)
         self._ask_about_texts(asset, channel)
-        where, kind = self.said.where, self.said.time_kind
+        where, kind, written = self.said.where, self.said.time_kind, self.said.written
         source: AnySource
         if value is None:
             signals = self.said.channels or tuple(self._numeric())
             if not signals:
                 raise self._unclear("No numeric column is left that could hold readings", ("value",))
-            source = WideSource(relation, signals, asset, time, where, kind)
+            source = WideSource(relation, signals, asset, time, where, kind, **written)
         else:
-            source = Source(relation, asset, channel, time, value, where, kind)
+            source = Source(relation, asset, channel, time, value, where, kind, **written)
         used = set(source.columns.values())
         return Guess(source, self.guessed, tuple(name for name in self.columns if name not in used))
 
@@ -126,7 +138,8 @@ class _Guesser:
             calendars = [name for name, kind in kinds.items() if kind and not kind.is_counter]
             if len(calendars) == 1:
                 return self._take("time", calendars[0])
-            found = self._by_name("time", calendars or [name for name, kind in kinds.items() if kind])
+            fitting = [name for name, kind in kinds.items() if kind or self._counts(name)]
+            found = self._by_name("time", calendars or fitting or self.free)
             if found is None:
                 many = f"{_listed(calendars)} could each be" if calendars else "No column looks like"
                 raise self._unclear(f"{many} the time", ("time",))
@@ -187,7 +200,17 @@ class _Guesser:
         return column
 
     def _numeric(self) -> list[str]:
-        return [name for name in self.free if self._is_number(name)]
+        """Return what may hold readings: numbers, else truths, else texts if they were said to be."""
+        types, said = self.session.engine.types, self.said.reads_words
+        for holds in (types.is_numeric, types.is_truth, *([types.is_text] if said else [])):
+            found = [name for name in self.free if holds(self.columns[name])]
+            if found:
+                return found
+        return []
+
+    def _counts(self, name: str) -> bool:
+        """Tell whether a column holds numbers that were said to be times."""
+        return self.said.time_unit is not None and self._is_number(name)
 
     def _is_number(self, name: str) -> bool:
         return self.session.engine.types.is_numeric(self.columns[name])

@@ -35,6 +35,12 @@ def resolved(source: AnySource, columns: dict[str, str], session: Session) -> An
             if name not in others and session.engine.types.is_numeric(type_name)
         )
         if not numeric:
+            numeric = tuple(
+                name
+                for name, type_name in columns.items()
+                if name not in others and session.engine.types.is_truth(type_name)
+            )
+        if not numeric:
             raise SourceError("The wide table has no numeric column beside asset and time.")
         source = dataclasses.replace(source, channels=numeric)
     for role, column in source.columns.items():
@@ -45,7 +51,7 @@ def resolved(source: AnySource, columns: dict[str, str], session: Session) -> An
             raise SourceError(
                 f"The relation has no column {column!r} for {role}{nearest(column, columns)}{hint}."
             )
-        _check_type(role, column, columns[column], session)
+        _check_type(role, column, columns[column], session, source.time_unit)
     return source
 
 
@@ -120,20 +126,30 @@ def check_clock(names: pa.Table) -> None:
         )
 
 
-def _check_type(role: str, column: str, type_name: str, session: Session) -> None:
+def _check_type(role: str, column: str, type_name: str, session: Session, time_unit: str | None) -> None:
+    types = session.engine.types
+    is_read = session.engine.texts is not None and types.is_text(type_name)
     if role == "time":
-        if session.engine.types.time_kind(type_name) is None:
+        counts = types.is_numeric(type_name)
+        if time_unit is not None and not counts:
+            raise SourceError(
+                f"The time column {column!r} is of type {type_name}; time_unit is said of numbers. "
+                "Leave it out."
+            )
+        if types.time_kind(type_name) is None and not is_read and not (counts and time_unit):
             raise SourceError(
                 f"The time column {column!r} is of type {type_name}; it must be a timestamp or an "
-                "integer counter. Cast it in a view (text: CAST(... AS TIMESTAMP); seconds with a "
+                "integer counter. "
+                + ("Say --time-unit (s, ms, us, ns) if it counts from 1970. " if counts else "")
+                + "Cast it in a view (text: CAST(... AS TIMESTAMP); seconds with a "
                 "fraction: CAST(FLOOR(seconds * 1000000) AS BIGINT))."
             )
     elif role in ("asset", "channel"):
-        if not session.engine.types.is_name(type_name):
+        if not types.is_name(type_name):
             raise SourceError(
                 f"The {role} column {column!r} is of type {type_name}; it must be text or an integer."
             )
-    elif not session.engine.types.is_numeric(type_name):
+    elif not (types.is_numeric(type_name) or types.is_truth(type_name) or is_read):
         raise SourceError(
             f"The {'value' if role == 'value' else 'channel'} column {column!r} is of type "
             f"{type_name}; readings must be numbers. Cast it in a view if that is what it holds."

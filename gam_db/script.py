@@ -28,6 +28,7 @@ from gam_db.source import (
     WideSource,
     declared_kind,
     is_file,
+    paths_of,
     table_names,
 )
 
@@ -211,7 +212,7 @@ def _relation(source: AnySource, engine: Engine) -> exp.Expr:
         )
     from gam_db.engines.duckdb import file_reader
 
-    return file_reader(str(relation))
+    return file_reader(paths_of(relation))
 
 
 def _looked_at(
@@ -219,6 +220,11 @@ def _looked_at(
 ) -> tuple[AnySource, TimeKind, bool]:
     """Return the source with its channels named, its kind of time, and whether that is known."""
     declared = declared_kind(source)
+    if source.written:
+        raise SourceError(
+            f"A script reads columns as they are, and {', '.join(source.written)} says otherwise; cast "
+            "them in a view."
+        )
     if is_file(source.relation) and engine.reads_files:
         from gam_db.engines.duckdb_session import DuckSession
 

@@ -119,8 +119,8 @@ def setting(default: Any, takes: Kind, what: str, **more: Any) -> Any:
 
 
 def settings_of(of: type) -> Mapping[str, Setting]:
-    """Return what can be set in a dataclass, by name."""
-    fields = dataclasses.fields(of)
+    """Return what can be set in a dataclass, by name; what it shares with others comes last."""
+    fields = sorted(dataclasses.fields(of), key=lambda one: one.kw_only is True)
     return {one.name: one.metadata[_KEY] for one in fields if _KEY in one.metadata}
 
 

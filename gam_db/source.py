@@ -15,6 +15,8 @@ from sqlglot.errors import SqlglotError
 from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.errors import SourceError
+from gam_db.form import Form
+from gam_db.setting import check
 
 ONLY_ASSET = "asset"
 FILE_ENDINGS = (".parquet", ".pq", ".csv", ".tsv", ".csv.gz", ".tsv.gz", ".csv.zst")
@@ -23,20 +25,24 @@ TimeNode = Callable[[exp.Expr], exp.Expr]
 
 
 @dataclass(frozen=True)
-class Source:
+class Source(Form):
     """A long table: one row per reading.
 
     Attributes:
         relation: name of a table or view (dots separate catalogue, schema and table; a tuple of parts
-            is taken as it is), path of a Parquet or CSV file (wildcards allowed), or an Arrow table
-            (anything with ``__arrow_c_stream__``, such as a data frame).
+            is taken as it is), path of a Parquet or CSV file (wildcards allowed) or a list of such, a
+            folder (its path ends in a slash), or an Arrow table (anything with
+            ``__arrow_c_stream__``, such as a data frame).
         asset, channel: columns that name the machine and the signal; None if there is one only: its
             asset is called ``asset`` and its channel like the value column.
-        time: column with a timestamp (without zone: UTC) or an integer counter.
-        value: numeric column.
+        time: column with a timestamp (without zone: UTC), its text, or an integer counter.
+        value: numeric column; true and false are 1 and 0.
         where: a condition in SQL (DuckDB's dialect), applied before everything else.
         time_kind: "timestamp" or "counter"; needed only where SQL is made without looking at the
             relation, which then counts as "counter" by default.
+
+    How numbers and times are written is said by keywords, see :class:`gam_db.form.Form`: decimal,
+    thousands, unit, null, delimiter, skip_rows, time_format, time_unit.
     """
 
     relation: Any
@@ -68,11 +74,11 @@ class Source:
 
 
 @dataclass(frozen=True)
-class WideSource:
+class WideSource(Form):
     """A wide table: one column per channel; a NULL cell is a missing sample, not an absent row.
 
     Attributes:
-        relation, asset, time, where, time_kind: as in :class:`Source`.
+        relation, asset, time, where, time_kind, and how things are written: as in :class:`Source`.
         channels: the numeric columns, each a channel of that name; None for all numeric columns.
     """
 
@@ -211,10 +217,17 @@ def under(source: AnySource, *conditions: exp.Expr) -> AnySource:
 
 
 def is_file(relation: object) -> bool:
-    """Tell whether a relation is the path of a file."""
+    """Tell whether a relation is the path of a file, of a folder (which ends in a slash), or some."""
     if isinstance(relation, Path):
         return True
-    return isinstance(relation, str) and relation.lower().endswith(FILE_ENDINGS)
+    if isinstance(relation, (list, tuple)):
+        return bool(relation) and all(map(is_file, relation))
+    return isinstance(relation, str) and relation.lower().endswith((*FILE_ENDINGS, "/"))
+
+
+def paths_of(relation: Any) -> list[str]:
+    """Return the paths that a relation names."""
+    return [str(one) for one in (relation if isinstance(relation, (list, tuple)) else [relation])]
 
 
 def table_names(relation: str | Sequence[str]) -> list[exp.Expr]:
@@ -248,7 +261,8 @@ def _table(parts: tuple[str, ...]) -> exp.Expr:
     return exp.Table(**dict(zip(("this", "db", "catalog"), names, strict=False)))
 
 
-def _check_names(source: object, optional: Sequence[str], needed: Sequence[str]) -> None:
+def _check_names(source: Form, optional: Sequence[str], needed: Sequence[str]) -> None:
+    check(source, SourceError)
     for role in (*optional, *needed):
         column = getattr(source, role)
         if column is None and role in optional:

@@ -20,8 +20,9 @@ from gam_db.method.census import Slicing
 from gam_db.method.delays import Ways
 from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline
+from gam_db.preparing import prepared
 from gam_db.running import Listener, Running, unheard
-from gam_db.source import AnySource, is_file, parsed_condition, under
+from gam_db.source import AnySource, is_file, paths_of, under
 from gam_db.streaming import Streams, seems_ordered
 from gam_db.trusting import Trust
 
@@ -59,15 +60,11 @@ class Study:
     ) -> None:
         self.session, self._named = session, source.relation
         self._is_lent = not isinstance(source.relation, (str, Path, tuple, list))
-        self.relation = relation = session.relation(source.relation)
-        self.columns = columns = session.describe(relation)
-        if source.where is not None:
-            session.check_condition(relation, parsed_condition(source.where), str(source.where))
-        self.source = look.resolved(source, columns, session)
-        kind = look.kind_of(self.source, columns, session)
-        self.method = Method(parameters, calibration, kind)
-        unread = dataclasses.replace(self.source, relation=None)  # the node counts
-        self._asked = (self.method, unread, relation, session.engine)
+        read = prepared(session, source)
+        self.relation, self.columns, self.source = read.stored, read.columns, read.source
+        self.method = Method(parameters, calibration, read.kind)
+        unread = dataclasses.replace(read.rows, relation=None)  # the node counts
+        self._asked = (self.method, unread, read.relation, session.engine)
         self.running = Running(session, self._opening(), on_step=on_step)
         is_streamed = short_cuts and seems_ordered(self.method, self.running)
         slicing = None
@@ -156,8 +153,7 @@ class Study:
 
     def _with_file(self, steps: Pipeline) -> Pipeline:
         """Let the rows of a text file be kept, which are not to be parsed twice."""
-        path = str(self._named).lower()
-        if is_file(self._named) and not path.endswith((".parquet", ".pq")):
+        if is_file(self._named) and not paths_of(self._named)[0].lower().endswith((".parquet", ".pq")):
             steps.small |= {"readings"}
         return steps
 

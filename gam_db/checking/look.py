@@ -31,6 +31,7 @@ class Look:
         table: a row per (asset, channel) pair, as :func:`check` returns it.
         channels: the rows of those that have a name and a time, in order.
         nameless: rows of the source without asset, channel and time, by these words.
+        exact: columns of readings that are integers or decimals, not doubles.
         number_texts: text columns that are not read and hold numbers.
     """
 
@@ -39,6 +40,7 @@ class Look:
     table: pa.Table
     channels: tuple[Row, ...]
     nameless: dict[str, int]
+    exact: tuple[str, ...]
     number_texts: tuple[str, ...]
 
     @property
@@ -115,7 +117,17 @@ def look_at(
         table=table,
         channels=tuple(row for row in rows if row["samples"] is not None),
         nameless=nameless,
+        exact=_exact(study),
         number_texts=_number_texts(study),
+    )
+
+
+def _exact(study: Study) -> tuple[str, ...]:
+    types, columns = study.session.engine.types, study.columns
+    return tuple(
+        name
+        for name in study.source.value_columns
+        if types.is_numeric(columns[name]) and not types.is_binary_float(columns[name])
     )
 
 

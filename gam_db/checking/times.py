@@ -7,15 +7,13 @@ from gam_db.checking.note import Note, noted
 from gam_db.checking.proposal import Proposal
 from gam_db.checking.sampling import REGULAR_WITHIN, is_irregular, is_on_change
 from gam_db.checking.words import extent, instant, number_of, percent, spoken
-from gam_db.clock import SECOND, TimeKind
+from gam_db.clock import SECOND, SINCE_1970, TimeKind, epoch_unit
 
 MANY_CONFLICTS = 0.1
 """Share of the instants above which different values are no accident."""
 _HOUR = 3_600 * SECOND
-_UNITS = (("seconds", 1), ("milliseconds", 10**3), ("microseconds", 10**6), ("nanoseconds", 10**9))
-_MAKERS = ("make_timestamp({} * 1000000)", "make_timestamp({} * 1000)", "make_timestamp({})")
 _1990, _2100 = 631_152_000, 4_102_444_800
-"""In seconds since 1970: what else would count from there to here?"""
+"""In seconds since 1970."""
 
 
 def times(look: Look, proposal: Proposal) -> list[Note]:
@@ -58,21 +56,20 @@ def _clock(look: Look) -> list[Note]:
         return []
     first = min(row["first_tick"] for row in look.channels)
     last = max(row["last_tick"] for row in look.channels)
-    column = look.source.time
     if look.kind.is_counter:
-        for number, (unit, ticks) in enumerate(_UNITS):
-            if _1990 * ticks <= first and last <= _2100 * ticks:
-                seen = instant(first * SECOND // ticks, TimeKind.TIMESTAMP)
-                maker = (*_MAKERS, "make_timestamp_ns({})")[number].format(f'"{column}"')
-                return [
-                    Note(
-                        "epoch",
-                        False,
-                        f"time looks like {unit} since 1970 (from {seen}), but is an integer, so it is "
-                        f"taken as a counter and lengths are in {unit}; for calendar time read it "
-                        f"through a view: {maker}",
-                    )
-                ]
+        unit = epoch_unit(first, last)
+        if unit is not None:
+            name, ticks = SINCE_1970[unit]
+            seen = instant(first * SECOND // ticks, TimeKind.TIMESTAMP)
+            return [
+                Note(
+                    "epoch",
+                    False,
+                    f"time looks like {name} since 1970 (from {seen}), but is an integer, so it is "
+                    f"taken as a counter and lengths are in {name}; --time-unit {unit} makes calendar "
+                    "time of it",
+                )
+            ]
         return []
     if first >= _1990 * SECOND and last <= _2100 * SECOND:
         return []

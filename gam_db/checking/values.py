@@ -10,6 +10,8 @@ LONG_STILL = 0.2
 """Share of the samples that one value holds without a break, above which it is said."""
 FEW_VALUES = 10
 """Distinct values up to which a signal is a state rather than a measurement."""
+EXACT_UP_TO = 2**53
+"""Up to here each integer is a double."""
 _LEAST_RISES = 50
 _FALLS_OF_COUNTER = 0.01
 
@@ -26,6 +28,7 @@ def values(look: Look) -> list[Note]:
         *_counters(moving),
         *_states(moving),
         *_coarse(look, moving),
+        *_beyond(look, held),
         *_texts(look),
     ]
 
@@ -155,6 +158,24 @@ def _coarse(look: Look, moving: Sequence[Row]) -> list[Note]:
         if row["values_seen"] > FEW_VALUES and (levels(row) or 2**31) < look.setting(row).bins
     ]
     return noted("coarse", found, text)
+
+
+def _beyond(look: Look, held: Sequence[Row]) -> list[Note]:
+    """Integers and decimals that are no doubles: neighbours become one."""
+    value = getattr(look.source, "value", None)
+    return noted(
+        "beyond",
+        [
+            row
+            for row in held
+            if (value or row["channel"]) in look.exact
+            and max(abs(row["lowest"]), abs(row["highest"])) >= EXACT_UP_TO
+        ],
+        lambda found: (
+            "integers or decimals beyond 2^53, which are rounded to doubles, so that neighbours become "
+            "one level: subtract an offset in a view"
+        ),
+    )
 
 
 def _texts(look: Look) -> list[Note]:

@@ -74,6 +74,9 @@ class Job:
         if guessed:
             roles = [role for role in guessed if role != "layout"]
             line += f"; guessed: {'all' if len(roles) == len(shown) else ', '.join(roles)}"
+        if self.guess.source.written:
+            said = (f"{name}={value!r}" for name, value in self.guess.source.written.items())
+            line += f"; written with {' '.join(said)}"
         if "layout" in guessed:
             line += f"; taken as {guessed['layout']}"
         if self.guess.unused:
@@ -100,6 +103,7 @@ class Job:
                 "columns": columns,
                 "guessed": self.guess.guessed,
                 "where": source.where,
+                "written": source.written,
             },
             "settings_file": self.file,
             "parameters": {**vars(self.parameters), "overrides": overrides},
@@ -120,7 +124,8 @@ def job_of(session: Session, settings: Settings, relation: Any, name: str | None
         UserError: the source, a parameter or the calibration cannot be used.
     """
     parameters, calibration = settings.method()
-    guessed = guess(relation, session.describe(session.relation(relation)), settings.source, session)
+    columns = session.describe(session.relation(relation, settings.source))
+    guessed = guess(relation, columns, settings.source, session)
     file = None if settings.file is None else str(settings.file)
     return Job(name or str(relation), guessed, parameters, calibration, file)
 

@@ -362,6 +362,7 @@ def _source(seen: Seen, settings: Settings, folder: Path) -> dict[str, tuple[Any
             said[role] = (False, f"there is no {known[role].what}")
         else:
             said[role] = (column, known[role].what + (", guessed" if role in guess.guessed else ""))
+    said |= {name: (value, known[name].what) for name, value in source.written.items()}
     if settings.source.where is not None:
         said["where"] = (settings.source.where, known["where"].what)
     return said

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import typer
-from pyarrow import parquet
+from pyarrow import ArrowInvalid, parquet
 from rich.console import Console
 
 from gam_db import langevin
@@ -24,6 +24,7 @@ from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, job_of
 from gam_db.cli.progress import Progress, interruptible, working
+from gam_db.clock import SINCE_1970, epoch_unit
 from gam_db.config import Settings, SourceSettings
 from gam_db.connecting import connect
 from gam_db.engines.session import Session
@@ -181,6 +182,14 @@ def _show(out: Console, job: Job, found: Sequence[Row], everything: bool = False
     page.say(out, f"channels: {page.counted(found)}")
     for line in page.advice(found):
         page.say(out, line)
+    ends = [row["last_time"] for row in found if isinstance(row["last_time"], int)]
+    unit = epoch_unit(min(ends), max(ends)) if ends else None
+    if unit is not None:
+        page.say(
+            out,
+            f"time looks like {SINCE_1970[unit][0]} since 1970, and is taken as a counter; --time-unit "
+            f"{unit} makes calendar time of it",
+        )
     short = [
         row
         for row in found
@@ -241,6 +250,8 @@ def _results(
     for one in paths:
         if not os.access(one if one.exists() else one.parent, os.W_OK):
             raise ConfigurationError(f"--out is {path}; you may not write {one}.")
+    if out is None and not _is_database(path):
+        _check_theirs(path, relation)
     read = {Path(read).resolve() for read in (relation, database) if read is not None}
     for one in paths:
         if one.resolve() in read:
@@ -249,6 +260,25 @@ def _results(
         _Result(step, one, f"gam_{table}")
         for (step, table), one in zip(steps.items(), paths[: len(steps)], strict=True)
     ]
+
+
+def _check_theirs(path: Path, relation: str) -> None:
+    """Refuse to write over the results of another source that is called alike.
+
+    Raises:
+        ConfigurationError: the file holds such.
+    """
+    try:
+        said = parquet.read_metadata(path).metadata or {}
+    except (OSError, ArrowInvalid):  # there is none, or it is no file of ours
+        return
+    of = said.get(b"gam_source", b"").decode()
+    here = os.path.abspath(relation)
+    folder = str(Path(here).parent) if "*" in relation else here
+    if of and is_file(relation) and not of.startswith(folder):
+        raise ConfigurationError(
+            f"{path} holds the results of {of}, a source of the same name; say --out, or remove it."
+        )
 
 
 def _stem(relation: str) -> str:

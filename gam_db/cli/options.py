@@ -66,8 +66,8 @@ Quiet = Annotated[
 
 _SOURCE = typer.Argument(
     metavar="SOURCE",
-    help="A Parquet or CSV file (wildcards allowed), or a table of --database. Default: what gam.toml "
-    "says.",
+    help="A Parquet or CSV file (wildcards allowed), a folder of such, or a table of --database. "
+    "Default: what gam.toml says.",
     show_default=False,
 )
 _CONFIG = typer.Option(help=f"Settings file; default ./{config.DEFAULT_FILE} if it is there.")
@@ -223,6 +223,8 @@ def named_relation(settings: Settings) -> str:
             "Name a SOURCE: a Parquet or CSV file, or a table with --database FILE.duckdb; or put "
             "relation under [source] into gam.toml. `gam demo` needs none."
         )
+    if database is None and Path(relation).is_dir():
+        return f"{relation.rstrip('/')}/"
     if database is None and not is_file(relation):
         if Path(relation).suffix in DATABASE_ENDINGS:
             raise ConfigurationError(

@@ -71,7 +71,7 @@ def described(settings: Settings) -> AnySource:
     if database is None and not is_file(relation):
         return _as_named(relation, settings.source)
     with connect(database, writable=False) as session:
-        columns = session.describe(session.relation(relation))
+        columns = session.describe(session.relation(relation, settings.source))
         source = guess(relation, columns, settings.source, session).source
         kind = look.kind_of(source, columns, session)
     return dataclasses.replace(source, time_kind="counter" if kind.is_counter else "timestamp")

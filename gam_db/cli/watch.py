@@ -138,6 +138,7 @@ def _remembered(said: SourceSettings, known: Row, channels: Sequence[str]) -> So
             remembered |= shared | {"layout": "wide", "channels": source.channels}
     elif said.layout != "wide" and said.channels is None:
         remembered |= shared | {"channel": source.channel or False, "value": source.value}
+    remembered |= source.written
     unsaid = {key: value for key, value in remembered.items() if getattr(said, key) is None}
     return dataclasses.replace(said, **unsaid)
 

@@ -4,7 +4,7 @@ This module owns how a tree becomes the text of one engine. Only this folder ask
 Making SQL needs no driver and no connection.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -25,6 +25,7 @@ from gam_db.engines.storage import (
 )
 from gam_db.engines.types import USUAL, Types
 from gam_db.errors import EngineError
+from gam_db.form import Form
 from gam_db.source import AnySource, readings
 
 Rewrite = Callable[[exp.Expr], exp.Expr]
@@ -33,6 +34,29 @@ RangeRewrite = Callable[[TimeKind, exp.Expr, int | None, int | None], list[exp.E
 
 #: Engine, its home and hash of a tree -> its text.
 _LATELY: dict[tuple[str, str | None, int], str] = {}
+
+
+@dataclass(frozen=True)
+class Texts:
+    """How an engine reads text: the nodes are NULL where a word does not fit.
+
+    Attributes:
+        number: the number of a word that is written in a form.
+        instant: the timestamp of a word in a format, None for ISO 8601.
+    """
+
+    number: Callable[[exp.Expr, Form], exp.Expr]
+    instant: Callable[[exp.Expr, str | None], exp.Expr]
+
+
+def as_it_is(relation: exp.Expr, _: Mapping[str, str]) -> exp.Expr:
+    """Leave a relation as it is."""
+    return relation
+
+
+def not_seen(_: exp.Expr) -> exp.Query | None:
+    """Return nothing: what an engine reads as a time was said."""
+    return None
 
 
 def table_as(table: exp.Table, query: exp.Query) -> exp.Create:
@@ -52,6 +76,9 @@ class Engine:
         instant_of: the way back, for the last step of a query.
         range_of: conditions on a column of times, where its own order is not that of the instants.
         types: what those of its columns mean.
+        texts: how numbers and times are read from text; None where that is left to views.
+        seen_formats: asks for the formats of times that the reader of a text file took by itself.
+        retyped: lets columns of a text file be read as other types (name -> type).
         rewrites: from tree to tree, each with its reason in its docstring.
         create_table: CREATE TABLE ... AS with what the engine wants to know of storage.
         define: a table or view of the state, with keys, formats and comments as the engine has them.
@@ -87,6 +114,9 @@ class Engine:
     instant_of: TimeRewrite
     range_of: RangeRewrite | None = None
     types: Types = USUAL
+    texts: Texts | None = None
+    seen_formats: Callable[[exp.Expr], exp.Query | None] = not_seen
+    retyped: Callable[[exp.Expr, Mapping[str, str]], exp.Expr] = as_it_is
     rewrites: Sequence[Rewrite] = ()
     create_table: Callable[[exp.Table, exp.Query], exp.Create] = table_as
     define: Callable[[Definition], list[exp.Expr]] = with_statements

@@ -2,6 +2,7 @@
 
 import contextlib
 import itertools
+import re
 import secrets
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
@@ -13,21 +14,34 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.base import deletion
-from gam_db.engines.duckdb import ENGINE, file_reader
+from gam_db.engines.duckdb import ENGINE, all_as_text, file_reader, is_csv_reader
 from gam_db.engines.duckdb_journal import Journal
 from gam_db.engines.duckdb_opening import (
+    MARK,
+    SOURCE_MARK,
     attached,
     check_settings,
     is_among,
     opened,
     rows_at_once,
     shut,
+    source_mark,
+    without_results,
 )
 from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY, check_columns, unwritable
 from gam_db.errors import ConflictError, EngineError, SourceError, StatementError, nearest
-from gam_db.source import is_file, table_names
+from gam_db.form import Form, options_for_null, options_for_numbers, shortened
+from gam_db.source import is_file, paths_of, table_names
+from gam_db.version import __version__
 
 OLDEST = (2, 0)
+
+_LATE = re.compile(
+    r"CSV Error on Line: (\d+).*column \"(.*?)\"\. Could not convert string \"(.*?)\" to '(.*?)'",
+    re.DOTALL,
+)
+
+_NOT_THERE = re.compile(r"install the required extension '(\w+)")
 
 #: The log goes into the file when it has grown beyond so many bytes, and when the file is closed.
 LARGE_LOG = 2**24
@@ -112,8 +126,8 @@ class DuckSession:
         if self._journal is not None:
             self._journal.close(others)
 
-    def relation(self, relation: Any) -> exp.Expr:
-        """Return the node that reads a relation: a table, a file, or a registered Arrow table.
+    def relation(self, relation: Any, form: Form | None = None) -> exp.Expr:
+        """Return the node that reads a relation: a table, files, or a registered Arrow table.
 
         Raises:
             SourceError: there is no such table or file, or the object cannot be read as a table.
@@ -121,7 +135,7 @@ class DuckSession:
         if not isinstance(relation, (str, Path, tuple, list)):
             return self._register(relation)
         if is_file(relation):
-            return self._file(str(relation))
+            return self._files(paths_of(relation), form)
         shown = relation if isinstance(relation, str) else ".".join(map(str, relation))  # type: ignore[arg-type]
         known = self._known_tables()
         for node in table_names(relation):  # type: ignore[arg-type]
@@ -324,6 +338,7 @@ class DuckSession:
             params=[
                 exp.CopyParameter(this=exp.var("FORMAT"), expression=exp.var("PARQUET")),
                 exp.CopyParameter(this=exp.var("COMPRESSION"), expression=exp.var("ZSTD")),
+                exp.CopyParameter(this=exp.var("KV_METADATA"), expression=_metadata(self._sources)),
             ],
         )
         try:
@@ -386,6 +401,9 @@ class DuckSession:
                 "(SET temp_directory), or score fewer channels at a time."
             ) from error
         except duckdb.ConversionException as error:
+            said = self._late_word(error, tree)
+            if said:
+                raise SourceError(said) from error
             raise SourceError(
                 "A value of the source cannot be read as what its column must be (a counter needs 64 "
                 "bits; where= may ask for it, too); look at the file, or cast the column in a view."
@@ -398,6 +416,28 @@ class DuckSession:
                     "it, or read the file into a table with options of your own."
                 ) from error
             raise _refusal(error, statement) from error
+
+    def _late_word(self, error: duckdb.Error, tree: exp.Expr) -> str:
+        """Return what is said of a word far down a CSV file that its column cannot hold."""
+        found = _LATE.search(str(error))
+        reader = next(filter(is_csv_reader, tree.find_all(exp.Table)), None)
+        if found is None or reader is None:
+            return ""
+        line, column, word, kind = found.groups()
+        like = exp.EQ(this=template.column(column), expression=template.text(word))
+        count = exp.select(exp.Count(this=exp.Star())).from_(all_as_text(reader)).where(like)
+        try:
+            ((rows,),) = self.connection.execute(self.engine.text(count)).fetchall()
+        except duckdb.Error:  # the user's transaction has failed with the statement
+            rows = 1
+        same = f", {rows:,} times in all" if rows > 1 else ""
+        is_time = any(sign in kind for sign in ("TIME", "DATE"))
+        options = {"--time-format" if is_time else options_for_numbers([word]), options_for_null(word)}
+        return (
+            f"Line {line} of the CSV file holds {shortened(word)} in the column {column!r}{same}, where "
+            f"{'times' if is_time else 'numbers'} are before it; {' or '.join(sorted(options))} would "
+            "read it."
+        )
 
     def _register(self, relation: Any) -> exp.Table:
         if not isinstance(relation, (pa.Table, pa.RecordBatch)) and not hasattr(
@@ -421,20 +461,23 @@ class DuckSession:
         self._registered.append(name)
         return exp.Table(this=template.name(name))
 
-    def _file(self, path: str) -> exp.Expr:
-        node = file_reader(path)
-        self._sources.append(path)
+    def _files(self, paths: Sequence[str], form: Form | None) -> exp.Expr:
+        path = paths[0] if len(paths) == 1 else f"{paths[0]} and {len(paths) - 1} more"
+        found = [file for one in paths for file in without_results(self.connection, one)]
+        node = file_reader(found, form)
+        self._sources += found
         try:
-            self.describe(node)
-        except duckdb.IOException as error:
-            raise SourceError(
-                f"{path} cannot be read; is it there, and is it a file of that kind?"
-            ) from error
+            columns = self.describe(node)
+            if is_csv_reader(node) and set(columns.values()) == {"VARCHAR"}:
+                first = exp.select(exp.Literal.number(1)).from_(node.copy()).limit(1)
+                if not self._run(first).fetchall():
+                    raise SourceError(f"{path} has no rows; it is empty, or there is a header only.")
         except (duckdb.Error, StatementError) as error:
-            raise SourceError(
-                f"{path} is no table that DuckDB can make out; is it whole, and of the kind that its "
-                "name says?"
-            ) from error
+            if isinstance(error, duckdb.IOException):
+                raise SourceError(
+                    f"{path} cannot be read; is it there, and is it a file of that kind?"
+                ) from error
+            raise SourceError(_no_table(path, str(error.__cause__ or error))) from error
         return node
 
     def _free_name(self, word: str) -> str:
@@ -448,6 +491,30 @@ class DuckSession:
         return self.connection.execute(
             "SELECT table_catalog, table_schema, table_name FROM information_schema.tables"
         ).fetchall()
+
+
+def _metadata(sources: Sequence[str]) -> exp.Expr:
+    """Return what a file of results says of itself: whose results, and where from."""
+    said = {MARK: __version__, SOURCE_MARK: source_mark(sources)}
+    pairs = [
+        exp.PropertyEQ(this=template.text(name), expression=template.text(value))
+        for name, value in said.items()
+    ]
+    return exp.Struct(expressions=pairs)
+
+
+def _no_table(path: str, reason: str) -> str:
+    """Return why a path is no table, in the user's words."""
+    extension = _NOT_THERE.search(reason)
+    if extension is None:
+        return (
+            f"{path} is no table that DuckDB can make out; is it whole, and of the kind that its name "
+            "says?"
+        )
+    return (
+        f"{path} is read by DuckDB's extension {extension[1]}, which is not installed and cannot be "
+        f"fetched from here: INSTALL {extension[1]} where there is a network, or copy the file here."
+    )
 
 
 def _refusal(error: duckdb.Error, statement: str) -> StatementError:

@@ -14,6 +14,7 @@ from sqlglot import exp
 
 from gam_db.engines.base import Engine
 from gam_db.errors import SourceError
+from gam_db.form import Form
 
 #: What is said of a connection that refuses to write.
 READ_ONLY = "The database is open for reading only; it cannot be changed."
@@ -58,8 +59,12 @@ class Session(Protocol):
     def close(self) -> None:
         """Drop what was made on the way; close the connection if it is ours."""
 
-    def relation(self, relation: Any) -> exp.Expr:
-        """Return the node that reads a relation: a table, a file, or an Arrow table.
+    def relation(self, relation: Any, form: Form | None = None) -> exp.Expr:
+        """Return the node that reads a relation: a table, files, or an Arrow table.
+
+        Args:
+            relation: see :class:`gam_db.Source`.
+            form: how text files are written.
 
         Raises:
             SourceError: there is no such relation, or the engine cannot read it.

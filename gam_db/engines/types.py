@@ -59,6 +59,18 @@ class Types:
         """Tell whether a column of this type holds numbers (truth is none)."""
         return self._is_among(_NUMBERS, type_name)
 
+    def is_truth(self, type_name: str) -> bool:
+        """Tell whether a column of this type holds true and false."""
+        return self._is_among({_Type.BOOLEAN}, type_name)
+
+    def is_whole(self, type_name: str) -> bool:
+        """Tell whether a column of this type holds integers."""
+        return self._is_among(_INTEGERS, type_name)
+
+    def is_binary_float(self, type_name: str) -> bool:
+        """Tell whether a column of this type holds numbers that are rounded to so many bits."""
+        return self._is_among({_Type.FLOAT, _Type.DOUBLE}, type_name)
+
     def is_name(self, type_name: str) -> bool:
         """Tell whether a column of this type can name an asset or a channel."""
         return self._is_among(_NAMES, type_name)

@@ -28,6 +28,7 @@ from gam_db.errors import (
     UserError,
     nearest,
 )
+from gam_db.form import Form
 from gam_db.source import is_file, table_names
 
 T = TypeVar("T")
@@ -137,15 +138,22 @@ class WarehouseSession:
         self._made.clear()
         self.driver.close()
 
-    def relation(self, relation: Any) -> exp.Expr:
+    def relation(self, relation: Any, form: Form | None = None) -> exp.Expr:
         """Return the node that reads a relation.
 
         That is a table, a file where the engine reads files, or an Arrow table, which is copied into a
-        temporary one.
+        temporary one. Columns are read as they are, but for times by their unit.
 
         Raises:
             SourceError: there is no such relation, or the engine cannot read it.
         """
+        if form is not None and (
+            form.reads_words or form.delimiter or form.skip_rows or form.time_format
+        ):
+            raise SourceError(
+                "How numbers and times are written is said of files that DuckDB reads; "
+                f"{self.engine.title} reads columns as they are: cast them in a view."
+            )
         if not isinstance(relation, (str, Path, tuple, list)):
             return self.load(_arrow(relation))
         if is_file(relation):

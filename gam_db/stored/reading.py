@@ -14,6 +14,7 @@ from gam_db import look, template
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.engines.session import Session
 from gam_db.pipeline import Pipeline
+from gam_db.preparing import prepared
 from gam_db.source import AnySource, parsed_condition, under
 from gam_db.stored.planning import Row
 from gam_db.stored.state import State
@@ -39,12 +40,8 @@ class Reader:
 
     def __init__(self, session: Session, source: AnySource, expected: TimeKind, name: str) -> None:
         self._session, self._engine = session, session.engine
-        self._relation = session.relation(source.relation)
-        columns = session.describe(self._relation)
-        if source.where is not None:
-            session.check_condition(self._relation, parsed_condition(source.where), str(source.where))
-        self._source = look.resolved(source, columns, session)
-        self.kind = look.kind_of(self._source, columns, session)
+        read = prepared(session, source)
+        self._source, self._relation, self.kind = read.rows, read.relation, read.kind
         look.check_kind(self.kind, expected, name)
 
     def readings(

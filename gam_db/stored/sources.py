@@ -6,12 +6,15 @@ This module owns how a source becomes columns of ``gam_monitor`` and comes back.
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
+from urllib.parse import parse_qs, urlencode
 
 from sqlglot import exp
 
 from gam_db import template
 from gam_db.errors import ConfigurationError, StateError
-from gam_db.source import AnySource, Source, WideSource
+from gam_db.form import Form
+from gam_db.setting import settings_of
+from gam_db.source import AnySource, Source, WideSource, is_file
 
 #: The columns of ``gam_monitor`` that tell of the source.
 SOURCE_COLUMNS = (
@@ -27,7 +30,7 @@ def described(source: AnySource) -> dict[str, str | None]:
     is_long = isinstance(source, Source)
     condition = source.where.sql("duckdb") if isinstance(source.where, exp.Expr) else source.where
     return {
-        "source": _shown(source.relation),
+        "source": _shown(source.relation) + _written(source),
         "layout": "long" if is_long else "wide",
         "asset_column": source.asset,
         "channel_column": source.channel if isinstance(source, Source) else None,
@@ -49,7 +52,8 @@ def source_of(monitor: Mapping[str, Any], channels: Sequence[str], relation: Any
         ConfigurationError: it was made from an Arrow table, and no relation is given.
         StateError: its row says nothing that gam-db writes.
     """
-    relation = monitor["source"] if relation is None else relation
+    kept, written = _parted(monitor["source"])
+    relation = kept if relation is None else relation
     if isinstance(relation, str) and relation == _OBJECT:
         raise ConfigurationError(
             f"The monitor {monitor['name']!r} was made from an Arrow table, which is not kept; name its "
@@ -59,6 +63,7 @@ def source_of(monitor: Mapping[str, Any], channels: Sequence[str], relation: Any
         "asset": monitor["asset_column"],
         "time": monitor["time_column"],
         "where": monitor["condition"],
+        **written,
     }
     if monitor["layout"] not in ("long", "wide"):
         raise StateError(
@@ -70,9 +75,29 @@ def source_of(monitor: Mapping[str, Any], channels: Sequence[str], relation: Any
     return Source(relation, channel=monitor["channel_column"], value=monitor["value_column"], **said)
 
 
+def _written(source: AnySource) -> str:
+    """Return how numbers and times are written, as the fragment of an address; empty where not said."""
+    return f"#{urlencode(source.written, doseq=True)}" if source.written else ""
+
+
+def _parted(kept: str) -> tuple[str, dict[str, Any]]:
+    """Return a relation and how things are written there, as it was kept."""
+    relation, mark, fragment = kept.rpartition("#")
+    said, known = parse_qs(fragment), settings_of(Form)
+    if not mark or not said or not said.keys() <= known.keys():
+        return kept, {}
+    many = {"null": tuple(said["null"])} if "null" in said else {}
+    skipped = {"skip_rows": int(said["skip_rows"][0])} if "skip_rows" in said else {}
+    return relation, {name: values[0] for name, values in said.items()} | many | skipped
+
+
 def _shown(relation: Any) -> str:
     if isinstance(relation, (str, Path)):
         return str(relation)
+    if is_file(relation):
+        raise ConfigurationError(
+            "A monitor keeps one path; give a pattern or a folder that holds the files, not a list."
+        )
     if isinstance(relation, (tuple, list)):
         parts = [template.name(part).sql("duckdb") for part in relation]
         return ".".join(parts)

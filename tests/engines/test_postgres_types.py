@@ -170,7 +170,7 @@ def test_times_in_any_zone(connection: Any, zone: str, kind: str) -> None:
         pa.timestamp("us", "UTC" if zoned else None),
     )
     rows = pa.table({"asset": ["a"] * 40, "channel": ["x"] * 40, "time": held, "value": pattern()})
-    given = {"where": "time >= TIMESTAMP '1969-12-22 00:00:00'"}
+    given: dict[str, Any] = {"where": "time >= TIMESTAMP '1969-12-22 00:00:00'"}
     wanted = gam_db.health_at_buckets(Source(rows, **given), PARAMETERS, CALIBRATION).to_pylist()
     assert health(connection, **given) == wanted
     with psycopg.connect(url(connection.info.dbname)) as mine:

@@ -253,7 +253,12 @@ def explained(session: WarehouseSession, query: exp.Query) -> str:
 
 def test_odd_names_and_decimals(spark: WarehouseSession) -> None:
     rows = readings(0, 120)
-    odd = {"asset": "select", "channel": "a `tick`", "time": "order by", "value": "Ünit; --"}
+    odd: dict[str, Any] = {
+        "asset": "select",
+        "channel": "a `tick`",
+        "time": "order by",
+        "value": "Ünit; --",
+    }
     numbers = pa.array([Decimal(f"{value:.3f}") for value in rows["value"].to_pylist()])
     table = rows.set_column(3, "value", numbers).rename_columns(list(odd.values()))
     with spark.lent(table) as lent:

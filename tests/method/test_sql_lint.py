@@ -698,6 +698,7 @@ def test_every_file_is_used() -> None:
         watch_once()
         stream_once()
         gam_db.check(gam_db.Source(pa.table({"time": [1], "value": [2.5], "more": ["3"]}), None, None))
+        gam_db.check(gam_db.Source(pa.table({"time": ["2026-01-01"], "value": [2.5]}), None, None))
         Package(source, gam_db.Parameters(), gam_db.Calibration(intervals=[(0, 9)])).files()
     assert set(NAMES) - loaded == set()
     assert {name for name in loaded if name not in NAMES} == set()

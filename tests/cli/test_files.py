@@ -1,0 +1,243 @@
+"""Files as plants have them, through the command line: what is asked, and the first line."""
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+
+import pyarrow as pa
+import pytest
+from pyarrow import parquet
+from typer.testing import CliRunner, Result
+
+import gam_db
+from gam_db.cli import app
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Every test works in a folder of its own, at a wide terminal."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("COLUMNS", "300")
+    return tmp_path
+
+
+def gam(*words: str | Path) -> Result:
+    return CliRunner().invoke(app, [str(word) for word in words])
+
+
+def first_line(result: Result) -> str:
+    return (result.stdout or result.stderr).splitlines()[0]
+
+
+def waves(*paths: str) -> None:
+    for number, path in enumerate(paths):
+        wave(path, 300 * number)
+
+
+def wave(path: str, start: int = 0, rows: int = 300) -> None:
+    Path(path).parent.mkdir(parents=True, exist_ok=True)
+    times = range(start, start + rows)
+    columns = {
+        "time": pa.array(times, pa.int64()),
+        "value": pa.array([math.sin(time) for time in times], pa.float64()),
+    }
+    parquet.write_table(pa.table(columns), path)
+
+
+def lines(path: str, *head: str, row: Callable[[int], str], rows: int = 300) -> None:
+    Path(path).parent.mkdir(parents=True, exist_ok=True)
+    Path(path).write_text("\n".join([*head, *(row(number) for number in range(rows))]) + "\n")
+
+
+def german(number: int) -> str:
+    return f"{1 + number // 24:02d}.12.2026 {number % 24:02d}:00;1.{number % 7:03d},5"
+
+
+def english(number: int) -> str:
+    return f'12/{1 + number // 24:02d}/2026 {number % 24:02d}:00,"{number % 7},000.5"'
+
+
+MANY = "1 channel of 1 asset, 300 samples"
+GERMAN = ("--decimal", ",", "--thousands", ".", "--time-format", "%d.%m.%Y %H:%M")
+ENGLISH = ("--thousands", ",", "--time-format", "%m/%d/%Y %H:%M")
+
+#: What is made, what is asked, and the first line of the answer.
+FILES: dict[str, tuple[Callable[[], None], tuple[str, ...], str]] = {
+    "german, nothing said": (
+        lambda: lines("de.csv", "Zeit;Wert", row=german),
+        ("de.csv",),
+        "gam: The value column 'Wert' is of type VARCHAR; readings must be numbers. 300 of 300 words do "
+        "not fit, the first is '1.000,5', 43 times; --thousands . --decimal , would read them. Cast it "
+        "in a view otherwise.",
+    ),
+    "german, numbers said": (
+        lambda: lines("de.csv", "Zeit;Wert", row=german),
+        ("de.csv", *GERMAN[:4]),
+        "gam: The time column 'Zeit' is of type VARCHAR; it must be a timestamp or an integer counter, "
+        "or each word a time in ISO 8601. 300 of 300 words do not fit, the first is '01.12.2026 00:00'; "
+        "--time-format '%d.%m.%Y %H:%M' would read them. Cast it in a view otherwise (CAST(... AS "
+        "TIMESTAMP)).",
+    ),
+    "german": (
+        lambda: lines("de.csv", "Zeit;Wert", row=german),
+        ("de.csv", *GERMAN),
+        f"de.csv: {MANY}",
+    ),
+    "english": (
+        lambda: lines("us.csv", "time,value", row=english),
+        ("us.csv", *ENGLISH),
+        f"us.csv: {MANY}",
+    ),
+    "units, states of a sensor and lines above": (
+        lambda: lines(
+            "u.csv",
+            "Station 7",
+            "",
+            "t,x",
+            row=lambda n: f"{n},{'Bad' if n % 9 == 8 else f'{n % 7}.5 A'}",
+        ),
+        ("u.csv", "--skip-rows", "2", "--unit", "A", "--null", "Bad"),
+        f"u.csv: {MANY}",
+    ),
+    "a word too many": (
+        lambda: lines("u.csv", "t,x", row=lambda n: f"{n},{'Bad' if n == 250 else n % 7}"),
+        ("u.csv", "--value", "x"),
+        "gam: The value column 'x' is of type VARCHAR; readings must be numbers. 1 of 300 words do not "
+        "fit, the first is 'Bad'; --null Bad would read them. Cast it in a view otherwise.",
+    ),
+    "booleans": (
+        lambda: lines("b.csv", "t,valve", row=lambda n: f"{n},{'true' if n % 7 else 'false'}"),
+        ("b.csv",),
+        f"b.csv: {MANY}",
+    ),
+    "tabs": (
+        lambda: lines("t.csv", "t|x", row=lambda n: f"{n}|{n % 7}"),
+        ("t.csv", "--delimiter", "|"),
+        f"t.csv: {MANY}",
+    ),
+    "a folder": (
+        lambda: waves("in/a.parquet", "in/b.parquet"),
+        ("in",),
+        "in/: 1 channel of 1 asset, 600 samples",
+    ),
+    "a folder of CSV": (
+        lambda: lines("in/x/a.csv", "t,x", row=lambda n: f"{n},{n % 7}"),
+        ("in/",),
+        f"in/: {MANY}",
+    ),
+    "hive partitions": (
+        lambda: waves("in/machine=A/p.parquet", "in/machine=B/p.parquet"),
+        ("in/**/*.parquet", "--asset", "machine"),
+        "in/**/*.parquet: 2 channels of 2 assets, 600 samples",
+    ),
+    "an empty folder": (
+        lambda: Path("in").mkdir(),
+        ("in",),
+        "gam: The folder in/ holds no Parquet or CSV file; is it there?",
+    ),
+    "an empty file": (
+        Path("e.csv").touch,
+        ("e.csv",),
+        "gam: e.csv has no rows; it is empty, or there is a header only.",
+    ),
+    "a header without rows": (
+        lambda: lines("h.csv", "time;value", row=str, rows=0),
+        ("h.csv",),
+        "gam: h.csv has no rows; it is empty, or there is a header only.",
+    ),
+    "a Parquet file without rows": (
+        lambda: wave("h.parquet", rows=0),
+        ("h.parquet",),
+        "gam: The source has no row (after where, if there is one).",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_a_file_is_read_or_the_options_are_named(name: str) -> None:
+    make, words, expected = FILES[name]
+    make()
+    assert first_line(gam("run", *words, "--no-out", "--window", "20")) == expected
+
+
+def test_a_missing_extension_is_named(monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
+    """Where DuckDB may not fetch it, and its folder is empty."""
+    monkeypatch.setenv("HOME", str(folder))
+    for path, extension in (
+        ("s3://plant/x.parquet", "httpfs"),
+        ("https://127.0.0.1:9/x.parquet", "httpfs"),
+    ):
+        said = first_line(gam("run", path, "--no-out"))
+        assert said.startswith(f"gam: {path} ")
+        assert (
+            f"DuckDB's extension {extension}, which is not installed" in said or "cannot be read" in said
+        )
+
+
+def test_a_wildcard_reads_no_results() -> None:
+    wave("part-1.parquet")
+    wave("part-2.parquet", 300)
+    for _ in range(2):
+        assert (
+            first_line(gam("run", "part-*.parquet"))
+            == "part-*.parquet: 1 channel of 1 asset, 600 samples"
+        )
+    assert Path("part-.health.parquet").exists()
+    assert first_line(gam("run", ".", "--no-out")) == "./: 1 channel of 1 asset, 600 samples"
+    said = first_line(gam("run", "part-.*.parquet", "--no-out"))
+    assert (
+        said
+        == "gam: part-.*.parquet matches nothing but results of gam-db; name what they were made from."
+    )
+
+
+def test_results_of_another_source_of_the_name_are_not_written_over() -> None:
+    wave("a/x.parquet")
+    wave("b/x.parquet", 7)
+    assert gam("run", "a/x.parquet").exit_code in (0, 2)
+    before = Path("x.health.parquet").read_bytes()
+    result = gam("run", "b/x.parquet")
+    assert result.exit_code == 1
+    assert "x.health.parquet holds the results of" in result.stderr
+    assert Path("x.health.parquet").read_bytes() == before
+    assert gam("run", "a/x.parquet").exit_code in (0, 2)
+    assert gam("run", "b/x.parquet", "--out", "x.health.parquet").exit_code in (0, 2)
+    assert Path("x.health.parquet").read_bytes() != before
+
+
+def test_a_list_of_files_in_python() -> None:
+    wave("one.parquet")
+    wave("two.parquet", 300)
+    table = gam_db.support(gam_db.Source(["one.parquet", Path("two.parquet")], None, None))
+    assert table["samples"].to_pylist() == [600]
+
+
+def test_a_monitor_scores_a_german_file_by_what_it_keeps() -> None:
+    lines("de.csv", "Zeit;Wert", row=german)
+    gam("calibrate", "de.csv", *GERMAN, "--window", "20", "--database", "m.duckdb")
+    result = gam("score", "--database", "m.duckdb")
+    assert result.exit_code in (0, 2), result.output
+    assert "read 1 channel" in result.stdout
+
+
+def test_a_settings_file_keeps_how_a_source_is_written() -> None:
+    lines("de.csv", "Zeit;Wert", row=german)
+    assert gam("init", "de.csv", *GERMAN, "--null", "Bad").exit_code in (0, 2)
+    assert first_line(gam("run", "--no-out")).startswith(f"de.csv: {MANY}")
+
+
+def test_a_counter_of_milliseconds_is_said_to_be_one() -> None:
+    lines("e.csv", "t,x", row=lambda n: f"{1_767_225_600_000 + n},{n % 7}")
+    said = "time looks like milliseconds since 1970"
+    assert said in gam("run", "e.csv", "--no-out").stdout
+    assert said in gam("check", "e.csv").stdout
+    assert said not in gam("run", "e.csv", "--no-out", "--time-unit", "ms").stdout
+
+
+def test_integers_that_a_double_cannot_tell_apart_are_warned_of() -> None:
+    times = range(300)
+    large = pa.array([2**53 + 2 * (time % 50) for time in times], pa.uint64())
+    parquet.write_table(pa.table({"time": times, "value": large}), "large.parquet")
+    parquet.write_table(pa.table({"time": times, "value": large.cast(pa.float64())}), "double.parquet")
+    assert "beyond 2^53" in gam("check", "large.parquet").stdout
+    assert "beyond 2^53" not in gam("check", "double.parquet").stdout
