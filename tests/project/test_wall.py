@@ -30,6 +30,7 @@ LAYERS = [
     ["script", "streaming", "trusting"],
     ["study"],
     ["health", "checking", "findings", "selection"],
+    ["report"],
     ["stored"],
     ["gam_db"],
     ["config"],
