@@ -32,6 +32,8 @@ COMMANDS = {
         "channel.",
         "watch:status": "Say how every channel is: verdict, floor, indicator, trend, and what is "
         "wrong with its data.",
+        "report:report": "Write the page for people who look: which machines left health, since when, "
+        "and where they went.",
         "state:prune": "Delete old buckets, novel cells, versions and records of runs; say how large "
         "each channel is.",
         "state:compact": "Delete rows that nobody sees: hidden by a later run, or left by one that "

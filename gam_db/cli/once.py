@@ -24,13 +24,15 @@ from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, job_of
 from gam_db.cli.progress import Progress, interruptible, working
+from gam_db.cli.report import checked, page_of, told
 from gam_db.clock import SINCE_1970, epoch_unit
 from gam_db.config import Settings, SourceSettings
 from gam_db.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, findings, need_attention
-from gam_db.source import FILE_ENDINGS, is_file
+from gam_db.report import Wishes, plant
+from gam_db.source import FILE_ENDINGS, Source, is_file
 from gam_db.study import Study
 
 #: The estimator that is the method itself; others come by the entry points ``gam_db.estimators``.
@@ -68,6 +70,14 @@ def run(
             rich_help_panel=_OUTPUT,
         ),
     ] = "vector",
+    report: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE.html",
+            help="Write the page for people who look, too; see gam report. Of a file, not of a table.",
+            rich_help_panel=_OUTPUT,
+        ),
+    ] = None,
     everything: options.All = False,
     as_json: options.Json = False,
     quiet: options.Quiet = False,
@@ -94,6 +104,8 @@ def run(
     others = None if estimator.lower() == DSE else _others(estimator)
     estimator = DSE if others is None else others.estimator_named(estimator).name
     relation = options.named_relation(settings)
+    if report is not None:
+        _check_report(report, relation, estimator)
     results = [] if no_out else _results(relation, settings.source.database, out, every, estimator)
     show: Callable[[Console], None]
     files = [result.path for result in results]
@@ -116,13 +128,31 @@ def run(
             for result in results:
                 progress.on_step(f"writing {result}")
                 study.write(result.step, result.path, result.table)
+            if report is not None:
+                wishes = Wishes(title=Path(relation).name)
+                method = (job.parameters, job.calibration)
+                page_of(job.guess.source, *method, report, wishes, progress.on_step)
     page.tell(
         code,
-        {**job.figures(), **told, "written": [str(result) for result in results]},
-        lambda lines: _written(lines, results),
+        {**job.figures(), **told, "written": [str(one) for one in (*results, *_pages(report))]},
+        lambda lines: _written(lines, results, report),
         as_json,
         quiet,
     )
+
+
+def _pages(report: Path | None) -> list[Path]:
+    return [] if report is None else [report]
+
+
+def _check_report(report: Path, relation: str, estimator: str) -> None:
+    checked(report, "--report")
+    if not is_file(relation):
+        raise ConfigurationError(
+            "--report is of a file; of a table, gam calibrate, gam score and gam report make the page."
+        )
+    if estimator != DSE:
+        raise ConfigurationError(f"--report is of {DSE}, which alone has a certificate; leave one out.")
 
 
 def _others(estimator: str) -> Any:
@@ -218,8 +248,8 @@ class _Result:
         return f"{self.path} (table {self.table})" if _is_database(self.path) else str(self.path)
 
 
-def _written(out: Console, results: Sequence[_Result]) -> None:
-    for result in results:
+def _written(out: Console, results: Sequence[_Result], report: Path | None) -> None:
+    for result in (*results, *_pages(report)):
         out.print(f"written: {printable(str(result))}", soft_wrap=True)
 
 
@@ -316,6 +346,18 @@ _CALIBRATION = (
 )
 
 
+def _report_plant(path: Path) -> None:
+    """Write the page of the simulated plant."""
+    session = connect()
+    with session, working(session) as on_step:
+        on_step("simulating a plant")
+        wishes = Wishes(title="A simulated plant", time_zone=plant.TIME_ZONE, made=plant.END)
+        asked = (Source(plant.telemetry()), plant.PARAMETERS, plant.CALIBRATION, path, wishes)
+        figures = page_of(*asked, on_step)
+    told(page.console(), figures)
+    page.say(page.console(), "Open it in a browser; it needs no network.")
+
+
 def demo(
     keep: Annotated[
         Path | None,
@@ -326,11 +368,23 @@ def demo(
             help="Save the series as Parquet, to go on with; a file that is there is left as it is.",
         ),
     ] = None,
+    report: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE.html",
+            help="Write instead the page of a small simulated plant, with every kind of change.",
+        ),
+    ] = None,
 ) -> None:
     """Simulate a machine that wears out, and print what `gam run` prints of it. Writes nothing.
 
-    With --out it writes the series, and nothing else.
+    With --out it writes the series, with --report the page of a simulated plant, and nothing else.
     """
+    if report is not None:
+        if keep is not None:
+            raise ConfigurationError("--report and --out are of different machines; leave one out.")
+        _report_plant(checked(report, "--report"))
+        return
     if keep is not None and (keep.suffix != ".parquet" or not keep.parent.is_dir()):
         raise ConfigurationError(f"--out is {keep}; give a name in .parquet, in a folder that is there.")
     if keep is not None and keep.exists():

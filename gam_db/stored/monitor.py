@@ -6,6 +6,7 @@ This module owns the public calls of the stored form.
 import contextlib
 from collections.abc import Callable
 from dataclasses import InitVar, dataclass
+from pathlib import Path
 from typing import Any
 
 import pyarrow as pa
@@ -20,6 +21,7 @@ from gam_db.engines.session import Session
 from gam_db.errors import EngineError
 from gam_db.method.source import named_like
 from gam_db.parameters import Parameters, pattern_matches
+from gam_db.report import Wishes, write
 from gam_db.running import Listener, unheard
 from gam_db.source import AnySource
 from gam_db.stored import lengths, migrations
@@ -271,6 +273,28 @@ class Monitor(MonitorSettings):
         return self.state.fetch(
             "stored/health_rows", {"monitor": template.text(self.name), "chosen": chosen}
         )
+
+    def report(
+        self, path: str | Path, wishes: Wishes | None = None, on_step: Listener = unheard
+    ) -> dict[str, Any]:
+        """Write the page for people who look: one HTML file, which needs nothing else.
+
+        It reads the state, and the raw readings of the signals in detail where the source can be read.
+
+        Args:
+            path: of the file; replaced.
+            wishes: title, signals in detail, time zone; see :class:`gam_db.report.Wishes`.
+            on_step: called with what is done next.
+
+        Returns:
+            Figures of it; see :func:`gam_db.report.write`.
+
+        Raises:
+            UserError: there is no such monitor, nothing is calibrated, or the file cannot be written.
+        """
+        migrations.require(self.session, self.state.tables)
+        kind = kind_of(self.state.monitor(self.name))
+        return write(self.state, self.source, kind, self.name, path, wishes, on_step)
 
 
 def _chosen(asset: str, channel: str) -> Callable[[str, str], bool]:

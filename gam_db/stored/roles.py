@@ -30,13 +30,13 @@ _DELETED = (
 _TOUCHED = {"migration": "applied_at", "monitor": "created"}
 
 #: The views by which runs, buckets and cells that count are found, and what a run says in the end.
-_COUNTING = ("finished_run", "visible_bucket", "visible_novel", "fleet")
+_COUNTING = ("finished_run", "visible_bucket", "visible_novel", "onset", "fleet")
 
 #: What the status is made of.
 _STATUS = ("migration", "monitor", "proof", "visible_bucket", "fleet")
 
 #: The views that are for whoever reads on.
-_SHOWN = ("health", "quarantine", "unplaced_day")
+_SHOWN = ("health", "quarantine", "unplaced_day", "onset", "machine", "growth")
 
 #: What a script cannot know, as comments of it.
 ALSO = (

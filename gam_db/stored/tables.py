@@ -38,6 +38,9 @@ VIEWS = (
     "fleet",
     "quarantine",
     "unplaced_day",
+    "onset",
+    "machine",
+    "growth",
 )
 
 _PREFIX = re.compile(r"([A-Za-z_][A-Za-z0-9_]{0,39})?")

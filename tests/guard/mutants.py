@@ -36,7 +36,7 @@ LIST = Path(__file__).with_name("mutants.txt")
 #: The folders of ``sql/`` of which every file has a mutant.
 FOLDERS = (
     *("source", "support", "embedding", "score", "health", "calibration", "certificate", "stored"),
-    *("streams", "census", "rowids", "arrays", "judgement"),
+    *("streams", "census", "rowids", "arrays", "judgement", "report"),
 )
 
 #: Files of ``sql/`` -> the engine that runs them; DuckDB runs all others.
@@ -60,6 +60,7 @@ _STORED = (
         "test_migrations",
     ),
     *("test_cli_stored", "test_cli_state", "test_migrate_and_drop", "test_check_notes"),
+    *("test_onset", "test_report"),
 )
 
 #: Files of ``sql/`` -> the tests that are about them and so are tried first.
@@ -72,6 +73,7 @@ _ABOUT = {
     "arrays/*": "test_trusting",
     "certificate/*": "test_spec[certificate",
     "judgement/*": "test_judged",
+    "report/*": "test_report",
     "stored/expired_*": "test_pruning",
     "stored/aged_buckets": "test_pruning",
     "stored/horizons": "test_pruning",

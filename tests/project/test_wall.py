@@ -32,6 +32,7 @@ LAYERS = [
     ["script", "streaming", "trusting"],
     ["study"],
     ["health", "checking", "findings", "selection"],
+    ["report"],
     ["stored"],
     ["gam_db"],
     ["config"],

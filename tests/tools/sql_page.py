@@ -19,6 +19,8 @@ sections those of the method. This page is made from the heads of the files:
 ROOMS = {
     "source": "From a relation to samples: one value per channel and instant (section 2).",
     "census": "The same where it is taken on trust, and proven later, that no instant occurs twice.",
+    "rowids": "Delay vectors and runs of an engine that numbers its rows (SQLite).",
+    "arrays": "Delay vectors of an engine with arrays (ClickHouse).",
     "streams": "The same where channels are stored in order of time.",
     "calibration": "When calibration begins and ends, and what may be learnt from (section 4).",
     "support": "The range of a channel, the code of a sample, the cells of calibration (section 3).",
@@ -28,6 +30,7 @@ ROOMS = {
     "certificate": "What calibration says about itself (section 5).",
     "judgement": "When a channel is high, its status, and what needs attention: the same in every form.",
     "stored": "The stored form: restart, rows that are appended, checks, pruning.",
+    "report": "What the page for people who look is made of.",
     "export": "What a dbt package has instead.",
     "check": "What a source is like, before anything is learnt.",
     "selection": "The choice of delay, dimension, cycle, window and grid (section 8).",

@@ -1,0 +1,5 @@
+"""The page for people who look: what the tables of a monitor know, in one HTML file."""
+
+from gam_db.report.report import Wishes, write
+
+__all__ = ["Wishes", "write"]

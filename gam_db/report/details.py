@@ -1,0 +1,286 @@
+"""One signal in detail: its indicator, its readings, its states, its certificate.
+
+This module owns which signals are shown in detail, and what of the source is read for them.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, Protocol
+
+import numpy as np
+import pyarrow as pa
+from numpy.typing import NDArray
+
+from gam_db import template
+from gam_db.calibration import Calibration
+from gam_db.engines.session import Session
+from gam_db.errors import ConfigurationError, nearest
+from gam_db.parameters import Parameters
+from gam_db.pipeline import filled
+from gam_db.report import states
+from gam_db.report.packing import counts, packed, short, tick, ticks
+from gam_db.source import AnySource, under
+from gam_db.study import Study
+
+#: Readings of a piece, stretches of the envelope, cells of each sort, points of growth, cells named.
+PIECE, STRETCHES, CELLS, GROWN, TOP = 1000, 700, 3000, 200, 8
+
+Row = dict[str, Any]
+
+
+class Reads(Protocol):
+    """What reads the tables of a monitor."""
+
+    @property
+    def session(self) -> Session:
+        """The open session."""
+
+    def fetch(self, path: str, slots: Mapping[str, template.Slot] | None = None) -> pa.Table:
+        """Return the rows of one file of ``sql/`` that reads state tables only."""
+
+
+def chosen(signals: Sequence[Row], number: int, named: Iterable[str]) -> list[Row]:
+    """Return the signals in detail: those named, then the most urgent, spread over machines.
+
+    Raises:
+        ConfigurationError: one is named that there is not.
+    """
+    known = {f"{row['asset']}/{row['channel']}": row for row in signals}
+    for name in named:
+        if name not in known:
+            raise ConfigurationError(
+                f"There is no signal {name!r} in this monitor; give it as ASSET/CHANNEL"
+                + (nearest(name, list(known)) or ".")
+            )
+    first = [known[name] for name in dict.fromkeys(named)]
+    there = {row["place"] for row in first}
+    rest = [row for row in signals if row["place"] not in there]
+    machines = {row["asset"] for row in signals}
+    share, taken = max(3, number // max(1, len(machines))), dict.fromkeys(machines, 0)
+    picked: list[Row] = []
+    for row in rest:
+        if len(first) + len(picked) >= number:
+            break
+        if row["bucket_count"] and row["status"] in ("high", "ok") and taken[row["asset"]] < share:
+            taken[row["asset"]] += 1
+            picked.append(row)
+    others: dict[str, Row] = {}
+    for row in rest:
+        if row["status"] not in ("high", "ok"):
+            others.setdefault(row["verdict"], row)
+    return first + picked + list(others.values())
+
+
+def read(
+    session: Session, source: AnySource, signals: Sequence[Row], courses: Sequence[Any], end: int
+) -> tuple[dict[int, Row], dict[int, Row]]:
+    """Return, by number of the signal, its envelope and its two pieces.
+
+    Args:
+        session: open, as the monitor's.
+        source: of the telemetry.
+        signals: to be shown.
+        courses: the buckets of each.
+        end: newest instant that is shown.
+    """
+    wanted, lengths = [], []
+    for number, (row, course) in enumerate(zip(signals, courses, strict=True)):
+        begin = row["learnt_from"]
+        if begin is None:
+            begin = int(course["first"][0]) if len(course["first"]) else end
+        lengths.append(max((end - begin + 1) / STRETCHES, 1e-9))
+        wanted.append(
+            {
+                "number": number,
+                "asset": row["asset"],
+                "channel": row["channel"],
+                "first_tick": begin,
+                "stretch_length": lengths[-1],
+                "healthy_tick": row["calibration_end"] if row["calibration_end"] is not None else begin,
+                "onset_tick": onset_of(row, course, end),
+            }
+        )
+    narrowed = source
+    if source.asset is not None:
+        names = sorted({row["asset"] for row in signals})
+        asked = template.column(source.asset).isin(*(template.text(name) for name in names))
+        narrowed = under(source, asked)
+    study = Study(session, narrowed, Parameters(), Calibration(), strict=False)
+    try:
+        study.put("wanted", pa.Table.from_pylist(wanted))
+        for name, slots in (("envelope", {}), ("pieces", {"most": PIECE})):
+            study.steps.add(name, filled(f"report/{name}", slots))
+        envelopes = _envelopes(study.table("envelope"), wanted, lengths)
+        pieces = _pieces(study.table("pieces"), len(wanted))
+    finally:
+        study.running.forget()
+    return envelopes, pieces
+
+
+def onset_of(row: Row, course: Any, end: int) -> int:
+    """Return the instant of the piece: half a window before the onset, else before the highest."""
+    hi, last = course["hi"], course["last"]
+    if row["since_tick"] is not None:
+        place = int(np.searchsorted(last, row["since_tick"]))
+    elif len(hi) and np.isfinite(hi).any():
+        place = int(np.nanargmax(hi))
+    else:
+        return int(last[-1]) if len(last) else end
+    back = max(1, row["window_length"] // row["stride"] // 2)
+    return int(last[max(0, place - back)])
+
+
+def _envelopes(rows: pa.Table, wanted: Sequence[Row], lengths: Sequence[float]) -> dict[int, Row]:
+    number, stretch, low, high = (
+        rows[name].to_numpy() for name in ("number", "stretch", "lowest", "highest")
+    )
+    found = {}
+    for one, length in zip(wanted, lengths, strict=True):
+        mine = (number == one["number"]) & (stretch >= 0) & (stretch < STRETCHES)
+        lowest, highest = np.full(STRETCHES, np.nan), np.full(STRETCHES, np.nan)
+        lowest[stretch[mine]], highest[stretch[mine]] = low[mine], high[mine]
+        found[one["number"]] = {
+            "first": tick(one["first_tick"]),
+            "length": length,
+            "low": packed(lowest, "f4"),
+            "high": packed(highest, "f4"),
+        }
+    return found
+
+
+def _pieces(rows: pa.Table, many: int) -> dict[int, Row]:
+    rows = rows.sort_by([("number", "ascending"), ("piece", "ascending"), ("time", "ascending")])
+    number, piece = rows["number"].to_numpy(), np.array(rows["piece"].to_pylist(), dtype=object)
+    time = rows["time"].to_numpy()
+    value = rows["value"].to_numpy(zero_copy_only=False).astype(np.float64)
+    found: dict[int, Row] = {}
+    for one in range(many):
+        found[one] = {}
+        for name in ("healthy", "onset"):
+            mine = (number == one) & (piece == name)
+            found[one][name] = (time[mine], value[mine])
+    return found
+
+
+def detail(state: Reads, monitor: str, row: Row, course: Any, raw: tuple[Row, Row] | None) -> Row:
+    """Return all that the page shows of one signal.
+
+    Args:
+        state: of the monitor.
+        monitor: its name.
+        row: the signal.
+        course: its buckets.
+        raw: its envelope and pieces; None where raw readings are left out.
+    """
+    named = {
+        "monitor": template.text(monitor),
+        "asset": template.text(row["asset"]),
+        "channel": template.text(row["channel"]),
+    }
+    healthy = state.fetch("report/healthy_cells", {"support_id": row["support_id"]})
+    new = state.fetch("report/new_cells", named)
+    learnt = {"support_id": row["support_id"], "channel_id": row["channel_id"]}
+    blocks = state.fetch("report/blocks", learnt).to_pylist()
+    told: Row = {
+        "time": ticks(course["last"]),
+        "first": ticks(course["first"]),
+        "hi": packed(course["hi"], "f8"),
+        "novel": counts(course["novel"]),
+        "outside": counts(course["outside"]),
+        "learntFrom": tick(row["learnt_from"]),
+        "learntTo": tick(row["calibration_end"]),
+        "healthy": _cells(healthy, row),
+        "new": {**_cells(new, row), **_tops(new, healthy, row)},
+        "blocks": [[one["block"], one["vectors"], one["novel"]] for one in blocks],
+        "growth": _growth(state.fetch("report/growth", named)),
+    }
+    if raw is not None:
+        told |= _raw(*raw, row, healthy["cell_key"].to_numpy())
+    return told
+
+
+def _raw(envelope: Row, pieces: Row, row: Row, healthy: NDArray[Any]) -> Row:
+    told: Row = {"envelope": envelope}
+    for name in ("healthy", "onset"):
+        time, value = pieces[name]
+        is_new = states.are_new(time, value, row, healthy)
+        told["calm" if name == "healthy" else "onset"] = {
+            "time": ticks(time),
+            "value": packed(value, "f8"),
+            "new": packed(is_new, "u1"),
+        }
+    return told
+
+
+def _cells(rows: pa.Table, row: Row) -> Row:
+    """Return the most visited cells, on at most three axes."""
+    few = rows.slice(0, CELLS)
+    axes = states.axes_of(few["cell_key"].to_numpy(), row["bins"], row["m"])
+    return {
+        "axes": [packed(axis, "u4") for axis in axes[:3]],
+        "visits": counts(few["visits"].to_numpy()),
+        "all": rows.num_rows,
+    }
+
+
+def _tops(new: pa.Table, healthy: pa.Table, row: Row) -> Row:
+    """Return the most visited new cells with all their axes and the nearest healthy one."""
+    few = new.slice(0, TOP)
+    axes = states.axes_of(few["cell_key"].to_numpy(), row["bins"], row["m"])
+    known = states.axes_of(healthy["cell_key"].to_numpy(), row["bins"], row["m"])
+    away = states.distances(axes, known)
+    total = int(np.sum(new["visits"].to_numpy(), dtype=np.int64))
+    return {
+        "top": [
+            [axes[:, at].tolist(), one["visits"], int(away[at]), tick(one["first_time"])]
+            for at, one in enumerate(few.to_pylist())
+        ],
+        "total": total,
+    }
+
+
+def _growth(rows: pa.Table) -> Row:
+    """Return the growth at no more points than a picture has room for."""
+    if rows.num_rows > GROWN:
+        places = np.unique(np.linspace(0, rows.num_rows - 1, GROWN).round().astype(np.int64))
+        rows = rows.take(pa.array(places))
+    return {
+        "time": ticks(rows["last_tick"].to_numpy()),
+        "healthy": counts(rows["healthy"].to_numpy()),
+        "new": counts(rows["novel"].to_numpy()),
+    }
+
+
+def summary(row: Mapping[str, Any], raw: bool) -> Row:
+    """Return what the list says of a signal; its calibrated range only if raw readings may be in it."""
+    window = row["window_length"]
+    before = row["novel_window_before"]
+    novel = row["novel_in_window"]
+    return {
+        "name": row["channel"],
+        "verdict": row["verdict"],
+        "status": row["status"],
+        "hi": row["hi"],
+        "limit": row["hi_limit"],
+        "before": None if before is None else before / window,
+        "floor": row["floor"],
+        "since": tick(row["since_tick"]),
+        "atLeast": row["at_least"],
+        "silent": tick(row["silent_for"]),
+        "outside": None if not novel else short(row["out_of_range_in_window"] / novel),
+        "fresh": int(row["is_new"]),
+        "rising": int(row["is_rising"]),
+        "at": tick(row["data_tick"]),
+        "low": row["calibrated_lo"] if raw else None,
+        "high": row["calibrated_hi"] if raw else None,
+        "cells": row["cells"],
+        "vectors": row["calibration_vectors"],
+        "finest": row["finest_bins"],
+        "needed": row["vectors_needed"],
+        "m": row["m"],
+        "tau": row["tau"],
+        "bins": row["bins"],
+        "window": window,
+        "stride": row["stride"],
+        "version": row["version_no"],
+        "target": row["target_floor"],
+    }

@@ -1,0 +1,90 @@
+// Numbers, times and verdicts in words: those of gam status.
+import {D, FRAME} from './data.js';
+
+export const whole = new Intl.NumberFormat('en-US');
+export const plural = (n, one) => `${whole.format(n)} ${one}${n === 1 ? '' : 's'}`;
+
+/** A share of 0 to 1, short. */
+export const share = x => x == null || Number.isNaN(x) ? '–' : x > 0 && x < 0.001 ? '< 0.001' : x < 0.1 ? String(+x.toFixed(3)) : String(+x.toFixed(2));
+/** A reading, in three digits. */
+export const reading = x => x == null || Number.isNaN(x) ? '–' : Math.abs(x) >= 1e5 || (x !== 0 && Math.abs(x) < 1e-3) ? x.toExponential(1) : String(+x.toPrecision(3));
+export const percent = x => x == null ? '–' : x > 0 && x < 0.001 ? '< 0.1 %' : x < 0.1 ? `${+(100 * x).toFixed(1)} %` : `${Math.round(100 * x)} %`;
+
+const formats = new Map();
+function parts(time, options) {
+  const key = JSON.stringify(options);
+  if (!formats.has(key)) formats.set(key, new Intl.DateTimeFormat('en-GB', {timeZone: D.zone, hourCycle: 'h23', ...options}));
+  return formats.get(key).format(new Date(Math.floor(Number(time) / 1000))).replace(/,/g, '');
+}
+const DAY = 864e8;
+
+/** An instant in the plant's time zone, or as the source counts; `over` is the length that an axis shows. */
+export function when(time, over) {
+  if (time == null) return '–';
+  if (D.counter) return typeof time === 'string' ? time : whole.format(Math.round(time));
+  if (over == null) return parts(time, {day: 'numeric', month: 'short', year: 'numeric', hour: '2-digit', minute: '2-digit'});
+  if (over > 500 * DAY) return parts(time, {month: 'short', year: 'numeric'});
+  if (over > 5 * DAY) return parts(time, {day: 'numeric', month: 'short'});
+  if (over > DAY) return parts(time, {day: 'numeric', month: 'short', hour: '2-digit', minute: '2-digit'});
+  return parts(time, over > 18e8 ? {hour: '2-digit', minute: '2-digit'} : {hour: '2-digit', minute: '2-digit', second: '2-digit'});
+}
+
+/** An instant without its year, where the page is about less than a year. */
+export const shortly = time => time == null || D.counter || FRAME.span > 300 * DAY ? when(time) : parts(time, {day: 'numeric', month: 'short', hour: '2-digit', minute: '2-digit'});
+
+/** Where the marks of an axis of time stand. */
+export function ticks(from = FRAME.first, to = FRAME.last, many = 6) {
+  const rough = (to - from) / many, found = [];
+  let step;
+  if (D.counter) {
+    const power = 10 ** Math.floor(Math.log10(Math.max(1, rough)));
+    step = [1, 2, 5, 10].map(k => k * power).find(s => s >= rough) || 10 * power;
+  } else {
+    const steps = [1e6, 2e6, 5e6, 1e7, 15e6, 3e7, 6e7, 12e7, 3e8, 6e8, 18e8, 36e8, 108e8, 216e8, 432e8, DAY, 2 * DAY, 7 * DAY, 14 * DAY, 30 * DAY, 90 * DAY, 365 * DAY];
+    step = steps.find(s => s >= rough) || 365 * DAY;
+  }
+  let shift = 0;   // marks stand at round times of the plant's clock; days of a change of clock are an hour off
+  if (!D.counter && step >= 36e8) {
+    const at = new Date(from / 1000), there = Object.fromEntries(new Intl.DateTimeFormat('en-US', {timeZone: D.zone, hourCycle: 'h23', year: 'numeric', month: 'numeric', day: 'numeric', hour: 'numeric', minute: 'numeric', second: 'numeric'}).formatToParts(at).map(p => [p.type, +p.value]));
+    shift = (Date.UTC(there.year, there.month - 1, there.day, there.hour, there.minute, there.second) - Math.floor(at / 1000) * 1000) * 1000;
+  }
+  for (let t = Math.ceil((from + shift) / step) * step - shift; t <= to; t += step) found.push(t);
+  return found;
+}
+
+/** A length of time. */
+export function lasting(length) {
+  const n = Number(length);
+  if (D.counter) return plural(n, 'step');
+  for (const [unit, size] of [['d', DAY], ['h', 36e8], ['min', 6e7], ['s', 1e6]]) if (n >= 2 * size) return `${whole.format(Math.floor(n / size))} ${unit}`;
+  return `${(n / 1e6).toPrecision(2)} s`;
+}
+
+const side = outside => outside == null ? '' : outside > 0.9 ? 'outside the calibrated range' : outside > 0.1 ? 'partly outside the calibrated range' : 'inside the calibrated range';
+const sideShort = outside => outside == null ? '' : outside > 0.9 ? ', out of range' : outside > 0.1 ? ', partly out of range' : ', within range';
+export const since = (signal, as = when) => `${signal.atLeast ? 'at least since' : 'since'} ${as(signal.since)}`;
+
+/** Why a signal cannot be judged, and what to do; two short sentences. */
+export function unjudged(signal) {
+  switch (signal.verdict) {
+    case 'constant': return ['it did not move while it was calibrated', 'it never raises an alarm; calibrate it over a time in which it moves'];
+    case 'no_data': return ['no usable reading in calibration', 'look at the calibration interval and at missing values'];
+    case 'too_fine': return ['the grid is too fine for this little calibration', signal.finest ? `take --bins ${signal.finest} or fewer, or calibrate longer` : 'calibrate longer'];
+    case 'needs_data': return ['calibration is too short', signal.needed ? `about ${whole.format(signal.needed)} more vectors are needed` : 'calibrate longer'];
+    default: return ['no full window is scored yet', `wait for ${whole.format(signal.window)} scored readings`];
+  }
+}
+
+/** What is to be said of a signal in a line. */
+export function brief(signal) {
+  const silent = signal.silent == null ? '' : ` · silent for ${lasting(signal.silent)}`;
+  if (!signal.judged) return `cannot be judged: ${unjudged(signal)[0]}${silent}`;
+  if (signal.above) return `${since(signal, shortly)}${sideShort(signal.outside)}${silent}`;
+  return (signal.rising ? 'below its limit, and rising' : 'as in calibration') + silent;
+}
+
+export function sentence(signal) {
+  if (!signal.judged) { const [why, what] = unjudged(signal); return `${why}; ${what}.`; }
+  if (signal.above) return `goes where it never went in health, above its limit ${since(signal)}; its new states lie ${side(signal.outside) || 'in range'}.`;
+  return signal.rising ? 'below its limit, and rising.' : 'moves as it did in calibration.';
+}

@@ -1,0 +1,121 @@
+"""A small simulated plant in which every kind of change occurs, to look at a page of.
+
+This module owns what its machines do. It is an illustration, and no evidence for anything.
+"""
+
+import datetime as dt
+import zlib
+
+import numpy as np
+import pyarrow as pa
+from numpy.typing import NDArray
+
+from gam_db.calibration import Calibration
+from gam_db.parameters import Parameters
+
+START = dt.datetime(2026, 3, 2, tzinfo=dt.UTC)
+STEP, A_DAY, DAYS = dt.timedelta(minutes=2), 720, 28
+
+PARAMETERS = Parameters(m=3, tau=2, bins=14, window=360, stride=36, max_gap="10 min")
+CALIBRATION = Calibration(duration="8 d")
+TIME_ZONE = "Europe/Berlin"
+
+SIGNALS = ("current", "force", "position", "speed", "temperature")
+
+#: When the page of it says that it was made: the morning after the last reading.
+END = START + dt.timedelta(days=DAYS, hours=5)
+
+#: machine -> signal ("*" all) -> what happens to it, and on which day it begins
+PLANT: dict[str, dict[str, tuple[str, float]]] = {
+    "press 1": {"force": ("wear", 15.0), "current": ("wear", 19.0)},
+    "press 2": {"force": ("breaks", 27.3), "position": ("breaks", 27.4), "current": ("breaks", 27.35)},
+    "press 3": {},
+    "robot 1": {"*": ("program", 21.5)},
+    "robot 2": {"speed": ("wear", 24.5)},
+    "robot 3": {"position": ("repaired", 14.0)},
+    "robot 4": {"force": ("creeps", 25.5)},
+    "mill 1": {"temperature": ("warms", 18.0), "speed": ("coarse", 0.0)},
+    "mill 2": {"*": ("silent", 23.6)},
+    "mill 3": {"force": ("stands", 0.0), "position": ("late", 27.2), "current": ("noise", 0.0)},
+    "conveyor": {"speed": ("spikes", 20.0)},
+    "washer": {"*": ("weekends", 0.0)},
+}
+
+
+def telemetry() -> pa.Table:
+    """Return the readings of the plant: asset, channel, time (UTC), value; the same at every call."""
+    count = DAYS * A_DAY
+    begin = int(START.timestamp() * 1_000_000)
+    time = begin + np.arange(count, dtype=np.int64) * (STEP // dt.timedelta(microseconds=1))
+    parts = []
+    for machine, happens in PLANT.items():
+        for channel in SIGNALS:
+            what, day = happens.get(channel, happens.get("*", ("calm", 0.0)))
+            value, kept = _signal(f"{machine}/{channel}", channel, what, day, count)
+            parts.append(
+                pa.table(
+                    {
+                        "asset": pa.array([machine] * int(kept.sum()))
+                        .dictionary_encode()
+                        .cast(pa.string()),
+                        "channel": pa.array([channel] * int(kept.sum())),
+                        "time": pa.array(time[kept], pa.timestamp("us", "UTC")),
+                        "value": pa.array(value[kept]),
+                    }
+                )
+            )
+    return pa.concat_tables(parts)
+
+
+def _signal(
+    name: str, channel: str, what: str, day: float, count: int
+) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+    """Return the values of one signal, and which of them there are."""
+    chance = np.random.default_rng(zlib.crc32(name.encode()))
+    days = np.arange(count) / A_DAY
+    at = np.arange(count) + int(chance.integers(40))
+    scale = {"current": 18.0, "force": 950.0, "position": 320.0, "speed": 60.0, "temperature": 8.0}[
+        channel
+    ]
+    level = {"current": 22.0, "force": 1200.0, "position": 400.0, "speed": 90.0, "temperature": 41.0}[
+        channel
+    ]
+    since = np.clip(days - day, 0, None)
+    begun = days >= day
+    period = 40 + int(chance.integers(4)) * 4
+    phase = (at % period) / period
+    second = 0.35 + 0.3 * chance.random()
+    shape = np.sin(2 * np.pi * phase) + second * np.sin(4 * np.pi * phase + chance.random())
+    if what == "program":
+        shape = np.where(begun, np.where(phase < 0.5, 1.1, -0.9) * np.cos(6 * np.pi * phase), shape)
+    noise = 0.035 * chance.standard_normal(count)
+    if what == "wear":
+        noise *= 1 + 0.8 * since
+        shape = shape * (1 + 0.025 * since)
+    if what == "creeps":
+        noise *= 1 + 0.22 * since
+    if what == "breaks":
+        shape = np.where(begun, 1.5 * shape + 0.6, shape)
+    if what == "repaired":
+        broken = begun & (days < day + 3.2)
+        shape = np.where(broken, np.clip(shape, -0.6, 0.5), shape)
+    if what == "warms":
+        shape = shape + 0.12 * since
+    if what == "spikes":
+        hit = begun & (at % 190 < 4)
+        shape = np.where(hit, 2.4, shape)
+    if what == "noise":
+        shape, noise = np.zeros(count), chance.uniform(-1, 1, count)
+    if what == "coarse":
+        shape = np.round(shape * 3) / 3
+    value = level + scale * (0.8 * shape + noise + 0.05 * np.sin(2 * np.pi * days))
+    if what == "stands":
+        value = np.where(days < 12, level, value)
+    kept = np.ones(count, bool)
+    if what == "silent":
+        kept = days < day
+    if what == "late":
+        kept = days >= day
+    if what == "weekends":
+        kept = (np.floor(days).astype(int) % 7) < 5
+    return np.round(value, 3), kept

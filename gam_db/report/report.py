@@ -1,0 +1,332 @@
+"""The page of a monitor: its tables read, packed, and written beside the script that draws them.
+
+This module owns what is asked, the order of signals, and the file.
+"""
+
+import base64
+import datetime as dt
+import hashlib
+import html
+import zoneinfo
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gam_db import template
+from gam_db.clock import SECOND, Length, TimeKind, length
+from gam_db.errors import ConfigurationError, UserError
+from gam_db.parameters import pattern_matches
+from gam_db.report import details
+from gam_db.report.details import Reads
+from gam_db.report.packing import in_script, packed, tick
+from gam_db.report.strips import strip
+from gam_db.running import Listener, unheard
+from gam_db.source import AnySource
+from gam_db.version import __version__
+
+#: New is what left health within a day of the newest data; within its last window if time is counted.
+DAY = 86_400 * SECOND
+
+#: Above so many signals a page gets fewer columns, and above the last one it is refused.
+COLUMNS, FEW_COLUMNS, MANY, MOST = 240, 120, 10_000, 40_000
+
+Row = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Wishes:
+    """What the page is to hold.
+
+    Attributes:
+        title: above the page and in the window.
+        details: signals that are shown in detail, besides one of each verdict that cannot be judged.
+        signals: those, as machine/signal, that are shown in detail in any case.
+        since: how far back strips begin; None for all, from calibration on.
+        time_zone: name of the plant's, as Europe/Berlin.
+        raw: whether raw readings may be in the file.
+        asset: pattern of the machines to show.
+        made: the time that the page says it was made at; None for now.
+
+    Raises:
+        ConfigurationError: there is no such time zone, or a number is none.
+    """
+
+    title: str = "Fleet health"
+    details: int = 24
+    signals: Sequence[str] = field(default_factory=tuple)
+    since: Length | None = None
+    time_zone: str = "UTC"
+    raw: bool = True
+    asset: str = "*"
+    made: dt.datetime | None = None
+
+    def __post_init__(self) -> None:
+        if self.details < 0:
+            raise ConfigurationError(f"details is {self.details}; it takes 0 or more.")
+        try:
+            zoneinfo.ZoneInfo(self.time_zone)
+        except (ValueError, OSError, zoneinfo.ZoneInfoNotFoundError):
+            raise ConfigurationError(
+                f"There is no time zone {self.time_zone!r}; give a name such as Europe/Berlin or UTC."
+            ) from None
+
+
+def write(
+    state: Reads,
+    source: AnySource | None,
+    kind: TimeKind,
+    monitor: str,
+    path: str | Path,
+    wishes: Wishes | None = None,
+    on_step: Listener = unheard,
+) -> Row:
+    """Write the page of a monitor as one HTML file, which needs nothing else.
+
+    Args:
+        state: of the monitor.
+        source: of its telemetry, for raw readings; None to leave them out.
+        kind: how it tells time.
+        monitor: its name.
+        path: of the file; replaced.
+        wishes: what it is to hold.
+        on_step: called with what is done next.
+
+    Returns:
+        Figures: path, bytes, machines, signals, details, above, new, and raw: why raw readings are not
+        in it, or None.
+
+    Raises:
+        UserError: there is no such monitor, no signal of it is chosen, or the file cannot be written.
+    """
+    wishes = wishes or Wishes()
+    path = Path(path)
+    on_step("reading the tables")
+    signals = _signals(state, monitor, wishes)
+    courses = _ranked(signals, _courses(state, monitor, signals), kind)
+    first, last = _frame(signals, courses, kind, wishes)
+    picked = details.chosen(signals, wishes.details, wishes.signals)
+    raw = None
+    why: str | None = "left out" if not wishes.raw else "the source is not known"
+    if wishes.raw and source is not None and picked:
+        on_step("reading raw readings of the signals in detail")
+        try:
+            raw = details.read(
+                state.session, source, picked, [courses[row["place"]] for row in picked], last
+            )
+            why = None
+        except UserError as error:
+            why = f"the source could not be read: {str(error).partition(';')[0]}"
+    on_step("writing the page")
+    columns = COLUMNS if len(signals) <= MANY else FEW_COLUMNS
+    rows = [
+        strip(
+            (course["first"], course["last"], course["hi"]),
+            row["hi_limit"],
+            None
+            if row["learnt_from"] is None or row["calibration_end"] is None
+            else (row["learnt_from"], row["calibration_end"]),
+            (first, last, columns),
+        )
+        for row, course in ((row, courses[row["place"]]) for row in signals)
+    ]
+    shown = {}
+    for number, row in enumerate(picked):
+        mine = None if raw is None else (raw[0][number], raw[1][number])
+        shown[row["place"]] = details.detail(state, monitor, row, courses[row["place"]], mine)
+    machines = _machines(state, monitor, signals)
+    place_of = {row["asset"]: number for number, row in enumerate(machines)}
+    said = [details.summary(row, wishes.raw) for row in signals]
+    made = wishes.made or dt.datetime.now(dt.UTC)
+    data = {
+        "version": __version__,
+        "title": wishes.title,
+        "monitor": monitor,
+        "made": int(made.timestamp() * SECOND),
+        "zone": wishes.time_zone,
+        "counter": kind.is_counter,
+        "first": tick(first),
+        "last": tick(last),
+        "columns": columns,
+        "noRaw": why,
+        "machines": {name: [row[name] for row in machines] for name in machines[0]},
+        "machine": [place_of[row["asset"]] for row in signals],
+        "signals": {name: [one[name] for one in said] for name in said[0]},
+        "strips": packed(np.array(rows).reshape(-1), "u1"),
+        "details": {str(place): one for place, one in sorted(shown.items())},
+    }
+    text = page(data, wishes.title).encode()
+    try:
+        path.write_bytes(text)
+    except OSError as error:
+        raise ConfigurationError(f"{path} cannot be written: {error.strerror}.") from error
+    return {
+        "path": str(path),
+        "bytes": len(text),
+        "machines": len(machines),
+        "signals": len(signals),
+        "details": len(shown),
+        "above": sum(row["status"] == "high" for row in signals),
+        "new": sum(row["is_new"] for row in signals),
+        "raw": why,
+    }
+
+
+def page(data: Row, title: str, script: str | None = None) -> str:
+    """Return the HTML file around the data; its policy lets nothing run but its own script and style.
+
+    Args:
+        data: what the script draws.
+        title: of the window.
+        script: another one than that which comes with gam-db.
+    """
+    room = files("gam_db.report") / "page"
+    script = script or (room / "page.js").read_text(encoding="utf-8")
+    script = script.strip().replace("</script", "<\\/script")
+    style = (room / "page.css").read_text(encoding="utf-8").strip()
+    frame = (room / "page.html").read_text(encoding="utf-8")
+    for name, text in (
+        ("title", html.escape(title)),
+        ("script-hash", _hash(script)),
+        ("style-hash", _hash(style)),
+        ("style", style),
+        ("data", in_script(data)),
+        ("script", script),
+    ):
+        before, _, after = frame.partition(f"{{{{{name}}}}}")
+        frame = f"{before}{text}{after}"
+    return frame
+
+
+def _hash(text: str) -> str:
+    return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
+
+
+def _signals(state: Reads, monitor: str, wishes: Wishes) -> list[Row]:
+    """Return the signals of the machines that are wanted."""
+    rows = state.fetch("report/signals", {"monitor": template.text(monitor)}).to_pylist()
+    rows = [row for row in rows if pattern_matches(wishes.asset, row["asset"])]
+    if not rows:
+        raise ConfigurationError(
+            f"The monitor {monitor!r} has no calibrated signal of a machine like {wishes.asset!r}; "
+            "run gam calibrate and gam score first."
+        )
+    if len(rows) > MOST:
+        raise ConfigurationError(
+            f"{len(rows):,} signals are too many for one page (at most {MOST:,}); "
+            "choose machines by --asset."
+        )
+    return rows
+
+
+def _ranked(
+    signals: list[Row], courses: Sequence[dict[str, NDArray[Any]]], kind: TimeKind
+) -> list[dict[str, NDArray[Any]]]:
+    """Put the signals in order, the most urgent first, and return their courses in that order."""
+    newest = max((row["data_tick"] for row in signals if row["data_tick"] is not None), default=None)
+    for row in signals:
+        limit, hi, before = row["hi_limit"], row["hi"], row["novel_window_before"]
+        is_above = row["status"] == "high"
+        far = (hi - limit) / max(1 - limit, 1e-9) if is_above else 0.0
+        row["is_new"] = is_above and _is_new(row, courses[row["place"]], kind, newest)
+        rise = 0.0 if hi is None or before is None else hi - before / row["window_length"]
+        row["is_rising"] = (
+            row["status"] == "ok" and rise > max(0.01, 2 * (row["floor_sd"] or 0.0)) and hi > 0.5 * limit
+        )
+        row["urgency"] = (
+            3 * row["is_new"]
+            + is_above
+            + far
+            + 0.5 * row["is_rising"]
+            - (row["status"] not in ("high", "ok"))
+        )
+    signals.sort(key=lambda row: (-row["urgency"], -(row["hi"] or 0.0), row["asset"], row["channel"]))
+    ordered = [courses[row["place"]] for row in signals]
+    for place, row in enumerate(signals):
+        row["place"] = place
+    return ordered
+
+
+def _is_new(row: Row, course: dict[str, NDArray[Any]], kind: TimeKind, newest: int | None) -> bool:
+    if row["since_tick"] is None or row["at_least"] or newest is None:
+        return False
+    if not kind.is_counter:
+        return bool(row["since_tick"] > newest - DAY)
+    window = max(1, row["window_length"] // row["stride"])
+    return bool(row["since_tick"] >= course["first"][-window:][0])
+
+
+def _machines(state: Reads, monitor: str, signals: Sequence[Row]) -> list[Row]:
+    """Return the machines, the one with the most urgent signal first."""
+    order: dict[str, int] = {}
+    for row in signals:
+        order.setdefault(row["asset"], len(order))
+    found = {
+        row["asset"]: row
+        for row in state.fetch("report/machines", {"monitor": template.text(monitor)}).to_pylist()
+    }
+    return [
+        {
+            "asset": name,
+            "signals": found[name]["signals"],
+            "judged": found[name]["judged"],
+            "above": found[name]["above"],
+            "notJudged": found[name]["not_judged"],
+            "since": tick(found[name]["since_tick"]),
+            "together": found[name]["together"],
+            "at": tick(found[name]["data_tick"]),
+        }
+        for name in order
+    ]
+
+
+def _courses(state: Reads, monitor: str, signals: Sequence[Row]) -> list[dict[str, NDArray[Any]]]:
+    """Return the buckets of each signal, in order."""
+    rows = state.fetch("report/course", {"monitor": template.text(monitor)})
+    names = [rows[name].combine_chunks().dictionary_encode() for name in ("asset", "channel")]
+    tables = [{name: number for number, name in enumerate(one.dictionary.to_pylist())} for one in names]
+    asset, channel = (one.indices.to_numpy(zero_copy_only=False).astype(np.int64) for one in names)
+    many = max(1, len(tables[1]))
+    key = asset * many + channel
+    order = np.lexsort((rows["bucket"].to_numpy(), key))
+    column = {
+        short: rows[name].to_numpy()[order]
+        for short, name in (
+            *(("first", "first_tick"), ("last", "last_tick")),
+            *(("novel", "novel"), ("outside", "out_of_range")),
+        )
+    }
+    column["hi"] = rows["hi"].to_numpy(zero_copy_only=False).astype(np.float64)[order]
+    key = key[order]
+    courses = []
+    for place, row in enumerate(signals):
+        row["place"] = place
+        mine = tables[0].get(row["asset"], -1) * many + tables[1].get(row["channel"], -1)
+        known = row["asset"] in tables[0] and row["channel"] in tables[1]
+        start, end = (np.searchsorted(key, mine, side) if known else 0 for side in ("left", "right"))
+        courses.append({name: values[start:end] for name, values in column.items()})
+        row["bucket_count"] = int(end - start)
+    return courses
+
+
+def _frame(
+    signals: Sequence[Row], courses: Sequence[Any], kind: TimeKind, wishes: Wishes
+) -> tuple[int, int]:
+    """Return the first and the last instant that strips show."""
+    known = [row["learnt_from"] for row in signals] + [
+        int(course["first"][0]) for course in courses if len(course["first"])
+    ]
+    ends = [row["data_tick"] for row in signals]
+    ends += [int(course["last"][-1]) for course in courses if len(course["last"])]
+    ends = [end for end in ends if end is not None] or [
+        row["calibration_end"] for row in signals if row["calibration_end"] is not None
+    ]
+    last = max(ends, default=0)
+    first = min((one for one in known if one is not None), default=last - 1)
+    if wishes.since is not None:
+        first = max(first, last - length(wishes.since, kind, "since"))
+    return min(first, last - 1), last
