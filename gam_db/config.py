@@ -10,14 +10,14 @@ import tomllib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Literal, TypeAlias
+from typing import Any
 
 from gam_db.address import has_password, is_url, shown
 from gam_db.calibration import WAYS, Calibration
 from gam_db.errors import ConfigurationError, UserError, nearest
-from gam_db.form import Form
+from gam_db.guess import SourceSettings
 from gam_db.parameters import Override, Parameters
-from gam_db.setting import COLUMN, COLUMNS, FLAG, TEXT, declared, one_of, setting, settings_of
+from gam_db.setting import settings_of
 from gam_db.source import is_file
 from gam_db.stored.settings import MonitorSettings
 
@@ -25,80 +25,6 @@ DEFAULT_FILE = "gam.toml"
 
 #: Users whose settings are read like one's own: the administrator.
 _TRUSTED = frozenset({0})
-
-#: A column that was named, False for "there is none", None for "not said".
-Column: TypeAlias = str | Literal[False] | None
-
-#: One column per channel, said by a word in gam.toml and by an option without a value.
-LAYOUT = dataclasses.replace(one_of("long", "wide"), option=bool, read=lambda *_: "wide")
-
-
-@declared
-@dataclass(frozen=True)
-class SourceSettings(Form):
-    """What was said of the source; None is "not said", and what is not said is guessed."""
-
-    relation: str | None = setting(
-        None,
-        TEXT,
-        "a file, relative to this one, or a table of the database",
-        example="telemetry.parquet",
-    )
-    database: str | None = setting(
-        *(None, TEXT, "or postgresql://HOST/DATABASE and others; no password here"),
-        example="plant.duckdb",
-        aside=True,
-    )
-    asset: Column = setting(
-        *(None, COLUMN, "column that names the machine"),
-        off=(False, "it is one machine"),
-        example="machine",
-    )
-    channel: Column = setting(
-        *(None, dataclasses.replace(COLUMN, option=list[str]), "column that names the signal"),
-        more="with --wide: a column that holds one (repeatable; default all numeric ones)",
-        off=(False, "it is one signal"),
-        example="signal",
-    )
-    time: str | None = setting(
-        None, COLUMN, "column with a timestamp or an integer counter", example="ts"
-    )
-    value: str | None = setting(None, COLUMN, "column with the readings", example="reading")
-    layout: str | None = setting(
-        None, LAYOUT, "the table has one column per signal", option="--wide", example="wide", aside=True
-    )
-    channels: tuple[str, ...] | None = setting(
-        *(None, COLUMNS, "columns of a wide table that hold readings, each a signal"),
-        example=["current", "torque"],
-        aside=True,
-    )
-    where: str | None = setting(
-        *(None, TEXT, "rows to take, as a condition in SQL, before all else"),
-        metavar="CONDITION",
-        more="for example \"machine = 'R7'\"; it is SQL that runs with your rights, see --where-any",
-        example="reading < 1000",
-    )
-    where_any: bool | None = setting(
-        *(None, FLAG, "let where ask other tables, too: it is SQL that runs with your rights"),
-        more="on DuckDB it reads no other files; on a connection that you lend it may do what that may",
-        example=True,
-        aside=True,
-    )
-    time_kind: str | None = setting(
-        *(
-            None,
-            one_of("timestamp", "counter"),
-            "how the time column tells time, where it cannot be seen",
-        ),
-        example="timestamp",
-        aside=True,
-    )
-
-    @property
-    def shown_database(self) -> str | None:
-        """The address of the database without its password."""
-        return None if self.database is None else shown(self.database)
-
 
 #: The sections of gam.toml, and what their keys are the settings of.
 SECTIONS: Mapping[str, type] = {
@@ -122,7 +48,7 @@ class Settings:
         file: the file it was read from, None if there was none.
     """
 
-    source: SourceSettings = SourceSettings()
+    source: SourceSettings = field(default_factory=SourceSettings)
     parameters: Mapping[str, Any] = field(default_factory=dict)
     calibration: Mapping[str, Any] = field(default_factory=dict)
     overrides: tuple[Override, ...] = ()

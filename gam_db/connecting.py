@@ -75,6 +75,8 @@ def connect(
     """
     if isinstance(target, (DuckSession, WarehouseSession)):
         raise EngineError("This session is open already; use it as it is.")
+    if type(target).__module__.startswith("sqlalchemy."):  # an engine or its URL
+        target = getattr(target, "url", target).render_as_string(hide_password=False)
     address = str(target) if isinstance(target, (str, Path)) else None
     if address is None:
         package = type(target).__module__.partition(".")[0].lstrip("_")
@@ -86,7 +88,10 @@ def connect(
     check(address)
     if address in _IN_MEMORY:
         return DuckSession(None, threads, writable, files)
-    scheme, separator, _ = address.partition("://")
+    scheme, separator, rest = address.partition("://")
+    if "+" in scheme:  # as SQLAlchemy writes it: postgresql+psycopg
+        scheme = scheme.partition("+")[0]
+        address = f"{scheme}://{rest}"
     if not separator or address.startswith(_FILE):
         if not address:
             raise EngineError(f"The database is empty; it takes {ADDRESSES}.")

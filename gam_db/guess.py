@@ -1,18 +1,96 @@
 """Guessing: which column is the machine, the signal, the time and the reading, where nobody said.
 
-This module owns well-known column names and the rules of guessing. What it cannot tell it asks for:
-a wrong guess would merge machines or signals without a word. It reads no rows.
+This module owns what can be said of a source, well-known column names and the rules of guessing. What it
+cannot tell it asks for: a wrong guess would merge machines or signals without a word. It reads no rows.
 """
 
+import dataclasses
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from pathlib import Path
+from typing import Any, Literal, TypeAlias
 
-from gam_db.config import SourceSettings
-from gam_db.engines.session import Session
+from gam_db.address import shown
+from gam_db.engines.session import Session, arrow_table
 from gam_db.errors import SourceError, nearest
-from gam_db.source import AnySource, Source, WideSource
+from gam_db.form import Form
+from gam_db.setting import COLUMN, COLUMNS, FLAG, TEXT, declared, one_of, setting
+from gam_db.source import AnySource, Source, WideSource, is_file
+
+#: A column that was named, False for "there is none", None for "not said".
+Column: TypeAlias = str | Literal[False] | None
+
+#: One column per channel, said by a word in gam.toml and by an option without a value.
+LAYOUT = dataclasses.replace(one_of("long", "wide"), option=bool, read=lambda *_: "wide")
+
+
+@declared
+@dataclass(frozen=True)
+class SourceSettings(Form):
+    """What was said of the source; None is "not said", and what is not said is guessed."""
+
+    relation: str | None = setting(
+        None,
+        TEXT,
+        "a file, relative to this one, or a table of the database",
+        example="telemetry.parquet",
+    )
+    database: str | None = setting(
+        *(None, TEXT, "or postgresql://HOST/DATABASE and others; no password here"),
+        example="plant.duckdb",
+        aside=True,
+    )
+    asset: Column = setting(
+        *(None, COLUMN, "column that names the machine"),
+        off=(False, "it is one machine"),
+        example="machine",
+    )
+    channel: Column = setting(
+        *(None, dataclasses.replace(COLUMN, option=list[str]), "column that names the signal"),
+        more="with --wide: a column that holds one (repeatable; default all numeric ones)",
+        off=(False, "it is one signal"),
+        example="signal",
+    )
+    time: str | None = setting(
+        None, COLUMN, "column with a timestamp or an integer counter", example="ts"
+    )
+    value: str | None = setting(None, COLUMN, "column with the readings", example="reading")
+    layout: str | None = setting(
+        None, LAYOUT, "the table has one column per signal", option="--wide", example="wide", aside=True
+    )
+    channels: tuple[str, ...] | None = setting(
+        *(None, COLUMNS, "columns of a wide table that hold readings, each a signal"),
+        example=["current", "torque"],
+        aside=True,
+    )
+    where: str | None = setting(
+        *(None, TEXT, "rows to take, as a condition in SQL, before all else"),
+        metavar="CONDITION",
+        more="for example \"machine = 'R7'\"; it is SQL that runs with your rights, see --where-any",
+        example="reading < 1000",
+    )
+    where_any: bool | None = setting(
+        *(None, FLAG, "let where ask other tables, too: it is SQL that runs with your rights"),
+        more="on DuckDB it reads no other files; on a connection that you lend it may do what that may",
+        example=True,
+        aside=True,
+    )
+    time_kind: str | None = setting(
+        *(
+            None,
+            one_of("timestamp", "counter"),
+            "how the time column tells time, where it cannot be seen",
+        ),
+        example="timestamp",
+        aside=True,
+    )
+
+    @property
+    def shown_database(self) -> str | None:
+        """The address of the database without its password."""
+        return None if self.database is None else shown(self.database)
+
 
 #: role -> names that say it, in two strengths; a weak name counts only where no strong one is there.
 #: Case, spaces, underscores and a trailing id, name, no or nr do not matter.
@@ -88,6 +166,29 @@ def guess(relation: Any, columns: Mapping[str, str], said: SourceSettings, sessi
             the message lists the columns and the options to use.
     """
     return _Guesser(columns, said, session).guess(relation)
+
+
+def sourced(given: Any, session: Session) -> AnySource:
+    """Return a source as it was given, or what is meant by a relation alone, its columns guessed.
+
+    Args:
+        given: a source; or a path, a list of paths, a folder, the name of a table, a data frame of
+            pandas or polars, an Arrow table, a relation of DuckDB, a table of Ibis.
+        session: an open session, in which it is read.
+
+    Raises:
+        SourceError: it cannot be read, or a column cannot be guessed.
+    """
+    if isinstance(given, (Source, WideSource)):
+        return given
+    said = SourceSettings()
+    if isinstance(given, (str, Path)) and not is_file(str(given)) and Path(given).is_dir():
+        given = f"{given}/"
+    if isinstance(given, (str, Path, list, tuple)):
+        return guess(given, session.describe(session.relation(given)), said, session).source
+    table = arrow_table(given)
+    with session.lent(table) as relation:
+        return guess(table, session.describe(relation), said, session).source
 
 
 class _Guesser:

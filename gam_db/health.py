@@ -9,13 +9,14 @@ import pyarrow as pa
 
 from gam_db.calibration import Calibration
 from gam_db.connecting import borrowed
+from gam_db.guess import sourced
 from gam_db.parameters import Parameters
-from gam_db.source import AnySource
 from gam_db.study import Study
+from gam_db.units import with_units
 
 
 def health_indicator(
-    source: AnySource,
+    source: Any,
     parameters: Parameters | None = None,
     calibration: Calibration | None = None,
     engine: Any = None,
@@ -23,12 +24,16 @@ def health_indicator(
     """Return the health indicator at every scored vector (paper, Eq. 1 to 4).
 
     Args:
-        source: where the telemetry lies.
+        source: where the telemetry lies: a :class:`Source` or :class:`WideSource`, or what these take as
+            relation (a path, a list of paths, a table, a data frame), its columns guessed as the command
+            line does; also polars' LazyFrame, a relation of DuckDB, a table of Ibis.
         parameters: of the method; default :class:`Parameters`.
         calibration: the healthy part; default the first fifth of each channel.
         engine: None for DuckDB in memory, the path of a DuckDB file, or an open DuckDB connection.
 
     Returns:
+        Units stand in the metadata of its schema (:mod:`gam_db.units`).
+
         One row per scored vector, ordered by asset, channel and time: asset, channel, time (as in the
         source), cell_key, novel (0 or 1), out_of_range (1 if a coordinate lies outside the calibrated
         range), straddling (1 if one of its samples is one of calibration), novel_in_window,
@@ -41,7 +46,7 @@ def health_indicator(
 
 
 def health_at_buckets(
-    source: AnySource,
+    source: Any,
     parameters: Parameters | None = None,
     calibration: Calibration | None = None,
     engine: Any = None,
@@ -58,7 +63,7 @@ def health_at_buckets(
 
 
 def support(
-    source: AnySource,
+    source: Any,
     parameters: Parameters | None = None,
     calibration: Calibration | None = None,
     engine: Any = None,
@@ -80,7 +85,7 @@ def support(
 
 
 def certificate(
-    source: AnySource,
+    source: Any,
     parameters: Parameters | None = None,
     calibration: Calibration | None = None,
     engine: Any = None,
@@ -99,16 +104,16 @@ def certificate(
 
 def _table(
     step: str,
-    source: AnySource,
+    source: Any,
     parameters: Parameters | None,
     calibration: Calibration | None,
     engine: Any,
 ) -> pa.Table:
     with borrowed(engine) as session:
         asked = (parameters or Parameters(), calibration or Calibration())
-        study = Study(session, source, *asked, short_cuts=True)
+        study = Study(session, sourced(source, session), *asked, short_cuts=True)
         try:
-            return study.table(step)
+            return with_units(study.table(step), study.method.kind)
         finally:
             if session is engine:  # it stays open, and nobody asks this study again
                 study.forget()

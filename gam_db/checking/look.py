@@ -9,7 +9,6 @@ from gam_db import template
 from gam_db.calibration import Calibration
 from gam_db.checking.steps import SUMMARY, add_look
 from gam_db.clock import TimeKind
-from gam_db.connecting import borrowed
 from gam_db.engines.session import Session
 from gam_db.method import Method
 from gam_db.parameters import Parameters
@@ -55,43 +54,6 @@ class Look:
     def gap(self, row: Row) -> int | None:
         """Return max_gap of a channel as an integer; None for no limit."""
         return self.method.gaps[row["settings_no"]]
-
-
-def check(
-    source: AnySource,
-    parameters: Parameters | None = None,
-    calibration: Calibration | None = None,
-    engine: Any = None,
-) -> pa.Table:
-    """Return what each channel looks like before anything is learnt of it.
-
-    Rows without asset, channel or time are counted, not refused.
-
-    Args:
-        source: where the telemetry lies.
-        parameters: of the method; default :class:`~gam_db.Parameters`.
-        calibration: the healthy part, of which the samples are counted; default the first fifth.
-        engine: None for DuckDB in memory, the path of a DuckDB file, or an open DuckDB connection.
-
-    Returns:
-        One row per (asset, channel) pair, ordered: asset, channel, readings (rows of the source),
-        without_time (of these), samples (distinct instants), repeated (further rows of an instant),
-        conflicts (instants with different values), missing (samples); first_tick, last_tick (integer
-        microseconds or counter), first_time, last_time (the same as the source tells time);
-        typical_step (lower median), short_step, long_step (5 and 95 %), typical_steps (how many are
-        just that), pauses (steps beyond five typical ones), longest_step (that is none),
-        shortest_pause, longest_pause, all in microseconds or counter steps; lowest, highest (of the
-        values); rises, falls, stills (samples above, below, equal to the one before), longest_still
-        (samples of one value in a row); values_seen and quantum (distinct values, and their smallest
-        difference, among at most 20,480 samples); cycle_length (samples) and cycle_strength (its
-        autocorrelation), NULL where no cycle was found in the first 163,840 samples;
-        calibration_samples, calibration_lowest, calibration_highest. What a row lacks is NULL.
-
-    Raises:
-        UserError: the source, a parameter or the calibration cannot be used at all.
-    """
-    with borrowed(engine) as session:
-        return look_at(session, source, parameters or Parameters(), calibration or Calibration()).table
 
 
 def look_at(

@@ -24,10 +24,11 @@ from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, job_of
 from gam_db.cli.progress import working
 from gam_db.cli.state import check_state
-from gam_db.config import DEFAULT_FILE, Settings, SourceSettings
+from gam_db.config import DEFAULT_FILE, Settings
 from gam_db.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, printable
+from gam_db.guess import SourceSettings
 from gam_db.parameters import Parameters
 from gam_db.setting import settings_of
 from gam_db.source import Source, is_file

@@ -26,11 +26,12 @@ from gam_db.cli.job import Job, job_of
 from gam_db.cli.progress import Progress, interruptible, working
 from gam_db.cli.report import checked, page_of, told
 from gam_db.clock import SINCE_1970, epoch_unit
-from gam_db.config import Settings, SourceSettings
+from gam_db.config import Settings
 from gam_db.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, findings, need_attention
+from gam_db.guess import SourceSettings
 from gam_db.report import Wishes, plant
 from gam_db.source import FILE_ENDINGS, Source, is_file
 from gam_db.study import Study

@@ -13,14 +13,14 @@ from rich.console import Console
 
 from gam_db import look
 from gam_db.cli import options, page
-from gam_db.config import Settings, SourceSettings
+from gam_db.config import Settings
 from gam_db.connecting import connect
 from gam_db.engines import NAMES, engine_named
 from gam_db.engines.evidence import evidence
 from gam_db.errors import ConfigurationError, SourceError
 from gam_db.export import Package, write
 from gam_db.export.adapters import ADAPTERS
-from gam_db.guess import guess
+from gam_db.guess import SourceSettings, guess
 from gam_db.script import render
 from gam_db.source import AnySource, Source, WideSource, is_file
 

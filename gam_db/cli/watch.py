@@ -22,10 +22,11 @@ from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, job_of
 from gam_db.cli.progress import working
 from gam_db.clock import LONG_AGO, TimeKind, instant, shown_instant
-from gam_db.config import Settings, SourceSettings
+from gam_db.config import Settings
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, need_attention, share, shortcomings
+from gam_db.guess import SourceSettings
 from gam_db.parameters import pattern_matches
 from gam_db.source import AnySource, WideSource, is_file
 from gam_db.stored import migrations

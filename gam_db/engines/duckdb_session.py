@@ -28,7 +28,7 @@ from gam_db.engines.duckdb_opening import (
     source_mark,
     without_results,
 )
-from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY, check_columns, unwritable
+from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY, arrow_table, unwritable
 from gam_db.errors import ConflictError, EngineError, SourceError, StatementError, nearest
 from gam_db.form import Form, options_for_null, options_for_numbers, shortened
 from gam_db.source import is_file, paths_of, table_names
@@ -440,15 +440,7 @@ class DuckSession:
         )
 
     def _register(self, relation: Any) -> exp.Table:
-        if not isinstance(relation, (pa.Table, pa.RecordBatch)) and not hasattr(
-            relation, "__arrow_c_stream__"
-        ):
-            raise SourceError(
-                f"relation is a {type(relation).__name__}; it takes the name of a table, the path of "
-                "a Parquet or CSV file, or an Arrow table."
-            )
-        table = relation if isinstance(relation, pa.Table) else pa.table(relation)
-        check_columns(table)
+        table = arrow_table(relation)
         name = self._free_name("arrow")
         try:
             self.connection.register(name, table)

@@ -136,6 +136,31 @@ class Session(Protocol):
         """Return how far the running statement is, in percent; negative if it is not known."""
 
 
+def arrow_table(relation: Any) -> pa.Table:
+    """Return an object that holds a table as an Arrow table.
+
+    That is one with ``__arrow_c_stream__`` (Arrow, pandas, polars, DuckDB), a frame that has yet to be
+    collected (polars), or a table that runs elsewhere (Ibis).
+
+    Raises:
+        SourceError: it is none of these, or its columns cannot be told apart.
+    """
+    if type(relation).__module__.partition(".")[0] == "polars" and hasattr(relation, "collect"):
+        relation = relation.collect()
+    elif not hasattr(relation, "__arrow_c_stream__") and hasattr(relation, "to_pyarrow"):
+        relation = relation.to_pyarrow()
+    if not isinstance(relation, (pa.Table, pa.RecordBatch)) and not hasattr(
+        relation, "__arrow_c_stream__"
+    ):
+        raise SourceError(
+            f"relation is a {type(relation).__name__}; it takes the name of a table, the path of a "
+            "Parquet or CSV file, an Arrow table or a data frame."
+        )
+    table = relation if isinstance(relation, pa.Table) else pa.table(relation)
+    check_columns(table)
+    return table
+
+
 def check_columns(table: pa.Table) -> None:
     """Refuse an Arrow table whose columns DuckDB cannot tell apart.
 

@@ -19,7 +19,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.engines.base import Engine
 from gam_db.engines.duckdb_session import DuckSession
-from gam_db.engines.session import OPEN, check_columns, unwritable
+from gam_db.engines.session import OPEN, arrow_table, unwritable
 from gam_db.errors import (
     EngineError,
     LostConnectionError,
@@ -155,7 +155,7 @@ class WarehouseSession:
                 f"{self.engine.title} reads columns as they are: cast them in a view."
             )
         if not isinstance(relation, (str, Path, tuple, list)):
-            return self.load(_arrow(relation))
+            return self.load(arrow_table(relation))
         if is_file(relation):
             return self._asked(lambda: self.driver.file(str(relation)))
         shown = relation if isinstance(relation, str) else ".".join(map(str, relation))  # type: ignore[arg-type]
@@ -313,24 +313,6 @@ class WarehouseSession:
             raise StatementError(
                 f"{self.engine.title} refused a statement: {_first_line(error)}", statement
             ) from error
-
-
-def _arrow(relation: Any) -> pa.Table:
-    """Return an object with an Arrow interface as a table.
-
-    Raises:
-        SourceError: it has none, or its columns cannot be told apart.
-    """
-    if not isinstance(relation, (pa.Table, pa.RecordBatch)) and not hasattr(
-        relation, "__arrow_c_stream__"
-    ):
-        raise SourceError(
-            f"relation is a {type(relation).__name__}; it takes the name of a table, the path of a "
-            "file, or an Arrow table."
-        )
-    table = relation if isinstance(relation, pa.Table) else pa.table(relation)
-    check_columns(table)
-    return table
 
 
 def _write_parquet(rows: pa.Table, path: Path) -> None:

@@ -16,6 +16,7 @@ from gam_db import template
 from gam_db.calibration import Calibration
 from gam_db.connecting import borrowed
 from gam_db.errors import StatementError
+from gam_db.guess import sourced
 from gam_db.parameters import Parameters
 from gam_db.selection.search import Search
 from gam_db.selection.select import FAILURES, Selection, alone, selected
@@ -29,7 +30,7 @@ Studies = Callable[[], AbstractContextManager[Studied]]
 
 
 def select(
-    source: AnySource,
+    source: Any,
     parameters: Parameters | None = None,
     calibration: Calibration | None = None,
     engine: Any = None,
@@ -42,7 +43,7 @@ def select(
     lags gives the cycle, and the certificate says which m and B the calibration can fill.
 
     Args:
-        source: where the telemetry lies.
+        source: as in :func:`gam_db.health_indicator`.
         parameters: bins, window, max_gap and target_floor are those asked for; m counts where no rule
             finds one, tau not at all. Overrides are left out.
         calibration: the healthy part; default the first fifth of each channel, ``Calibration(
@@ -66,7 +67,9 @@ def select(
         with borrowed(engine) as session:
             yield lambda given: Study(session, given, *method)
 
-    return selected_by_all(studies, source, options)
+    with borrowed(engine) as session:
+        found = sourced(source, session)
+    return selected_by_all(studies, found, options)
 
 
 def selected_by_all(studies: Studies, source: AnySource, search: Search) -> Selection:

@@ -15,6 +15,7 @@ from typer.testing import CliRunner, Result
 from gam_db import config
 from gam_db.cli import app, toml_text
 from gam_db.errors import ConfigurationError
+from gam_db.guess import SourceSettings
 
 SIGNAL = np.sin(np.arange(4000) * 2 * np.pi / 20) + 1e-3 * np.sin(np.arange(4000) * 0.7)
 ODD = (
@@ -173,7 +174,7 @@ def test_what_init_writes_is_what_run_takes() -> None:
     assert "Note: j1: 1 sample" in text
     settings = config.load()
     columns = ("asset", "channel", "ts", "value")
-    assert settings.source == config.SourceSettings("plant.parquet", None, *columns)
+    assert settings.source == SourceSettings("plant.parquet", None, *columns)
     assert settings.parameters["max_gap"] == "5 s"
     assert settings.parameters["window"] == 100
     assert settings.calibration == {"fraction": 0.2}

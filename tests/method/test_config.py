@@ -12,8 +12,9 @@ from typer.testing import CliRunner
 
 from gam_db import Calibration, Override, Parameters, config
 from gam_db.cli import options
-from gam_db.config import SECTIONS, Settings, SourceSettings
+from gam_db.config import SECTIONS, Settings
 from gam_db.errors import CalibrationError, ConfigurationError
+from gam_db.guess import SourceSettings
 from gam_db.setting import settings_of
 from gam_db.stored.settings import MonitorSettings
 from gam_db.stored.tables import StateTables

@@ -4,10 +4,9 @@ import pyarrow as pa
 import pytest
 
 from gam_db import Source, WideSource
-from gam_db.config import SourceSettings
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import SourceError
-from gam_db.guess import Guess, guess
+from gam_db.guess import Guess, SourceSettings, guess
 
 STAMP, WHOLE, REAL, TEXT = "TIMESTAMP", "BIGINT", "DOUBLE", "VARCHAR"
 
