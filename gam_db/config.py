@@ -46,6 +46,7 @@ class Settings:
         overrides: parameters of some channels.
         monitor: see :class:`MonitorSettings`.
         file: the file it was read from, None if there was none.
+        is_of_another: its section [source] was said of another source, and left out.
     """
 
     source: SourceSettings = field(default_factory=SourceSettings)
@@ -54,6 +55,19 @@ class Settings:
     overrides: tuple[Override, ...] = ()
     monitor: MonitorSettings = field(default_factory=MonitorSettings)
     file: Path | None = None
+    is_of_another: bool = False
+
+    def for_source(self, relation: str | None) -> "Settings":
+        """Return these settings for a source that was named beside the file.
+
+        Columns and conditions that were said of another one are left out; its database stays, in which
+        the other may lie.
+        """
+        own = self.source.relation
+        if relation is None or own is None or own == relation or _same_path(own, relation):
+            return self
+        source = SourceSettings(database=self.source.database)
+        return dataclasses.replace(self, source=source, is_of_another=True)
 
     def under(self, **said: Mapping[str, Any]) -> "Settings":
         """Return these settings with options laid over them.
@@ -119,6 +133,10 @@ def load(path: Path | None = None, folder: Path | None = None) -> Settings:
         return _settings(document, path)
     except UserError as error:
         raise ConfigurationError(f"{path}: {error}") from error
+
+
+def _same_path(one: str, other: str) -> bool:
+    return is_file(one) and os.path.abspath(one) == os.path.abspath(other)
 
 
 def _check_where(source: SourceSettings) -> None:

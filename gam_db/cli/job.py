@@ -127,6 +127,8 @@ def job_of(session: Session, settings: Settings, relation: Any, name: str | None
     columns = session.describe(session.relation(relation, settings.source))
     guessed = guess(relation, columns, settings.source, session)
     file = None if settings.file is None else str(settings.file)
+    if settings.is_of_another:
+        file = f"{file}, but for [source], which is of another"
     return Job(name or str(relation), guessed, parameters, calibration, file)
 
 

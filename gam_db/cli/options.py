@@ -14,6 +14,7 @@ import typer
 
 from gam_db import config
 from gam_db.address import VARIABLE, check, is_url
+from gam_db.calibration import Calibration
 from gam_db.config import SECTIONS, Settings
 from gam_db.connecting import connect
 from gam_db.engines.session import Session
@@ -175,6 +176,7 @@ def _laid(given: dict[str, Any], state: bool, fresh: bool) -> Settings:
     file, relation = given.pop("config", None), given.pop("relation", None)
     database = given.pop("database")
     said: dict[str, dict[str, Any]] = {section: {} for section in SECTIONS}
+    given["intervals"], own = _by_asset(given.get("intervals") or [])
     for name, (section, one) in _KNOWN.items():
         value = given.get(name)
         is_said = not (value is None or value is False or value == [])
@@ -194,7 +196,23 @@ def _laid(given: dict[str, Any], state: bool, fresh: bool) -> Settings:
         database = os.environ.get(VARIABLE)
     if database or (is_file(relation) and not state):
         columns["database"] = database or None
-    return (Settings() if fresh else config.load(file)).under(**said)
+    settings = Settings() if fresh else config.load(file).for_source(relation)
+    if own:
+        said["calibration"]["overrides"] = {**own, **settings.calibration.get("overrides", {})}
+    return settings.under(**said)
+
+
+def _by_asset(given: Sequence[str]) -> tuple[list[str], dict[str, Calibration]]:
+    """Return the intervals that are for all, and the calibration of each asset that has its own."""
+    kind = settings_of(Calibration)["intervals"].takes
+    own: dict[str, list[str]] = {}
+    for text in given:
+        asset, _, interval = text.rpartition("=")
+        own.setdefault(asset.strip(), []).append(interval)
+    general = own.pop("", [])
+    return general, {
+        asset: Calibration(intervals=kind.read("--calibrate", texts)) for asset, texts in own.items()
+    }
 
 
 def _check_layout(columns: dict[str, Any]) -> None:

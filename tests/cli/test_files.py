@@ -243,3 +243,26 @@ def test_integers_that_a_double_cannot_tell_apart_are_warned_of() -> None:
     )
     assert "beyond 2^53" in gam("check", "large.parquet").stdout
     assert "beyond 2^53" not in gam("check", "double.parquet").stdout
+
+
+def test_what_a_file_says_of_a_source_is_not_said_of_another() -> None:
+    lines("de.csv", "Zeit;Wert", row=german)
+    assert gam("init", "de.csv", *GERMAN).exit_code in (0, 2)
+    wave("other.parquet")
+    result = gam("run", "other.parquet", "--no-out")
+    assert first_line(result) == (
+        f"other.parquet: {MANY}; settings from gam.toml, but for [source], which is of another"
+    )
+    assert first_line(gam("run", "./de.csv", "--no-out")) == f"./de.csv: {MANY}; settings from gam.toml"
+
+
+def test_a_machine_may_have_a_calibration_of_its_own() -> None:
+    waves("in/machine=A/p.parquet", "in/machine=B/p.parquet")
+    said = ("--asset", "machine", "--window", "20", "--m", "2", "--out", "out.parquet")
+    result = gam(
+        "run", "in", *said, "--calibrate", "0/99", "--calibrate", "B=300/349", "--calibrate", "B=351/359"
+    )
+    assert result.exit_code in (0, 2), result.output
+    learnt = parquet.read_table("out.support.parquet").to_pylist()
+    assert [(row["asset"], row["calibration_samples"]) for row in learnt] == [("A", 100), ("B", 59)]
+    assert "--calibrate is '5'; write FROM/TO" in gam("run", "in", "--calibrate", "A=5").stderr
