@@ -102,8 +102,8 @@ class Calibration:
         *(None, INTERVALS, "a healthy interval, both ends included"),
         option="--calibrate",
         metavar="[ASSET=]FROM/TO",
-        more="2026-03-01/2026-03-14T18:00:00, or 0/5000 for a counter; with ASSET= (* and ? allowed) for that "
-        "machine alone (repeatable)",
+        more="2026-03-01/2026-03-14T18:00:00, or 0/5000 for a counter; with ASSET= (* and ? allowed) "
+        "for that machine alone (repeatable)",
         example=[(dt.date(2026, 3, 1), dt.datetime(2026, 3, 14, 18))],
     )
     exclude: Sequence[tuple[Instant, Instant]] = setting(

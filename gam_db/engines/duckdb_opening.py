@@ -86,6 +86,16 @@ MARK, SOURCE_MARK = "gam_db", "gam_source"
 _OF_RESULTS = ("novel_in_window", "calibrated_lo", "learned_floor")
 
 
+#: Formats of tables that are folders -> what inside tells, and the way through Arrow.
+_TABLES = {
+    "Delta Lake": ("_delta_log", "deltalake.DeltaTable(PATH).to_pyarrow_table()"),
+    "Iceberg": (
+        "metadata/*.metadata.json",
+        "pyiceberg's StaticTable.from_metadata(PATH).scan().to_arrow()",
+    ),
+}
+
+
 def source_mark(sources: Iterable[str]) -> str:
     """Return what is written of the sources of results: their full paths."""
     return ";".join(one if "://" in one else os.path.abspath(one) for one in dict.fromkeys(sources))
@@ -98,6 +108,12 @@ def without_results(connection: duckdb.DuckDBPyConnection, path: str) -> list[st
         SourceError: there are none but such.
     """
     if path.endswith("/"):
+        for table, (log, through) in _TABLES.items():
+            if any(Path(path).glob(log)):
+                raise SourceError(
+                    f"{path} is a table of {table}, whose files hold rows that are no longer in it; "
+                    f"give it from Python through Arrow, by {through}."
+                )
         inside = [f"{path}**/*{ending}" for ending in FILE_ENDINGS]
         found = [one for one in inside if _matching(connection, one)]
         if not found:

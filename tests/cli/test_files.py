@@ -135,6 +135,12 @@ FILES: dict[str, tuple[Callable[[], None], tuple[str, ...], str]] = {
         ("in",),
         "gam: The folder in/ holds no Parquet or CSV file; is it there?",
     ),
+    "a table of Delta Lake": (
+        lambda: Path("in/_delta_log").mkdir(parents=True),
+        ("in",),
+        "gam: in/ is a table of Delta Lake, whose files hold rows that are no longer in it; give it "
+        "from Python through Arrow, by deltalake.DeltaTable(PATH).to_pyarrow_table().",
+    ),
     "an empty file": (
         Path("e.csv").touch,
         ("e.csv",),

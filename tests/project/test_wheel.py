@@ -30,6 +30,7 @@ def test_the_wheel_holds_the_sql_and_the_migrations_and_runs_the_demo(
     (wheel,) = tmp_path.glob("gam_db-*.whl")
     with zipfile.ZipFile(wheel) as packed:
         inside = set(packed.namelist())
+    assert "gam_db/py.typed" in inside
     for folder in ("sql", "migrations"):
         files = {file.relative_to(ROOT) for file in (ROOT / folder).rglob("*.*") if file.is_file()}
         assert files
