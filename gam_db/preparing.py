@@ -67,7 +67,10 @@ def prepared(session: Session, source: AnySource) -> Prepared:
     outer = exp.select(*every).from_(exp.Subquery(this=inner, alias=_alias("written")))
     relation = exp.Subquery(this=outer, alias=_alias("prepared"))
     rows = dataclasses.replace(source, where=None)
-    kind = look.kind_of(rows, session.describe(relation), session)
+    # What an expression gives is not told by every engine: SQLite tells the type of the column in it.
+    is_made = source.time_unit is not None and source.time in changes
+    described = {source.time: "TIMESTAMP"} if is_made else session.describe(relation)
+    kind = look.kind_of(rows, described, session)
     return Prepared(source, columns, stored, rows, relation, kind)
 
 

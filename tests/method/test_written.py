@@ -3,6 +3,7 @@
 import datetime as dt
 import math
 import random
+import sqlite3
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -303,3 +304,21 @@ def test_other_engines_and_scripts_say_that_they_read_columns_as_they_are(tmp_pa
     address = f"sqlite:///{tmp_path / 't.db'}"
     gam_db.connect(address).close()
     assert "cast them in a view" in refusal(lambda: gam_db.support(source, engine=address))
+
+
+@pytest.mark.parametrize(("unit", "first"), [("s", 1_767_225_600), ("ms", 1_767_225_600_123)])
+def test_another_engine_reads_booleans_and_numbers_since_1970_the_same(unit: str, first: int) -> None:
+    rows = [(first + number, number % 3 == 0) for number in range(200)]
+    connection = sqlite3.connect(":memory:")
+    connection.execute("CREATE TABLE telemetry (time INTEGER, value BOOLEAN)")
+    connection.executemany("INSERT INTO telemetry VALUES (?, ?)", rows)
+    connection.commit()
+    small = gam_db.Parameters(m=2, bins=4, window=10)
+    held = table([value for _, value in rows], [time for time, _ in rows])
+    wanted = gam_db.health_indicator(Source(held, None, None, time_unit=unit), small).to_pylist()
+    found = gam_db.health_indicator(
+        Source("telemetry", None, None, time_unit=unit), small, None, connection
+    )
+    assert len(wanted) == 160
+    assert found.to_pylist() == wanted
+    connection.close()
