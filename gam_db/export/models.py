@@ -341,12 +341,15 @@ def _views(of: Modelled) -> list[Model]:
     placed = {f"stored_{name}": of.reference(name) for name in ("channel", "bounds", "bucket")}
     steps = Pipeline()
     target = template.node_of(float(of.method.settings[0].target_floor))
-    add(steps, "export/assessed", {**limit_slots("learnt", target), "stride": of.setting.stride})
+    limits = limit_slots("learnt", target)
+    add(steps, "export/assessed", {**limits, "stride": of.setting.stride})
     add_judged(steps)
     made = []
+    of_limit: dict[str, template.Slot] = {"hi_limit": limits["hi_limit"]}
+    of_window: dict[str, template.Slot] = {"window": of.setting.window_length}
     for name, times_of, slots, keys in (
-        ("health", ("first_time", "last_time"), {}, ("asset", "channel", "bucket")),
-        ("fleet", ("last_tick",), {"window": of.setting.window_length}, ("asset", "channel")),
+        ("health", ("first_time", "last_time"), of_limit, ("asset", "channel", "bucket")),
+        ("fleet", ("last_tick",), of_window, ("asset", "channel")),
     ):
         times: list[exp.Expr] = []
         if not of.kind.is_counter:

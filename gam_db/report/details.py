@@ -9,6 +9,7 @@ from typing import Any, Protocol
 import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
+from sqlglot import exp
 
 from gam_db import template
 from gam_db.calibration import Calibration
@@ -161,8 +162,30 @@ def _pieces(rows: pa.Table, many: int) -> dict[int, Row]:
     return found
 
 
+def growth(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[tuple[str, str], Row]:
+    """Return how many states are known by when, of each of the signals."""
+    if not signals:
+        return {}
+    names = {of: sorted({row[of] for row in signals}) for of in ("asset", "channel")}
+    chosen = exp.and_(
+        *(exp.column(of).isin(*(template.text(name) for name in said)) for of, said in names.items())
+    )
+    rows = state.fetch("report/growth", {"monitor": template.text(monitor), "chosen": chosen})
+    places: dict[tuple[str, str], list[int]] = {}
+    for place, name in enumerate(
+        zip(rows["asset"].to_pylist(), rows["channel"].to_pylist(), strict=True)
+    ):
+        places.setdefault(name, []).append(place)
+    return {
+        (row["asset"], row["channel"]): _growth(
+            rows.take(pa.array(places.get((row["asset"], row["channel"]), []), pa.int64()))
+        )
+        for row in signals
+    }
+
+
 def detail(state: Reads, monitor: str, row: Row, course: Any, raw: tuple[Row, Row] | None) -> Row:
-    """Return all that the page shows of one signal.
+    """Return all that the page shows of one signal, but for the growth of its states.
 
     Args:
         state: of the monitor.
@@ -191,7 +214,6 @@ def detail(state: Reads, monitor: str, row: Row, course: Any, raw: tuple[Row, Ro
         "healthy": _cells(healthy, row),
         "new": {**_cells(new, row), **_tops(new, healthy, row)},
         "blocks": [[one["block"], one["vectors"], one["novel"]] for one in blocks],
-        "growth": _growth(state.fetch("report/growth", named)),
     }
     if raw is not None:
         told |= _raw(*raw, row, healthy["cell_key"].to_numpy())

@@ -134,10 +134,11 @@ def write(
         )
         for row, course in ((row, courses[row["place"]]) for row in signals)
     ]
-    shown = {}
+    shown, grown = {}, details.growth(state, monitor, picked)
     for number, row in enumerate(picked):
         mine = None if raw is None else (raw[0][number], raw[1][number])
-        shown[row["place"]] = details.detail(state, monitor, row, courses[row["place"]], mine)
+        told = details.detail(state, monitor, row, courses[row["place"]], mine)
+        shown[row["place"]] = {**told, "growth": grown[row["asset"], row["channel"]]}
     machines = _machines(state, monitor, signals)
     place_of = {row["asset"]: number for number, row in enumerate(machines)}
     said = [details.summary(row, wishes.raw) for row in signals]

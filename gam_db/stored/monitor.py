@@ -4,6 +4,7 @@ This module owns the public calls of the stored form.
 """
 
 import contextlib
+import html
 from collections.abc import Callable
 from dataclasses import InitVar, dataclass
 from pathlib import Path
@@ -18,7 +19,7 @@ from gam_db.checking import look_at
 from gam_db.clock import Instant, Length, instant
 from gam_db.connecting import connect
 from gam_db.engines.session import Session
-from gam_db.errors import EngineError
+from gam_db.errors import EngineError, UserError
 from gam_db.method.source import named_like
 from gam_db.parameters import Parameters, pattern_matches
 from gam_db.report import Wishes, write
@@ -216,6 +217,20 @@ class Monitor(MonitorSettings):
         """
         return status(self.session, self.state.tables, self.name, self.park_after)
 
+    def _repr_html_(self) -> str:
+        """Return the status as a table for a notebook, or why there is none; all names are escaped."""
+        try:
+            rows = self.status()
+        except UserError as error:
+            return f"<p>{html.escape(str(error))}</p>"
+        names = ("asset", "channel", "status", "hi", "hi_limit", "trend", "verdict", "last_data")
+        head = "".join(f"<th>{name}</th>" for name in names)
+        body = "".join(
+            f"<tr>{''.join(f'<td>{_cell(row[name])}</td>' for name in names)}</tr>"
+            for row in rows.select(names).to_pylist()
+        )
+        return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+
     def prune(
         self,
         keep: Length | None = None,
@@ -295,6 +310,13 @@ class Monitor(MonitorSettings):
         migrations.require(self.session, self.state.tables)
         kind = kind_of(self.state.monitor(self.name))
         return write(self.state, self.source, kind, self.name, path, wishes, on_step)
+
+
+def _cell(value: Any) -> str:
+    """Return a value for a cell of a table."""
+    if value is None:
+        return ""
+    return html.escape(f"{value:.3g}" if isinstance(value, float) else str(value))
 
 
 def _chosen(asset: str, channel: str) -> Callable[[str, str], bool]:

@@ -1,8 +1,10 @@
--- Growth: how many states of one signal are known by then.
+-- Growth: how many states of the signals that are shown are known by then; all of them at once, since the view
+-- counts each time over all signals.
 -- Reads:  stored_growth
 -- A row:  one block of calibration, or one full bucket; times are integers.
--- Slots:  :monitor, :asset, :channel  the signal
-SELECT phase, number, last_tick, healthy, novel
+-- Slots:  :monitor  its name
+--         :chosen   which assets and channels are wanted
+SELECT asset, channel, phase, number, last_tick, healthy, novel
 FROM stored_growth
-WHERE monitor = :monitor AND asset = :asset AND channel = :channel
-ORDER BY last_tick, number
+WHERE monitor = :monitor AND :chosen
+ORDER BY asset, channel, last_tick, number

@@ -46,6 +46,7 @@ WORDS: dict[str, tuple[str, ...]] = {
     "calibrate": ("telemetry",),
     "score": ("telemetry",),
     "status": (),
+    "report": (),
     "prune": ("--older-than", "30 d"),
     "compact": (),
     "drop": ("--yes",),

@@ -100,6 +100,7 @@ ONLY_STORED = {
     *("monitor", "version_no", "version_id", "m", "tau", "bins", "stride", "target_floor"),
     *("settings_hash", "method_hash", "data_time", "data_tick", "looked_at", "differing_contexts"),
     *("repair_from_time", "repair_from_tick", "calibration_readings", "calibration_readings_now"),
+    *("since_time", "since_tick", "at_least", "silent_for"),
 }
 
 

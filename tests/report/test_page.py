@@ -209,7 +209,7 @@ def compare_list(seen: browser.Seen, plant: Plant) -> None:
         elif row["status"] == "ok":
             assert words.startswith(("as in calibration", "below its limit, and rising"))
         else:
-            assert words.startswith("cannot be judged: ")
+            assert words.startswith("not judged: ")
     told = seen.ask(
         "Object.fromEntries([...document.querySelectorAll('.tile')].map(t => [t.dataset.count, t.querySelector('b').textContent]))"
     )

@@ -291,3 +291,20 @@ def test_the_simulated_plant_has_every_kind_of_change(tmp_path: Path) -> None:
     assert {0, 1, 2} <= set(strips.tolist())
     assert max(strips) > 200
     assert pa.table(signals).num_rows == 60
+
+
+def test_a_notebook_shows_the_status_and_names_are_text() -> None:
+    session = engines.session("duckdb")
+    rows = [(asset.replace("B", "<b>&"), *rest) for asset, *rest in telemetry()]
+    source = gam_db.Source(scripts.telemetry(session, rows).name)
+    prefix = engines.fresh_name("html") + "_"
+    monitor = gam_db.Monitor(session, source, PARAMETERS, CALIBRATION, prefix=prefix)
+    assert "gam migrate" in monitor._repr_html_()
+    monitor.migrate()
+    monitor.calibrate()
+    monitor.score()
+    shown = monitor._repr_html_()
+    assert shown.count("<tr>") == 5
+    assert "<td>&lt;b&gt;&amp;</td>" in shown
+    assert "<b>" not in shown
+    assert shown.count("<td>high</td>") == 3

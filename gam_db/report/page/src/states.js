@@ -58,7 +58,7 @@ function flat(healthy, fresh, signal, i, j, ago) {
     const gap = size > 4 ? 1 : 0;
     j === null ? context.fillRect(x * size, 0, size - gap, canvas.height) : context.fillRect(x * size, (codes - 1 - y) * size, size - gap, size - gap);
   }
-  context.strokeStyle = css('--soft'); context.lineWidth = 1;
+  context.strokeStyle = css('--soft'); context.lineWidth = 2;
   context.strokeRect(2 * size - 0.5, j === null ? 0.5 : size - 0.5, signal.bins * size, j === null ? canvas.height - 1 : signal.bins * size);
   canvas.dataset.fresh = String(only);
   return el('figure', {class: j === null ? 'line' : ''}, canvas, el('figcaption', {}, words));

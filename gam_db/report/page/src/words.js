@@ -78,7 +78,7 @@ export function unjudged(signal) {
 /** What is to be said of a signal in a line. */
 export function brief(signal) {
   const silent = signal.silent == null ? '' : ` · silent for ${lasting(signal.silent)}`;
-  if (!signal.judged) return `cannot be judged: ${unjudged(signal)[0]}${silent}`;
+  if (!signal.judged) return `not judged: ${unjudged(signal)[0]}${silent}`;
   if (signal.above) return `${since(signal, shortly)}${sideShort(signal.outside)}${silent}`;
   return (signal.rising ? 'below its limit, and rising' : 'as in calibration') + silent;
 }
