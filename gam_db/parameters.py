@@ -103,6 +103,16 @@ class Parameters:
         off=(None, "no limit"),
         example="5 s",
     )
+    still_after: int | None = setting(
+        *(
+            None,
+            COUNT,
+            "equal samples in a row from which on the signal stands still and counts as missing",
+        ),
+        least=2,
+        off=(None, "never"),
+        example=25,
+    )
     target_floor: float = setting(0.05, SHARE, "indicator that a healthy machine may show")
     overrides: Sequence[Override] = ()
 

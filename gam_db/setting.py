@@ -177,8 +177,9 @@ def _count(of: Setting, name: str, value: Any) -> int:
         whole = operator.index(cast(SupportsIndex, value))
     except TypeError:
         raise ParameterError(f"{name} is {value!r}; it must be an integer.") from None
-    if whole < 1:
-        raise ParameterError(f"{name} is {whole}; it must be at least 1.")
+    least = 1 if of.least is None else of.least
+    if whole < least:
+        raise ParameterError(f"{name} is {whole}; it must be at least {least}.")
     if of.most is not None and whole > of.most:
         raise ParameterError(f"{name} is {whole}; it must not exceed {of.most:,}.")
     return whole

@@ -107,6 +107,11 @@ class Modelled:
             )
         if not any(rule.allowed for rule in self.method.rules):
             raise CalibrationError("Nothing is left of the calibration intervals; give at least one.")
+        if self.method.settings[0].still_after is not None:
+            raise ParameterError(
+                "still_after is set, which a dbt package does not know yet; leave it out. gam run "
+                "and scripts take it."
+            )
         if len(self.method.settings) > 1:
             raise ParameterError(
                 "A dbt package has one set of parameters; write one package for each, with --where for "

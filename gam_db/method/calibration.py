@@ -14,7 +14,7 @@ def add_calibration(steps: Pipeline, method: Method, number: int) -> None:
     setting = method.settings[number]
     add_bounds(steps, method, number)
     add_breaks(steps, method, number)
-    if method.gaps[number] is None and all(len(rule.allowed) <= 1 for rule in method.rules):
+    if method.is_unbroken(number) and all(len(rule.allowed) <= 1 for rule in method.rules):
         codes = {"code": code_of(setting)}
         add_of_set(steps, method, number, "calibration/calibration_codes", codes)
         add_short_vectors(steps, method, number, "calibration_")

@@ -73,7 +73,11 @@ class Method:
 
     def is_short(self, number: int) -> bool:
         """Tell whether the short form of the vectors will do for scoring one set."""
-        return self.gaps[number] is None and all(rule.score_from is None for rule in self.rules)
+        return self.is_unbroken(number) and all(rule.score_from is None for rule in self.rules)
+
+    def is_unbroken(self, number: int) -> bool:
+        """Tell whether no segment ends and no sample counts as still in one set."""
+        return self.gaps[number] is None and self.settings[number].still_after is None
 
     def small(self) -> set[str]:
         """Return the names of the steps that may be kept as tables."""

@@ -22,11 +22,16 @@ def add_vectors(steps: Pipeline, method: Method, number: int, prefix: str, read:
     """
     setting = method.settings[number]
     codes = f"{prefix or 'marked_'}codes"
-    add_of_set(
-        steps, method, number, "support/marked_codes", {"code": code_of(setting), "read": read}, codes
-    )
+    coded: dict[str, template.Slot] = {"code": code_of(setting), "read": read}
+    coded["carried"] = [] if setting.still_after is None else [exp.column("value")]
     ks = range(1, setting.m)
     delayed = [_delayed(name, k, setting) for name in ("code", "calibrating") for k in ks]
+    add_of_set(steps, method, number, "support/marked_codes", coded, codes)
+    if setting.still_after is not None:
+        moving, marked = f"{prefix or 'marked_'}moving_codes", {"marked_codes": codes}
+        slots: dict[str, template.Slot] = {"still_after": setting.still_after}
+        add_of_set(steps, method, number, "embedding/moving_codes", slots, moving, marked)
+        codes = moving
     touching = exp.or_(
         *(
             exp.EQ(this=exp.column(f"calibrating_{k}"), expression=exp.Literal.number(1))

@@ -13,7 +13,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import LONG_AGO
-from gam_db.errors import CalibrationError
+from gam_db.errors import CalibrationError, ParameterError
 from gam_db.method import Method
 from gam_db.method.adding import add
 from gam_db.method.judgement import add_judged
@@ -69,6 +69,7 @@ def calibrate(
         UserError: the source or the calibration cannot be used, or the monitor watches a source that
             tells time in another way.
     """
+    _check_stillness(study.method)
     running, steps = study.running, study.steps
     keys = state.keys()
     monitor = _monitor(state, study, name, keys)
@@ -141,6 +142,15 @@ def method_hash() -> str:
         if path.parent.name in _METHOD:
             digest.update(path.read_bytes())
     return digest.hexdigest()[:16]
+
+
+def _check_stillness(method: Method) -> None:
+    """Refuse still samples: a restart does not read the samples before, by which they are told."""
+    if any(setting.still_after is not None for setting in method.settings):
+        raise ParameterError(
+            "still_after is set, which a monitor's tables do not keep yet; leave it out. gam run "
+            "and scripts take it."
+        )
 
 
 def _figures(setting: Parameters, gap: int | None) -> Row:

@@ -2,9 +2,10 @@
 -- calibration, and does a segment begin with it?
 -- Reads:  samples, bounds, calibration, breaks
 -- A row:  one sample.
--- Slots:  :code  the expression of support/code.sql, cast to the narrowest integer that holds it
---         :read  which samples are read
-SELECT channel_id, time, :code AS code, calibrating, breaking
+-- Slots:  :code     the expression of support/code.sql, cast to the narrowest integer that holds it
+--         :read     which samples are read
+--         :carried  columns that travel with the sample
+SELECT channel_id, time, :code AS code, calibrating, breaking, :carried
 FROM (
   SELECT
     sampled.channel_id AS channel_id,

@@ -49,6 +49,7 @@ SCRIPTS: Mapping[str, tuple[Any, ...]] = {
         gam_db.Parameters(m=2, bins=5, window=12, stride=3),
         gam_db.Calibration(intervals=[(0, 90), (120, 200)], exclude=[(30, 40), (150, 150)]),
     ),
+    "still samples": (_COUNTER, gam_db.Parameters(tau=4, window=500, still_after=25)),
     "overrides": (
         _COUNTER,
         gam_db.Parameters(

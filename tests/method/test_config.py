@@ -46,6 +46,7 @@ def test_the_documented_example(tmp_path: Path) -> None:
     assert parameters == Parameters(
         stride=100,
         max_gap="5 s",
+        still_after=25,
         overrides=[Override(asset="robot_7", channel="temperature_*", tau=10, bins=20)],
     )
     assert calibration == Calibration(
@@ -282,6 +283,7 @@ GIVEN: dict[str, tuple[tuple[str, ...], Any]] = {
     "window": (("--window", "60"), 60),
     "stride": (("--stride", "20"), 20),
     "max_gap": (("--max-gap", "none"), None),
+    "still_after": (("--still-after", "25"), 25),
     "target_floor": (("--target-floor", "0.0"), 0.0),
     "fraction": (("--calibration-fraction", "0.3"), 0.3),
     "duration": (("--calibration-duration", "30"), 30),

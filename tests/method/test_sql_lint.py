@@ -472,6 +472,7 @@ EXEMPT_IN_SELECTION = {
 PARAMETERS = [
     gam_db.Parameters(),
     gam_db.Parameters(m=1, bins=2**31, window=7, max_gap=3),
+    gam_db.Parameters(tau=2, still_after=25),
     gam_db.Parameters(
         m=4,
         tau=5,

@@ -33,6 +33,7 @@ class Settings:
     window: int
     stride: int
     max_gap: int | None
+    still_after: int | None
     target_floor: float
 
 
@@ -125,12 +126,27 @@ def calibrated(
     return healthy, max((b for _, b in declared), default=None), own.score_from
 
 
+def usable(channel: Channel, segments: list[int]) -> list[bool]:
+    """Alarms, section 1: which samples a vector may contain: those there are that do not stand still.
+
+    Still is what ends still_after equal values in a row, none missing, all in one segment.
+    """
+    run, answer = 0, []
+    for i, value in enumerate(channel.values):
+        goes_on = i > 0 and segments[i] == segments[i - 1] and value == channel.values[i - 1]
+        run = 0 if value is None else run + 1 if goes_on else 1
+        after = channel.settings.still_after
+        answer.append(value is not None and (after is None or run < after))
+    return answer
+
+
 def embed(channel: Channel) -> None:
     """Eq. 1 and section 4: find the delay vectors, and tell those to learn from those to score."""
     s, times, segments = channel.settings, channel.times, [0]
     for before, time in pairwise(times):
         torn = s.max_gap is not None and time - before > s.max_gap
         segments.append(segments[-1] + torn)
+    known = usable(channel, segments)
     span = (s.m - 1) * s.tau
     for newest in range(span, len(times)):
         oldest = newest - span
@@ -140,7 +156,7 @@ def embed(channel: Channel) -> None:
             due = times[newest] >= channel.score_from
         if segments[oldest] != segments[newest]:
             continue
-        if any(channel.values[i] is None for i in vector):
+        if not all(known[i] for i in vector):
             channel.missing_vectors += 1
         # The samples between the delays count too: none may come from outside calibration.
         elif all(channel.healthy[oldest : newest + 1]):

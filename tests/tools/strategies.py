@@ -93,6 +93,7 @@ def parameters(draw: st.DrawFn) -> Arguments:
         # 50,000 makes keys that do not fit in 32 bits, nor for m = 4 in a double's 53.
         "bins": often([4, 2, 3, 5, 6, 7, 8], [1, 100, 50_000]),
         "max_gap": st.sampled_from([3, 4, 2, 1]),
+        "still_after": often([None], [2, 3]),
         "target_floor": st.sampled_from(TARGETS),
     }
     answer = {name: draw(strategy) for name, strategy in fields.items()}

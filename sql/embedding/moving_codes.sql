@@ -1,0 +1,37 @@
+-- Moving codes: as marked_codes, where a sample that stands still counts as missing (alarms, section 1): it and the
+-- still_after - 1 before it in its segment are all equal, and none of them is missing. It looks back only.
+-- Reads:  marked_codes
+-- A row:  one sample.
+-- Slots:  :still_after  samples
+SELECT
+  channel_id,
+  time,
+  CASE WHEN position - unmoved_from >= :still_after - 1 THEN 0 ELSE marked_code END AS code,
+  calibrating,
+  breaking
+FROM (
+  SELECT
+    channel_id,
+    time,
+    marked_code,
+    calibrating,
+    breaking,
+    position,
+    MAX(CASE WHEN moving = 1 THEN position END) OVER (
+      PARTITION BY channel_id ORDER BY time ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
+    ) AS unmoved_from
+  FROM (
+    SELECT
+      channel_id,
+      time,
+      code AS marked_code,
+      calibrating,
+      breaking,
+      CAST(ROW_NUMBER() OVER (PARTITION BY channel_id ORDER BY time) AS BIGINT) AS position,
+      CASE
+        WHEN breaking = 0 AND value = LAG(value, 1) OVER (PARTITION BY channel_id ORDER BY time) THEN 0
+        ELSE 1
+      END AS moving
+    FROM marked_codes
+  ) AS compared
+) AS held
