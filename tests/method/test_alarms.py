@@ -1,5 +1,7 @@
 """Judgements, limits and episodes: by hand, and against a reference in plain loops."""
 
+import datetime as dt
+import math
 import random
 from typing import Any
 
@@ -89,6 +91,8 @@ def test_the_limit_of_a_channel_whose_blocks_are_all_0() -> None:
             [0, 0, 1, 1, 1] + [0] * 11 + [1],
             [(0, 2, 4), (14, 16, 16)],
         ),
+        # Only the sums of the last 50 judgements, and the one before them, are looked back at.
+        ([1] * 52, [60 * j for j in range(1, 51)] + [3000, 3000], [0] * 41 + [1] * 11, [(0, 41, 51)]),
         (
             [4, 4, 4] + [0] * 9 + [4, 4, 4],
             [979, 1958, 2937, 2437, 1937, 1437, 937, 437] + [0] * 4 + [979, 1958, 2937],
@@ -117,8 +121,8 @@ def test_times_of_an_episode_and_what_it_is() -> None:
     (row,) = gam_db.episodes(*asked(windows([0, 4, 4, 4]))).to_pylist()
     assert (row["onset_time"], row["first_time"], row["last_time"]) == (36, 44, 47)
     assert (row["is_open"], row["is_proving"]) == (1, 1)
-    later = gam_db.episodes(*asked(windows([0] * 8 + [4, 4, 4] + [0] * 20))).to_pylist()
-    assert [(row["first_judgement"], row["is_open"], row["is_proving"]) for row in later] == [(10, 0, 0)]
+    later = gam_db.episodes(*asked(windows([0] * 6 + [4, 4, 4] + [0] * 20))).to_pylist()
+    assert [(row["first_judgement"], row["is_open"], row["is_proving"]) for row in later] == [(8, 0, 0)]
 
 
 def test_no_single_judgement_opens_an_episode() -> None:
@@ -207,6 +211,47 @@ def test_rates_of_all_and_of_each() -> None:
     assert Rate.of("3 per month").per_judgement(2.0, 10.0) == 3 / 30 / 10
     assert Rate.of("3 per year per channel").per_judgement(2.0, 10.0) == 3 / 365 / 2
     assert Rate.of("0.5 per 1000 judgements").per_judgement(None, 0.0) == 0.0005
+
+
+def dated(
+    intervals: list[tuple[dt.datetime, dt.datetime]], rate: str
+) -> tuple[gam_db.Source, gam_db.Parameters, gam_db.Calibration, gam_db.Alarms]:
+    """Two channels of a reading a second, the second one twice as far apart."""
+    rows = windows([0])
+    times = [[BEGIN + dt.timedelta(seconds=step * time) for *_, time, _ in rows] for step in (1, 2)]
+    data = pa.table(
+        {
+            "asset": ["a"] * len(rows) + ["b"] * len(rows),
+            "time": pa.array(times[0] + times[1], pa.timestamp("us")),
+            "value": [value for *_, value in rows] * 2,
+        }
+    )
+    parameters = gam_db.Parameters(m=1, bins=2, window=W, stride=2)
+    source = gam_db.Source(data, "asset", None)
+    return source, parameters, gam_db.Calibration(intervals=intervals), gam_db.Alarms(rate=rate)
+
+
+BEGIN = dt.datetime(2026, 1, 1)
+
+
+def test_judgements_per_day_and_the_rate_of_each() -> None:
+    """Section 3: vectors x a day / (W x length of calibration); the rate is that of all, or of each."""
+    whole = [(BEGIN, BEGIN + dt.timedelta(seconds=62))]
+    limits = gam_db.limits(*dated(whole, "3 per day")).to_pylist()
+    # Of a, all 36 samples lie within the interval; of b the first 32.
+    per_day = [36 * 86400 / (W * 62), 32 * 86400 / (W * 62)]
+    assert [row["judgements_per_day"] for row in limits] == per_day
+    assert [row["rate"] for row in limits] == [3 / math.fsum(per_day)] * 2
+    assert [row["stated_rate"] for row in limits] == [0.0005] * 2
+    each = gam_db.limits(*dated(whole, "60 per month per channel")).to_pylist()
+    assert [row["rate"] for row in each] == [2 / per_day[0], 2 / per_day[1]]
+
+
+def test_a_calibration_of_instants_lasts_from_the_first_to_the_last_sample() -> None:
+    instants = [(at, at) for at in (BEGIN + dt.timedelta(seconds=2 * n) for n in range(32))]
+    found = gam_db.limits(*dated(instants, "3 per day")).to_pylist()
+    assert found[0]["reason"] == "calibration shorter than 8 windows"  # every second one of a
+    assert found[1]["judgements_per_day"] == 32 * 86400 / (W * 62)
 
 
 def test_a_counter_has_no_days() -> None:
