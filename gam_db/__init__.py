@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from gam_db.version import __version__
 
 if TYPE_CHECKING:
+    from gam_db.alarms import Alarms, episodes, judgements, limits
     from gam_db.calibration import Calibration
     from gam_db.checking import check
     from gam_db.connecting import connect
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from gam_db.stored.monitor import Monitor
 
 __all__ = [
+    "Alarms",
     "Calibration",
     "Conventions",
     "Evaluation",
@@ -39,9 +41,12 @@ __all__ = [
     "certificate",
     "check",
     "connect",
+    "episodes",
     "evaluate",
     "health_at_buckets",
     "health_indicator",
+    "judgements",
+    "limits",
     "render",
     "scores",
     "scores_at_buckets",
@@ -51,6 +56,7 @@ __all__ = [
 
 #: module -> the names that are public
 _PUBLIC = {
+    "alarms": ("Alarms", "episodes", "judgements", "limits"),
     "calibration": ("Calibration",),
     "checking": ("check",),
     "connecting": ("connect",),

@@ -36,7 +36,7 @@ LIST = Path(__file__).with_name("mutants.txt")
 #: The folders of ``sql/`` of which every file has a mutant.
 FOLDERS = (
     *("source", "support", "embedding", "score", "health", "calibration", "certificate", "stored"),
-    *("streams", "census", "rowids", "arrays", "judgement", "report"),
+    *("streams", "census", "rowids", "arrays", "judgement", "report", "alarms"),
 )
 
 #: Files of ``sql/`` -> the engine that runs them; DuckDB runs all others.
@@ -74,6 +74,7 @@ _ABOUT = {
     "certificate/*": "test_spec[certificate",
     "judgement/*": "test_judged",
     "report/*": "test_report",
+    "alarms/*": "test_alarms",
     "stored/expired_*": "test_pruning",
     "stored/aged_buckets": "test_pruning",
     "stored/horizons": "test_pruning",

@@ -1,0 +1,302 @@
+"""Alarms without tables: judgements, limits that they are judged by, and episodes (alarms, 2 to 4).
+
+This module owns the settings of alarms, the public calls of that form, and in which order limits are
+made: what calibration says, which family drifts, its replay, a height for each channel.
+"""
+
+import math
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import pyarrow as pa
+
+from gam_db.calibration import Calibration
+from gam_db.clock import length
+from gam_db.connecting import borrowed
+from gam_db.errors import ParameterError
+from gam_db.heights import LEAST, MOST, STATED_FROM, UNSTATED, Height, Rate, by_replay, by_table
+from gam_db.method.alarms import FAR, NEAR, add_judgements, add_learnt_limits, add_replay
+from gam_db.parameters import Parameters
+from gam_db.setting import COLUMNS, TEXT, check, declared, setting
+from gam_db.source import AnySource
+from gam_db.study import Study
+
+_JUDGED_BLOCKS = 8
+_REPLAYED_CHANNELS, _REPLAYED_JUDGEMENTS = 5, 300
+_ORDERED_BLOCKS, _DRIFTING_BLOCKS = 18, 40
+#: Order ratios in thousandths: no alarm at all, no rate for a channel, and drift of a family.
+_UNREPRESENTATIVE, _UNLIKE, _DRIFTING = 1500, 1100, 1050
+_LARGEST_EXTENT = 3_000_000_000
+
+Row = dict[str, Any]
+
+
+@declared
+@dataclass(frozen=True)
+class Alarms:
+    """How often a healthy machine may alarm, and which channels are alike.
+
+    Raises:
+        ParameterError: a value is out of its range.
+    """
+
+    rate: str = setting("1 per month", TEXT, "false alarms: of all channels together, or per channel")
+    family: Sequence[str] = setting(
+        (), COLUMNS, "patterns of channel names; the channels of one are alike, and replayed together"
+    )
+
+    def __post_init__(self) -> None:
+        check(self)
+        object.__setattr__(self, "family", tuple(self.family))
+        _ = self.asked
+
+    @property
+    def asked(self) -> Rate:
+        """The rate, understood."""
+        return Rate.of(self.rate)
+
+
+def judgements(
+    source: AnySource,
+    parameters: Parameters | None = None,
+    calibration: Calibration | None = None,
+    alarms: Alarms | None = None,
+    engine: Any = None,
+) -> pa.Table:
+    """Return the judgements of each channel that has a limit: full windows that do not overlap.
+
+    Args:
+        source: where the telemetry lies.
+        parameters: of the method; default :class:`Parameters`.
+        calibration: the healthy part; default the first fifth of each channel.
+        alarms: the asked rate and the families; default :class:`Alarms`.
+        engine: None for DuckDB in memory, the path of a DuckDB file, or an open connection.
+
+    Returns:
+        One row per judgement, ordered: asset, channel, judgement (from 0), first_time, last_time (of its
+        vectors, as in the source), novel (of W vectors), root (of that, in thousandths), reference,
+        height, evidence (likewise), is_open (0 or 1), last_zero (the latest judgement without evidence,
+        NULL if there was none).
+
+    Raises:
+        UserError: see its subclasses; the message says what to mend.
+    """
+    return _asked("judgements", source, parameters, calibration, alarms, engine)
+
+
+def episodes(
+    source: AnySource,
+    parameters: Parameters | None = None,
+    calibration: Calibration | None = None,
+    alarms: Alarms | None = None,
+    engine: Any = None,
+) -> pa.Table:
+    """Return when channels were raised, and since when.
+
+    Arguments and errors as in :func:`judgements`.
+
+    Returns:
+        One row per episode, ordered: asset, channel, episode (from 1 in its channel), onset (the
+        judgement in which its evidence left 0), first_judgement and last_judgement (the open ones),
+        onset_time, first_time, last_time, is_open (1 if it goes on), is_proving (1 if it opened within
+        as many judgements as calibration has blocks, so that either calibration was no fair sample or
+        something changed right after it).
+    """
+    return _asked("episodes", source, parameters, calibration, alarms, engine)
+
+
+def limits(
+    source: AnySource,
+    parameters: Parameters | None = None,
+    calibration: Calibration | None = None,
+    alarms: Alarms | None = None,
+    engine: Any = None,
+) -> pa.Table:
+    """Return by what each channel is judged, or why it is not (alarms, sections 2 and 3).
+
+    Arguments and errors as in :func:`judgements`.
+
+    Returns:
+        One row per channel, ordered: asset, channel, family (from 0), blocks (of calibration, of a
+        window or more), g, centre, spread, reference, height, cap (in thousandths of a root), quarters
+        (the height in quarters of a spread), basis (replay, extrapolated, table, drifting or none),
+        order_ratio (in thousandths, NULL with fewer than 18 blocks), judgements_per_day (NULL on a
+        counter), rate (asked for, per judgement), stated_rate (that the height is for, at least 0.5 per
+        1,000; NULL where none can be stated), reason (why there is no limit, and all that follows from
+        one is NULL).
+    """
+    return _asked("limits", source, parameters, calibration, alarms, engine)
+
+
+def _asked(
+    step: str,
+    source: AnySource,
+    parameters: Parameters | None,
+    calibration: Calibration | None,
+    alarms: Alarms | None,
+    engine: Any,
+) -> pa.Table:
+    with borrowed(engine) as session:
+        study = Study(session, source, parameters or Parameters(), calibration or Calibration())
+        try:
+            rows = limits_of(study, alarms or Alarms())
+            if step == "limits":
+                return pa.Table.from_pylist(rows, schema=_LIMITS)
+            frozen = [row for row in rows if row["reason"] is None]
+            study.put("frozen_limits", pa.Table.from_pylist(frozen, schema=_FROZEN))
+            add_judgements(study.steps, study.method, study.instant_of)
+            return study.table(step)
+        finally:
+            if session is engine:  # it stays open, and nobody asks this study again
+                study.forget()
+
+
+def limits_of(study: Study, alarms: Alarms) -> list[Row]:
+    """Return the limits of all channels of a study, as :func:`limits` does, with their channel_id.
+
+    Raises:
+        ParameterError: a rate in days is asked for, and the source counts time in integers.
+    """
+    rate, kind = alarms.asked, study.method.kind
+    if kind.is_counter and rate.days is not None:
+        raise ParameterError(
+            f"rate is {alarms.rate!r}, but the source counts time in integers; give it in judgements: "
+            "'0.5 per 1000 judgements'."
+        )
+    add_learnt_limits(study.steps, study.method, alarms.family)
+    found = {(row["channel_id"], row["g"]): row for row in study.table("learnt_limits").to_pylist()}
+    day = None if kind.is_counter else length("1 d", kind, "a day")
+    near = [row for (_, g), row in sorted(found.items()) if g == NEAR]
+    for row in near:
+        row["judgements_per_day"] = _per_day(row, day)
+        row["reason"] = _reason(row, day)
+        row["order_ratio"] = row["order_ratio"] if row["blocks"] >= _ORDERED_BLOCKS else None
+    rows = [
+        {**row, **_based(row, _is_drifting(row["family_no"], near))} if row["reason"] is None else row
+        for row in near
+    ]
+    members = [row for row in rows if row["reason"] is None]
+    for row in members:
+        row |= {name: found[row["channel_id"], row["g"]][name] for name in ("centre", "spread")}
+    total = math.fsum(row["judgements_per_day"] or 0.0 for row in members)
+    for row in members:
+        row["rate"] = rate.per_judgement(row["judgements_per_day"], total)
+    replayed, counted = _replayed(study, members)
+    for row in members:
+        family = row["family_no"]
+        row |= _high(row, _height(row, replayed.get(family), counted[family]))
+    for row in rows:
+        row["family"] = row["family_no"]
+        if row["reason"] is not None:
+            row |= {"centre": None, "spread": None}
+    return rows
+
+
+def _per_day(row: Row, day: int | None) -> float | None:
+    if day is None or not row["calibration_length"]:
+        return None
+    return float(row["vectors"] * day / (row["window_length"] * row["calibration_length"]))
+
+
+def _reason(row: Row, day: int | None) -> str | None:
+    """Return why a channel has no limit."""
+    if row["limit_reason"] is not None:
+        return str(row["limit_reason"])
+    if row["blocks"] < _JUDGED_BLOCKS:
+        return f"calibration shorter than {_JUDGED_BLOCKS} windows"
+    if row["blocks"] * row["extent"] > _LARGEST_EXTENT:
+        return "counts of calibration too far apart"
+    if row["blocks"] >= _ORDERED_BLOCKS and row["order_ratio"] > _UNREPRESENTATIVE:
+        return "unrepresentative"
+    if day is not None and row["judgements_per_day"] is None:
+        return "calibration has no length"
+    return None
+
+
+def _is_drifting(family: int, rows: Sequence[Row]) -> bool:
+    ratios = [
+        row["order_ratio"]
+        for row in rows
+        if row["family_no"] == family and row["reason"] is None and row["order_ratio"] is not None
+    ]
+    return bool(sum(ratios) > _DRIFTING * len(ratios))
+
+
+def _based(row: Row, drifting: bool) -> Row:
+    """Return g of a channel, and its basis where that is known before a height is."""
+    if drifting:
+        is_long = row["blocks"] >= _DRIFTING_BLOCKS
+        return {"g": FAR if is_long else NEAR, "basis": "drifting" if is_long else "none"}
+    is_unlike = row["order_ratio"] is not None and row["order_ratio"] > _UNLIKE
+    return {"g": NEAR, "basis": "none" if is_unlike else None}
+
+
+def _replayed(
+    study: Study, members: Sequence[Row]
+) -> tuple[dict[int, int], Mapping[int, dict[int, int]]]:
+    """Return of each family that can be replayed its judgements, and its episodes by height."""
+    families: dict[int, list[Row]] = defaultdict(list)
+    for row in members:
+        if row["basis"] != "none":
+            families[row["family_no"]].append(row)
+    judged = {family: sum(row["blocks"] for row in rows) for family, rows in families.items()}
+    enough = {
+        family: count
+        for family, count in judged.items()
+        if len(families[family]) >= _REPLAYED_CHANNELS and count >= _REPLAYED_JUDGEMENTS
+    }
+    counted: dict[int, dict[int, int]] = defaultdict(dict)
+    if enough:
+        asked = [
+            {name: row[name] for name in ("channel_id", "family_no", "g")}
+            for family in enough
+            for row in families[family]
+        ]
+        study.put("members", pa.Table.from_pylist(asked, schema=_MEMBERS))
+        study.put("heights", pa.table({"quarters": pa.array(range(LEAST, MOST + 1), pa.int64())}))
+        add_replay(study.steps)
+        for row in study.table("counted_replay").to_pylist():
+            counted[row["family_no"]][row["quarters"]] = row["episodes"]
+    return enough, counted
+
+
+def _height(row: Row, judged: int | None, counted: Mapping[int, int]) -> Height:
+    if row["basis"] == "none":
+        return Height(UNSTATED, "none")
+    height = (
+        by_table(row["rate"], row["blocks"])
+        if judged is None
+        else by_replay(row["rate"], judged, counted)
+    )
+    return Height(height.quarters, row["basis"] or height.basis)
+
+
+def _high(row: Row, height: Height) -> Row:
+    scaled = (height.quarters * row["spread"] + 3) // 4
+    return {
+        "reference": row["centre"] + row["spread"],
+        "height": scaled,
+        "cap": (scaled + 1) // 2,
+        "quarters": height.quarters,
+        "basis": height.basis,
+        "stated_rate": None if height.basis == "none" else max(row["rate"], STATED_FROM),
+    }
+
+
+_MEMBERS = pa.schema([(name, pa.int64()) for name in ("channel_id", "family_no", "g")])
+_FROZEN = pa.schema(
+    [(name, pa.int64()) for name in ("channel_id", "blocks", "reference", "height", "cap")]
+)
+_LIMITS = pa.schema(
+    [
+        *((name, pa.string()) for name in ("asset", "channel")),
+        *((name, pa.int64()) for name in ("family", "blocks", "g", "centre", "spread")),
+        *((name, pa.int64()) for name in ("reference", "height", "cap", "quarters")),
+        ("basis", pa.string()),
+        ("order_ratio", pa.int64()),
+        *((name, pa.float64()) for name in ("judgements_per_day", "rate", "stated_rate")),
+        ("reason", pa.string()),
+    ]
+)

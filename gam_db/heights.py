@@ -1,0 +1,139 @@
+"""How high evidence must rise: from the asked rate of false alarms to a height (alarms, section 3).
+
+This module owns the rate and the choice of a height from a few counts. It knows no SQL and no source.
+"""
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from gam_db.errors import ParameterError
+
+LEAST, MOST = 4, 80
+"""The heights that a replay tries, in quarters of a spread."""
+
+UNSTATED = 32
+"""The height where no rate can be stated."""
+
+STATED_FROM = 0.0005
+"""The lowest rate that simulated fleets kept, per judgement; heights for less are estimates."""
+
+_DAYS = {"day": 1, "week": 7, "month": 30, "year": 365}
+_ASKED = re.compile(
+    r"([0-9.]+(?:[eE][+-]?[0-9]+)?) per (day|week|month|year|1000 judgements)( per channel)?"
+)
+_BLOCKS = (8, 12, 16, 24, 48)
+_TABLE = ((1 / 300, (1.5,) * 5), (1 / 1000, (5, 4, 3.5, 3, 2.5)), (1 / 5000, (13, 8, 6.5, 5, 4)))
+
+
+@dataclass(frozen=True)
+class Rate:
+    """How many false alarms are asked for.
+
+    Attributes:
+        number: of them.
+        days: in so many days; None for in 1,000 judgements.
+        per_channel: of each channel, not of all.
+    """
+
+    number: float
+    days: int | None
+    per_channel: bool
+
+    @classmethod
+    def of(cls, said: object) -> "Rate":
+        """Return the rate that a text says.
+
+        Raises:
+            ParameterError: it says none.
+        """
+        match = _ASKED.fullmatch(" ".join(said.split())) if isinstance(said, str) else None
+        number = 0.0
+        if match is not None:
+            try:
+                number = float(match[1])
+            except ValueError:
+                match = None
+        days = None if match is None else _DAYS.get(match[2])
+        if match is None or not 0 < number < math.inf or (days is None and match[3]):
+            raise ParameterError(
+                f"rate is {said!r}; it takes a number above 0 and what it is counted in: '1 per "
+                "month' of all channels, '2 per year per channel', or '0.5 per 1000 judgements'; also "
+                "per day or week (a month is 30 days, a year 365)."
+            )
+        return cls(number, days, match[3] is not None)
+
+    def per_judgement(self, own: float | None, total: float) -> float:
+        """Return the rate of one channel.
+
+        Args:
+            own: its judgements a day; not needed where the rate is in judgements.
+            total: those of all channels that have a limit.
+        """
+        if self.days is None:
+            return self.number / 1000
+        days = own if self.per_channel else total
+        assert days
+        return self.number / self.days / days
+
+
+@dataclass(frozen=True)
+class Height:
+    """A height in quarters of a spread, and its basis: replay, extrapolated, table or none."""
+
+    quarters: int
+    basis: str
+
+
+def by_replay(rate: float, judgements: int, episodes: Mapping[int, int]) -> Height:
+    """Return the height of a family whose calibration was replayed.
+
+    Args:
+        rate: asked for, per judgement; what is less than can be stated is raised to that.
+        judgements: replayed.
+        episodes: by height, in quarters; a height without any may be left out.
+    """
+    expected = judgements * max(rate, 1 / (10 * judgements))
+    for quarters in range(LEAST, MOST + 1):
+        if 10 * episodes.get(quarters, 0) + 7 <= expected * 10:
+            return Height(quarters, "replay")
+    height = _carried_on(expected, episodes)
+    if height is None:
+        return Height(UNSTATED, "none")
+    empty = (quarters for quarters in range(LEAST, MOST + 1) if not episodes.get(quarters, 0))
+    return Height(max(_in_quarters(height), next(empty, MOST)), "extrapolated")
+
+
+def by_table(rate: float, blocks: int) -> Height:
+    """Return the height for a channel of at least 8 blocks by the table for normal blocks."""
+    asked = min(max(rate, 1 / 5000), 1 / 300)
+    heights = [(row, _between(min(blocks, _BLOCKS[-1]), _BLOCKS, columns)) for row, columns in _TABLE]
+    upper = next(i for i, (row, _) in enumerate(heights[1:]) if asked >= row or i == len(heights) - 2)
+    (high, first), (low, second) = heights[upper], heights[upper + 1]
+    share = (math.log(high) - math.log(asked)) / (math.log(high) - math.log(low))
+    return Height(_in_quarters(first + share * (second - first)), "table")
+
+
+def _between(at: float, places: Sequence[float], values: Sequence[float]) -> float:
+    """Return a value between those of two places in a row."""
+    right = next(i for i in range(1, len(places)) if at <= places[i])
+    share = (at - places[right - 1]) / (places[right] - places[right - 1])
+    return values[right - 1] + share * (values[right] - values[right - 1])
+
+
+def _carried_on(expected: float, episodes: Mapping[int, int]) -> float | None:
+    """Return the height of so many episodes: ln x on h, by least squares with weights x."""
+    points = [(quarters / 4, count) for quarters, count in sorted(episodes.items()) if count > 0]
+    if len(points) < 3:
+        return None
+    weight = math.fsum(x for _, x in points)
+    mean_h = math.fsum(x * h for h, x in points) / weight
+    mean_y = math.fsum(x * math.log(x) for _, x in points) / weight
+    spread = math.fsum(x * (h - mean_h) ** 2 for h, x in points)
+    slope = math.fsum(x * (h - mean_h) * (math.log(x) - mean_y) for h, x in points) / spread
+    return mean_h + (math.log(expected) - mean_y) / slope if slope < 0 else None
+
+
+def _in_quarters(height: float) -> int:
+    return math.ceil(4 * height - 1e-9)

@@ -1,0 +1,120 @@
+"""Judgements, their limits and episodes (alarms, sections 2 to 4)."""
+
+from collections.abc import Sequence
+from functools import reduce
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.method.adding import add, add_of_set, add_stacked, join_sets
+from gam_db.method.resolved import Method
+from gam_db.method.source import named_like
+from gam_db.pipeline import Pipeline, filled
+from gam_db.source import TimeNode
+
+#: Beyond how many blocks another one vouches for a cell: usually, for the order ratio, under drift.
+NEAR, ORDERED, FAR = 1, 4, 8
+
+_SMALL = ("buffered", "block_roots", "spreads", "own_cells", "order_ratios", "lengths", "judged_windows")
+
+
+def add_learnt_limits(steps: Pipeline, method: Method, families: Sequence[str]) -> None:
+    """Add what calibration says of the judgements of each channel; the last step is *learnt_limits*.
+
+    Args:
+        steps: those of :func:`gam_db.method.pipeline`.
+        method: what the user asked for.
+        families: patterns of channel names.
+    """
+    join_sets(steps, method, ("visits", "block_sizes"))
+    steps.small |= {"visits", "block_sizes", *_SMALL}
+    reaches = (NEAR, ORDERED, FAR)
+    add_stacked(
+        steps, "buffered", "alarms/buffered", [filled("alarms/buffered", {"g": g}) for g in reaches]
+    )
+    add(steps, "alarms/block_roots", {"root": _root("novel")})
+    add(steps, "alarms/spreads", _figures())
+    add(steps, "alarms/own_cells")
+    chances = [_chance(blocks) for blocks in range(1, 2 * ORDERED + 2)]
+    add_stacked(steps, "chances", "alarms/chances", chances)
+    add(steps, "alarms/order_ratios", {"g": ORDERED})
+    add(steps, "alarms/lengths")
+    rows = [_learnt(g, families) for g in (NEAR, FAR)]
+    add_stacked(steps, "learnt_limits", "alarms/learnt_limits", rows)
+
+
+def add_replay(steps: Pipeline) -> None:
+    """Add the replay of calibration, over the steps *members* and *heights*.
+
+    The last steps are *left_out*, a row per block, and *counted_replay*, a row per family and height.
+    """
+    add(steps, "alarms/left_out", _figures())
+    steps.small |= {"left_out"}
+    add(steps, "alarms/replay")
+    _add_episodes(steps, "replay", "_replay")
+    add(steps, "alarms/counted_replay")
+
+
+def add_judgements(steps: Pipeline, method: Method, instant_of: TimeNode) -> None:
+    """Add what is judged, over *frozen_limits*; the last steps are *judgements* and *episodes*."""
+    for number, setting in enumerate(method.settings):
+        slots: dict[str, template.Slot] = {"buckets": setting.window // setting.bucket_length}
+        add_of_set(steps, method, number, "alarms/judged_windows", slots)
+    join_sets(steps, method, ("judged_windows",))
+    add(steps, "alarms/rooted", {"root": _root("novel", "judged")})
+    _add_episodes(steps, "rooted", "")
+    edges = {name: instant_of(exp.column(name, table="counted")) for name in ("first_time", "last_time")}
+    add(steps, "alarms/judgements", edges)
+    times = {
+        "onset_time": instant_of(exp.column("first_time", table="beginning")),
+        "first_time": instant_of(exp.column("first_time", table="opening")),
+        "last_time": instant_of(exp.column("last_time", table="closing")),
+    }
+    add(steps, "alarms/episodes", times)
+
+
+def _add_episodes(steps: Pipeline, rooted: str, suffix: str) -> None:
+    """Add evidence, what it opens, and the episodes of that."""
+    names = {"rooted": rooted, **{name: f"{name}{suffix}" for name in ("evidence", "opened")}}
+    for name in ("evidence", "opened", "merged"):
+        add(steps, f"alarms/{name}", name=f"{name}{suffix}", tables=names)
+
+
+def _figures() -> dict[str, template.Slot]:
+    total, blocks = exp.column("total"), exp.column("blocks")
+    return {
+        "centre": template.fill(
+            "alarms/centre", {"least": exp.column("least"), "total": total, "blocks": blocks}
+        ),
+        "spread": template.fill(
+            "alarms/spread", {"total": total, "squares": exp.column("squares"), "blocks": blocks}
+        ),
+    }
+
+
+def _root(column: str, table: str | None = None) -> exp.Expr:
+    return template.fill("alarms/root", {"count": exp.column(column, table=table)})
+
+
+def _chance(visited_blocks: int) -> exp.Query:
+    factors = [template.fill("alarms/chance_factor", {"i": i}) for i in range(visited_blocks - 1)]
+    certain: exp.Expr = exp.cast(exp.Literal.number(1), "DOUBLE")
+    product = reduce(lambda left, right: exp.Mul(this=left, expression=right), factors, certain)
+    slots: dict[str, template.Slot] = {
+        "visited_blocks": visited_blocks,
+        "g": ORDERED,
+        "product": product,
+    }
+    return filled("alarms/chances", slots)
+
+
+def _learnt(g: int, families: Sequence[str]) -> exp.Query:
+    others = exp.Add(this=exp.column("settings_no"), expression=exp.Literal.number(len(families)))
+    chosen = exp.Case(ifs=[], default=others)
+    for number, pattern in enumerate(families):
+        condition = named_like("channel", pattern) or exp.true()
+        chosen.append("ifs", exp.If(this=condition, true=exp.Literal.number(number)))
+    for column in chosen.find_all(exp.Column):
+        column.set("table", exp.to_identifier("named"))
+    family = chosen if families else chosen.args["default"]
+    return filled("alarms/learnt_limits", {"g": g, "family_no": family})

@@ -1,0 +1,7 @@
+-- Centre: the mean of the roots of some blocks (alarms, section 2).
+-- Slots:  :least   the smallest root of the channel
+--         :total   sum of root - least
+--         :blocks  how many there are
+:least + CAST(
+  FLOOR((CAST(:total AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(NULLIF(:blocks, 0) AS DOUBLE)) AS BIGINT
+)

@@ -1,0 +1,10 @@
+-- Counted replay: how many episodes the calibration of a family would have shown under each height.
+-- Reads:  merged_replay, members
+-- A row:  one height of one family under which there is an episode.
+SELECT
+  member.family_no AS family_no,
+  found.limit_no AS quarters,
+  CAST(COUNT(*) AS BIGINT) AS episodes
+FROM merged_replay AS found
+JOIN members AS member ON member.channel_id = found.channel_id
+GROUP BY member.family_no, found.limit_no

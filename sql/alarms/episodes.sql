@@ -1,0 +1,33 @@
+-- Episodes: when a channel was raised, and since when.
+-- Reads:  merged, opened, judged_windows, frozen_limits, channels
+-- A row:  one episode, in order. is_open = 1 if the channel's newest judgement is open and this is its last one;
+--         is_proving = 1 if it opened within as many judgements as calibration has blocks.
+-- Slots:  :first_time, :last_time  when its first open judgement begins and its last one ends
+--         :onset_time              when the judgement begins in which evidence left 0
+SELECT
+  named.asset AS asset,
+  named.channel AS channel,
+  CAST(found.episode_no AS BIGINT) AS episode,
+  CAST(found.onset AS BIGINT) AS onset,
+  CAST(found.first_judgement AS BIGINT) AS first_judgement,
+  CAST(found.last_judgement AS BIGINT) AS last_judgement,
+  :onset_time AS onset_time,
+  :first_time AS first_time,
+  :last_time AS last_time,
+  CAST(CASE WHEN found.last_judgement = newest.last_judgement THEN 1 ELSE 0 END AS BIGINT) AS is_open,
+  CAST(CASE WHEN found.first_judgement < frozen.blocks THEN 1 ELSE 0 END AS BIGINT) AS is_proving
+FROM merged AS found
+JOIN channels AS named ON named.channel_id = found.channel_id
+JOIN frozen_limits AS frozen ON frozen.channel_id = found.channel_id
+JOIN (
+  SELECT channel_id, MAX(judgement_no) AS last_judgement
+  FROM opened
+  GROUP BY channel_id
+) AS newest ON newest.channel_id = found.channel_id
+JOIN judged_windows AS beginning
+  ON beginning.channel_id = found.channel_id AND beginning.judgement_no = found.onset
+JOIN judged_windows AS opening
+  ON opening.channel_id = found.channel_id AND opening.judgement_no = found.first_judgement
+JOIN judged_windows AS closing
+  ON closing.channel_id = found.channel_id AND closing.judgement_no = found.last_judgement
+ORDER BY named.asset, named.channel, found.episode_no
