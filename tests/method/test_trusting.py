@@ -183,6 +183,17 @@ def test_single_vectors_go_on_from_what_is_proven() -> None:
     harness.assert_same(harness.by_reference("health_indicator", rows(), *method), found)
 
 
+def test_slices_reach_from_the_first_instant_to_the_last() -> None:
+    """Their number and width change no integer, but what an edge costs."""
+    session = engines.session("duckdb")
+    with session.lent(harness.arrow(rows())) as table:
+        study = study_of(session, table.name, harness.made(*SERVED["delays"]))
+        slices = session.fetch(study.running.query("slices"))["slice_no"].to_pylist()
+        study.forget()
+    assert {*slices} == {*range(max(slices) + 1)}
+    assert census.SLICES - 4 < max(slices) < census.SLICES  # a width is rounded up
+
+
 def test_few_rows_are_not_worth_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(trusting, "TRUSTED_FROM", len(rows()) + 1)
     method = harness.made(*SERVED["delays"])
