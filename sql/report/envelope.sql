@@ -9,11 +9,11 @@ SELECT
 FROM (
   SELECT
     wish.number AS number,
-    CAST(FLOOR(CAST(sample.time - wish.first_tick AS DOUBLE) / wish.stretch_length) AS BIGINT) AS stretch,
-    sample.value AS value
-  FROM samples AS sample
-  JOIN channels AS named ON named.channel_id = sample.channel_id
+    CAST(FLOOR(CAST(sampled.time - wish.first_tick AS DOUBLE) / wish.stretch_length) AS BIGINT) AS stretch,
+    sampled.value AS value
+  FROM samples AS sampled
+  JOIN channels AS named ON named.channel_id = sampled.channel_id
   JOIN wanted AS wish ON wish.asset = named.asset AND wish.channel = named.channel
-  WHERE sample.value IS NOT NULL AND sample.time >= wish.first_tick
+  WHERE sampled.value IS NOT NULL AND sampled.time >= wish.first_tick
 ) AS place
 GROUP BY place.number, place.stretch

@@ -21,22 +21,22 @@ FROM (
     SELECT
       wish.number AS number,
       'healthy' AS piece,
-      sample.time AS time,
-      sample.value AS value,
-      wish.healthy_tick - sample.time AS away
-    FROM samples AS sample
-    JOIN channels AS named ON named.channel_id = sample.channel_id
+      sampled.time AS time,
+      sampled.value AS value,
+      wish.healthy_tick - sampled.time AS away
+    FROM samples AS sampled
+    JOIN channels AS named ON named.channel_id = sampled.channel_id
     JOIN wanted AS wish ON wish.asset = named.asset AND wish.channel = named.channel
-    WHERE sample.time <= wish.healthy_tick
+    WHERE sampled.time <= wish.healthy_tick
     UNION ALL
     SELECT
       wish.number AS number,
       'onset' AS piece,
-      sample.time AS time,
-      sample.value AS value,
-      ABS(sample.time - wish.onset_tick) AS away
-    FROM samples AS sample
-    JOIN channels AS named ON named.channel_id = sample.channel_id
+      sampled.time AS time,
+      sampled.value AS value,
+      ABS(sampled.time - wish.onset_tick) AS away
+    FROM samples AS sampled
+    JOIN channels AS named ON named.channel_id = sampled.channel_id
     JOIN wanted AS wish ON wish.asset = named.asset AND wish.channel = named.channel
   ) AS near
 ) AS placed

@@ -10,7 +10,7 @@ SELECT
   version.support_id AS support_id,
   version.channel_id AS channel_id,
   version.calibration_end AS calibration_end,
-  learnt.first_time AS learnt_from,
+  CASE WHEN learnt.hit = 1 THEN learnt.begun END AS learnt_from,
   known.verdict AS verdict,
   known.status AS status,
   known.floor AS floor,
@@ -42,7 +42,7 @@ SELECT
 FROM stored_fleet AS known
 JOIN stored_version AS version ON version.version_id = known.version_id
 LEFT JOIN (
-  SELECT support_id, channel_id, MIN(first_time) AS first_time
+  SELECT support_id, channel_id, MIN(first_time) AS begun, 1 AS hit
   FROM stored_block
   GROUP BY support_id, channel_id
 ) AS learnt ON learnt.support_id = version.support_id AND learnt.channel_id = version.channel_id

@@ -2,6 +2,7 @@
 
 import contextlib
 import re
+import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -640,6 +641,8 @@ def watch_once() -> None:
             assert monitor.health().num_rows > 0
             assert monitor.check_state().num_rows == 0
             assert monitor.status()["scored"].to_pylist() == [32]
+            with tempfile.TemporaryDirectory() as folder:
+                monitor.report(Path(folder) / "page.html")
             monitor.prune()
         withdraw(monitor.state, 0)
 
@@ -677,13 +680,15 @@ def test_views_and_queries_of_the_state_break_no_rule() -> None:
         if "monitor" in slots:
             slots["monitor"] = template.text("default")
         queries.append((name, template.fill(path, slots)))
-    found = []
-    for name, query in queries:
+    for _, query in queries:
         for instant in list(query.find_all(exp.UnixToTime)):
             instant.replace(instant.this)
-        checked = sql_lint.kinds(query, known)
-        known[name] = checked.columns
-        found += [f"{name}: {finding}" for finding in sql_lint.findings(checked, filled=True)]
+    for _ in range(2):  # a view that was made anew may read one that came later
+        found = []
+        for name, query in queries:
+            checked = sql_lint.kinds(query, known)
+            known[name] = checked.columns
+            found += [f"{name}: {finding}" for finding in sql_lint.findings(checked, filled=True)]
     assert found == []
 
 
