@@ -125,6 +125,19 @@ def test_times_of_an_episode_and_what_it_is() -> None:
     assert [(row["first_judgement"], row["is_open"], row["is_proving"]) for row in later] == [(8, 0, 0)]
 
 
+@pytest.mark.parametrize(("of_b", "centre"), [(5.0, 612), (6.0, 682)])
+def test_a_cell_that_another_member_of_the_pool_visited_is_not_counted(of_b: float, centre: int) -> None:
+    """Section 2: the last block of a lies beside the first of b. One root of 1172 adds 560 div 8."""
+    rows: list[harness.Row]
+    rows = [(asset, "x", time, float(time % 2)) for asset in "ab" for time in range(8 * W)]
+    rows = [("a", "x", 8 * W - 2, 5.0) if row[0] == "a" and row[2] == 8 * W - 2 else row for row in rows]
+    rows = [("b", "x", 2, of_b) if row[0] == "b" and row[2] == 2 else row for row in rows]
+    source, parameters, _, alarms = asked(rows, bins=8)
+    calibration = gam_db.Calibration(intervals=[(0, 8 * W - 1)], pool="channel")
+    limits = gam_db.limits(source, parameters, calibration, alarms).to_pylist()
+    assert [row["centre"] for row in limits] == [centre, centre]
+
+
 def test_no_single_judgement_opens_an_episode() -> None:
     """Section 4: a window of 400 novel vectors adds half a height at most."""
     calm = [(str(i % 2), i) for i in range(3200)]
