@@ -126,7 +126,12 @@ def migrate(
             if isinstance(migration.definition, Addition):  # some may be there, if it was cut short
                 present = session.relations(tables.schema)[tables.folded(migration.name)]
             now = time.time_ns() // 1000
-            for statement in _complete(migration, session.engine, tables, now, present):
+            statements = _complete(migration, session.engine, tables, now, present)
+            if _gets_more(migration):
+                found = session.relations(tables.schema).get(tables.folded(migration.name), ())
+                if len(found) > len(migration.definition.columns):
+                    statements = statements[-1:]
+            for statement in statements:
                 session.execute(statement)
     return pending
 
@@ -169,10 +174,7 @@ def rendered(engine: Engine, tables: StateTables, who: Roles | None = None) -> s
     for migration in files():
         title = f"-- Migration {migration.number}: {tables.shown(migration.name)}."
         statements = _complete(migration, engine, tables, now, makes_schema=who is None)
-        later = [one for one in files()[migration.number :] if one.name == migration.name]
-        columns = {tuple(one.definition.columns) for one in (migration, *later)}
-        if migration.name in VIEWS and len(columns) > 1:
-            # Made again later on, with more: an engine may refuse to take columns away from a view.
+        if _gets_more(migration):
             statements = statements[-1:]
         if any(_adds_once(statement) for statement in statements):
             title += f" Only where it is pending: {engine.title} cannot be told to add a column once."
@@ -207,6 +209,16 @@ def _complete(
         schema = exp.Table(db=template.name(tables.schema))
         statements.insert(0, exp.Create(this=schema, kind="SCHEMA", exists=True))
     return statements
+
+
+def _gets_more(migration: Migration) -> bool:
+    """Tell whether a view is made again later on, with more columns.
+
+    Where it has them already, an engine may refuse to take them away.
+    """
+    later = [one for one in files()[migration.number :] if one.name == migration.name]
+    columns = {tuple(one.definition.columns) for one in (migration, *later)}
+    return migration.name in VIEWS and len(columns) > 1
 
 
 def _adds_once(statement: exp.Expr) -> bool:

@@ -30,7 +30,7 @@ _DELETED = (
 _TOUCHED = {"migration": "applied_at", "monitor": "created"}
 
 #: The views by which runs, buckets and cells that count are found, and what a run says in the end.
-_COUNTING = ("finished_run", "visible_bucket", "visible_novel", "onset", "fleet")
+_COUNTING = ("finished_run", "visible_bucket", "visible_novel", "fleet")
 
 #: What the status is made of.
 _STATUS = ("migration", "monitor", "proof", "visible_bucket", "fleet")

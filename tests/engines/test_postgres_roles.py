@@ -29,7 +29,7 @@ STATUS = {"migration", "monitor", "proof", "visible_bucket", "fleet"}
 SHOWN = {"health", "quarantine", "unplaced_day", "onset", "machine", "growth"}
 
 #: The views that a writer takes, and the tables whose rows stay.
-COUNTING = {"finished_run", "visible_bucket", "visible_novel", "onset", "fleet"}
+COUNTING = {"finished_run", "visible_bucket", "visible_novel", "fleet"}
 KEPT = {"migration", "monitor", "channel", "proof"}
 
 #: What a writer does.
