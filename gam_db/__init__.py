@@ -10,6 +10,7 @@ from gam_db.version import __version__
 
 if TYPE_CHECKING:
     from gam_db.alarms import Alarms, episodes, judgements, limits
+    from gam_db.backtesting import backtest
     from gam_db.calibration import Calibration
     from gam_db.checking import check
     from gam_db.connecting import connect
@@ -38,6 +39,7 @@ __all__ = [
     "UserError",
     "WideSource",
     "__version__",
+    "backtest",
     "certificate",
     "check",
     "connect",
@@ -57,6 +59,7 @@ __all__ = [
 #: module -> the names that are public
 _PUBLIC = {
     "alarms": ("Alarms", "episodes", "judgements", "limits"),
+    "backtesting": ("backtest",),
     "calibration": ("Calibration",),
     "checking": ("check",),
     "connecting": ("connect",),

@@ -145,7 +145,7 @@ def _asked(
             if step == "limits":
                 return pa.Table.from_pylist(rows, schema=_LIMITS)
             frozen = [row for row in rows if row["reason"] is None]
-            study.put("frozen_limits", pa.Table.from_pylist(frozen, schema=_FROZEN))
+            study.put("frozen_limits", pa.Table.from_pylist(frozen, schema=FROZEN))
             add_judgements(study.steps, study.method, study.instant_of)
             return study.table(step)
         finally:
@@ -286,7 +286,7 @@ def _high(row: Row, height: Height) -> Row:
 
 
 _MEMBERS = pa.schema([(name, pa.int64()) for name in ("channel_id", "family_no", "g")])
-_FROZEN = pa.schema(
+FROZEN = pa.schema(
     [(name, pa.int64()) for name in ("channel_id", "blocks", "reference", "height", "cap")]
 )
 _LIMITS = pa.schema(

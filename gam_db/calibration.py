@@ -207,14 +207,14 @@ def _resolve_one(calibration: Calibration, kind: TimeKind) -> Rule:
     score_from = (
         None if calibration.score_from is None else instant(calibration.score_from, kind, "score_from")
     )
-    excluded = _closed("exclude", calibration.exclude, kind)
+    excluded = closed("exclude", calibration.exclude, kind)
     if calibration.intervals is None:
         allowed = subtract([(LONG_AGO, FAR_AHEAD)], excluded)
         if calibration.fraction is not None:
             return Rule(float(calibration.fraction), None, None, score_from, tuple(allowed))
         lasting = length(calibration.duration, kind, "The calibration duration")
         return Rule(None, lasting, None, score_from, tuple(allowed))
-    declared = _closed("intervals", calibration.intervals, kind)
+    declared = closed("intervals", calibration.intervals, kind)
     return Rule(
         declared_end=max((end for _, end in declared), default=None),
         score_from=score_from,
@@ -246,8 +246,14 @@ def subtract(intervals: Sequence[Interval], excluded: Sequence[Interval]) -> lis
     return left
 
 
-def _closed(name: str, intervals: Sequence[tuple[Instant, Instant]], kind: TimeKind) -> list[Interval]:
-    closed = []
+def closed(name: str, intervals: Sequence[tuple[Instant, Instant]], kind: TimeKind) -> list[Interval]:
+    """Return intervals as closed ones of integers.
+
+    Raises:
+        CalibrationError: one ends before it begins.
+        ParameterError: an end of one is no instant.
+    """
+    pairs = []
     for number, (start, end) in enumerate(intervals, start=1):
         pair = (
             instant(start, kind, f"The start of {name} {number}"),
@@ -255,5 +261,5 @@ def _closed(name: str, intervals: Sequence[tuple[Instant, Instant]], kind: TimeK
         )
         if pair[0] > pair[1]:
             raise CalibrationError(f"{name} {number} ends ({end!r}) before it begins ({start!r}).")
-        closed.append(pair)
-    return closed
+        pairs.append(pair)
+    return pairs

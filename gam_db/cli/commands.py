@@ -46,6 +46,8 @@ COMMANDS = {
         "write the table.",
         "once:demo": "Simulate a machine that wears out, and print what `gam run` prints of it. "
         "Writes nothing.",
+        "backtest:backtest": "Count how often the limits raise what follows calibration, where nothing "
+        "was wrong.",
         "choose:select": "Choose delay, embedding dimension, bins and window for every channel of "
         "SOURCE.",
         "warehouse:compile": "Print the complete SQL script that computes the health indicator of "

@@ -73,6 +73,15 @@ def add_judgements(steps: Pipeline, method: Method, instant_of: TimeNode) -> Non
     add(steps, "alarms/episodes", times)
 
 
+def add_backtested(steps: Pipeline, healthy: Sequence[tuple[int, int]]) -> None:
+    """Add what limits raise in closed intervals of time (none: always), after :func:`add_judgements`."""
+    spans: list[dict[str, template.Slot]] = [
+        {"time_from": start, "time_to": end} for start, end in healthy
+    ]
+    inside = [template.fill("alarms/within", span) for span in spans]
+    add(steps, "alarms/backtested", {"healthy": exp.or_(*inside) if inside else exp.true()})
+
+
 def _add_episodes(steps: Pipeline, rooted: str, suffix: str) -> None:
     """Add evidence, what it opens, and the episodes of that."""
     names = {"rooted": rooted, **{name: f"{name}{suffix}" for name in ("evidence", "opened")}}

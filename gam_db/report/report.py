@@ -7,6 +7,8 @@ import base64
 import datetime as dt
 import hashlib
 import html
+import re
+import secrets
 import zoneinfo
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -34,6 +36,9 @@ DAY = 86_400 * SECOND
 
 #: Above so many signals a page gets fewer columns, and above the last one it is refused.
 COLUMNS, FEW_COLUMNS, MANY, MOST = 240, 120, 10_000, 40_000
+
+#: A place of the frame that is filled.
+_PLACE = re.compile(r"\{\{([a-z-]+)\}\}")
 
 Row = dict[str, Any]
 
@@ -161,9 +166,12 @@ def write(
         "details": {str(place): one for place, one in sorted(shown.items())},
     }
     text = page(data, wishes.title).encode()
+    unfinished = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
     try:
-        path.write_bytes(text)
+        unfinished.write_bytes(text)
+        unfinished.replace(path)
     except OSError as error:
+        unfinished.unlink(missing_ok=True)
         raise ConfigurationError(f"{path} cannot be written: {error.strerror}.") from error
     return {
         "path": str(path),
@@ -190,17 +198,16 @@ def page(data: Row, title: str, script: str | None = None) -> str:
     script = script.strip().replace("</script", "<\\/script")
     style = (room / "page.css").read_text(encoding="utf-8").strip()
     frame = (room / "page.html").read_text(encoding="utf-8")
-    for name, text in (
-        ("title", html.escape(title)),
-        ("script-hash", _hash(script)),
-        ("style-hash", _hash(style)),
-        ("style", style),
-        ("data", in_script(data)),
-        ("script", script),
-    ):
-        before, _, after = frame.partition(f"{{{{{name}}}}}")
-        frame = f"{before}{text}{after}"
-    return frame
+    filled = {
+        "title": html.escape(title),
+        "script-hash": _hash(script),
+        "style-hash": _hash(style),
+        "style": style,
+        "data": in_script(data),
+        "script": script,
+    }
+    # In one pass: a machine may be called like a place.
+    return _PLACE.sub(lambda place: filled[place[1]], frame)
 
 
 def _hash(text: str) -> str:

@@ -74,6 +74,8 @@ _ABOUT = {
     "certificate/*": "test_spec[certificate",
     "judgement/*": "test_judged",
     "report/*": "test_report",
+    "alarms/within": "test_backtest",
+    "alarms/backtested": "test_backtest",
     "alarms/*": "test_alarms",
     "stored/expired_*": "test_pruning",
     "stored/aged_buckets": "test_pruning",

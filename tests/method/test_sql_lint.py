@@ -20,7 +20,7 @@ from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.export import Package
 from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
-from gam_db.method.alarms import add_judgements, add_learnt_limits, add_replay
+from gam_db.method.alarms import add_backtested, add_judgements, add_learnt_limits, add_replay
 from gam_db.method.census import Slicing
 from gam_db.method.delays import KEPT, Ways
 from gam_db.selection.budget import add_budget, add_results
@@ -595,6 +595,7 @@ def alarm_steps(number: int) -> list[tuple[str, exp.Query]]:
         made.add(name, exp.select(*(exp.alias_(one.copy(), column) for column in columns)))
     add_replay(made)
     add_judgements(made, method, lambda node: node)
+    add_backtested(made, [(0, 5), (7, 9)])
     return [(step.name, step.query) for step in made.steps.values()]
 
 

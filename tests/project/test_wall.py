@@ -32,6 +32,7 @@ LAYERS = [
     ["script", "streaming", "trusting"],
     ["study"],
     ["alarms", "health", "checking", "findings", "selection"],
+    ["backtesting"],
     ["report"],
     ["stored"],
     ["gam_db"],

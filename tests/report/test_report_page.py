@@ -42,7 +42,7 @@ HOSTILE = (
         "Twin",
         "twin",
     ),
-    *("a/b#c?d%20e", "&lt;b&gt;"),
+    *("a/b#c?d%20e", "&lt;b&gt;", "{{script}}", "{{data}}"),
 )
 
 

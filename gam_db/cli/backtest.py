@@ -1,0 +1,130 @@
+"""``gam backtest``: how often the limits would have raised a machine that was healthy.
+
+This module owns the command and its page. What figures mean is said by :func:`gam_db.backtest`.
+"""
+
+from collections.abc import Sequence
+from typing import Annotated, Any
+
+import typer
+from rich.console import Console
+
+from gam_db.alarms import Alarms
+from gam_db.backtesting import backtest as tested
+from gam_db.calibration import Calibration
+from gam_db.cli import options, page
+from gam_db.cli.exits import Exit
+from gam_db.cli.job import job_of
+from gam_db.cli.progress import working
+from gam_db.config import Settings
+from gam_db.connecting import connect
+from gam_db.setting import settings_of
+
+_ALARMS = "Alarms"
+
+Row = dict[str, Any]
+
+
+@options.taking(*options.READ)
+def backtest(
+    settings: Settings,
+    rate: Annotated[
+        str,
+        typer.Option(
+            help="False alarms that are asked for: '1 per month' of all channels together, '2 per year "
+            "per channel', or '0.5 per 1000 judgements', the only form of a counter.",
+            rich_help_panel=_ALARMS,
+        ),
+    ] = Alarms().rate,
+    family: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="PATTERN",
+            help="Channels that are alike, replayed together (repeatable); default those of the same "
+            "parameters.",
+            rich_help_panel=_ALARMS,
+        ),
+    ] = None,
+    healthy: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="FROM/TO",
+            help="When nothing was wrong (repeatable); default all that follows calibration.",
+            rich_help_panel=_ALARMS,
+        ),
+    ] = None,
+    as_json: options.Json = False,
+    quiet: options.Quiet = False,
+    threads: options.Threads = None,
+) -> None:
+    """Count how often the limits raise what follows calibration, where nothing was wrong.
+
+    Limits are made of the calibration of SOURCE for the asked rate; every full window after it is
+    judged. What is seen is set beside what is stated, with how sure it is.
+    """
+    asked = Alarms(rate, tuple(family or ()))
+    spans = settings_of(Calibration)["intervals"].takes.read("--healthy", healthy) if healthy else None
+    relation = options.named_relation(settings)
+    with connect(settings.source.database, threads, writable=False) as session, working(session):
+        job = job_of(session, settings, relation)
+        method = (job.parameters, job.calibration)
+        found = tested(job.guess.source, *method, asked, spans, session)
+    page.tell(Exit.FINE, {**job.figures(), **found}, lambda out: _show(out, found), as_json, quiet)
+
+
+def _show(out: Console, found: Row) -> None:
+    for line in lines(found):
+        page.say(out, line)
+
+
+def lines(found: Row) -> list[str]:
+    """Return what is said of the figures, a sentence a line."""
+    judged = f"{found['judged']:,} of {found['channels']:,} channels have a limit"
+    stated = (
+        "no rate can be stated"
+        if found["stated"] is None
+        else f"stated: {_rate(found['stated'])} (asked: {found['asked']})"
+    )
+    said = [
+        f"{judged}; {found['judgements']:,} judgements, {found['episodes']:,} episodes",
+        stated,
+        f"seen: {_rate(found['seen'])}; 95 %: {_between(found, 'lower', 'upper')} by Poisson, "
+        f"{_between(found, 'resampled_lower', 'resampled_upper')} by channels drawn again",
+    ]
+    if found["per_day_seen"] is not None:
+        a_day = found["per_day_stated"]
+        said.append(
+            f"alarms a day of these {found['judged']:,} channels: {found['per_day_seen']:.3g} seen"
+            + ("" if a_day is None else f", {a_day:.3g} stated")
+        )
+    said += [
+        f"basis {basis}: {one['channels']:,} channels, {one['judgements']:,} judgements, "
+        f"{one['episodes']:,} episodes"
+        for basis, one in sorted(found["basis"].items())
+    ]
+    said += [
+        f"without a limit: {count:,} ({reason})" for reason, count in sorted(found["withheld"].items())
+    ]
+    return [*said, *_raised(found["by_channel"])]
+
+
+def _raised(rows: Sequence[Row]) -> list[str]:
+    """Return the channels that were raised most often."""
+    most = sorted((row for row in rows if row["episodes"]), key=lambda row: -row["episodes"])
+    return [
+        f"raised: {' / '.join(filter(None, (row['asset'], row['channel'])))}: {row['episodes']:,} in "
+        f"{row['judgements']:,} judgements"
+        for row in most[:5]
+    ]
+
+
+def _between(found: Row, lower: str, upper: str) -> str:
+    return f"{_bare(found[lower])} to {_bare(found[upper])}"
+
+
+def _rate(per_judgement: float) -> str:
+    return f"{_bare(per_judgement)} per 1,000 judgements"
+
+
+def _bare(per_judgement: float) -> str:
+    return f"{1000 * per_judgement:.2f}"
