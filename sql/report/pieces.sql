@@ -34,7 +34,7 @@ FROM (
       'onset' AS piece,
       sampled.time AS time,
       sampled.value AS value,
-      ABS(sampled.time - wish.onset_tick) AS away
+      CAST(ABS(sampled.time - wish.onset_tick) AS BIGINT) AS away
     FROM samples AS sampled
     JOIN channels AS named ON named.channel_id = sampled.channel_id
     JOIN wanted AS wish ON wish.asset = named.asset AND wish.channel = named.channel
