@@ -75,14 +75,12 @@ def backtest(
         finally:
             if session is engine:  # it stays open, and nobody asks this study again
                 study.forget()
+    if not frozen:
+        why = "; ".join(f"{count:,}: {reason}" for reason, count in sorted(_withheld(rows).items()))
+        raise ParameterError(f"There is no judgement to count, since no channel has a limit ({why}).")
     if not found:
         raise ParameterError(
-            "There is no judgement to count: "
-            + (
-                "no channel has a limit; gam_db.limits() says why."
-                if not frozen
-                else "healthy covers no full window after calibration."
-            )
+            "There is no judgement to count: healthy covers no full window after calibration."
         )
     return _figures(alarms.rate, rows, found)
 
@@ -125,9 +123,13 @@ def _figures(asked: str, rows: Sequence[Row], found: list[Row]) -> Row:
         "order_ratio": sum(ratios) / len(ratios) if ratios else None,
         "per_day_stated": None if a_day is None or mean is None else mean * a_day,
         "per_day_seen": None if a_day is None else episodes / judgements * a_day,
-        "withheld": dict(Counter(row["reason"] for row in rows if row["reason"] is not None)),
+        "withheld": _withheld(rows),
         "by_channel": found,
     }
+
+
+def _withheld(rows: Sequence[Row]) -> dict[str, int]:
+    return dict(Counter(row["reason"] for row in rows if row["reason"] is not None))
 
 
 def poisson_ends(count: int) -> tuple[float, float]:
