@@ -30,15 +30,16 @@ TABLES = (
     "horizon",
     "proof",
 )
+#: Each after those that it reads.
 VIEWS = (
     "finished_run",
     "visible_bucket",
     "visible_novel",
+    "onset",
     "health",
     "fleet",
     "quarantine",
     "unplaced_day",
-    "onset",
     "machine",
     "growth",
 )

@@ -72,6 +72,7 @@ def test_counts(row: dict[str, str]) -> None:
         bins=int(row["B"]),
         window=100,
         stride=None,
+        still_after=None,
         max_gap=int(row["gap"]) * unit,
         target_floor=0.05,
         overrides=(),

@@ -151,10 +151,16 @@ def test_the_views_show_what_finished_runs_left(
     def ordered(rows: list[dict[str, Any]], *by: str) -> list[dict[str, Any]]:
         return sorted(rows, key=lambda row: [row[key] for key in ("monitor", "asset", "channel", *by)])
 
-    assert ordered(shown(session, "health"), "bucket") == ordered(health, "bucket")
+    seen = ordered(shown(session, "health"), "bucket")
+    judged = [{key: row.pop(key) for key in ("verdict", "hi_limit")} for row in seen]
+    assert seen == ordered(health, "bucket")
     assert ordered(shown(session, "quarantine"), "cell_key") == ordered(quarantine, "cell_key")
     found = ordered(shown(session, "fleet"))
     assert [{key: row[key] for key in fleet[0]} for row in found] == ordered(fleet)
+    of_channel = {(row["monitor"], row["asset"], row["channel"]): row for row in found}
+    for row, said in zip(seen, judged, strict=True):
+        channel_row = of_channel[row["monitor"], row["asset"], row["channel"]]
+        assert said == {key: channel_row[key] for key in said}
 
 
 def test_the_limit_is_the_largest_of_three(session: DuckSession) -> None:

@@ -104,6 +104,12 @@ OMITTED = {
     "test_a_state_of_the_first_migrations_goes_up_and_is_scored_on": ("spark",),
     "test_filling_may_be_cut_short_anywhere": ("spark", "mariadb"),
     "test_any_mix_ends_in_the_tables_of_one_full_run": ("spark",),
+    "test_however_rows_lie_the_body_of_the_engine_serves": ("spark",),
+    "test_each_body_finds_what_occurs_twice": ("spark",),
+    "test_the_onset_is_the_first_bucket_of_the_run_that_lasts": ("spark",),
+    "test_what_is_in_the_file_is_what_the_tables_say": ("spark",),
+    "test_the_same_tables_make_the_same_bytes_on_every_engine": ("spark",),
+    "test_limits_judgements_and_episodes_equal_the_reference": ("spark",),
     "test_a_soak_ends_in_the_tables_of_one_full_run": ("spark", "clickhouse", "mariadb"),
 }
 
