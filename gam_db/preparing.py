@@ -67,9 +67,12 @@ def prepared(session: Session, source: AnySource) -> Prepared:
     outer = exp.select(*every).from_(exp.Subquery(this=inner, alias=_alias("written")))
     relation = exp.Subquery(this=outer, alias=_alias("prepared"))
     rows = dataclasses.replace(source, where=None)
-    # What an expression gives is not told by every engine: SQLite tells the type of the column in it.
-    is_made = source.time_unit is not None and source.time in changes
-    described = {source.time: "TIMESTAMP"} if is_made else session.describe(relation)
+    # Not every engine tells what an expression gives: PostgreSQL tells it of tables alone, and SQLite the
+    # type of the column in it.
+    described = columns
+    if source.time in changes:
+        is_made = source.time_unit is not None
+        described = {source.time: "TIMESTAMP"} if is_made else session.describe(relation)
     kind = look.kind_of(rows, described, session)
     return Prepared(source, columns, stored, rows, relation, kind)
 

@@ -97,7 +97,7 @@ def test_names_that_differ_by_case_are_two_machines(connection: Any, kind: str) 
         ("reading", False),
         ("text", True),
         ("money", True),
-        ("boolean", True),
+        ("boolean", False),
     ],
 )
 def test_types_of_readings(connection: Any, kind: str, is_refused: bool) -> None:
