@@ -67,8 +67,8 @@ def prepared(session: Session, source: AnySource) -> Prepared:
     outer = exp.select(*every).from_(exp.Subquery(this=inner, alias=_alias("written")))
     relation = exp.Subquery(this=outer, alias=_alias("prepared"))
     rows = dataclasses.replace(source, where=None)
-    # Not every engine tells what an expression gives: PostgreSQL tells it of tables alone, and SQLite the
-    # type of the column in it.
+    # Not every engine tells what a query gives: PostgreSQL tells it of tables alone, SQLite the type
+    # of the column in it.
     described = columns
     if source.time in changes:
         is_made = source.time_unit is not None

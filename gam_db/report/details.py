@@ -13,6 +13,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.calibration import Calibration
+from gam_db.clock import FAR_AHEAD
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, nearest
 from gam_db.parameters import Parameters
@@ -83,23 +84,20 @@ def read(
         courses: the buckets of each.
         end: newest instant that is shown.
     """
-    wanted, lengths = [], []
+    wanted, pieces_wanted, lengths = [], [], []
     for number, (row, course) in enumerate(zip(signals, courses, strict=True)):
         begin = row["learnt_from"]
         if begin is None:
             begin = int(course["first"][0]) if len(course["first"]) else end
         lengths.append(max((end - begin + 1) / STRETCHES, 1e-9))
-        wanted.append(
-            {
-                "number": number,
-                "asset": row["asset"],
-                "channel": row["channel"],
-                "first_tick": begin,
-                "stretch_length": lengths[-1],
-                "healthy_tick": row["calibration_end"] if row["calibration_end"] is not None else begin,
-                "onset_tick": onset_of(row, course, end),
-            }
-        )
+        named = {"number": number, "asset": row["asset"], "channel": row["channel"]}
+        wanted.append({**named, "first_tick": begin, "stretch_length": lengths[-1]})
+        healthy = row["calibration_end"] if row["calibration_end"] is not None else begin
+        onset = {"piece": "onset", "about_tick": onset_of(row, course, end), "last_tick": FAR_AHEAD}
+        pieces_wanted += [
+            {**named, "piece": "healthy", "about_tick": healthy, "last_tick": healthy},
+            {**named, **onset},
+        ]
     narrowed = source
     if source.asset is not None:
         names = sorted({row["asset"] for row in signals})
@@ -108,6 +106,7 @@ def read(
     study = Study(session, narrowed, Parameters(), Calibration(), strict=False)
     try:
         study.put("wanted", pa.Table.from_pylist(wanted))
+        study.put("wanted_pieces", pa.Table.from_pylist(pieces_wanted))
         for name, slots in (("envelope", {}), ("pieces", {"most": PIECE})):
             study.steps.add(name, filled(f"report/{name}", slots))
         envelopes = _envelopes(study.table("envelope"), wanted, lengths)

@@ -1,7 +1,7 @@
 -- Pieces: the readings of each signal that is shown, in its last healthy piece and around the onset.
--- Reads:  samples, channels, wanted
+-- Reads:  samples, channels, wanted_pieces
 -- A row:  one reading; piece is healthy or onset. Missing readings are NULL. Positions are counted from the
---         instant that the piece is about, back and forth.
+--         instant that the piece is about, back and, up to the last one that it may hold, forth.
 -- Slots:  :most  readings of a piece
 SELECT
   placed.number AS number,
@@ -10,34 +10,18 @@ SELECT
   placed.value AS value
 FROM (
   SELECT
-    near.number AS number,
-    near.piece AS piece,
-    near.time AS time,
-    near.value AS value,
+    wish.number AS number,
+    wish.piece AS piece,
+    sampled.time AS time,
+    sampled.value AS value,
     CAST(
-      ROW_NUMBER() OVER (PARTITION BY near.number, near.piece ORDER BY near.away, near.time) AS BIGINT
+      ROW_NUMBER() OVER (
+        PARTITION BY wish.number, wish.piece ORDER BY ABS(sampled.time - wish.about_tick), sampled.time
+      ) AS BIGINT
     ) AS place
-  FROM (
-    SELECT
-      wish.number AS number,
-      'healthy' AS piece,
-      sampled.time AS time,
-      sampled.value AS value,
-      wish.healthy_tick - sampled.time AS away
-    FROM samples AS sampled
-    JOIN channels AS named ON named.channel_id = sampled.channel_id
-    JOIN wanted AS wish ON wish.asset = named.asset AND wish.channel = named.channel
-    WHERE sampled.time <= wish.healthy_tick
-    UNION ALL
-    SELECT
-      wish.number AS number,
-      'onset' AS piece,
-      sampled.time AS time,
-      sampled.value AS value,
-      CAST(ABS(sampled.time - wish.onset_tick) AS BIGINT) AS away
-    FROM samples AS sampled
-    JOIN channels AS named ON named.channel_id = sampled.channel_id
-    JOIN wanted AS wish ON wish.asset = named.asset AND wish.channel = named.channel
-  ) AS near
+  FROM samples AS sampled
+  JOIN channels AS named ON named.channel_id = sampled.channel_id
+  JOIN wanted_pieces AS wish ON wish.asset = named.asset AND wish.channel = named.channel
+  WHERE sampled.time <= wish.last_tick
 ) AS placed
 WHERE placed.place <= :most
