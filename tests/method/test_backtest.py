@@ -43,13 +43,15 @@ def source() -> gam_db.Source:
 
 
 def test_figures_are_those_of_the_tables(source: gam_db.Source, engine: str) -> None:
-    """Without intervals, and with two that cut judgements and leave the worn part out."""
+    """Without intervals, with two that cut judgements, and with one in which an episode just opens."""
     asked = (PARAMETERS, CALIBRATION, ALARMS)
     session = engines.session(engine)
     judged = gam_db.judgements(source, *asked, session).to_pylist()
     raised = gam_db.episodes(source, *asked, session).to_pylist()
     first = {(row["asset"], row["judgement"]): row for row in judged}
-    for healthy in (None, [(900, 1201), (1203, 1599)]):
+    opening = first[raised[0]["asset"], raised[0]["first_judgement"]]
+    just = [(opening["first_time"], opening["last_time"])]
+    for healthy in (None, [(900, 1201), (1203, 1599)], just):
         found = gam_db.backtest(source, *asked, healthy, session)
 
         def counts(row: dict[str, Any], healthy: Any = healthy) -> bool:
@@ -67,6 +69,7 @@ def test_figures_are_those_of_the_tables(source: gam_db.Source, engine: str) -> 
         for asset, count in by_channel.items():
             assert count == sum(row["asset"] == asset and counts(row) for row in judged)
         assert (found["channels"], sum(found["withheld"].values())) == (13, 13 - len(by_channel))
+    assert found["episodes"] > 0
     assert {row["asset"] for row in raised} >= {"a0", "a1", "a2"}
 
 
