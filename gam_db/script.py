@@ -210,7 +210,7 @@ def _relation(source: AnySource, engine: Engine) -> exp.Expr:
         raise EngineError(
             f"{engine.name} reads no files by path; load {relation} into a table and name that."
         )
-    from gam_db.engines.duckdb import file_reader
+    from gam_db.engines.duckdb_reading import file_reader
 
     return file_reader(paths_of(relation))
 

@@ -28,6 +28,7 @@ from gam_db.cli.report import checked, page_of, told
 from gam_db.clock import SINCE_1970, epoch_unit
 from gam_db.config import Settings
 from gam_db.connecting import connect
+from gam_db.engines.duckdb_files import SOURCE_MARK
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, findings, need_attention
@@ -303,7 +304,7 @@ def _check_theirs(path: Path, relation: str) -> None:
         said = parquet.read_metadata(path).metadata or {}
     except (OSError, ArrowInvalid):  # there is none, or it is no file of ours
         return
-    of = said.get(b"gam_source", b"").decode()
+    of = said.get(SOURCE_MARK.encode(), b"").decode()
     here = os.path.abspath(relation)
     folder = str(Path(here).parent) if "*" in relation else here
     if of and is_file(relation) and not of.startswith(folder):

@@ -14,7 +14,6 @@ from gam_db import template
 from gam_db.engines.duckdb_journal import Journal, journal_of, put_back
 from gam_db.engines.session import unwritable
 from gam_db.errors import EngineError, LockedError, SourceError
-from gam_db.source import FILE_ENDINGS
 
 _UNITS = {"bytes": 1, "KiB": 2**10, "MiB": 2**20, "GiB": 2**30, "TiB": 2**40}
 
@@ -77,73 +76,6 @@ def _with_our_checkpoints(connection: duckdb.DuckDBPyConnection) -> duckdb.DuckD
     connection.execute("SET checkpoint_threshold = '1000 TB'")
     connection.execute("PRAGMA disable_checkpoint_on_shutdown")
     return connection
-
-
-#: Keys of the metadata of a Parquet file of results: the version that wrote it, and from what.
-MARK, SOURCE_MARK = "gam_db", "gam_source"
-
-#: Columns that only results have, in files that were written before these had metadata.
-_OF_RESULTS = ("novel_in_window", "calibrated_lo", "learned_floor")
-
-
-#: Formats of tables that are folders -> what inside tells, and the way through Arrow.
-_TABLES = {
-    "Delta Lake": ("_delta_log", "deltalake.DeltaTable(PATH).to_pyarrow_table()"),
-    "Iceberg": (
-        "metadata/*.metadata.json",
-        "pyiceberg's StaticTable.from_metadata(PATH).scan().to_arrow()",
-    ),
-}
-
-
-def source_mark(sources: Iterable[str]) -> str:
-    """Return what is written of the sources of results: their full paths."""
-    return ";".join(one if "://" in one else os.path.abspath(one) for one in dict.fromkeys(sources))
-
-
-def without_results(connection: duckdb.DuckDBPyConnection, path: str) -> list[str]:
-    """Return the files of a pattern or a folder but for those that gam-db wrote; a path as it is.
-
-    Raises:
-        SourceError: there are none but such.
-    """
-    if path.endswith("/"):
-        for table, (log, through) in _TABLES.items():
-            if any(Path(path).glob(log)):
-                raise SourceError(
-                    f"{path} is a table of {table}, whose files hold rows that are no longer in it; "
-                    f"give it from Python through Arrow, by {through}."
-                )
-        inside = [f"{path}**/*{ending}" for ending in FILE_ENDINGS]
-        found = [one for one in inside if _matching(connection, one)]
-        if not found:
-            raise SourceError(f"The folder {path} holds no Parquet or CSV file; is it there?")
-        path = found[0]
-    files = _matching(connection, path) if set(path) & {*"*?["} and "://" not in path else []
-    if not files or not path.lower().endswith((".parquet", ".pq")):
-        return [path]
-    try:
-        results = connection.execute(
-            "SELECT file_name FROM parquet_schema($1) WHERE list_contains($2, name) "
-            "UNION SELECT file_name FROM parquet_kv_metadata($1) WHERE CAST(key AS VARCHAR) = $3",
-            [files, list(_OF_RESULTS), MARK],
-        ).fetchall()
-    except duckdb.Error:  # a file is damaged, which is said where it is read
-        return [path]
-    ours = {file for (file,) in results}
-    if not ours:
-        return [path]
-    kept = [file for file in files if file not in ours]
-    if not kept:
-        raise SourceError(
-            f"{path} matches nothing but results of gam-db; name what they were made from."
-        )
-    return kept
-
-
-def _matching(connection: duckdb.DuckDBPyConnection, pattern: str) -> list[str]:
-    rows = connection.execute("SELECT file FROM glob(?) ORDER BY file", [pattern]).fetchall()
-    return [file for (file,) in rows]
 
 
 #: What DuckDB writes beside a database file.

@@ -2,7 +2,6 @@
 
 import contextlib
 import itertools
-import re
 import secrets
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
@@ -14,34 +13,24 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.base import deletion
-from gam_db.engines.duckdb import ENGINE, all_as_text, file_reader, is_csv_reader
+from gam_db.engines.duckdb import ENGINE
+from gam_db.engines.duckdb_files import late_word, metadata, no_table, without_results
 from gam_db.engines.duckdb_journal import Journal
 from gam_db.engines.duckdb_opening import (
-    MARK,
-    SOURCE_MARK,
     attached,
     check_settings,
     is_among,
     opened,
     rows_at_once,
     shut,
-    source_mark,
-    without_results,
 )
+from gam_db.engines.duckdb_reading import file_reader, is_csv_reader
 from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY, arrow_table, unwritable
 from gam_db.errors import ConflictError, EngineError, SourceError, StatementError, nearest
-from gam_db.form import Form, options_for_null, options_for_numbers, shortened
+from gam_db.form import Form
 from gam_db.source import is_file, paths_of, table_names
-from gam_db.version import __version__
 
 OLDEST = (2, 0)
-
-_LATE = re.compile(
-    r"CSV Error on Line: (\d+).*column \"(.*?)\"\. Could not convert string \"(.*?)\" to '(.*?)'",
-    re.DOTALL,
-)
-
-_NOT_THERE = re.compile(r"install the required extension '(\w+)")
 
 #: The log goes into the file when it has grown beyond so many bytes, and when the file is closed.
 LARGE_LOG = 2**24
@@ -338,7 +327,7 @@ class DuckSession:
             params=[
                 exp.CopyParameter(this=exp.var("FORMAT"), expression=exp.var("PARQUET")),
                 exp.CopyParameter(this=exp.var("COMPRESSION"), expression=exp.var("ZSTD")),
-                exp.CopyParameter(this=exp.var("KV_METADATA"), expression=_metadata(self._sources)),
+                exp.CopyParameter(this=exp.var("KV_METADATA"), expression=metadata(self._sources)),
             ],
         )
         try:
@@ -401,7 +390,7 @@ class DuckSession:
                 "(SET temp_directory), or score fewer channels at a time."
             ) from error
         except duckdb.ConversionException as error:
-            said = self._late_word(error, tree)
+            said = late_word(self.connection, error, tree)
             if said:
                 raise SourceError(said) from error
             raise SourceError(
@@ -416,28 +405,6 @@ class DuckSession:
                     "it, or read the file into a table with options of your own."
                 ) from error
             raise _refusal(error, statement) from error
-
-    def _late_word(self, error: duckdb.Error, tree: exp.Expr) -> str:
-        """Return what is said of a word far down a CSV file that its column cannot hold."""
-        found = _LATE.search(str(error))
-        reader = next(filter(is_csv_reader, tree.find_all(exp.Table)), None)
-        if found is None or reader is None:
-            return ""
-        line, column, word, kind = found.groups()
-        like = exp.EQ(this=template.column(column), expression=template.text(word))
-        count = exp.select(exp.Count(this=exp.Star())).from_(all_as_text(reader)).where(like)
-        try:
-            ((rows,),) = self.connection.execute(self.engine.text(count)).fetchall()
-        except duckdb.Error:  # the user's transaction has failed with the statement
-            rows = 1
-        same = f", {rows:,} times in all" if rows > 1 else ""
-        is_time = any(sign in kind for sign in ("TIME", "DATE"))
-        options = {"--time-format" if is_time else options_for_numbers([word]), options_for_null(word)}
-        return (
-            f"Line {line} of the CSV file holds {shortened(word)} in the column {column!r}{same}, where "
-            f"{'times' if is_time else 'numbers'} are before it; {' or '.join(sorted(options))} would "
-            "read it."
-        )
 
     def _register(self, relation: Any) -> exp.Table:
         table = arrow_table(relation)
@@ -469,7 +436,7 @@ class DuckSession:
                 raise SourceError(
                     f"{path} cannot be read; is it there, and is it a file of that kind?"
                 ) from error
-            raise SourceError(_no_table(path, str(error.__cause__ or error))) from error
+            raise SourceError(no_table(path, str(error.__cause__ or error))) from error
         return node
 
     def _free_name(self, word: str) -> str:
@@ -483,30 +450,6 @@ class DuckSession:
         return self.connection.execute(
             "SELECT table_catalog, table_schema, table_name FROM information_schema.tables"
         ).fetchall()
-
-
-def _metadata(sources: Sequence[str]) -> exp.Expr:
-    """Return what a file of results says of itself: whose results, and where from."""
-    said = {MARK: __version__, SOURCE_MARK: source_mark(sources)}
-    pairs = [
-        exp.PropertyEQ(this=template.text(name), expression=template.text(value))
-        for name, value in said.items()
-    ]
-    return exp.Struct(expressions=pairs)
-
-
-def _no_table(path: str, reason: str) -> str:
-    """Return why a path is no table, in the user's words."""
-    extension = _NOT_THERE.search(reason)
-    if extension is None:
-        return (
-            f"{path} is no table that DuckDB can make out; is it whole, and of the kind that its name "
-            "says?"
-        )
-    return (
-        f"{path} is read by DuckDB's extension {extension[1]}, which is not installed and cannot be "
-        f"fetched from here: INSTALL {extension[1]} where there is a network, or copy the file here."
-    )
 
 
 def _refusal(error: duckdb.Error, statement: str) -> StatementError:

@@ -1,0 +1,141 @@
+"""Files at work with DuckDB: which of a folder are read, and what is said of one that cannot be.
+
+This module also owns what files of results say of themselves: whose they are, and where from.
+"""
+
+import os
+import re
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+import duckdb
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.engines.duckdb import ENGINE
+from gam_db.engines.duckdb_reading import all_as_text, is_csv_reader
+from gam_db.errors import SourceError
+from gam_db.form import options_for_null, options_for_numbers, shortened
+from gam_db.source import FILE_ENDINGS
+from gam_db.version import __version__
+
+#: Keys of the metadata of a Parquet file of results: the version that wrote it, and from what.
+MARK, SOURCE_MARK = "gam_db", "gam_source"
+
+#: Columns that only results have, in files that were written before these had metadata.
+_OF_RESULTS = ("novel_in_window", "calibrated_lo", "learned_floor")
+
+
+#: Formats of tables that are folders -> what inside tells, and the way through Arrow.
+_TABLES = {
+    "Delta Lake": ("_delta_log", "deltalake.DeltaTable(PATH).to_pyarrow_table()"),
+    "Iceberg": (
+        "metadata/*.metadata.json",
+        "pyiceberg's StaticTable.from_metadata(PATH).scan().to_arrow()",
+    ),
+}
+
+
+def source_mark(sources: Iterable[str]) -> str:
+    """Return what is written of the sources of results: their full paths."""
+    return ";".join(one if "://" in one else os.path.abspath(one) for one in dict.fromkeys(sources))
+
+
+def without_results(connection: duckdb.DuckDBPyConnection, path: str) -> list[str]:
+    """Return the files of a pattern or a folder but for those that gam-db wrote; a path as it is.
+
+    Raises:
+        SourceError: there are none but such.
+    """
+    if path.endswith("/"):
+        for table, (log, through) in _TABLES.items():
+            if any(Path(path).glob(log)):
+                raise SourceError(
+                    f"{path} is a table of {table}, whose files hold rows that are no longer in it; "
+                    f"give it from Python through Arrow, by {through}."
+                )
+        inside = [f"{path}**/*{ending}" for ending in FILE_ENDINGS]
+        found = [one for one in inside if _matching(connection, one)]
+        if not found:
+            raise SourceError(f"The folder {path} holds no Parquet or CSV file; is it there?")
+        path = found[0]
+    files = _matching(connection, path) if set(path) & {*"*?["} and "://" not in path else []
+    if not files or not path.lower().endswith((".parquet", ".pq")):
+        return [path]
+    try:
+        results = connection.execute(
+            "SELECT file_name FROM parquet_schema($1) WHERE list_contains($2, name) "
+            "UNION SELECT file_name FROM parquet_kv_metadata($1) WHERE CAST(key AS VARCHAR) = $3",
+            [files, list(_OF_RESULTS), MARK],
+        ).fetchall()
+    except duckdb.Error:  # a file is damaged, which is said where it is read
+        return [path]
+    ours = {file for (file,) in results}
+    if not ours:
+        return [path]
+    kept = [file for file in files if file not in ours]
+    if not kept:
+        raise SourceError(
+            f"{path} matches nothing but results of gam-db; name what they were made from."
+        )
+    return kept
+
+
+def _matching(connection: duckdb.DuckDBPyConnection, pattern: str) -> list[str]:
+    rows = connection.execute("SELECT file FROM glob(?) ORDER BY file", [pattern]).fetchall()
+    return [file for (file,) in rows]
+
+
+def metadata(sources: Sequence[str]) -> exp.Expr:
+    """Return what a file of results says of itself: whose results, and where from."""
+    said = {MARK: __version__, SOURCE_MARK: source_mark(sources)}
+    pairs = [
+        exp.PropertyEQ(this=template.text(name), expression=template.text(value))
+        for name, value in said.items()
+    ]
+    return exp.Struct(expressions=pairs)
+
+
+def no_table(path: str, reason: str) -> str:
+    """Return why a path is no table, in the user's words."""
+    extension = _NOT_THERE.search(reason)
+    if extension is None:
+        return (
+            f"{path} is no table that DuckDB can make out; is it whole, and of the kind that its name "
+            "says?"
+        )
+    return (
+        f"{path} is read by DuckDB's extension {extension[1]}, which is not installed and cannot be "
+        f"fetched from here: INSTALL {extension[1]} where there is a network, or copy the file here."
+    )
+
+
+_LATE = re.compile(
+    r"CSV Error on Line: (\d+).*column \"(.*?)\"\. Could not convert string \"(.*?)\" to '(.*?)'",
+    re.DOTALL,
+)
+
+_NOT_THERE = re.compile(r"install the required extension '(\w+)")
+
+
+def late_word(connection: duckdb.DuckDBPyConnection, error: duckdb.Error, tree: exp.Expr) -> str:
+    """Return what is said of a word far down a CSV file that its column cannot hold, if there is one."""
+    found = _LATE.search(str(error))
+    reader = next(filter(is_csv_reader, tree.find_all(exp.Table)), None)
+    if found is None or reader is None:
+        return ""
+    line, column, word, kind = found.groups()
+    like = exp.EQ(this=template.column(column), expression=template.text(word))
+    count = exp.select(exp.Count(this=exp.Star())).from_(all_as_text(reader)).where(like)
+    try:
+        ((rows,),) = connection.execute(ENGINE.text(count)).fetchall()
+    except duckdb.Error:  # the user's transaction has failed with the statement
+        rows = 1
+    same = f", {rows:,} times in all" if rows > 1 else ""
+    is_time = any(sign in kind for sign in ("TIME", "DATE"))
+    options = {"--time-format" if is_time else options_for_numbers([word]), options_for_null(word)}
+    return (
+        f"Line {line} of the CSV file holds {shortened(word)} in the column {column!r}{same}, where "
+        f"{'times' if is_time else 'numbers'} are before it; {' or '.join(sorted(options))} would "
+        "read it."
+    )
