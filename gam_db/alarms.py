@@ -16,12 +16,13 @@ from gam_db.calibration import Calibration
 from gam_db.clock import length
 from gam_db.connecting import borrowed
 from gam_db.errors import ParameterError
+from gam_db.guess import sourced
 from gam_db.heights import LEAST, MOST, STATED_FROM, UNSTATED, Height, Rate, by_replay, by_table
 from gam_db.method.alarms import FAR, NEAR, add_judgements, add_learnt_limits, add_replay
 from gam_db.parameters import Parameters
 from gam_db.setting import COLUMNS, TEXT, check, declared, setting
-from gam_db.source import AnySource
 from gam_db.study import Study
+from gam_db.units import with_units
 
 _JUDGED_BLOCKS = 8
 _REPLAYED_CHANNELS, _REPLAYED_JUDGEMENTS = 5, 300
@@ -59,7 +60,7 @@ class Alarms:
 
 
 def judgements(
-    source: AnySource,
+    source: Any,
     parameters: Parameters | None = None,
     calibration: Calibration | None = None,
     alarms: Alarms | None = None,
@@ -68,7 +69,7 @@ def judgements(
     """Return the judgements of each channel that has a limit: full windows that do not overlap.
 
     Args:
-        source: where the telemetry lies.
+        source: as in :func:`gam_db.health_indicator`.
         parameters: of the method; default :class:`Parameters`.
         calibration: the healthy part; default the first fifth of each channel.
         alarms: the asked rate and the families; default :class:`Alarms`.
@@ -87,7 +88,7 @@ def judgements(
 
 
 def episodes(
-    source: AnySource,
+    source: Any,
     parameters: Parameters | None = None,
     calibration: Calibration | None = None,
     alarms: Alarms | None = None,
@@ -108,7 +109,7 @@ def episodes(
 
 
 def limits(
-    source: AnySource,
+    source: Any,
     parameters: Parameters | None = None,
     calibration: Calibration | None = None,
     alarms: Alarms | None = None,
@@ -132,22 +133,24 @@ def limits(
 
 def _asked(
     step: str,
-    source: AnySource,
+    source: Any,
     parameters: Parameters | None,
     calibration: Calibration | None,
     alarms: Alarms | None,
     engine: Any,
 ) -> pa.Table:
     with borrowed(engine) as session:
-        study = Study(session, source, parameters or Parameters(), calibration or Calibration())
+        study = Study(
+            session, sourced(source, session), parameters or Parameters(), calibration or Calibration()
+        )
         try:
             rows = limits_of(study, alarms or Alarms())
             if step == "limits":
-                return pa.Table.from_pylist(rows, schema=_LIMITS)
+                return with_units(pa.Table.from_pylist(rows, schema=_LIMITS), study.method.kind)
             frozen = [row for row in rows if row["reason"] is None]
             study.put("frozen_limits", pa.Table.from_pylist(frozen, schema=FROZEN))
             add_judgements(study.steps, study.method, study.instant_of)
-            return study.table(step)
+            return with_units(study.table(step), study.method.kind)
         finally:
             if session is engine:  # it stays open, and nobody asks this study again
                 study.forget()

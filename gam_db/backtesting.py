@@ -16,9 +16,9 @@ from gam_db.calibration import Calibration, closed, merge
 from gam_db.clock import Instant
 from gam_db.connecting import borrowed
 from gam_db.errors import ParameterError
+from gam_db.guess import sourced
 from gam_db.method.alarms import add_backtested, add_judgements
 from gam_db.parameters import Parameters
-from gam_db.source import AnySource
 from gam_db.study import Study
 
 _LEFT, _RIGHT = 0.025, 0.975
@@ -28,7 +28,7 @@ Row = dict[str, Any]
 
 
 def backtest(
-    source: AnySource,
+    source: Any,
     parameters: Parameters | None = None,
     calibration: Calibration | None = None,
     alarms: Alarms | None = None,
@@ -40,7 +40,7 @@ def backtest(
     Limits are made of calibration; what follows it is judged by them, as it would have been.
 
     Args:
-        source: where the telemetry lies.
+        source: as in :func:`gam_db.health_indicator`.
         parameters: of the method; default :class:`Parameters`.
         calibration: the healthy part that limits are made of; default the first fifth.
         alarms: the asked rate and the families; default :class:`Alarms`.
@@ -63,7 +63,9 @@ def backtest(
     """
     alarms = alarms or Alarms()
     with borrowed(engine) as session:
-        study = Study(session, source, parameters or Parameters(), calibration or Calibration())
+        study = Study(
+            session, sourced(source, session), parameters or Parameters(), calibration or Calibration()
+        )
         try:
             rows = limits_of(study, alarms)
             frozen = [row for row in rows if row["reason"] is None]

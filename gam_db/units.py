@@ -20,7 +20,10 @@ _COLUMNS = {
     _VALUES: "calibrated_lo calibrated_hi lowest highest quantum calibration_lowest calibration_highest",
     _TICKS: "first_tick last_tick typical_step short_step long_step longest_step shortest_pause "
     "longest_pause",
-    _TIME: "time first_time last_time",
+    _TIME: "time first_time last_time onset_time",
+    "thousandths of the root of a count": "root reference height cap centre spread evidence",
+    "per judgement": "rate stated_rate",
+    "judgements": "judgement onset first_judgement last_judgement last_zero",
 }
 _UNIT_OF = {column: unit for unit, columns in _COLUMNS.items() for column in columns.split()}
 

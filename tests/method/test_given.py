@@ -145,3 +145,17 @@ def test_addresses_of_sqlalchemy_are_understood(tmp_path: Path) -> None:
         assert session.engine.name == "sqlite"
     with pytest.raises(UserError, match="gam-db knows no database oracle://"):
         gam_db.connect("oracle+cx://host/x")
+
+
+def test_alarms_take_what_a_source_reads(folder: Path) -> None:
+    alarms = gam_db.Alarms(rate="5 per 1000 judgements")
+    for asked in (gam_db.limits, gam_db.judgements, gam_db.episodes):
+        found = asked(folder / "x.parquet", SMALL, alarms=alarms)
+        assert found == asked(NAMED, SMALL, alarms=alarms)
+        assert found.schema.metadata[b"time"] == b"counter"
+    units = gam_db.limits(NAMED, SMALL, alarms=alarms).schema
+    assert units.field("height").metadata[b"unit"] == b"thousandths of the root of a count"
+    with pytest.raises(UserError, match="no column"):
+        gam_db.limits(Source(TABLE, "Machine", "Signal", "ts", "Readin"), SMALL, alarms=alarms)
+    with pytest.raises(UserError):
+        gam_db.backtest(folder / "none.parquet", SMALL, alarms=alarms)
