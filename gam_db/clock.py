@@ -159,10 +159,13 @@ def length(value: object, kind: TimeKind, what: str) -> int:
 
 def epoch_unit(first: int, last: int) -> str | None:
     """Return the unit by which a counter would tell times of our time; None if it looks like none."""
-    for unit, (_, ticks) in SINCE_1970.items():
-        if _1990 * ticks <= first and last <= _2100 * ticks:
-            return unit
-    return None
+    units = (unit for unit, (_, ticks) in SINCE_1970.items() if is_of_our_time(first, last, ticks))
+    return next(units, None)
+
+
+def is_of_our_time(first: int, last: int, ticks: int = SECOND) -> bool:
+    """Tell whether instants since 1970, so many ticks a second, lie where machines of today run."""
+    return _1990 * ticks <= first and last <= _2100 * ticks
 
 
 def looks_like_calendar(value: object) -> bool:

@@ -7,13 +7,11 @@ from gam_db.checking.note import Note, noted
 from gam_db.checking.proposal import Proposal
 from gam_db.checking.sampling import REGULAR_WITHIN, is_irregular, is_on_change
 from gam_db.checking.words import extent, instant, number_of, percent, spoken
-from gam_db.clock import SECOND, SINCE_1970, TimeKind, epoch_unit
+from gam_db.clock import SECOND, SINCE_1970, TimeKind, epoch_unit, is_of_our_time
 
 MANY_CONFLICTS = 0.1
 """Share of the instants above which different values are no accident."""
 _HOUR = 3_600 * SECOND
-_1990, _2100 = 631_152_000, 4_102_444_800
-"""In seconds since 1970."""
 
 
 def times(look: Look, proposal: Proposal) -> list[Note]:
@@ -71,7 +69,7 @@ def _clock(look: Look) -> list[Note]:
                 )
             ]
         return []
-    if first >= _1990 * SECOND and last <= _2100 * SECOND:
+    if is_of_our_time(first, last):
         return []
     return [
         Note(

@@ -150,7 +150,12 @@ def test_the_view_of_the_state_judges_by_the_same_file() -> None:
     rows = {column.alias: column.this for column in assessed.this.selects if column.alias != "assessed"}
     learnt = {name: exp.column(name, table="learnt") for name in ("verdict", "floor", "floor_max")}
     target = exp.column("target_floor", table="version")
-    assert rows["hi_limit"] == template.fill("judgement/hi_limit", {**learnt, "target_floor": target})
+    limit = template.fill("judgement/hi_limit", {**learnt, "target_floor": target})
+    assert rows["hi_limit"] == limit
+    for name in ("onset", "health"):
+        columns = definitions()[name].create.expression.find_all(exp.Alias)
+        copies = [one.this for one in columns if one.alias == "hi_limit"]
+        assert copies == [limit], name
     assert rows["limit_reason"] == template.fill(
         "judgement/limit_reason", {"verdict": learnt["verdict"]}
     )
