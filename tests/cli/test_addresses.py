@@ -54,6 +54,7 @@ WORDS: dict[str, tuple[str, ...]] = {
     "select": ("telemetry",),
     "compile": ("telemetry", "--engine", "duckdb"),
     "export": ("dbt", "telemetry", "--engine", "duckdb"),
+    "backtest": ("telemetry",),
     "evaluate": ("telemetry", "telemetry"),
 }
 
