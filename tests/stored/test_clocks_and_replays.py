@@ -1,19 +1,59 @@
 """A clock that stood ahead, calibration rows that come again, rows that belong nowhere."""
 
+import datetime as dt
 import time
+from dataclasses import dataclass
 from typing import Any
 
 import duckdb
 import pytest
+from sqlglot import exp
 
+import engines
+import scripts
 import small_plant
+from gam_db.engines.session import Session
 from gam_db.stored import pruning
+from gam_db.stored.monitor import Monitor
 from gam_db.stored.state import first_run_at, now
 from gam_db.stored.steps import DAY
 from small_plant import FIRST, LENGTH, monitor, readings, source
-from visible import put
+from visible import put, visible
 
 AHEAD = 400 * DAY
+
+
+@dataclass
+class Plant:
+    """The small plant on any engine, calibrated."""
+
+    session: Session
+    table: exp.Table
+    prefix: str
+
+    def monitor(self) -> Monitor:
+        return monitor(self.session, self.table.name, self.prefix)
+
+    def put(self, rows: list[Any]) -> None:
+        scripts.arrive(self.session, self.table, rows)
+
+    def asked(self, query: str) -> list[tuple[Any, ...]]:
+        """Return rows of the state, by a query that names tables as DuckDB's tests do."""
+        return [tuple(row.values()) for row in visible(self.monitor(), query)]
+
+    def delete(self, asset: str, instant: int) -> None:
+        chosen = exp.and_(exp.column("asset").eq(asset), exp.column("time").eq(instant))
+        self.session.execute(exp.Delete(this=self.table.copy(), where=exp.Where(this=chosen)))
+
+
+@pytest.fixture
+def anywhere(engine: str) -> Plant:
+    session = engines.session(engine)
+    table = scripts.telemetry(session, readings(0, FIRST))
+    made = Plant(session, table, engines.fresh_name("clocks"))
+    made.monitor().migrate()
+    made.monitor().calibrate()
+    return made
 
 
 @pytest.fixture
@@ -36,14 +76,14 @@ def asked(connection: duckdb.DuckDBPyConnection, query: str) -> list[tuple[Any, 
 
 
 def test_a_parked_channel_is_read_after_the_clock_stood_ahead(
-    plant: duckdb.DuckDBPyConnection, monkeypatch: pytest.MonkeyPatch
+    anywhere: Plant, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def run() -> int:
-        mine = monitor(plant)
+        mine = anywhere.monitor()
         mine.park_after = 5
         return len(mine.score().channels)
 
-    put(plant, [row for row in readings(FIRST, 200) if row[0] != "d"])
+    anywhere.put([row for row in readings(FIRST, 200) if row[0] != "d"])
     assert [run(), run()] == [4, 3]  # d is parked
     with monkeypatch.context() as patched:
         ahead(patched)
@@ -52,18 +92,18 @@ def test_a_parked_channel_is_read_after_the_clock_stood_ahead(
 
 
 def test_calibration_is_counted_after_the_clock_stood_ahead(
-    plant: duckdb.DuckDBPyConnection, monkeypatch: pytest.MonkeyPatch
+    anywhere: Plant, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    counted = "SELECT COUNT(calibration_readings) FROM gam_run GROUP BY run_id ORDER BY run_id"
-    put(plant, readings(FIRST, 200))
-    monitor(plant).score()
+    counted = "SELECT COUNT(calibration_readings) AS n FROM gam_run GROUP BY run_id ORDER BY run_id"
+    anywhere.put(readings(FIRST, 200))
+    anywhere.monitor().score()
     with monkeypatch.context() as patched:
         ahead(patched)
-        monitor(plant).score()
+        anywhere.monitor().score()
     for _ in range(2):
-        monitor(plant).score()
-    assert asked(plant, counted) == [(0,), (4,), (4,), (0,)]
-    looked = monitor(plant).status()["looked_at"].to_pylist()
+        anywhere.monitor().score()
+    assert anywhere.asked(counted) == [(0,), (4,), (4,), (0,)]
+    looked = anywhere.monitor().status()["looked_at"].to_pylist()
     assert all(abs(one.timestamp() - time.time()) < 3600 for one in looked)
 
 
@@ -123,47 +163,54 @@ def test_runs_go_on_from_ids_of_a_clock_that_stood_ahead(
     assert small_plant.seen(plant) == small_plant.whole()
 
 
-def test_a_replay_of_calibration_is_no_change(plant: duckdb.DuckDBPyConnection) -> None:
+def test_a_replay_of_calibration_is_no_change(anywhere: Plant) -> None:
     def added() -> list[int]:
-        monitor(plant).score(everything=True)
-        found = monitor(plant).status()
+        anywhere.monitor().score(everything=True)
+        found = anywhere.monitor().status()
         rows = zip(found["asset"], found["calibration_rows_added"], strict=True)
         return [row[1].as_py() for row in sorted(rows, key=lambda row: str(row[0]))]
 
     assert added() == [0, 0, 0, 0]
-    put(plant, readings(0, 50))
+    anywhere.put(readings(0, 50))
     assert added() == [0, 0, 0, 0]
-    remarks = " ".join(str(one) for one in monitor(plant).status()["remarks"].to_pylist())
+    remarks = " ".join(str(one) for one in anywhere.monitor().status()["remarks"].to_pylist())
     assert "alibration data changed" not in remarks
     asset, channel, instant, value = readings(0, FIRST)[7]
-    put(plant, [(asset, channel, instant, (value or 0.0) + 1), ("b", "x", 20, None)])
-    plant.execute("DELETE FROM telemetry WHERE asset = 'c' AND time = 60")
+    anywhere.put([(asset, channel, instant, (value or 0.0) + 1), ("b", "x", 20, None)])
+    anywhere.delete("c", 60)
     assert added() == [1, 1, -1, 0]
 
 
-def test_rows_that_belong_nowhere_stay_known(plant: duckdb.DuckDBPyConnection) -> None:
-    monitor(plant).score()
-    assert asked(plant, "FROM gam_unplaced_day") == []
-    put(plant, readings(FIRST, 200))
-    plant.execute(
-        "INSERT INTO telemetry VALUES (NULL, 'x', 199, 1), ('a', NULL, 199, 1), ('a', 'x', NULL, 1), "
-        "('a', 'y', 199, 1), ('z', 'x', 199, 1), ('z', 'x', 198, 1)"
-    )
-    report = monitor(plant).score()
+def test_rows_that_belong_nowhere_stay_known(anywhere: Plant) -> None:
+    anywhere.monitor().score()
+    assert anywhere.asked("SELECT * FROM gam_unplaced_day") == []
+    anywhere.put(readings(FIRST, 200))
+    nowhere = [(None, "x", 199, 1.0), ("a", None, 199, 1.0), ("a", "x", None, 1.0)]
+    anywhere.put([*nowhere, ("a", "y", 199, 1.0), ("z", "x", 199, 1.0), ("z", "x", 198, 1.0)])
+    report = anywhere.monitor().score()
     assert (report.nameless, report.undated, sum(report.unknown_channels.values())) == (2, 1, 3)
-    monitor(plant).score()
-    assert monitor(plant).score(dry_run=True).undated == 1
-    found = asked(
-        plant,
+    anywhere.monitor().score()
+    assert anywhere.monitor().score(dry_run=True).undated == 1
+    found = anywhere.asked(
         "SELECT monitor, runs, nameless, undated, strangers, stranger_channels, day "
-        "FROM gam_unplaced_day",
+        "FROM gam_unplaced_day"
     )
     ((*counts, day),) = found
     assert counts == ["default", 2, 2, 1, 3, 2]
-    assert 0 <= time.time() - day.timestamp() + 86_400 < 3 * 86_400
-    assert (day.hour, day.minute, day.second, day.microsecond) == (0, 0, 0, 0)
-    begun = "SELECT COUNT(DISTINCT started) FROM gam_unplaced JOIN gam_run USING (started)"
-    assert asked(plant, begun) == [(2,)]
+    assert 0 <= time.time() - instant_of(day) + 86_400 < 3 * 86_400
+    assert instant_of(day) % 86_400 == 0
+    begun = "SELECT COUNT(DISTINCT started) AS n FROM gam_unplaced JOIN gam_run USING (started)"
+    assert anywhere.asked(begun) == [(2,)]
+
+
+def instant_of(day: Any) -> float:
+    """Return seconds since 1970; SQLite has no type of its own for an instant."""
+    return float(dt.datetime.fromisoformat(str(day)).replace(tzinfo=dt.UTC).timestamp())
+
+
+def test_what_belongs_nowhere_is_pruned_after_a_year(plant: duckdb.DuckDBPyConnection) -> None:
+    put(plant, [("z", "x", 199, 1.0)])
+    monitor(plant).score()
     plant.execute(f"UPDATE gam_unplaced SET started = started - {366 * DAY}")
     monitor(plant).score()
     monitor(plant).prune()

@@ -29,10 +29,11 @@ def source(connection: duckdb.DuckDBPyConnection, rows: list[Row]) -> None:
     put(connection, rows)
 
 
-def monitor(engine: Any) -> Monitor:
+def monitor(engine: Any, table: str = "telemetry", prefix: str = "gam_") -> Monitor:
     parameters = gam_db.Parameters(m=2, tau=3, bins=4, window=20, stride=5)
     calibration = gam_db.Calibration(fraction=0.7)
-    return Monitor(engine, gam_db.Source("telemetry"), parameters, calibration, lookback=LOOKBACK)
+    place = gam_db.Source(table)
+    return Monitor(engine, place, parameters, calibration, lookback=LOOKBACK, prefix=prefix)
 
 
 def stored(connection: duckdb.DuckDBPyConnection) -> dict[str, list[tuple[Any, ...]]]:
