@@ -104,9 +104,7 @@ def _changes(
     for name in source.value_columns:
         column = template.column(name)
         if types.is_truth(columns[name]):
-            ifs = [exp.If(this=column, true=exp.Literal.number(1))]
-            ifs += [exp.If(this=exp.Not(this=column.copy()), true=exp.Literal.number(0))]
-            changes[name] = exp.Case(ifs=ifs)
+            changes[name] = template.fill("source/truth_term", {"flag": column})
         elif texts is not None and types.is_text(columns[name]):
             words = _but_nulls(column, source.null)
             changes[name] = texts.number(words, source)
@@ -150,28 +148,25 @@ def _since_1970(session: Session, source: AnySource, type_name: str) -> exp.Expr
     """Return numbers since 1970 as timestamps; a binary fraction counts as the nearest microsecond."""
     types, column = session.engine.types, template.column(source.time)
     _, of_second = SINCE_1970[source.time_unit or "us"]
-    factor, divisor = max(10**6 // of_second, 1), max(of_second // 10**6, 1)
+    factor, parts = max(10**6 // of_second, 1), max(of_second // 10**6, 1)
+    farthest = 4 * 10**18 // factor
     micros: exp.Expr
-    if types.is_whole(type_name) and divisor > 1:
-        rest = exp.Mod(this=column, expression=exp.Literal.number(divisor))
-        above = exp.Mod(
-            this=exp.paren(exp.Add(this=rest, expression=exp.Literal.number(divisor))),
-            expression=exp.Literal.number(divisor),
+    if types.is_binary_float(type_name):
+        micros = template.fill(
+            "source/binary_term",
+            {"ticks": column, "farthest": farthest, "micros": factor, "parts": parts},
         )
-        micros = exp.IntDiv(
-            this=exp.paren(exp.Sub(this=column.copy(), expression=exp.paren(above))),
-            expression=exp.Literal.number(divisor),
-        )
-    elif types.is_whole(type_name):
-        micros = exp.Mul(this=column, expression=exp.Literal.number(factor))
     else:
-        scaled: exp.Expr = exp.Mul(this=column, expression=exp.Literal.number(factor))
-        if divisor > 1:
-            scaled = exp.Div(this=column, expression=exp.cast(exp.Literal.number(divisor), "DOUBLE"))
-        whole = exp.Round(this=scaled) if types.is_binary_float(type_name) else exp.Floor(this=scaled)
-        edge = exp.Literal.number(4 * 10**18 // factor)
-        known = exp.Between(this=column.copy(), low=exp.Neg(this=edge), high=edge.copy())
-        micros = exp.Case(ifs=[exp.If(this=known, true=exp.cast(whole, "BIGINT"))])
+        whole: exp.Expr = column
+        if not types.is_whole(type_name):
+            whole = template.fill(
+                "source/decimal_term", {"ticks": column, "farthest": farthest, "smaller": factor}
+            )
+            factor = 1
+        if parts > 1:
+            micros = template.fill("source/nanoseconds_term", {"ticks": whole})
+        else:
+            micros = template.fill("source/units_term", {"ticks": whole, "micros": factor})
     return session.engine.instant_of(TimeKind.TIMESTAMP, micros)
 
 

@@ -4,6 +4,7 @@ import contextlib
 import re
 import tempfile
 from collections.abc import Callable, Iterator
+from decimal import Decimal
 from pathlib import Path
 
 import pyarrow as pa
@@ -743,6 +744,9 @@ def test_every_file_is_used() -> None:
         stream_once()
         gam_db.check(gam_db.Source(pa.table({"time": [1], "value": [2.5], "more": ["3"]}), None, None))
         gam_db.check(gam_db.Source(pa.table({"time": ["2026-01-01"], "value": [2.5]}), None, None))
+        for times, unit in (([1], "s"), ([1], "ns"), ([1.5], "s"), ([Decimal("1.5")], "s")):
+            held = pa.table({"time": times, "value": [True]})
+            gam_db.check(gam_db.Source(held, None, None, time_unit=unit))
         Package(source, gam_db.Parameters(), gam_db.Calibration(intervals=[(0, 9)])).files()
     assert set(NAMES) - loaded == set()
     assert {name for name in loaded if name not in NAMES} == set()

@@ -5,6 +5,7 @@ import math
 import random
 import sqlite3
 from collections.abc import Callable
+from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
@@ -175,6 +176,13 @@ ROUND = [-1, 0, 1, 1_767_225_600]
         ),
         ([0.25, 1.5e9], {"time_unit": "ms"}, [250, 1_500_000_000_000]),
         ([2500.0], {"time_unit": "ns"}, [3]),
+        (
+            [-(10**18) - 1, 10**18 + 1_999_999_999],
+            {"time_unit": "ns"},
+            [-(10**15) - 1, 10**15 + 1_999_999],
+        ),
+        ([Decimal("0.1000009"), Decimal("-0.0000001")], {"time_unit": "s"}, [100_000, -1]),
+        ([Decimal("1500.9"), Decimal("-0.5")], {"time_unit": "ns"}, [1, -1]),
     ],
 )
 def test_times_that_are_texts_or_numbers(
