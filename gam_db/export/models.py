@@ -34,7 +34,7 @@ from gam_db.stored.steps import DAY, KEPT, Setting, add_counting
 SOURCE, TABLE = "gam_source", "telemetry"
 
 #: The models that are built once.
-CALIBRATED = ("channel", "calibration", "bounds", "support", "block")
+CALIBRATED = ("channel", "calibration", "bounds", "support", "block", "ladder")
 
 #: The first microsecond of the year 1: no warehouse knows an earlier one.
 _FIRST = -62_135_596_800_000_000
@@ -222,7 +222,7 @@ def _calibration(of: Modelled) -> list[Model]:
     ]
     learning = _learning(of)
     add(learning, "export/calibration_rows")
-    for name in ("bounds", "support", "block"):
+    for name in CALIBRATED[2:]:
         add(learning, f"stored/{name}_rows", tables={"numbering": "channels"})
     placed = {"stored_channel": of.reference("channel"), "calibration": of.reference("calibration")}
     verdicts = ["ready", "too_fine", "needs_data", "constant", "no_data"]
@@ -231,6 +231,7 @@ def _calibration(of: Modelled) -> list[Model]:
         ("bounds", "stored/bounds_rows", ("support_id",), {"verdict": verdicts}),
         ("support", "stored/support_rows", ("support_id", "cell_key"), {}),
         ("block", "stored/block_rows", ("support_id", "block"), {}),
+        ("ladder", "stored/ladder_rows", ("support_id", "bins"), {}),
     ):
         query = learning.query(f"{name}_rows", placed, commented=True)
         query.set("order", None)

@@ -37,6 +37,7 @@ _JOINED_CERTIFICATE = (
     "run_up",
     "cells",
     "blocks",
+    "ladder",
     "learning",
     "spread",
     "finest",

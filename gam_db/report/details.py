@@ -23,8 +23,11 @@ from gam_db.report.packing import counts, packed, short, tick, ticks
 from gam_db.source import AnySource, under
 from gam_db.study import Study
 
-#: Readings of a piece, stretches of the envelope, cells of each sort, points of growth, cells named.
-PIECE, STRETCHES, CELLS, GROWN, TOP = 1000, 700, 3000, 200, 8
+#: Readings of a piece, stretches of the envelope, cells of each sort and axes of each, points of growth,
+#: new cells that are named.
+PIECE, STRETCHES, CELLS, AXES, GROWN, TOP = 1000, 700, 3000, 3, 200, 8
+
+_ENDS = ("value_from", "value_to")
 
 Row = dict[str, Any]
 
@@ -183,23 +186,72 @@ def growth(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[tuple[str
     }
 
 
-def detail(state: Reads, monitor: str, row: Row, course: Any, raw: tuple[Row, Row] | None) -> Row:
-    """Return all that the page shows of one signal, but for the growth of its states.
+def cells(state: Reads, signals: Sequence[Row], raw: bool) -> dict[int, Row]:
+    """Return by version the states visited most, on at most three axes, and the floor by grid.
 
     Args:
         state: of the monitor.
-        monitor: its name.
+        signals: to be shown.
+        raw: whether values in units of the signals may be in it.
+    """
+    if not signals:
+        return {}
+    chosen = {
+        key: exp.column(key).isin(*(exp.Literal.number(row[key]) for row in signals))
+        for key in ("version_id", "support_id")
+    }
+    wanted: dict[str, template.Slot] = {"chosen": chosen["version_id"]}
+    rows = state.fetch("report/cells", {**wanted, "most": CELLS, "axes": AXES})
+    near = state.fetch("report/nearest", {**wanted, "most": TOP}).to_pylist()
+    away = {(one["version_id"], one["visit_rank"]): one["away"] for one in near}
+    ladder: dict[int, list[tuple[int, float]]] = {}
+    for one in state.fetch("report/ladder", {"chosen": chosen["support_id"]}).to_pylist():
+        ladder.setdefault(one["support_id"], []).append((one["bins"], one["floor"]))
+    version, kind = rows["version_id"].to_numpy(), np.array(rows["kind"].to_pylist(), dtype=object)
+    found: dict[int, Row] = {}
+    for row in signals:
+        key = row["version_id"]
+        told = found[key] = {"ladder": ladder.get(row["support_id"], [])}
+        for name, of in (("healthy", "healthy"), ("new", "novel")):
+            mine = rows.filter(pa.array((version == key) & (kind == of)))
+            told[name] = _cells(mine, min(AXES, row["m"]))
+        top = mine.slice(0, TOP * min(AXES, row["m"])).to_pylist()
+        axes = [
+            [one["place"], one["code"], *(short(one[end]) if raw else None for end in _ENDS)]
+            for one in top
+        ]
+        told["new"]["total"] = top[0]["total"] if top else 0
+        told["new"]["top"] = [
+            [
+                axes[at : at + min(AXES, row["m"])],
+                top[at]["visits"],
+                away.get((key, top[at]["visit_rank"]), -1),
+                tick(top[at]["first_tick"]),
+            ]
+            for at in range(0, len(top), min(AXES, row["m"]))
+        ]
+    return found
+
+
+def _cells(rows: pa.Table, axes: int) -> Row:
+    """Return cells, axis by axis; their rows come cell by cell."""
+    codes = rows["code"].to_numpy().reshape(-1, axes)
+    return {
+        "axes": [packed(codes[:, axis], "u4") for axis in range(axes)],
+        "visits": counts(rows["visits"].to_numpy()[::axes]),
+        "all": rows["cells"][0].as_py() if rows.num_rows else 0,
+    }
+
+
+def detail(state: Reads, row: Row, course: Any, raw: tuple[Row, Row] | None) -> Row:
+    """Return all that the page shows of one signal, but for its states and their growth.
+
+    Args:
+        state: of the monitor.
         row: the signal.
         course: its buckets.
         raw: its envelope and pieces; None where raw readings are left out.
     """
-    named = {
-        "monitor": template.text(monitor),
-        "asset": template.text(row["asset"]),
-        "channel": template.text(row["channel"]),
-    }
-    healthy = state.fetch("report/healthy_cells", {"support_id": row["support_id"]})
-    new = state.fetch("report/new_cells", named)
     learnt = {"support_id": row["support_id"], "channel_id": row["channel_id"]}
     blocks = state.fetch("report/blocks", learnt).to_pylist()
     told: Row = {
@@ -210,11 +262,10 @@ def detail(state: Reads, monitor: str, row: Row, course: Any, raw: tuple[Row, Ro
         "outside": counts(course["outside"]),
         "learntFrom": tick(row["learnt_from"]),
         "learntTo": tick(row["calibration_end"]),
-        "healthy": _cells(healthy, row),
-        "new": {**_cells(new, row), **_tops(new, healthy, row)},
         "blocks": [[one["block"], one["vectors"], one["novel"]] for one in blocks],
     }
     if raw is not None:
+        healthy = state.fetch("report/healthy_keys", {"support_id": row["support_id"]})
         told |= _raw(*raw, row, healthy["cell_key"].to_numpy())
     return told
 
@@ -230,33 +281,6 @@ def _raw(envelope: Row, pieces: Row, row: Row, healthy: NDArray[Any]) -> Row:
             "new": packed(is_new, "u1"),
         }
     return told
-
-
-def _cells(rows: pa.Table, row: Row) -> Row:
-    """Return the most visited cells, on at most three axes."""
-    few = rows.slice(0, CELLS)
-    axes = states.axes_of(few["cell_key"].to_numpy(), row["bins"], row["m"])
-    return {
-        "axes": [packed(axis, "u4") for axis in axes[:3]],
-        "visits": counts(few["visits"].to_numpy()),
-        "all": rows.num_rows,
-    }
-
-
-def _tops(new: pa.Table, healthy: pa.Table, row: Row) -> Row:
-    """Return the most visited new cells with all their axes and the nearest healthy one."""
-    few = new.slice(0, TOP)
-    axes = states.axes_of(few["cell_key"].to_numpy(), row["bins"], row["m"])
-    known = states.axes_of(healthy["cell_key"].to_numpy(), row["bins"], row["m"])
-    away = states.distances(axes, known)
-    total = int(np.sum(new["visits"].to_numpy(), dtype=np.int64))
-    return {
-        "top": [
-            [axes[:, at].tolist(), one["visits"], int(away[at]), tick(one["first_time"])]
-            for at, one in enumerate(few.to_pylist())
-        ],
-        "total": total,
-    }
 
 
 def _growth(rows: pa.Table) -> Row:

@@ -140,10 +140,12 @@ def write(
         for row, course in ((row, courses[row["place"]]) for row in signals)
     ]
     shown, grown = {}, details.growth(state, monitor, picked)
+    cells = details.cells(state, picked, wishes.raw)
     for number, row in enumerate(picked):
         mine = None if raw is None else (raw[0][number], raw[1][number])
-        told = details.detail(state, monitor, row, courses[row["place"]], mine)
-        shown[row["place"]] = {**told, "growth": grown[row["asset"], row["channel"]]}
+        told = details.detail(state, row, courses[row["place"]], mine)
+        told["growth"] = grown[row["asset"], row["channel"]]
+        shown[row["place"]] = told | cells[row["version_id"]]
     machines = _machines(state, monitor, signals)
     place_of = {row["asset"]: number for number, row in enumerate(machines)}
     said = [details.summary(row, wishes.raw) for row in signals]
@@ -237,14 +239,10 @@ def _ranked(
     """Put the signals in order, the most urgent first, and return their courses in that order."""
     newest = max((row["data_tick"] for row in signals if row["data_tick"] is not None), default=None)
     for row in signals:
-        limit, hi, before = row["hi_limit"], row["hi"], row["novel_window_before"]
+        limit, hi = row["hi_limit"], row["hi"]
         is_above = row["status"] == "high"
         far = (hi - limit) / max(1 - limit, 1e-9) if is_above else 0.0
         row["is_new"] = is_above and _is_new(row, courses[row["place"]], kind, newest)
-        rise = 0.0 if hi is None or before is None else hi - before / row["window_length"]
-        row["is_rising"] = (
-            row["status"] == "ok" and rise > max(0.01, 2 * (row["floor_sd"] or 0.0)) and hi > 0.5 * limit
-        )
         row["urgency"] = (
             3 * row["is_new"]
             + is_above

@@ -1,36 +1,10 @@
-"""States: cells as codes on their axes, the nearest healthy one of each, and which readings are new.
-
-This module owns how a stored key is read back (method, sections 2 and 3).
-"""
+"""Which readings of a piece end in a state never seen in health (method, sections 2 and 3)."""
 
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-
-#: New cells that are compared at once with all healthy ones.
-_AT_ONCE = 256
-
-
-def axes_of(keys: NDArray[Any], bins: int, m: int) -> NDArray[np.int64]:
-    """Return the codes of cells, one row per axis; the first axis is the newest coordinate."""
-    rest, axes = np.asarray(keys, dtype=np.int64), []
-    for _ in range(m):
-        axes.append(rest % (bins + 3))
-        rest = rest // (bins + 3)
-    return np.array(axes, dtype=np.int64).reshape(m, len(keys))
-
-
-def distances(new: NDArray[np.int64], healthy: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Return how far the nearest healthy cell is: the largest step on any axis; -1 for none."""
-    if not healthy.shape[1]:
-        return np.full(new.shape[1], -1)
-    away = []
-    for start in range(0, new.shape[1], _AT_ONCE):
-        some = new[:, start : start + _AT_ONCE]
-        away.append(np.abs(some[:, :, None] - healthy[:, None, :]).max(axis=0).min(axis=1))
-    return np.concatenate(away) if away else np.zeros(0, np.int64)
 
 
 def codes(values: NDArray[Any], low: float | None, high: float | None, bins: int) -> NDArray[np.int64]:

@@ -29,7 +29,7 @@ from gam_db.study import Study
 _METHOD = ("source", "calibration", "embedding", "support", "certificate", "score", "health")
 
 #: What is appended, in this order; a version is committed by its own row.
-_WRITTEN = ("calibration", "bounds", "block", "support", "checksum", "version")
+_WRITTEN = ("calibration", "bounds", "block", "ladder", "support", "checksum", "version")
 
 #: What a checksum is made of: of a version that is being written, the steps that its tables are given.
 _SUMMED = {
@@ -76,7 +76,7 @@ def calibrate(
     add(steps, "stored/recount")
     add_judged(steps, "limited", exp.cast(exp.null(), "DOUBLE"), "unscored")
     add(steps, "stored/version_rows", {"long_ago": LONG_AGO, "created": now()})
-    for part in ("calibration", "bounds", "block", "support"):
+    for part in ("calibration", "bounds", "block", "ladder", "support"):
         add(steps, f"stored/{part}_rows")
     add(steps, "stored/checksum_rows", tables=_SUMMED)
     versions = {

@@ -52,6 +52,7 @@ _BUCKETS = {
 _CERTIFICATE = {
     "support": "cells of the support",
     "block": "blocks of calibration",
+    "ladder": "floors of coarser grids",
     "bounds": "figures of the certificate",
 }
 

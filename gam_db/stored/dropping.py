@@ -99,7 +99,7 @@ def _conditions(tables: StateTables, monitor_id: int) -> dict[str, exp.Expr]:
     of_supports = exp.column("support_id").isin(query=supports)
     return {
         **dict.fromkeys(("bucket", "novel", "run", "horizon", "calibration", "checksum"), of_versions),
-        **dict.fromkeys(("block", "support", "bounds"), of_supports),
+        **dict.fromkeys(("block", "ladder", "support", "bounds"), of_supports),
         "version": of_channels,
         "proof": of_monitor,
         "channel": of_monitor,

@@ -71,6 +71,7 @@ _EXPIRED = {
     "checksum": "expired_versions",
     "support": "expired_supports",
     "block": "expired_supports",
+    "ladder": "expired_supports",
     "bounds": "expired_supports",
     "version": "expired_versions",
 }

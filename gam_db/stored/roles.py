@@ -23,7 +23,7 @@ _INSERTED = tuple(name for name in TABLES if name != "migration")
 #: Rows that a later run hides, or that are old, go.
 _DELETED = (
     *("version", "calibration", "bounds", "block", "support", "bucket", "novel", "run", "unplaced"),
-    *("checksum", "horizon"),
+    *("checksum", "horizon", "ladder"),
 )
 
 #: Where one writer waits for another: a column of one row is written, and stays what it was.
@@ -36,7 +36,7 @@ _COUNTING = ("finished_run", "visible_bucket", "visible_novel", "fleet")
 _STATUS = ("migration", "monitor", "proof", "visible_bucket", "fleet")
 
 #: The views that are for whoever reads on.
-_SHOWN = ("health", "quarantine", "unplaced_day", "onset", "machine", "growth")
+_SHOWN = ("health", "quarantine", "unplaced_day", "onset", "machine", "growth", "cell", "trend")
 
 #: What a script cannot know, as comments of it.
 ALSO = (

@@ -29,6 +29,7 @@ TABLES = (
     "checksum",
     "horizon",
     "proof",
+    "ladder",
 )
 #: Each after those that it reads.
 VIEWS = (
@@ -42,6 +43,8 @@ VIEWS = (
     "unplaced_day",
     "machine",
     "growth",
+    "cell",
+    "trend",
 )
 
 _PREFIX = re.compile(r"([A-Za-z_][A-Za-z0-9_]{0,39})?")

@@ -1,5 +1,5 @@
 -- Signals: what is known of each signal of one monitor now, with when its calibration began and ended.
--- Reads:  stored_fleet, stored_version, stored_block
+-- Reads:  stored_fleet, stored_trend, stored_version, stored_block
 -- A row:  one signal under its active version; times are integers. learnt_from is NULL without calibration.
 -- Slots:  :monitor  its name
 SELECT
@@ -20,6 +20,7 @@ SELECT
   known.hi AS hi,
   known.novel_in_window AS novel_in_window,
   known.novel_window_before AS novel_window_before,
+  moved.is_rising AS is_rising,
   known.out_of_range_in_window AS out_of_range_in_window,
   known.since_tick AS since_tick,
   known.at_least AS at_least,
@@ -40,6 +41,7 @@ SELECT
   known.tau AS tau,
   known.bins AS bins
 FROM stored_fleet AS known
+JOIN stored_trend AS moved ON moved.version_id = known.version_id
 JOIN stored_version AS version ON version.version_id = known.version_id
 LEFT JOIN (
   SELECT support_id, channel_id, MIN(first_time) AS begun, 1 AS hit

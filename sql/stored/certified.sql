@@ -1,6 +1,7 @@
 -- Certified: what the frozen intervals of calibration would say now of cells, blocks and the certificate, beside
--- what is stored.
--- Reads:  cohort, cells, blocks, verdicts, stored_support, stored_block, stored_bounds, stored_version
+-- what is stored. Supports of before ladders were kept have none.
+-- Reads:  cohort, cells, blocks, ladder, verdicts, stored_support, stored_block, stored_ladder, stored_bounds,
+--         stored_version
 -- A row:  one support and part of it that differs: how many rows do.
 SELECT
   matched.part AS part,
@@ -61,6 +62,25 @@ FROM (
     ) AS needed ON needed.support_id = part.support_id
   ) AS both_blocks
   GROUP BY support_id, block, channel_id, first_time, last_time, vectors, novel
+  HAVING COUNT(*) <> 2 * SUM(is_stored)
+  UNION ALL
+  SELECT 'ladder' AS part, support_id, bins AS place
+  FROM (
+    SELECT step.support_id AS support_id, step.level_bins AS bins, step.floor AS floor, 0 AS is_stored
+    FROM ladder AS step
+    JOIN (
+      SELECT DISTINCT support_id
+      FROM stored_ladder
+    ) AS kept ON kept.support_id = step.support_id
+    UNION ALL
+    SELECT step.support_id AS support_id, step.bins AS bins, step.floor AS floor, 1 AS is_stored
+    FROM stored_ladder AS step
+    JOIN (
+      SELECT DISTINCT support_id
+      FROM cohort
+    ) AS needed ON needed.support_id = step.support_id
+  ) AS both_ladders
+  GROUP BY support_id, bins, floor
   HAVING COUNT(*) <> 2 * SUM(is_stored)
   UNION ALL
   SELECT 'bounds' AS part, learnt.support_id AS support_id, 0 AS place

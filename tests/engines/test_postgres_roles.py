@@ -26,7 +26,7 @@ SETTINGS = ("--m", "2", "--bins", "4", "--window", "20", "--stride", "5", "--cal
 
 #: What the status takes, and what there is to look at.
 STATUS = {"migration", "monitor", "proof", "visible_bucket", "fleet"}
-SHOWN = {"health", "quarantine", "unplaced_day", "onset", "machine", "growth"}
+SHOWN = {"health", "quarantine", "unplaced_day", "onset", "machine", "growth", "cell", "trend"}
 
 #: The views that a writer takes, and the tables whose rows stay.
 COUNTING = {"finished_run", "visible_bucket", "visible_novel", "fleet"}

@@ -338,7 +338,17 @@ def test_the_command_writes_a_package_for_a_table_it_can_see(tmp_path: Path) -> 
     files = {str(path.relative_to(folder)): path.read_text() for path in folder.rglob("*.*")}
     with duckdb.connect(str(database)) as connection:
         builder = Builder(dict(sorted(files.items())), connection)
-        order = ("channel", "calibration", "bounds", "support", "block", "bucket", "health", "fleet")
+        order = (
+            "channel",
+            "calibration",
+            "bounds",
+            "support",
+            "block",
+            "ladder",
+            "bucket",
+            "health",
+            "fleet",
+        )
         builder.models = {f"gam_{name}": builder.models[f"gam_{name}"] for name in order}
         builder.build()
         (found,) = builder.rows(

@@ -60,7 +60,7 @@ _STORED = (
         "test_migrations",
     ),
     *("test_cli_stored", "test_cli_state", "test_migrate_and_drop", "test_check_notes"),
-    *("test_onset", "test_report"),
+    *("test_onset", "test_cells", "test_report"),
 )
 
 #: Files of ``sql/`` -> the tests that are about them and so are tried first.
@@ -77,6 +77,7 @@ _ABOUT = {
     "alarms/within": "test_backtest",
     "alarms/backtested": "test_backtest",
     "alarms/*": "test_alarms",
+    "stored/ladder_rows": "test_cells",
     "stored/expired_*": "test_pruning",
     "stored/aged_buckets": "test_pruning",
     "stored/horizons": "test_pruning",

@@ -12,6 +12,7 @@ import duckdb
 import numpy as np
 import pyarrow as pa
 import pytest
+from sqlglot import exp
 from typer.testing import CliRunner
 
 import engines
@@ -22,7 +23,7 @@ from gam_db.engines.duckdb_session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError
 from gam_db.report import Wishes
-from gam_db.report.states import are_new, axes_of, distances
+from gam_db.report.states import are_new
 from gam_db.report.strips import strip
 
 PARAMETERS = gam_db.Parameters(m=3, tau=2, bins=6, window=20, stride=5, max_gap=5)
@@ -73,6 +74,65 @@ def times(text: str) -> list[int]:
     return [int(one) for one in np.cumsum(unpacked(text, "f8"))]
 
 
+def axes_of(key: int, bins: int = PARAMETERS.bins, m: int = PARAMETERS.m) -> tuple[int, ...]:
+    """The codes of a key, the newest first."""
+    return tuple(key // (bins + 3) ** axis % (bins + 3) for axis in range(m))
+
+
+def rows_of(monitor: gam_db.Monitor, table: str, name: tuple[str, str]) -> list[dict[str, Any]]:
+    """The rows of a signal in a view, or of its support in a table."""
+    node = monitor.state.tables.table(table)
+    rows = monitor.session.fetch(exp.select("*").from_(node)).to_pylist()
+    if rows and "asset" in rows[0]:
+        return [
+            row
+            for row in rows
+            if (row["monitor"], row["asset"], row["channel"]) == (monitor.name, *name)
+        ]
+    known = rows_of(monitor, "fleet", name)[0]["version_id"]
+    versions = monitor.session.fetch(exp.select("*").from_(monitor.state.tables.table("version")))
+    learnt = {row["version_id"]: row["support_id"] for row in versions.to_pylist()}[known]
+    return [row for row in rows if row["support_id"] == learnt]
+
+
+def assert_cells(monitor: gam_db.Monitor, name: tuple[str, str], detail: dict[str, Any]) -> None:
+    """The states of the page are those of the tables, in order, with the nearest healthy one of each."""
+    healthy, fresh = (
+        sorted(
+            ((row["visits"], -row["cell_key"]) for row in rows_of(monitor, table, name)), reverse=True
+        )
+        for table in ("support", "quarantine")
+    )
+    for rows, part in ((healthy, detail["healthy"]), (fresh, detail["new"])):
+        drawn = zip(*(unpacked(axis, "u4").tolist() for axis in part["axes"]), strict=True)
+        assert list(drawn) == [axes_of(-key) for _, key in rows]
+        assert unpacked(part["visits"], "u4").tolist() == [visits for visits, _ in rows]
+    row = rows_of(monitor, "fleet", name)[0]
+    low, wide = row["calibrated_lo"], (row["calibrated_hi"] - row["calibrated_lo"]) / PARAMETERS.bins
+    assert len(detail["new"]["top"]) == min(8, len(fresh))
+    for (axes, visits, away, _), (expected, key) in zip(detail["new"]["top"], fresh, strict=False):
+        codes = axes_of(-key)
+        steps = [
+            max(abs(a - b) for a, b in zip(codes, axes_of(-other), strict=True)) for _, other in healthy
+        ]
+        assert (visits, away) == (expected, min(steps))
+        for (place, code, start, end), wanted in zip(axes, codes, strict=True):
+            assert code == wanted
+            if 1 < code < PARAMETERS.bins + 2:
+                assert place == "within"
+                assert (start, end) == pytest.approx((low + (code - 2) * wide, low + (code - 1) * wide))
+            else:
+                assert (place, start, end) == (
+                    ("below", None, pytest.approx(low, rel=1e-5))
+                    if code == 1
+                    else ("above", pytest.approx(row["calibrated_hi"], rel=1e-5), None)
+                )
+    ladder = {row["bins"]: row["floor"] for row in rows_of(monitor, "ladder", name)}
+    assert dict(map(tuple, detail["ladder"])) == ladder
+    assert ladder
+    assert [bins for bins, _ in detail["ladder"]] == sorted(ladder, reverse=True)
+
+
 def test_what_is_in_the_file_is_what_the_tables_say(engine: str, tmp_path: Path) -> None:
     session = engines.session(engine)
     monitor = made(session)
@@ -105,6 +165,7 @@ def test_what_is_in_the_file_is_what_the_tables_say(engine: str, tmp_path: Path)
         assert all(one == sorted(one) for one in grown)
         assert grown[0][-1] == data["signals"]["cells"][place] == detail["healthy"]["all"]
         assert grown[1][-1] == detail["new"]["all"]
+        assert_cells(monitor, name, detail)
         visits = unpacked(detail["new"]["visits"], "u4").tolist()
         assert visits == sorted(visits, reverse=True)
         assert sum(visits) == sum(row["novel"] for row in rows) == detail["new"]["total"]
@@ -207,11 +268,7 @@ def test_a_strip_says_above_exactly_where_a_bucket_is() -> None:
     assert without[0] == 0
 
 
-def test_cells_are_decoded_and_measured() -> None:
-    keys = np.array([2 + 9 * 3 + 81 * 8])
-    assert axes_of(keys, 6, 3).tolist() == [[2], [3], [8]]
-    healthy = np.array([[2, 5], [2, 3], [4, 7]])
-    assert distances(axes_of(keys, 6, 3), healthy).tolist() == [3]
+def test_a_reading_is_new_where_a_whole_vector_ends_in_no_healthy_cell() -> None:
     signal = {"bins": 6, "m": 2, "tau": 1, "max_gap": 1, "calibrated_lo": 0.0, "calibrated_hi": 6.0}
     known = np.array([2 + 9 * 2])
     new = are_new(np.array([0, 1, 2, 5, 6]), np.array([0.0, 0.5, 3.0, 3.0, np.nan]), signal, known)

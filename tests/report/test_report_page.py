@@ -19,7 +19,6 @@ import gam_db
 import gam_db.report.report as report_module
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.report import Wishes
-from gam_db.report.states import axes_of
 
 START = dt.datetime(2026, 3, 22, tzinfo=dt.UTC)
 STEP, COUNT = dt.timedelta(minutes=10), 1400
@@ -56,6 +55,7 @@ class Plant:
     machines: dict[str, dict[str, Any]]
     healthy: dict[tuple[str, str], set[int]]
     new: dict[tuple[str, str], set[int]]
+    ladder: dict[int, float]
 
 
 def telemetry() -> pa.Table:
@@ -119,7 +119,9 @@ def made(folder: Path, source: pa.Table, **wished: Any) -> Plant:
     for row in rows("SELECT asset, channel, cell_key FROM gam_quarantine"):
         new[row["asset"], row["channel"]].add(row["cell_key"])
     machines = {row["asset"]: row for row in rows("SELECT * FROM gam_machine")}
-    return Plant(file, rows("SELECT * FROM gam_fleet"), health, machines, healthy, new)
+    ladder = f"SELECT bins, floor {known.replace('support', 'ladder', 1)} WHERE asset = 'm1' AND channel = 'left'"
+    floors = {row["bins"]: row["floor"] for row in rows(ladder)}
+    return Plant(file, rows("SELECT * FROM gam_fleet"), health, machines, healthy, new, floors)
 
 
 @pytest.fixture(scope="module")
@@ -294,8 +296,7 @@ def compare_states(seen: browser.Seen, plant: Plant, name: tuple[str, str]) -> N
     codes = PARAMETERS.bins + 3
     flat: dict[tuple[int, int], str] = {}
     for keys, kind in ((plant.new[name], "new"), (plant.healthy[name], "healthy")):
-        axes = axes_of(pa.array(sorted(keys), pa.int64()).to_numpy(), PARAMETERS.bins, PARAMETERS.m)
-        flat |= {(int(x), int(y)): kind for x, y in zip(axes[0], axes[1], strict=True)}
+        flat |= {(key % codes, key // codes % codes): kind for key in keys}
     drawn = {
         (x, y): "new" if red > blue + 30 else "healthy" for x, y, red, blue in seen.ask(FLAT, codes)
     }
@@ -322,6 +323,8 @@ def test_every_figure_is_that_of_the_views(chrome: Any, plant: Plant) -> None:
         facts = seen.ask("[...document.querySelectorAll('.facts b')].map(b => b.textContent)")
         assert facts[:3] == [share(row["hi"]), share(row["hi_limit"]), share(row["floor"])]
         assert facts[5] == f"{row['cells']:,}"
+        ladder = seen.ask("document.querySelector('[data-ladder]').dataset.ladder")
+        assert dict(json.loads(ladder)) == plant.ladder
         said = seen.ask("document.querySelector('.state').textContent")
         assert clock(row["since_tick"])[-5:] in said
         assert seen.ask("document.querySelector('.cube').dataset.drawn") == "1"

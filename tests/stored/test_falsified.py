@@ -68,6 +68,7 @@ CHOSEN: dict[str, dict[str, Callable[[Rows], dict[str, Any]]]] = {
         for table in ("version", "calibration", "bounds", "checksum", "horizon")
     },
     "block": {"": lambda rows: rows[1]},
+    "ladder": {"": lambda rows: rows[1]},
     "support": {"": lambda rows: rows[len(rows) // 2]},
     "bucket": {"settled": lambda rows: rows[2], "newest": lambda rows: rows[-1]},
     "novel": {"settled": lambda rows: rows[0], "newest": lambda rows: rows[-1]},

@@ -44,6 +44,7 @@ LEARNT = {
     "calibration": "version_id",
     "bounds": "support_id",
     "block": "support_id",
+    "ladder": "support_id",
     "support": "support_id",
 }
 

@@ -19,7 +19,7 @@ from gam_db.stored.tables import StateTables
 
 STATE = StateTables()
 FILE = "plant.duckdb"
-TABLES_OF_A_MONITOR = 14
+TABLES_OF_A_MONITOR = 15
 
 
 @pytest.fixture(autouse=True)
@@ -66,6 +66,7 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
                 "calibration": f"{key + 100}, 0, 1",
                 "bounds": f"{key + 200}, 0, 1, 2, 3, 4, 5, 'ready', 0, 0, 0, 1, 0, 1, 2",
                 "block": f"{key + 200}, 0, {key}, 0, 1, 2, 3",
+                "ladder": f"{key + 200}, 4, 0.5",
                 "support": f"{key + 200}, 1, 2, 0, 0, 0, 1",
                 "bucket": f"{key + 100}, 0, 1, 0, 1, 0, 1, 1, 0, NULL",
                 "novel": f"{key + 100}, 0, 1, 1, 1, 1, 1",

@@ -200,11 +200,12 @@ def test_a_version_goes_with_what_only_it_had_learnt(session: DuckSession) -> No
             vectors=1,
             novel=0,
         )
+        plant.add("ladder", support_id=learnt, bins=4, floor=0.5)
     plant.write(emptied(session, TABLES), TABLES)
     prune(session, TABLES, retention=Retention(keep_versions=0))
     assert [row[0] for row in rows(session, "version", "version_no, channel_id")] == [1, 3]
     assert len(rows(session, "calibration")) == len(rows(session, "run")) + 1 == 2
-    for table in ("support", "bounds", "block"):
+    for table in ("support", "bounds", "block", "ladder"):
         assert {row[0] for row in rows(session, table)} == {pooled, old[2]}
 
 

@@ -135,6 +135,19 @@ async function pieces(main, signal, known) {
   });
 }
 
+/** The floor by grid: what a healthy machine would show if the grid were coarser. */
+function ladder(main, signal, grids) {
+  const place = host('Floor by number of bins');
+  main.append(titled('Would a coarser grid need less healthy data?', `the floor by bins per axis; this calibration has ${signal.bins}`), place);
+  if (!grids.length) { place.replaceWith(el('p', {class: 'lead'}, signal.verdict === 'no_data' ? 'There is no calibration.' : 'This calibration is older than the table of floors by grid; a new one (gam calibrate) has it.')); return; }
+  place.dataset.ladder = JSON.stringify(grids);
+  const floors = grids.map(one => one[1]);
+  chart(place, {height: 150, cursor: {show: false}, scales: {x: {time: false, range: [-0.7, floors.length - 0.3]}, y: {range: (_, a, b) => [0, Math.max(b, signal.target) * 1.25]}},
+    series: [{}, {stroke: css('--healthy'), fill: css('--healthy') + 'aa', paths: uPlot.paths.bars({size: [0.5, 60]}), points: {show: false}}],
+    axes: [{splits: () => floors.map((_, i) => i), values: (_, at) => at.map(i => `${grids[i][0]} bins: ${share(floors[i])}`)}, numberAxis()],
+    hooks: {draw: [it => across(it, signal.target, css('--ink'), [6, 4], `target ${share(signal.target)}`)]}}, [floors.map((_, i) => i), floors]);
+}
+
 async function certificate(main, signal, known, seen) {
   const columns = el('div', {class: 'two'});
   main.append(columns);
@@ -155,4 +168,5 @@ async function certificate(main, signal, known, seen) {
       axes: [timeAxis(4), numberAxis()], hooks: {drawAxes: [marks({...seen, pauses: []})]}}, [time, Array.from(healthy, (n, i) => n + fresh[i]), healthy]);
   } else growth.replaceWith(el('p', {class: 'lead'}, 'Nothing is scored yet.'));
   main.append(el('p', {class: 'note'}, 'Wear keeps adding states; a changed program adds its own at once and then stops.'));
+  ladder(main, signal, known.ladder);
 }

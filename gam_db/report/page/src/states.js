@@ -11,14 +11,11 @@ async function cells(packed) {
   return {axes, visits: await unpack(packed.visits, Uint32Array), all: packed.all};
 }
 
-/** The interval of a code, in the signal's units. */
-export function interval(code, signal) {
-  const wide = (signal.high - signal.low) / signal.bins;
-  if (code === 0) return 'missing';
-  if (signal.low == null && signal.verdict !== 'no_data') return code === 1 ? 'below range' : code === signal.bins + 2 ? 'above range' : `bin ${code - 1} of ${signal.bins}`;
-  if (code === 1) return signal.low == null ? 'no range' : `< ${reading(signal.low)}`;
-  if (code === signal.bins + 2) return `> ${reading(signal.high)}`;
-  return `${reading(signal.low + (code - 2) * wide)} … ${reading(signal.low + (code - 1) * wide)}`;
+/** The interval of a code, in the signal's units where they may be in the file. */
+export function interval([place, code, from, to], signal) {
+  if (place === 'missing') return place;
+  if (from == null && to == null) return place === 'within' ? `bin ${code - 1} of ${signal.bins}` : signal.verdict === 'no_data' ? 'no range' : `${place} range`;
+  return place === 'below' ? `< ${reading(to)}` : place === 'above' ? `> ${reading(from)}` : `${reading(from)} … ${reading(to)}`;
 }
 
 export async function drawStates(main, titled, signal, known, isStill) {
@@ -67,7 +64,7 @@ function flat(healthy, fresh, signal, i, j, ago) {
 function tops(table, signal, fresh, ago) {
   if (!fresh.top.length) { table.append(el('p', {class: 'note'}, 'No new state was visited since calibration.')); return; }
   const shown = Math.min(3, signal.m);
-  const row = ([codes, visits, away, first]) => el('tr', {}, codes.slice(0, shown).map(code => el('td', {}, interval(code, signal))), el('td', {title: `${plural(visits, 'visit')}`}, percent(visits / fresh.total)),
+  const row = ([axes, visits, away, first]) => el('tr', {}, axes.map(axis => el('td', {}, interval(axis, signal))), el('td', {title: `${plural(visits, 'visit')}`}, percent(visits / fresh.total)),
     el('td', {}, away < 0 ? '–' : away === 1 ? 'next to it' : `${away} cells away`), el('td', {title: when(first)}, shortly(first)));
   table.append(el('table', {}, el('caption', {}, 'The new states it visits most'),
     el('thead', {}, el('tr', {}, Array.from({length: shown}, (_, k) => el('th', {scope: 'col'}, k ? `${k * signal.tau} before` : 'reading now')), ['share', 'nearest healthy', 'first'].map(text => el('th', {scope: 'col'}, text)))),
