@@ -4,11 +4,11 @@ This module owns the command and its page. What results mean is said by
 :class:`gam_db.selection.Selection`.
 """
 
-import contextlib
 import dataclasses
 import math
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -19,14 +19,14 @@ from rich.text import Text
 
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
+from gam_db.cli.chosen import TAU, chosen, written
 from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, healthy_part, job_of
 from gam_db.cli.progress import working
 from gam_db.config import Settings
 from gam_db.connecting import connect
 from gam_db.errors import printable
-from gam_db.selection import Search, Selection, Studied, alone, selected_by_all
-from gam_db.study import Study
+from gam_db.selection import Search, Selection, alone
 
 Row = dict[str, Any]
 
@@ -74,6 +74,16 @@ def select(
         ),
     ] = 2000,
     seed: Annotated[int, typer.Option(help="Of their sample.", rich_help_panel=_SEARCH)] = 0,
+    write: Annotated[
+        Path | None,
+        typer.Option(
+            "--write",
+            metavar="FILE",
+            help="Write what was chosen into this settings file, as [[override]] groups with the reason "
+            "of each, in the place of those it has.",
+            rich_help_panel="Output",
+        ),
+    ] = None,
 ) -> None:
     """Choose delay, embedding dimension, bins and window for every channel of SOURCE.
 
@@ -94,17 +104,12 @@ def select(
     relation = options.named_relation(settings)
     session = connect(settings.source.database, threads, writable=False)
     with working(session):
-        job = job_of(session, settings, relation)
-    parameters, calibration = alone(job.parameters, job.calibration)
-    job = dataclasses.replace(job, parameters=parameters, calibration=calibration)
-
-    @contextlib.contextmanager
-    def studies() -> Iterator[Studied]:
-        opened = connect(settings.source.database, threads, writable=False)
-        with working(opened) as on_step:
-            yield lambda given: Study(opened, given, parameters, calibration, on_step)
-
-    found = selected_by_all(studies, job.guess.source, search)
+        whole = job_of(session, settings, relation)
+    found = chosen(settings, whole, search, threads)
+    if write is not None:
+        written(write, settings, whole, found.choices.to_pylist())
+    parameters, calibration = alone(whole.parameters, whole.calibration)
+    job = dataclasses.replace(whole, parameters=parameters, calibration=calibration)
     code = Exit.OUR_FAULT if len(found.failures) else Exit.FINE
     figures = {
         "source": {"name": job.name, "guessed": job.guess.guessed},
@@ -113,7 +118,7 @@ def select(
         "asked": {name: getattr(parameters, name) for name in _ASKED},
         **vars(found),
     }
-    page.tell(code, figures, lambda out: _show(out, job, found, everything), as_json)
+    page.tell(code, figures, lambda out: _show(out, job, found, everything, write), as_json)
 
 
 _ASKED = ("m", "bins", "window", "target_floor")
@@ -121,13 +126,6 @@ _ASKED = ("m", "bins", "window", "target_floor")
 _CURVE = 40
 """Characters of a curve."""
 
-_TAU = {
-    "given": "as given",
-    "first_minimum": "first minimum of mutual information",
-    "acf_1e": "first autocorrelation below 1/e",
-    "acf_zero": "first autocorrelation at or below zero",
-    "none": "no delay means anything: a sample tells nothing of the next",
-}
 _CAO = {
     "saturated": "Cao: {m}",
     "no_saturation": "Cao: not saturated",
@@ -136,7 +134,7 @@ _CAO = {
 }
 
 
-def _show(out: Console, job: Job, found: Selection, everything: bool) -> None:
+def _show(out: Console, job: Job, found: Selection, everything: bool, write: Path | None) -> None:
     choices: list[Row] = found.choices.to_pylist()
     page.say(out, f"{printable(job.name)}: {number_of(len(choices), 'channel')}")
     page.say(out, job.columns_line())
@@ -155,6 +153,8 @@ def _show(out: Console, job: Job, found: Selection, everything: bool) -> None:
     if len(choices) > options.SHOWN:
         out.print()
     page.cut(out, choices, everything)
+    if write is not None:
+        page.say(out, f"written: {printable(str(write))}; read it, then: gam run")
 
 
 def _lines(
@@ -178,7 +178,7 @@ def _lines(
         if one[lag] is not None
     )
     lines: list[tuple[str, str | page.Course]] = [
-        ("tau", f"{tau}: {_TAU[one['tau_rule']]}" + (f" ({others})" if others else ""))
+        ("tau", f"{tau}: {TAU[one['tau_rule']]}" + (f" ({others})" if others else ""))
     ]
     if len(lags) > 1:
         highest = max(row["ami"] for row in lags[1:])

@@ -20,6 +20,7 @@ from gam_db.checking.sampling import is_irregular
 from gam_db.checking.times import is_heeded
 from gam_db.checking.words import instant, number_of, percent, spoken
 from gam_db.cli import options, page, toml_text
+from gam_db.cli.chosen import chosen, groups, save
 from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, job_of
 from gam_db.cli.progress import working
@@ -30,6 +31,7 @@ from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, printable
 from gam_db.guess import SourceSettings
 from gam_db.parameters import Parameters
+from gam_db.selection import Search
 from gam_db.setting import settings_of
 from gam_db.source import Source, is_file
 
@@ -260,6 +262,13 @@ def init(
         DEFAULT_FILE
     ),
     force: Annotated[bool, typer.Option("--force", help="Replace the file if it is there.")] = False,
+    select: Annotated[
+        bool,
+        typer.Option(
+            "--select",
+            help="Choose delay, dimension, bins and window of every channel, too, as gam select does.",
+        ),
+    ] = False,
     quiet: options.Quiet = False,
     threads: options.Threads = None,
 ) -> None:
@@ -277,15 +286,8 @@ def init(
     session = connect(settings.source.database, threads, writable=False)
     with working(session, quiet) as on_step:
         seen = _settled(looked(session, relation, settings, on_step), settings)
-    written = text(seen, settings, out.parent)
-    unfinished = out.with_name(f".{out.name}.{os.getpid()}")
-    try:
-        unfinished.write_text(written, encoding="utf-8")
-        unfinished.replace(out)
-    except OSError as error:
-        raise ConfigurationError(f"{out} cannot be written: {error.strerror}.") from error
-    finally:
-        unfinished.unlink(missing_ok=True)
+    choices = chosen(settings, seen.job, Search(), threads).choices.to_pylist() if select else None
+    save(out, text(seen, settings, out.parent, choices))
     code = Exit.ATTENTION if must_be_fixed(seen.notes) else Exit.FINE
     page.tell(code, {}, lambda lines: _proposed(lines, seen, out), quiet=quiet)
 
@@ -298,13 +300,16 @@ def _proposed(lines: Console, seen: Seen, out: Path) -> None:
     lines.print(f"written: {printable(str(out))}; read it, then: gam run", soft_wrap=True)
 
 
-def text(seen: Seen, settings: Settings, folder: Path) -> str:
+def text(
+    seen: Seen, settings: Settings, folder: Path, choices: Sequence[dict[str, Any]] | None = None
+) -> str:
     """Return the text of the settings file.
 
     Args:
         seen: the source, looked at.
         settings: what was said of it by options.
         folder: where the file will lie; a source is named relative to it.
+        choices: what ``gam select`` says of each channel, where it was asked.
     """
     lines = toml_text.comment(
         f"Settings of gam-db. {heading(seen)}. Columns and parameters are "
@@ -316,8 +321,16 @@ def text(seen: Seen, settings: Settings, folder: Path) -> str:
         lines += ["#", first, *more]
     lines += ["", "[source]", *toml_text.entries(_source(seen, settings, folder))]
     lines += ["", "[parameters]", *toml_text.entries(_parameters(seen, settings))]
-    if "max_gap" not in settings.parameters:
-        for channel, gap in seen.proposal.gaps.items():
+    gaps = {} if "max_gap" in settings.parameters else seen.proposal.gaps
+    if choices is not None:
+        own = {
+            _key(row): {"max_gap": gaps[row["channel"]].value}
+            for row in choices
+            if row["channel"] in gaps
+        }
+        lines += groups(choices, seen.job, seen.job.parameters.window, own)
+    else:
+        for channel, gap in gaps.items():
             said_gap = {"channel": (channel, ""), "max_gap": (gap.value, gap.reason)}
             lines += ["", "[[override]]", *toml_text.entries(said_gap)]
     lines += ["", "[calibration]", *_calibration(settings.calibration)]

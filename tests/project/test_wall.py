@@ -23,6 +23,7 @@ LAYERS = [
     ["setting"],
     ["form", "units"],
     ["parameters", "calibration"],
+    ["patterns"],
     ["bits", "template"],
     ["source", "pipeline"],
     ["method"],

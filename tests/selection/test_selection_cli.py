@@ -11,6 +11,9 @@ from pyarrow import parquet
 from typer.testing import CliRunner, Result
 
 from gam_db.cli import app
+from gam_db.config import Settings, load
+from gam_db.parameters import pattern_matches
+from gam_db.patterns import grouped
 
 QUICK = ("--m-max", "3", "--references", "50", "--calibration-fraction", "1", "--bins", "20")
 
@@ -66,3 +69,97 @@ def test_json_holds_choices_and_curves() -> None:
 def test_what_the_user_can_mend_ends_with_1() -> None:
     for words in (("--m-max", "1"), ("--time", "tiem"), ("--tau-by", "luck")):
         assert gam("select", "recording.parquet", *words).exit_code == 1, words
+
+
+def met(settings: Settings, channel: str) -> dict[str, object]:
+    """What the first override that names a channel says."""
+    return next(one.changes() for one in settings.overrides if pattern_matches(one.channel, channel))
+
+
+def test_what_is_written_says_what_was_chosen() -> None:
+    """Read back, every channel has what the page says; what the file says beside stays as it was."""
+    Path("gam.toml").write_text(
+        '# kept\n[source]\ntime = "time"\n\n[[override]]\nchannel = "st*"\nmax_gap = 7\nbins = 9\n\n'
+        "[calibration]\nfraction = 0.9\n"
+    )
+    result = gam(
+        "select", "recording.parquet", "--window", "200", *QUICK, "--write", "gam.toml", "--json"
+    )
+    assert result.exit_code == 0, result.output
+    cycle = json.loads(result.output)["choices"][0]
+    text = Path("gam.toml").read_text()
+    settings = load(Path("gam.toml"))
+    assert "# kept" in text
+    assert settings.calibration == {"fraction": 0.9}
+    assert "# 1 channel. tau: first minimum of mutual information." in text
+    assert met(settings, "cycle") == {
+        "m": cycle["recommended_m"],
+        "tau": cycle["tau"],
+        "bins": cycle["recommended_bins"],
+        "window": 300,
+    }
+    assert met(settings, "still") == {"max_gap": 7}
+    again = gam("select", "recording.parquet", "--window", "200", *QUICK, "--write", "gam.toml")
+    assert again.exit_code == 0, again.output
+    assert "written: gam.toml" in again.output
+    assert Path("gam.toml").read_text() == text
+
+
+def test_a_file_that_is_not_there_is_begun_and_one_of_another_form_is_left() -> None:
+    words = ("select", "recording.parquet", "--window", "200", *QUICK, "--write")
+    assert gam(*words, "new.toml").exit_code == 0
+    settings = load(Path("new.toml"))
+    assert settings.parameters == {"bins": 20, "window": 200}
+    assert len(settings.overrides) == 1
+    Path("odd.toml").write_text("override = [{ bins = 7 }]\n")
+    refused = gam(*words, "odd.toml")
+    assert refused.exit_code == 1
+    assert "in a form that cannot be replaced" in refused.output
+    assert Path("odd.toml").read_text() == "override = [{ bins = 7 }]\n"
+    assert "the folder nowhere is not there" in gam(*words, "nowhere/gam.toml").output
+
+
+def test_init_writes_what_is_chosen() -> None:
+    result = gam("init", "recording.parquet", "--select")
+    assert result.exit_code == 0, result.output
+    taken = json.loads(gam("select", "--json").output)["choices"][0]
+    of_cycle = met(load(Path("gam.toml")), "cycle")
+    assert of_cycle["m"] == taken["recommended_m"]
+    assert of_cycle["bins"] == taken["recommended_bins"]
+    assert gam("run", "--window", "100").exit_code in (0, 2)
+
+
+def test_a_pool_is_given_one_choice() -> None:
+    random = np.random.default_rng(1)
+    clock = np.arange(900)
+    parts = [np.sin(clock / speed) + random.normal(0, 0.02, 900) for speed in (5, 9, 14)]
+    table = {
+        "asset": np.repeat(["a", "b", "c"], 900),
+        "time": np.tile(clock, 3),
+        "x": np.concatenate(parts),
+    }
+    parquet.write_table(pa.table(table), "pool.parquet")
+    Path("gam.toml").write_text('[calibration]\npool = "channel"\n')
+    result = gam("select", "pool.parquet", *QUICK, "--write", "gam.toml", "--json")
+    assert result.exit_code == 0, result.output
+    taus = sorted(row["tau"] for row in json.loads(result.output)["choices"])
+    (override,) = load(Path("gam.toml")).overrides
+    assert len(set(taus)) > 1
+    assert override.changes()["tau"] == taus[1]
+
+
+@pytest.mark.parametrize(
+    ("said", "patterns"),
+    [
+        ({"a x": 1, "b x": 1}, 1),
+        ({"a x": 1, "b x": 1, "a y": 2, "b y": 2, "a z": 1, "b z": 1}, 2),
+        ({"a x": 1, "a y": 1, "b x": 2, "b y": 2, "c x": 1, "c y": 3}, 3),
+        ({"a* x": 1, "ab x": 2, "ac x": 2}, 3),
+    ],
+)
+def test_few_patterns_say_the_same(said: dict[str, int], patterns: int) -> None:
+    names = {tuple(name.split()): of for name, of in said.items()}
+    rules = grouped({(asset, channel): of for (asset, channel), of in names.items()})
+    assert len(rules) == patterns
+    for name, wanted in names.items():
+        assert next(of for rule, of in rules if all(map(pattern_matches, rule, name))) == wanted
