@@ -47,7 +47,7 @@ WORDS: dict[str, tuple[str, ...]] = {
     "score": ("telemetry",),
     "status": (),
     "report": (),
-    "prune": ("--older-than", "30 d"),
+    "prune": ("--keep", "30 d"),
     "compact": (),
     "drop": ("--yes",),
     "run": ("telemetry",),
@@ -90,7 +90,9 @@ def test_every_command_that_takes_an_address_is_tried() -> None:
 def test_no_command_shows_a_password(command: str, folder: Path) -> None:
     for address in ADDRESSES:
         for debug in ((), ("--debug",)):
-            assert SECRET not in said(command, *WORDS[command], *debug, "--database", address), address
+            answer = said(command, *WORDS[command], *debug, "--database", address)
+            assert SECRET not in answer, address
+            assert "Usage:" not in answer, "it comes as far as the address"
     (folder / "gam.toml").write_text(f'[source]\ndatabase = "{ADDRESSES[0]}"\n')
     assert SECRET not in said(command, *WORDS[command], "--debug")
     assert SECRET not in "".join(path.read_text() for path in folder.iterdir() if path.suffix != ".toml")

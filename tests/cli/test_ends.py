@@ -2,6 +2,7 @@
 
 import json
 import os
+import shlex
 import signal
 import subprocess
 import sys
@@ -235,6 +236,37 @@ def test_nothing_that_is_printed_is_obeyed_by_a_terminal(folder: Path, more: tup
             assert obeyed == [], text
     assert answers[0].exit_code in (0, 2)
     assert "x1b" in answers[0].stdout or "u001b" in answers[0].stdout
+
+
+#: The commands of a monitor, in an order in which each has something to say.
+OF_A_MONITOR = (
+    *("check telemetry", "init telemetry --out gam.toml --force", "migrate", "calibrate telemetry"),
+    *("calibrate telemetry --again", "score telemetry", "score telemetry --dry-run", "status"),
+    *(
+        "check telemetry --state",
+        "backtest telemetry --rate '1 per 1000 judgements' --window 10",
+        "select telemetry",
+        "prune --keep 800",
+    ),
+    *("compact", "report --out page.html", "drop", "drop --yes"),
+)
+
+
+@pytest.mark.parametrize("more", [(), ("--json",)])
+def test_nor_is_what_names_of_a_database_hold(folder: Path, more: tuple[str, ...]) -> None:
+    with duckdb.connect(str(folder / "plant.duckdb")) as connection:
+        connection.execute(
+            "CREATE TABLE telemetry AS SELECT ? || i % 2 AS machine, ? AS signal, i AS time, "
+            "CAST(i // 2 % 7 AS DOUBLE) AS value FROM range(1600) AS t(i)",
+            [SIGNS, SIGNS],
+        )
+    for command in OF_A_MONITOR:
+        answer = invoked(*shlex.split(command), "--database", "plant.duckdb", *more)
+        for text in (answer.stdout, answer.stderr):
+            obeyed = [sign for sign in text if not sign.isprintable() and sign != "\n"]
+            assert obeyed == [], (command, text)
+        refused = command == "drop" or "No such option: --json" in answer.stdout
+        assert answer.exit_code in (0, 2) or refused, (command, answer.output)
 
 
 def test_control_c_is_told_in_one_line(folder: Path) -> None:
