@@ -60,7 +60,7 @@ MAY_DIFFER = {
     },
 }
 
-#: Tables of alarms, which no check holds to anything yet: each run judges on from the 50 judgements before.
+#: Tables of alarms, which no check holds to anything yet.
 ALARMS = ("buffered", "extent", "limit", "judgement", "episode", "label")
 
 #: Of a table: which row of a channel is falsified, of those in the order of their first columns.

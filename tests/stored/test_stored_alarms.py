@@ -77,7 +77,8 @@ class Course:
 
     def fleet(self) -> list[Row]:
         """Channels of few levels that now and then visit a rare one; some fail, and are mended."""
-        chance, rows = self.chance, []
+        rows: list[Row] = []
+        chance = self.chance
         usual = chance.choice([0.02, 0.1, 0.3])
         for number in range(chance.choice([3, 6, 9])):
             faults = [chance.randint(self.CALIBRATED, self.LENGTH) for _ in range(2)]
