@@ -8,19 +8,20 @@ import math
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
 import pyarrow as pa
 
 from gam_db.calibration import Calibration
-from gam_db.clock import length
+from gam_db.clock import TimeKind, length
 from gam_db.connecting import borrowed
 from gam_db.errors import ParameterError
 from gam_db.guess import sourced
 from gam_db.heights import LEAST, MOST, STATED_FROM, UNSTATED, Height, Rate, by_replay, by_table
 from gam_db.method.alarms import FAR, NEAR, add_judgements, add_learnt_limits, add_replay
 from gam_db.parameters import Parameters
-from gam_db.setting import COLUMNS, TEXT, check, declared, setting
+from gam_db.pipeline import Pipeline
+from gam_db.setting import COLUMNS, TEXT, Kind, check, declared, setting
 from gam_db.study import Study
 from gam_db.units import with_units
 
@@ -34,6 +35,20 @@ _LARGEST_EXTENT = 3_000_000_000
 Row = dict[str, Any]
 
 
+class Work(Protocol):
+    """Steps at work: what a study does, and tables that calibration left."""
+
+    @property
+    def steps(self) -> Pipeline:
+        """The steps."""
+
+    def table(self, step: str) -> pa.Table:
+        """Return the rows of a step."""
+
+    def put(self, step: str, rows: pa.Table) -> None:
+        """Let a table be a step that later ones can read."""
+
+
 @declared
 @dataclass(frozen=True)
 class Alarms:
@@ -43,20 +58,39 @@ class Alarms:
         ParameterError: a value is out of its range.
     """
 
-    rate: str = setting("1 per month", TEXT, "false alarms: of all channels together, or per channel")
+    rate: str | None = setting(
+        *(None, TEXT, "false alarms asked for: of all channels together, or 'per channel'"),
+        usual="'1 per month', or '0.5 per 1000 judgements' where the source counts time",
+        example="1 per month",
+    )
     family: Sequence[str] = setting(
-        (), COLUMNS, "patterns of channel names; the channels of one are alike, and replayed together"
+        *((), Kind(COLUMNS.checked, list[str]), "channels that are alike, and replayed together"),
+        metavar="PATTERN",
+        usual="those of the same parameters",
+        more="repeatable",
+        example=("torque*", "temp*"),
     )
 
     def __post_init__(self) -> None:
         check(self)
         object.__setattr__(self, "family", tuple(self.family))
-        _ = self.asked
+        if self.rate is not None:
+            Rate.of(self.rate)
 
-    @property
-    def asked(self) -> Rate:
-        """The rate, understood."""
-        return Rate.of(self.rate)
+    def asked(self, kind: TimeKind) -> str:
+        """Return the rate that is asked for, in words.
+
+        Raises:
+            ParameterError: it is one in days, and the source counts time in integers.
+        """
+        if self.rate is None:
+            return "0.5 per 1000 judgements" if kind.is_counter else "1 per month"
+        if kind.is_counter and Rate.of(self.rate).days is not None:
+            raise ParameterError(
+                f"rate is {self.rate!r}, but the source counts time in integers; give it in judgements: "
+                "'0.5 per 1000 judgements'."
+            )
+        return self.rate
 
 
 def judgements(
@@ -162,14 +196,24 @@ def limits_of(study: Study, alarms: Alarms) -> list[Row]:
     Raises:
         ParameterError: a rate in days is asked for, and the source counts time in integers.
     """
-    rate, kind = alarms.asked, study.method.kind
-    if kind.is_counter and rate.days is not None:
-        raise ParameterError(
-            f"rate is {alarms.rate!r}, but the source counts time in integers; give it in judgements: "
-            "'0.5 per 1000 judgements'."
-        )
+    alarms.asked(study.method.kind)
     add_learnt_limits(study.steps, study.method, alarms.family)
-    found = {(row["channel_id"], row["g"]): row for row in study.table("learnt_limits").to_pylist()}
+    return chosen_limits(study, alarms, study.method.kind)
+
+
+def chosen_limits(work: Work, alarms: Alarms, kind: TimeKind) -> list[Row]:
+    """Return the limits of all channels of the step *learnt_limits*: its columns, and those chosen.
+
+    Args:
+        work: with the steps that a replay needs.
+        alarms: the asked rate.
+        kind: how the source tells time.
+
+    Raises:
+        ParameterError: as :meth:`Alarms.asked`.
+    """
+    rate = Rate.of(alarms.asked(kind))
+    found = {(row["channel_id"], row["g"]): row for row in work.table("learnt_limits").to_pylist()}
     day = None if kind.is_counter else length("1 d", kind, "a day")
     near = [row for (_, g), row in sorted(found.items()) if g == NEAR]
     for row in near:
@@ -186,7 +230,7 @@ def limits_of(study: Study, alarms: Alarms) -> list[Row]:
     total = math.fsum(row["judgements_per_day"] or 0.0 for row in members)
     for row in members:
         row["rate"] = rate.per_judgement(row["judgements_per_day"], total)
-    replayed, counted = _replayed(study, members)
+    replayed, counted = _replayed(work, members)
     for row in members:
         family = row["family_no"]
         row |= _high(row, _height(row, replayed.get(family), counted[family]))
@@ -236,9 +280,7 @@ def _based(row: Row, drifting: bool) -> Row:
     return {"g": NEAR, "basis": "none" if is_unlike else None}
 
 
-def _replayed(
-    study: Study, members: Sequence[Row]
-) -> tuple[dict[int, int], Mapping[int, dict[int, int]]]:
+def _replayed(work: Work, members: Sequence[Row]) -> tuple[dict[int, int], Mapping[int, dict[int, int]]]:
     """Return of each family that can be replayed its judgements, and its episodes by height."""
     families: dict[int, list[Row]] = defaultdict(list)
     for row in members:
@@ -257,10 +299,10 @@ def _replayed(
             for family in enough
             for row in families[family]
         ]
-        study.put("members", pa.Table.from_pylist(asked, schema=_MEMBERS))
-        study.put("heights", pa.table({"quarters": pa.array(range(LEAST, MOST + 1), pa.int64())}))
-        add_replay(study.steps)
-        for row in study.table("counted_replay").to_pylist():
+        work.put("members", pa.Table.from_pylist(asked, schema=_MEMBERS))
+        work.put("heights", pa.table({"quarters": pa.array(range(LEAST, MOST + 1), pa.int64())}))
+        add_replay(work.steps)
+        for row in work.table("counted_replay").to_pylist():
             counted[row["family_no"]][row["quarters"]] = row["episodes"]
     return enough, counted
 

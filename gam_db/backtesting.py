@@ -84,7 +84,7 @@ def backtest(
         raise ParameterError(
             "There is no judgement to count: healthy covers no full window after calibration."
         )
-    return _figures(alarms.rate, rows, found)
+    return _figures(alarms.asked(study.method.kind), rows, found)
 
 
 def _figures(asked: str, rows: Sequence[Row], found: list[Row]) -> Row:

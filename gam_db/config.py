@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from gam_db.address import has_password, is_url, shown
+from gam_db.alarms import Alarms
 from gam_db.calibration import WAYS, Calibration
 from gam_db.errors import ConfigurationError, UserError, nearest
 from gam_db.guess import SourceSettings
@@ -31,6 +32,7 @@ SECTIONS: Mapping[str, type] = {
     "source": SourceSettings,
     "parameters": Parameters,
     "calibration": Calibration,
+    "alarms": Alarms,
     "monitor": MonitorSettings,
 }
 
@@ -44,6 +46,7 @@ class Settings:
         parameters: keywords of :class:`~gam_db.Parameters`; only what was said.
         calibration: keywords of :class:`~gam_db.Calibration`; only what was said.
         overrides: parameters of some channels.
+        alarms: see :class:`~gam_db.Alarms`.
         monitor: see :class:`MonitorSettings`.
         file: the file it was read from, None if there was none.
         is_of_another: its section [source] was said of another source, and left out.
@@ -53,6 +56,7 @@ class Settings:
     parameters: Mapping[str, Any] = field(default_factory=dict)
     calibration: Mapping[str, Any] = field(default_factory=dict)
     overrides: tuple[Override, ...] = ()
+    alarms: Alarms = field(default_factory=Alarms)
     monitor: MonitorSettings = field(default_factory=MonitorSettings)
     file: Path | None = None
     is_of_another: bool = False
@@ -96,6 +100,7 @@ class Settings:
             source=source,
             parameters={**self.parameters, **said.get("parameters", {})},
             calibration={**kept, **calibration},
+            alarms=dataclasses.replace(self.alarms, **said.get("alarms", {})),
             monitor=dataclasses.replace(self.monitor, **said.get("monitor", {})),
         )
 
@@ -205,6 +210,7 @@ def _settings(document: Mapping[str, Any], path: Path) -> Settings:
         overrides=tuple(
             _override(f"[[override]] number {number}", table) for number, table in enumerate(tables, 1)
         ),
+        alarms=Alarms(**said["alarms"]),
         monitor=MonitorSettings(**said["monitor"]),
         file=path,
     )

@@ -9,7 +9,6 @@ from typing import Annotated, Any
 import typer
 from rich.console import Console
 
-from gam_db.alarms import Alarms
 from gam_db.backtesting import backtest as tested
 from gam_db.calibration import Calibration
 from gam_db.cli import options, page
@@ -25,26 +24,9 @@ _ALARMS = "Alarms"
 Row = dict[str, Any]
 
 
-@options.taking(*options.READ)
+@options.taking(*options.READ, *options.ALARMS)
 def backtest(
     settings: Settings,
-    rate: Annotated[
-        str,
-        typer.Option(
-            help="False alarms that are asked for: '1 per month' of all channels together, '2 per year "
-            "per channel', or '0.5 per 1000 judgements', the only form of a counter.",
-            rich_help_panel=_ALARMS,
-        ),
-    ] = Alarms().rate,
-    family: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="PATTERN",
-            help="Channels that are alike, replayed together (repeatable); default those of the same "
-            "parameters.",
-            rich_help_panel=_ALARMS,
-        ),
-    ] = None,
     healthy: Annotated[
         list[str] | None,
         typer.Option(
@@ -62,13 +44,12 @@ def backtest(
     Limits are made of the calibration of SOURCE for the asked rate; every full window after it is
     judged. What is seen is set beside what is stated, with how sure it is.
     """
-    asked = Alarms(rate, tuple(family or ()))
     spans = settings_of(Calibration)["intervals"].takes.read("--healthy", healthy) if healthy else None
     relation = options.named_relation(settings)
     with connect(settings.source.database, threads, writable=False) as session, working(session):
         job = job_of(session, settings, relation)
         method = (job.parameters, job.calibration)
-        found = tested(job.guess.source, *method, asked, spans, session)
+        found = tested(job.guess.source, *method, settings.alarms, spans, session)
     page.tell(Exit.FINE, {**job.figures(), **found}, lambda out: _show(out, found), as_json, quiet)
 
 

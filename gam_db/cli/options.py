@@ -31,6 +31,7 @@ _PANELS = {
     "source": "Columns, guessed where not named",
     "parameters": "Parameters of the method",
     "calibration": "Calibration, the healthy part: default the first 20 %",
+    "alarms": "Alarms",
     "monitor": "What is kept, and where",
 }
 
@@ -44,8 +45,11 @@ _KNOWN: Mapping[str, tuple[str, Setting]] = {
 
 #: Options of commands that read a source, and of commands that work with the state.
 READ = tuple(
-    name for name, (section, _) in _KNOWN.items() if section != "monitor" and name != "time_kind"
+    name
+    for name, (section, _) in _KNOWN.items()
+    if section not in ("alarms", "monitor") and name != "time_kind"
 )
+ALARMS = ("rate", "family")
 STATE = ("name", "schema", "prefix")
 
 Threads = Annotated[int | None, typer.Option(min=1, help="Processor threads; default all.")]

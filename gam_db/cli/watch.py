@@ -56,10 +56,10 @@ def watched(session: Session, settings: Settings, relation: str | None) -> tuple
     known = state.monitor(settings.monitor.name)
     channels = state.fetch("stored/known_channels", {"monitor_id": known["monitor_id"]})
     source = source_of(known, channels["channel"].to_pylist(), relation)
-    return Monitor(session, source, **vars(settings.monitor)), known
+    return Monitor(session, source, alarms=settings.alarms, **vars(settings.monitor)), known
 
 
-@options.taking(*options.READ, *options.STATE, state=True)
+@options.taking(*options.READ, *options.ALARMS, *options.STATE, state=True)
 def calibrate(
     settings: Settings,
     again: Annotated[
@@ -83,7 +83,7 @@ def calibrate(
     with working(session, quiet) as on_step:
         is_new = not migrations.status(session, tables).applied
         job = _job(session, settings, is_new)
-        asked = (job.guess.source, job.parameters, job.calibration)
+        asked = (job.guess.source, job.parameters, job.calibration, settings.alarms)
         with Monitor(session, *asked, **vars(settings.monitor)) as monitor:
             applied = monitor.migrate() if is_new else []
             rows = monitor.calibrate(again, on_step=on_step).to_pylist()

@@ -27,20 +27,35 @@ def add_learnt_limits(steps: Pipeline, method: Method, families: Sequence[str]) 
         families: patterns of channel names.
     """
     join_sets(steps, method, ("visits", "block_sizes"))
-    steps.small |= {"visits", "block_sizes", *_SMALL}
+    steps.small |= {"visits", "block_sizes"}
     reaches = (NEAR, ORDERED, FAR)
     add_stacked(
         steps, "buffered", "alarms/buffered", [filled("alarms/buffered", {"g": g}) for g in reaches]
     )
-    add(steps, "alarms/block_roots", {"root": _root("novel")})
-    add(steps, "alarms/spreads", _figures())
     add(steps, "alarms/own_cells")
     chances = [_chance(blocks) for blocks in range(1, 2 * ORDERED + 2)]
     add_stacked(steps, "chances", "alarms/chances", chances)
     add(steps, "alarms/order_ratios", {"g": ORDERED})
     add(steps, "alarms/lengths")
-    rows = [_learnt(g, families) for g in (NEAR, FAR)]
-    add_stacked(steps, "learnt_limits", "alarms/learnt_limits", rows)
+    add_spreads(steps, families)
+
+
+def add_spreads(steps: Pipeline, families: Sequence[str], known: str | None = None) -> None:
+    """Add the spreads of *buffered*; the last step is *learnt_limits*.
+
+    Args:
+        steps: with *buffered*.
+        families: patterns of channel names.
+        known: the step that has a row per channel with all else that calibration says; None for those
+            of a study.
+    """
+    steps.small |= set(_SMALL)
+    reads = ("channels", "limited", "bounds", "order_ratios", "lengths", "block_sizes")
+    tables = {} if known is None else dict.fromkeys(reads, known)
+    add(steps, "alarms/block_roots", {"root": _root("novel")}, tables=tables)
+    add(steps, "alarms/spreads", _figures())
+    rows = exp.union(*(_learnt(g, families) for g in (NEAR, FAR)), distinct=False)
+    steps.add("learnt_limits", rows, template.load("alarms/learnt_limits").comment, tables)
 
 
 def add_replay(steps: Pipeline) -> None:
@@ -71,6 +86,21 @@ def add_judgements(steps: Pipeline, method: Method, instant_of: TimeNode) -> Non
         "last_time": instant_of(exp.column("last_time", table="closing")),
     }
     add(steps, "alarms/episodes", times)
+
+
+def add_kept_judgements(steps: Pipeline, buckets: int, near: exp.Expr) -> None:
+    """Add judgements over tables of a state, up to *opened*.
+
+    Args:
+        steps: with *judged_buckets* and *limit_spans*.
+        buckets: of a window.
+        near: a condition on *bucket* that holds for the judgements before.
+    """
+    slots: dict[str, template.Slot] = {"buckets": buckets}
+    add(steps, "alarms/judged_windows", slots, tables={"bucket_counts": "judged_buckets"})
+    add(steps, "stored/judged_on", {"root": _root("novel", "judged"), "near": near})
+    for name in ("evidence", "opened"):
+        add(steps, f"alarms/{name}", tables={"rooted": "judged_on"})
 
 
 def add_backtested(steps: Pipeline, healthy: Sequence[tuple[int, int]]) -> None:

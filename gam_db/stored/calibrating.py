@@ -16,6 +16,7 @@ from gam_db.clock import LONG_AGO
 from gam_db.errors import CalibrationError, ParameterError
 from gam_db.method import Method
 from gam_db.method.adding import add
+from gam_db.method.alarms import NEAR, add_learnt_limits
 from gam_db.method.judgement import add_judged
 from gam_db.parameters import Parameters, pattern_matches
 from gam_db.pipeline import filled, place
@@ -29,7 +30,10 @@ from gam_db.study import Study
 _METHOD = ("source", "calibration", "embedding", "support", "certificate", "score", "health")
 
 #: What is appended, in this order; a version is committed by its own row.
-_WRITTEN = ("calibration", "bounds", "block", "ladder", "support", "checksum", "version")
+_WRITTEN = (
+    *("calibration", "bounds", "block", "ladder", "support"),
+    *("buffered", "extent", "checksum", "version"),
+)
 
 #: What a checksum is made of: of a version that is being written, the steps that its tables are given.
 _SUMMED = {
@@ -76,8 +80,10 @@ def calibrate(
     add(steps, "stored/recount")
     add_judged(steps, "limited", exp.cast(exp.null(), "DOUBLE"), "unscored")
     add(steps, "stored/version_rows", {"long_ago": LONG_AGO, "created": now()})
-    for part in ("calibration", "bounds", "block", "ladder", "support"):
+    add_learnt_limits(steps, study.method, ())
+    for part in ("calibration", "bounds", "block", "ladder", "support", "buffered"):
         add(steps, f"stored/{part}_rows")
+    add(steps, "stored/extent_rows", {"g": NEAR})
     add(steps, "stored/checksum_rows", tables=_SUMMED)
     versions = {
         (row["asset"], row["channel"]): row

@@ -98,10 +98,16 @@ def _conditions(tables: StateTables, monitor_id: int) -> dict[str, exp.Expr]:
     of_versions = exp.column("version_id").isin(query=versions)
     of_supports = exp.column("support_id").isin(query=supports)
     return {
-        **dict.fromkeys(("bucket", "novel", "run", "horizon", "calibration", "checksum"), of_versions),
+        **dict.fromkeys(
+            (
+                *("bucket", "novel", "judgement", "run", "horizon", "calibration", "checksum"),
+                *("buffered", "extent", "limit"),
+            ),
+            of_versions,
+        ),
         **dict.fromkeys(("block", "ladder", "support", "bounds"), of_supports),
         "version": of_channels,
-        "proof": of_monitor,
+        **dict.fromkeys(("proof", "episode", "label"), of_monitor),
         "channel": of_monitor,
         "unplaced": of_monitor,
         "monitor": of_monitor,

@@ -14,6 +14,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db import template
+from gam_db.alarms import Alarms
 from gam_db.calibration import Calibration
 from gam_db.checking import look_at
 from gam_db.clock import Instant, Length, instant
@@ -25,7 +26,7 @@ from gam_db.parameters import Parameters, pattern_matches
 from gam_db.report import Wishes, write
 from gam_db.running import Listener, unheard
 from gam_db.source import AnySource
-from gam_db.stored import lengths, migrations
+from gam_db.stored import lengths, limits, migrations
 from gam_db.stored.calibrating import calibrate
 from gam_db.stored.checking import Checked, check_state
 from gam_db.stored.proving import Proof, keep
@@ -52,6 +53,8 @@ class Monitor(MonitorSettings):
         source: where the telemetry lies: a table of that database, a file, or an Arrow table.
         parameters: of the method; default :class:`Parameters`. They count when a version is made.
         calibration: the healthy part; default the first fifth of each channel. It counts likewise.
+        alarms: the asked rate of false alarms, and families; default :class:`Alarms`. It counts when
+            limits are made.
 
     Raises:
         UserError: the database cannot be opened, or a keyword cannot be used.
@@ -61,6 +64,7 @@ class Monitor(MonitorSettings):
     source: AnySource
     parameters: Parameters = None  # type: ignore[assignment]
     calibration: Calibration = None  # type: ignore[assignment]
+    alarms: Alarms = None  # type: ignore[assignment]
 
     def __post_init__(self, engine: Any) -> None:
         super().__post_init__()
@@ -68,6 +72,7 @@ class Monitor(MonitorSettings):
         self.session = engine if isinstance(engine, Session) else connect(engine)
         self.parameters = self.parameters or Parameters()
         self.calibration = self.calibration or Calibration()
+        self.alarms = self.alarms or Alarms()
         self.state = State(self.session, self.tables)
 
     def __enter__(self) -> "Monitor":
@@ -118,9 +123,13 @@ class Monitor(MonitorSettings):
         migrations.require(self.session, self.state.tables)
         study = Study(self.session, self.source, self.parameters, self.calibration, on_step)
         try:
-            return calibrate(self.state, study, self.name, again, limit)
+            self.alarms.asked(study.method.kind)
+            made = calibrate(self.state, study, self.name, again, limit)
         finally:
             study.running.forget()
+        on_step("limits")
+        limits.make(self.state, self.name, self.alarms)
+        return made
 
     def score(
         self,

@@ -51,8 +51,9 @@ class Retention:
 #: The steps that find what goes, in order; all are read before anything is deleted.
 _STEPS = (
     *("pruned_versions", "recorded", "aged_buckets", "horizons"),
-    *("expired_buckets", "expired_novel", "expired_runs", "expired_versions", "expired_supports"),
-    *("expired_unplaced", "new_horizons", "expired_horizons"),
+    *("expired_buckets", "expired_novel", "expired_judgements", "expired_runs"),
+    *("expired_versions", "expired_supports", "expired_unplaced", "new_horizons"),
+    "expired_horizons",
 )
 
 #: How long it stays known how many rows runs could give to no channel, in microseconds: a year.
@@ -64,10 +65,14 @@ _UNPLACED = 365 * DAY
 _EXPIRED = {
     "bucket": "expired_buckets",
     "novel": "expired_novel",
+    "judgement": "expired_judgements",
     "run": "expired_runs",
     "unplaced": "expired_unplaced",
     "horizon": "expired_horizons",
     "calibration": "expired_versions",
+    "buffered": "expired_versions",
+    "extent": "expired_versions",
+    "limit": "expired_versions",
     "checksum": "expired_versions",
     "support": "expired_supports",
     "block": "expired_supports",

@@ -23,20 +23,30 @@ _INSERTED = tuple(name for name in TABLES if name != "migration")
 #: Rows that a later run hides, or that are old, go.
 _DELETED = (
     *("version", "calibration", "bounds", "block", "support", "bucket", "novel", "run", "unplaced"),
-    *("checksum", "horizon", "ladder"),
+    *("checksum", "horizon", "ladder", "judgement", "buffered", "extent", "limit"),
 )
 
 #: Where one writer waits for another: a column of one row is written, and stays what it was.
 _TOUCHED = {"migration": "applied_at", "monitor": "created"}
 
 #: The views by which runs, buckets and cells that count are found, and what a run says in the end.
-_COUNTING = ("finished_run", "visible_bucket", "visible_novel", "fleet")
+_COUNTING = (
+    "finished_run",
+    "visible_bucket",
+    "visible_novel",
+    "visible_judgement",
+    "visible_episode",
+    "fleet",
+)
 
 #: What the status is made of.
 _STATUS = ("migration", "monitor", "proof", "visible_bucket", "fleet")
 
 #: The views that are for whoever reads on.
-_SHOWN = ("health", "quarantine", "unplaced_day", "onset", "machine", "growth", "cell", "trend")
+_SHOWN = (
+    *("health", "quarantine", "unplaced_day", "onset", "machine", "growth", "cell", "trend"),
+    *("alarm", "alarm_event"),
+)
 
 #: What a script cannot know, as comments of it.
 ALSO = (

@@ -19,6 +19,8 @@ from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline, filled, place
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
+from gam_db.stored.episodes import follow
+from gam_db.stored.judging import judge
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due, planned, portions, resumed
 from gam_db.stored.proving import verify, verify_daily
 from gam_db.stored.publishing import GONE, NOTHING, Standings, publication, standings
@@ -41,6 +43,9 @@ from gam_db.stored.steps import (
 
 #: With fewer rows, looking for repeated instants first is cheaper than scoring some channels twice.
 TRUSTED_FROM = 2_000_000
+
+#: Steps of a run that its judgements are made of.
+_JUDGED = ("cohort", "stamp", "new_buckets")
 
 
 @dataclass(frozen=True)
@@ -323,11 +328,15 @@ class _Run:
         with publication(self.state, monitor_id, group, self.planned, run_id) as compare_again:
             for part in PUBLISHED:
                 if part == PUBLISHED[-1]:
+                    judge(self.state, group, {name: running.placed[name] for name in _JUDGED})
                     compare_again()
                 self.state.append(part.removesuffix("_rows"), running.query(part))
             if self.session.transactions:  # else `gam compact` does it now and then
-                for table in ("bucket", "novel"):
+                for table in ("bucket", "novel", "judgement"):
                     self.state.delete_hidden(table, run_id, after, near(group))
+                follow(self.state, monitor_id, running.placed["cohort"])
+        if not self.session.transactions:
+            follow(self.state, monitor_id, running.placed["cohort"])
         self._note(group, made, seen)
 
     def _past(self, group: Sequence[Row], running: Running) -> exp.Query:

@@ -30,12 +30,22 @@ TABLES = (
     "horizon",
     "proof",
     "ladder",
+    "buffered",
+    "extent",
+    "limit",
+    "judgement",
+    "episode",
+    "label",
 )
 #: Each after those that it reads.
 VIEWS = (
     "finished_run",
     "visible_bucket",
     "visible_novel",
+    "visible_judgement",
+    "visible_episode",
+    "alarm",
+    "alarm_event",
     "onset",
     "health",
     "fleet",

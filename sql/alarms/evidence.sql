@@ -1,7 +1,7 @@
 -- Evidence: how far the roots have stood above the reference, summed since it was least within 50 judgements
 -- (alarms, section 4). One judgement adds half a height at most, so that none opens an episode alone.
 -- Reads:  rooted
--- A row:  one judgement under one limit.
+-- A row:  one judgement under one limit; what is summed begins anew with each judged_from.
 SELECT
   channel_id,
   limit_no,
@@ -9,7 +9,10 @@ SELECT
   root,
   reference,
   height,
-  risen - CASE WHEN judgement_no <= 49 AND least_risen > 0 THEN 0 ELSE least_risen END AS evidence
+  known_open,
+  known_zero,
+  risen - CASE WHEN judgement_no - first_near <= 49 AND least_risen > 0 THEN 0 ELSE least_risen END
+    AS evidence
 FROM (
   SELECT
     channel_id,
@@ -18,9 +21,16 @@ FROM (
     root,
     reference,
     height,
+    known_open,
+    known_zero,
     risen,
+    MIN(judgement_no) OVER (
+      PARTITION BY channel_id, limit_no, judged_from
+      ORDER BY judgement_no
+      ROWS BETWEEN 50 PRECEDING AND CURRENT ROW
+    ) AS first_near,
     MIN(risen) OVER (
-      PARTITION BY channel_id, limit_no
+      PARTITION BY channel_id, limit_no, judged_from
       ORDER BY judgement_no
       ROWS BETWEEN 50 PRECEDING AND CURRENT ROW
     ) AS least_risen
@@ -28,13 +38,16 @@ FROM (
     SELECT
       channel_id,
       limit_no,
+      judged_from,
       judgement_no,
       root,
       reference,
       height,
+      known_open,
+      known_zero,
       CAST(
         SUM(CASE WHEN root - reference > cap THEN cap ELSE root - reference END) OVER (
-          PARTITION BY channel_id, limit_no
+          PARTITION BY channel_id, limit_no, judged_from
           ORDER BY judgement_no
           ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
         ) AS BIGINT

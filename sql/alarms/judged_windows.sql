@@ -5,6 +5,7 @@
 SELECT
   channel_id,
   judgement_no,
+  MAX(counted.bucket_no) AS last_bucket,
   MIN(counted.first_time) AS first_time,
   MAX(counted.last_time) AS last_time,
   CAST(SUM(counted.novel) AS BIGINT) AS novel
@@ -14,6 +15,7 @@ FROM (
     CAST(
       FLOOR((CAST(bucket_no AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(:buckets AS DOUBLE)) AS BIGINT
     ) AS judgement_no,
+    bucket_no,
     first_time,
     last_time,
     novel

@@ -1,5 +1,6 @@
 -- Opened: is a judgement open? Its last up is later than its last down: evidence at the height in a raised window, and
--- three windows in a row that are not raised (alarms, section 4).
+-- three windows in a row that are not raised (alarms, section 4). A judgement that is known already stands for all
+-- before it.
 -- Reads:  evidence
 -- A row:  one judgement under one limit; last_zero is the latest one without evidence, NULL if there was none.
 SELECT
@@ -21,20 +22,33 @@ FROM (
     reference,
     height,
     evidence,
-    MAX(CASE WHEN evidence >= height AND root > reference THEN judgement_no END) OVER (
+    MAX(
+      CASE
+        WHEN known_open = 1 THEN judgement_no
+        WHEN known_open < 0 AND evidence >= height AND is_raised = 1 THEN judgement_no
+      END
+    ) OVER (
       PARTITION BY channel_id, limit_no
       ORDER BY judgement_no
       ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
     ) AS last_up,
     MAX(
-      CASE WHEN root <= reference AND root_before <= reference AND root_earlier <= reference
-        THEN judgement_no END
+      CASE
+        WHEN known_open = 0 THEN judgement_no
+        WHEN known_open < 0 AND is_raised = 0 AND was_raised = 0 AND was_raised_before = 0
+          THEN judgement_no
+      END
     ) OVER (
       PARTITION BY channel_id, limit_no
       ORDER BY judgement_no
       ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
     ) AS last_down,
-    MAX(CASE WHEN evidence = 0 THEN judgement_no END) OVER (
+    MAX(
+      CASE
+        WHEN known_open >= 0 THEN known_zero
+        WHEN evidence = 0 THEN judgement_no
+      END
+    ) OVER (
       PARTITION BY channel_id, limit_no
       ORDER BY judgement_no
       ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
@@ -47,9 +61,26 @@ FROM (
       root,
       reference,
       height,
+      known_open,
+      known_zero,
       evidence,
-      LAG(root, 1) OVER (PARTITION BY channel_id, limit_no ORDER BY judgement_no) AS root_before,
-      LAG(root, 2) OVER (PARTITION BY channel_id, limit_no ORDER BY judgement_no) AS root_earlier
-    FROM evidence
+      is_raised,
+      LAG(is_raised, 1) OVER (PARTITION BY channel_id, limit_no ORDER BY judgement_no) AS was_raised,
+      LAG(is_raised, 2) OVER (PARTITION BY channel_id, limit_no ORDER BY judgement_no)
+        AS was_raised_before
+    FROM (
+      SELECT
+        channel_id,
+        limit_no,
+        judgement_no,
+        root,
+        reference,
+        height,
+        known_open,
+        known_zero,
+        evidence,
+        CASE WHEN root > reference THEN 1 ELSE 0 END AS is_raised
+      FROM evidence
+    ) AS compared
   ) AS lagged
 ) AS known

@@ -9,6 +9,9 @@ SELECT
   :root AS root,
   frozen.reference AS reference,
   frozen.height AS height,
-  frozen.cap AS cap
+  frozen.cap AS cap,
+  0 AS judged_from,
+  -1 AS known_open,
+  CAST(NULL AS BIGINT) AS known_zero
 FROM judged_windows AS judged
 JOIN frozen_limits AS frozen ON frozen.channel_id = judged.channel_id

@@ -60,7 +60,7 @@ _STORED = (
         "test_migrations",
     ),
     *("test_cli_stored", "test_cli_state", "test_migrate_and_drop", "test_check_notes"),
-    *("test_onset", "test_cells", "test_report"),
+    *("test_onset", "test_cells", "test_report", "test_stored_alarms"),
 )
 
 #: Files of ``sql/`` -> the tests that are about them and so are tried first.
@@ -74,6 +74,13 @@ _ABOUT = {
     "certificate/*": "test_spec[certificate",
     "judgement/*": "test_judged",
     "report/*": "test_report",
+    **{
+        f"stored/{name}": "test_stored_alarms"
+        for name in (
+            *("buffered_rows", "extent_rows", "kept_buffered", "limit_*", "judged_*", "judgement_rows"),
+            *("open_judgements", "found_episodes", "episode_records", "expired_judgements"),
+        )
+    },
     "alarms/within": "test_backtest",
     "alarms/backtested": "test_backtest",
     "alarms/*": "test_alarms",

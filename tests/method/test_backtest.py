@@ -106,7 +106,7 @@ def test_the_command_says_what_the_call_does(tmp_path: Path, source: gam_db.Sour
     file = tmp_path / "fleet.parquet"
     pq.write_table(fleet(), file)
     words = f"backtest {file} --m 1 --bins 400 --window 8 --stride 4 --target-floor 0.9".split()
-    words += ["--calibration-fraction", "0.4", "--rate", ALARMS.rate, "--healthy", "900/1599"]
+    words += ["--calibration-fraction", "0.4", "--rate", str(ALARMS.rate), "--healthy", "900/1599"]
     told = json.loads(CliRunner().invoke(app, [*words, "--json"]).stdout)
     found = gam_db.backtest(source, PARAMETERS, CALIBRATION, ALARMS, [(900, 1599)])
     assert {name: told[name] for name in found} == found

@@ -29,6 +29,7 @@ from gam_db.selection.lags import add_delays, add_samples
 from gam_db.selection.neighbours import add_dimensions, add_embedding
 from gam_db.selection.search import Search
 from gam_db.source import Source, WideSource, readings
+from gam_db.stored.episodes import records_of
 from gam_db.stored.migration_files import definitions
 from gam_db.stored.migrations import rendered
 from gam_db.stored.monitor import Monitor
@@ -649,6 +650,23 @@ def watch_once() -> None:
         withdraw(monitor.state, 0)
 
 
+def alarm_once() -> None:
+    """Take every path of the stored form of alarms once: a fault that begins, and ends."""
+    values = [float(time % 2) for time in range(32)] + [9.0] * 12 + [0.0] * 24
+    rows: list[Row] = [("a", "x", time, value) for time, value in enumerate(values)]
+    parameters = gam_db.Parameters(m=1, bins=2, window=4, stride=2)
+    calibration = gam_db.Calibration(intervals=[(0, 31)])
+    with DuckSession() as session:
+        asked = parameters, calibration, gam_db.Alarms("1 per 1000 judgements")
+        monitor = Monitor(session, gam_db.Source(arrow(rows)), *asked)
+        monitor.migrate()
+        monitor.calibrate()
+        for until in (43, None):
+            monitor.score(until=until)
+        records = records_of(monitor.state, 1)
+        assert [row["status"] for row in records] == ["ended"]
+
+
 def test_filled_queries_of_a_selection_break_no_rule() -> None:
     found = found_in(selection_steps())
     exempt = EXEMPT | EXEMPT_IN_SELECTION
@@ -659,7 +677,8 @@ def test_filled_queries_of_a_selection_break_no_rule() -> None:
 #: What reads the state only; each may read those before it.
 OF_STATE = (
     *("status_rows", "course", "pruned_versions", "aged_buckets", "horizons"),
-    *("expired_buckets", "expired_novel", "expired_runs", "expired_versions", "expired_supports"),
+    *("expired_buckets", "expired_novel", "expired_judgements"),
+    *("expired_runs", "expired_versions", "expired_supports"),
     *("expired_unplaced", "new_horizons", "expired_horizons", "last_proofs", "state_sizes"),
 )
 
@@ -741,6 +760,7 @@ def test_every_file_is_used() -> None:
             made.cache_clear()
         scoring_steps(Setting(3, 1, 100, 5000, 100, None, False), TimeKind.COUNTER, trusting=True)
         watch_once()
+        alarm_once()
         stream_once()
         gam_db.check(gam_db.Source(pa.table({"time": [1], "value": [2.5], "more": ["3"]}), None, None))
         gam_db.check(gam_db.Source(pa.table({"time": ["2026-01-01"], "value": [2.5]}), None, None))

@@ -1,0 +1,173 @@
+"""Episodes of a monitor: numbers that are given once, and a row for each change (alarms, section 4).
+
+This module owns which recomputed episode has which number, and what became of the others. It follows
+the stored judgements: where nothing changed, nothing is written.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db.clock import LONG_AGO
+from gam_db.method.adding import add
+from gam_db.pipeline import Pipeline
+from gam_db.running import Running
+from gam_db.stored.planning import Row
+from gam_db.stored.state import State, now
+
+#: States in which a number may be that of an episode again.
+_LIVE = ("open", "ended")
+
+#: What is known of an episode beside its status.
+_KNOWN = (
+    *("version_id", "onset", "first_judgement", "last_judgement"),
+    *("onset_time", "first_time", "last_time", "evidence", "height", "is_proving"),
+)
+
+
+#: Those that stay where the judgements of its begin were pruned.
+_BEGIN = ("onset", "first_judgement", "onset_time", "first_time", "height", "is_proving")
+
+#: What a change of status is called.
+_WHAT = {("ended", "open"): "reopened", ("open", "ended"): "ended"}
+
+
+class Log:
+    """New rows of the history of a monitor's episodes.
+
+    Args:
+        monitor_id: of the monitor.
+        records: the newest row of each episode.
+    """
+
+    def __init__(self, monitor_id: int, records: Sequence[Row]) -> None:
+        self.rows: list[Row] = []
+        self._seq = max((row["seq"] for row in records), default=0)
+        self._last = max((row["episode_id"] for row in records), default=0)
+        self._shared = {"monitor_id": monitor_id, "noticed_at": now(), "merged_into": None}
+
+    def add(self, what: str, row: Row, **changes: object) -> None:
+        """Note a change."""
+        self._seq += 1
+        self.rows.append({**row, **self._shared, **changes, "seq": self._seq, "what": what})
+
+    def opened(self, row: Row) -> None:
+        """Note an episode under a number that nobody had."""
+        self._last += 1
+        self.add("opened", row, episode_id=self._last, status="open")
+        if row["status"] == "ended":
+            self.add("ended", row, episode_id=self._last)
+
+    def keep(self, state: State) -> None:
+        """Append the rows."""
+        if self.rows:
+            state.append_rows("episode", pa.Table.from_pylist(self.rows, schema=EPISODE))
+
+
+def records_of(state: State, monitor_id: int) -> list[Row]:
+    """Return the newest row of each episode of a monitor."""
+    rows: list[Row] = state.fetch("stored/episode_records", {"monitor_id": monitor_id}).to_pylist()
+    return rows
+
+
+def follow(state: State, monitor_id: int, cohort: exp.Table) -> None:
+    """Let the episodes of some channels be those of their stored judgements.
+
+    Args:
+        state: the state tables, in a session that can write.
+        monitor_id: of the monitor.
+        cohort: a table with channel_id and version_id of the channels.
+    """
+    steps = Pipeline()
+    add(steps, "stored/open_judgements", name="opened")
+    for path in ("alarms/merged", "stored/found_episodes", "stored/judged_ranges"):
+        add(steps, path)
+    running = Running(state.session, steps, {**state.tables.placed(), "cohort": cohort})
+    records = records_of(state, monitor_id)
+    found = _by_channel(running.table("found_episodes").to_pylist())
+    live = _by_channel(row for row in records if row["status"] in _LIVE)
+    if not found and not live:
+        return
+    ranges = {row["channel_id"]: row for row in running.table("judged_ranges").to_pylist()}
+    here = state.session.fetch(exp.select("channel_id", "version_id").from_(cohort.copy())).to_pylist()
+    log = Log(monitor_id, records)
+    for row in sorted(here, key=lambda row: row["channel_id"]):
+        channel = row["channel_id"]
+        if channel in found or channel in live:
+            judged = ranges.get(channel, {"version_id": row["version_id"]})
+            _match(log, found.get(channel, []), live.get(channel, []), judged)
+    log.keep(state)
+
+
+def _by_channel(rows: Iterable[Row]) -> dict[int, list[Row]]:
+    found: dict[int, list[Row]] = {}
+    for row in rows:
+        found.setdefault(row["channel_id"], []).append(row)
+    return found
+
+
+def _match(log: Log, found: list[Row], live: list[Row], judged: Mapping[str, Any]) -> None:
+    """Give the episodes of a channel their numbers, and say what became of those it had.
+
+    Args:
+        log: to be written.
+        found: episodes as the judgements of the active version say it.
+        live: records of episodes that may be among them.
+        judged: version_id, and what judged_ranges says of it; without a limit nothing else.
+    """
+    version, first = judged["version_id"], judged.get("first_judgement") or 0
+    begin, newest = judged.get("first_scored"), judged.get("last_time")
+    free = [
+        row
+        for row in sorted(live, key=lambda row: row["episode_id"])
+        if (
+            row["last_judgement"] >= first
+            if row["version_id"] == version
+            else begin is not None and row["last_time"] >= begin
+        )
+    ]
+    taken: set[int] = set()
+    for row in sorted(found, key=lambda row: row["first_judgement"]):
+        goes_on = judged["is_judged"] == 1 and row["last_judgement"] == judged["last_judgement"]
+        row["status"] = "open" if goes_on else "ended"
+        row["onset_time"] = row["first_time"] if row["onset_time"] is None else row["onset_time"]
+        meets = [
+            one
+            for one in free
+            if one["episode_id"] not in taken
+            and one["first_time"] <= row["last_time"]
+            and row["first_time"] <= one["last_time"]
+        ]
+        taken |= {one["episode_id"] for one in meets}
+        if not meets:
+            log.opened(row)
+            continue
+        mine = meets[0]
+        if mine["version_id"] == version and mine["first_judgement"] < first:  # its begin was pruned
+            row |= {name: mine[name] for name in _BEGIN}
+            row["evidence"] = max(row["evidence"], mine["evidence"])
+        if any(row[name] != mine[name] for name in ("status", *_KNOWN)):
+            what = _WHAT.get((mine["status"], row["status"]), "changed")
+            log.add(what, row, episode_id=mine["episode_id"])
+        for one in meets[1:]:
+            log.add("merged", one, status="merged", merged_into=mine["episode_id"])
+    for row in (row for row in live if row["episode_id"] not in taken):
+        if row["version_id"] == version:
+            if row in free:
+                log.add("withdrawn", row, status="withdrawn")
+        elif begin is None or row["last_time"] < begin or (newest or LONG_AGO) >= row["last_time"]:
+            if row["status"] == "open":
+                log.add("recalibrated", row, status="recalibrated")
+            elif row in free:
+                log.add("withdrawn", row, status="withdrawn")
+
+
+EPISODE = pa.schema(
+    [
+        *((name, pa.int64()) for name in ("monitor_id", "episode_id", "seq", "noticed_at")),
+        *((name, pa.string()) for name in ("what", "status")),
+        *((name, pa.int64()) for name in ("merged_into", "channel_id", *_KNOWN)),
+    ]
+)

@@ -1,0 +1,124 @@
+"""Limits of a monitor: by what judgements of its channels are judged, frozen (alarms, section 3).
+
+This module owns when limits are made, and of what. How one is chosen is said by :mod:`gam_db.alarms`.
+"""
+
+from collections.abc import Callable
+
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.alarms import Alarms, Row, chosen_limits
+from gam_db.method.adding import add
+from gam_db.method.alarms import add_spreads
+from gam_db.pipeline import Pipeline
+from gam_db.running import Running
+from gam_db.stored.state import State, kind_of, now
+
+CALIBRATED = "calibrated"
+
+_CHOSEN = ("centre", "spread", "reference", "height", "cap", "quarters", "basis", "rate", "stated_rate")
+
+
+class _Kept:
+    """What calibration left in tables, as :class:`gam_db.alarms.Work`."""
+
+    def __init__(self, state: State, steps: Pipeline) -> None:
+        self.steps = steps
+        self.running = Running(state.session, steps, state.tables.placed())
+
+    def table(self, step: str) -> pa.Table:
+        return self.running.table(step)
+
+    def put(self, step: str, rows: pa.Table) -> None:
+        self.running.load(step, rows)
+
+
+def make(
+    state: State,
+    name: str,
+    alarms: Alarms,
+    cause: str = CALIBRATED,
+    wanted: Callable[[Row], bool] = lambda row: row["limit_no"] == 0,
+) -> list[Row]:
+    """Make limits, from all active versions, and keep those of the wanted ones.
+
+    Args:
+        state: the state tables, in a session that can write.
+        name: of the monitor.
+        alarms: the asked rate and the families.
+        cause: why, as the rows will say.
+        wanted: which channels get new ones (asset, channel, limit_no: 0 for none yet); others keep
+            theirs.
+
+    Returns:
+        One row per channel that got one, ordered, as :func:`gam_db.limits` returns them.
+
+    Raises:
+        ParameterError: a rate in days is asked for, and the source counts time in integers.
+    """
+    monitor = state.monitor(name)
+    kind = kind_of(monitor)
+    asked = alarms.asked(kind)
+    steps = Pipeline(small=frozenset({"active", "limit_channels", "buffered"}))
+    add(steps, "stored/active", {"monitor_id": monitor["monitor_id"]})
+    verdict = exp.column("verdict", table="learnt")
+    add(
+        *(steps, "stored/limit_channels"),
+        {"limit_reason": template.fill("judgement/limit_reason", {"verdict": verdict})},
+    )
+    add(steps, "stored/kept_buffered", name="buffered")
+    add_spreads(steps, alarms.family, "limit_channels")
+    work = _Kept(state, steps)
+    try:
+        known = {row["channel_id"]: row for row in work.table("limit_channels").to_pylist()}
+        chosen = {channel for channel, row in known.items() if wanted(row)}
+        if not chosen:
+            return []
+        rows = [row for row in chosen_limits(work, alarms, kind) if row["channel_id"] in chosen]
+    finally:
+        work.running.forget()
+    families = sorted({row["family"] for row in rows})
+    for row in rows:
+        row["family"] = families.index(row["family"])
+    rows.sort(key=lambda row: (row["asset"], row["channel"]))
+    keep(state, [_row(row, known[row["channel_id"]], cause, asked) for row in rows])
+    return rows
+
+
+def keep(state: State, rows: list[Row]) -> None:
+    """Append rows of limits."""
+    state.append_rows("limit", pa.Table.from_pylist(rows, schema=LIMIT))
+
+
+def _row(row: Row, known: Row, cause: str, asked: str) -> Row:
+    return {
+        **dict.fromkeys(_CHOSEN),
+        **row,
+        "version_id": known["version_id"],
+        "limit_no": known["limit_no"] + 1,
+        "from_judgement": known["judgements"] if known["limit_no"] else 0,
+        "created": now(),
+        "cause": cause,
+        "asked": asked,
+    }
+
+
+LIMIT = pa.schema(
+    [
+        *((name, pa.int64()) for name in ("version_id", "limit_no", "from_judgement", "created")),
+        *((name, pa.string()) for name in ("cause", "asked")),
+        *(
+            (name, pa.int64())
+            for name in (
+                *("family", "blocks", "g", "centre", "spread", "reference", "height", "cap"),
+                "quarters",
+            )
+        ),
+        ("basis", pa.string()),
+        ("order_ratio", pa.int64()),
+        *((name, pa.float64()) for name in ("judgements_per_day", "rate", "stated_rate")),
+        ("reason", pa.string()),
+    ]
+)

@@ -1,0 +1,33 @@
+-- Judged ranges: from which to which judgement the versions of a cohort are judged.
+-- Reads:  cohort, stored_version, stored_limit, stored_visible_judgement
+-- A row:  one version that has, or had, a limit (is_judged = 0: had); NULL where nothing is judged yet.
+SELECT
+  part.channel_id AS channel_id,
+  part.version_id AS version_id,
+  made.first_scored AS first_scored,
+  CASE WHEN latest.reason IS NULL THEN 1 ELSE 0 END AS is_judged,
+  CASE WHEN judged.hit = 1 THEN judged.first_judgement END AS first_judgement,
+  CASE WHEN judged.hit = 1 THEN judged.last_judgement END AS last_judgement,
+  CASE WHEN judged.hit = 1 THEN judged.last_time END AS last_time
+FROM cohort AS part
+JOIN stored_version AS made ON made.version_id = part.version_id
+JOIN (
+  SELECT
+    version_id,
+    MAX(own.limit_no) AS newest_no,
+    MAX(CASE WHEN own.reason IS NULL THEN 1 ELSE 0 END) AS was_judged
+  FROM stored_limit AS own
+  GROUP BY version_id
+) AS limited ON limited.version_id = part.version_id AND limited.was_judged = 1
+JOIN stored_limit AS latest
+  ON latest.version_id = limited.version_id AND latest.limit_no = limited.newest_no
+LEFT JOIN (
+  SELECT
+    version_id,
+    MIN(judgement_no) AS first_judgement,
+    MAX(judgement_no) AS last_judgement,
+    MAX(known.last_time) AS last_time,
+    1 AS hit
+  FROM stored_visible_judgement AS known
+  GROUP BY version_id
+) AS judged ON judged.version_id = part.version_id

@@ -1,0 +1,49 @@
+-- Limit channels: the active versions of a monitor that limits can be made of, with what calibration says of them.
+-- Channels of the same parameters have the same settings_no. Judgements counts the full windows there are.
+-- Reads:  active, stored_version, stored_bounds, stored_extent, stored_limit, stored_visible_bucket
+-- A row:  one active version; limit_no is that of its newest limit, 0 before there is one.
+-- Slots:  :limit_reason  the expression of judgement/limit_reason.sql
+SELECT
+  member.channel_id AS channel_id,
+  member.version_id AS version_id,
+  member.asset AS asset,
+  member.channel AS channel,
+  member.window_length AS window_length,
+  MIN(member.version_id) OVER (
+    PARTITION BY
+      member.m,
+      member.tau,
+      member.bins,
+      member.window_length,
+      member.stride,
+      member.max_gap,
+      made.target_floor
+  ) AS settings_no,
+  :limit_reason AS limit_reason,
+  extent.vectors AS vectors,
+  extent.calibration_length AS length,
+  extent.order_ratio AS order_ratio,
+  CASE WHEN known.hit = 1 THEN known.limit_no ELSE 0 END AS limit_no,
+  CASE
+    WHEN scored.hit = 1 THEN CAST(
+      FLOOR(
+        (CAST((scored.newest_no + 1) * member.stride AS DOUBLE) + CAST(5e-1 AS DOUBLE))
+        / CAST(member.window_length AS DOUBLE)
+      ) AS BIGINT
+    )
+    ELSE 0
+  END AS judgements
+FROM active AS member
+JOIN stored_version AS made ON made.version_id = member.version_id
+JOIN stored_bounds AS learnt ON learnt.support_id = member.support_id
+JOIN stored_extent AS extent ON extent.version_id = member.version_id
+LEFT JOIN (
+  SELECT version_id, MAX(made.limit_no) AS limit_no, 1 AS hit
+  FROM stored_limit AS made
+  GROUP BY version_id
+) AS known ON known.version_id = member.version_id
+LEFT JOIN (
+  SELECT version_id, MAX(bucket_no) AS newest_no, 1 AS hit
+  FROM stored_visible_bucket
+  GROUP BY version_id
+) AS scored ON scored.version_id = member.version_id

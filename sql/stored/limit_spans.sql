@@ -1,0 +1,32 @@
+-- Limit spans: which limit is for which judgements: the newest that begins at or before one.
+-- Reads:  judged_until, stored_limit
+-- A row:  one limit of one version, for from_judgement up to, not with, until_judgement.
+SELECT
+  spanned.channel_id AS channel_id,
+  spanned.limit_no AS limit_no,
+  spanned.from_judgement AS from_judgement,
+  CASE
+    WHEN spanned.next_judgement IS NULL THEN 4611686018427387904
+    ELSE spanned.next_judgement
+  END AS until_judgement,
+  spanned.reference AS reference,
+  spanned.height AS height,
+  spanned.cap AS cap
+FROM (
+  SELECT
+    part.channel_id AS channel_id,
+    made.limit_no AS limit_no,
+    made.from_judgement AS from_judgement,
+    MIN(made.from_judgement) OVER (
+      PARTITION BY made.version_id
+      ORDER BY made.limit_no DESC
+      ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING
+    ) AS next_judgement,
+    made.reference AS reference,
+    made.height AS height,
+    made.cap AS cap,
+    made.reason AS reason
+  FROM stored_limit AS made
+  JOIN judged_until AS part ON part.version_id = made.version_id
+) AS spanned
+WHERE spanned.reason IS NULL
