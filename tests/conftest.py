@@ -7,6 +7,7 @@ import pytest
 from hypothesis import HealthCheck, Phase, settings
 
 import engines
+from gam_db.engines import storage
 
 #: Counts what is compared with the NumPy reference.
 pytest_plugins = ["comparisons"]
@@ -68,3 +69,13 @@ def recordings() -> Path:
     if not folder:
         pytest.skip("left out: set GAM_TEST_DATA to the folder of the real recordings to run it")
     return Path(folder)
+
+
+@pytest.fixture(autouse=True)
+def without_comments(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Make the tables of a state without the comments of their columns, where no test is about them.
+
+    They are nine of ten statements of a migration, and hundreds of tests begin with one.
+    """
+    if request.node.get_closest_marker("comments") is None:
+        monkeypatch.setattr(storage, "_about", lambda *_: [])

@@ -18,6 +18,8 @@ from gam_db.stored.tables import TABLES, VIEWS
 from small_plant import readings
 from small_postgres import administrator, database, source
 
+pytestmark = pytest.mark.comments
+
 #: Roles with names that must be quoted.
 OWNER, WRITER, READER = "plant owner", 'the "writer"', "Reader"
 GRANTS = f"owner={OWNER},writer={WRITER},reader={READER}"

@@ -9,7 +9,7 @@ import gam_db
 from gam_db.engines import NAMES
 from gam_db.export.adapters import ADAPTERS
 
-pytestmark = pytest.mark.thorough
+pytestmark = [pytest.mark.thorough, pytest.mark.comments]
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -12,6 +12,8 @@ from gam_db.stored.tables import TABLES as ALL
 from gam_db.stored.tables import VIEWS, StateTables
 from stored_rows import Plant
 
+pytestmark = pytest.mark.comments
+
 TABLES = StateTables(schema="factory")
 
 

@@ -18,6 +18,8 @@ from gam_db.stored.migration_files import Migration, definitions, files
 from gam_db.stored.migrations import migrate, rendered, require, status
 from gam_db.stored.tables import TABLES, VIEWS, StateTables
 
+pytestmark = pytest.mark.comments
+
 STATE = StateTables()
 ALL = [migration.name for migration in files()]
 

@@ -16,6 +16,8 @@ from gam_db.stored.migration_files import files
 from gam_db.stored.migrations import rendered
 from gam_db.stored.tables import StateTables
 
+pytestmark = pytest.mark.comments
+
 STATE = StateTables()
 ALL = [migration.name for migration in files()]
 
