@@ -19,10 +19,12 @@ from gam_db.engines import NAMES, engine_named
 from gam_db.engines.evidence import evidence
 from gam_db.errors import ConfigurationError, SourceError
 from gam_db.export import Package, write
+from gam_db.export import grafana as dashboards
 from gam_db.export.adapters import ADAPTERS
 from gam_db.guess import SourceSettings, guess
 from gam_db.script import render
 from gam_db.source import AnySource, Source, WideSource, is_file
+from gam_db.stored.tables import StateTables
 
 Form = Literal["exact", "view"]
 
@@ -138,6 +140,30 @@ def dbt(
         f"{len(written)} files of a dbt package are in {folder}. README.md there says what it holds; "
         "`dbt build` builds it."
     )
+
+
+@export.command()
+def grafana(
+    folder: Annotated[Path, typer.Argument(metavar="DIR", help="Where the files go; it is made.")],
+    engine: Annotated[
+        str, typer.Option(help=f"Where the state lies: {', '.join(dashboards.SOURCES)}.")
+    ] = "postgres",
+    schema: Annotated[
+        str | None, typer.Option(help="Of the state tables; default: that of the connection.")
+    ] = None,
+    prefix: Annotated[str, typer.Option(help="Of the state tables.")] = "gam_",
+    name: Annotated[str, typer.Option(metavar="MONITOR", help="Of the monitor.")] = "default",
+    uid: Annotated[
+        str, typer.Option(help="Of Grafana's data source, which the alert rule names.")
+    ] = "gam-db",
+) -> None:
+    """Write a dashboard for Grafana over the views of a monitor, and an alert rule.
+
+    The dashboard is imported and asks for its data source; the alert rule is a file of provisioning.
+    Both read the views only, with the rights of a reader.
+    """
+    made = dashboards.write(engine, folder, StateTables(schema, prefix), name, uid)
+    print(f"written: {', '.join(map(str, made))}; docs/grafana.md says where they go.")
 
 
 def engines(as_json: options.Json = False) -> None:

@@ -2,6 +2,7 @@
 
 import base64
 import datetime as dt
+import functools
 import json
 import random
 import zlib
@@ -54,6 +55,12 @@ def made(session: Session, name: str = "default", prefix: str = "") -> gam_db.Mo
     monitor.calibrate()
     monitor.score()
     return monitor
+
+
+@functools.cache
+def shared(engine: str) -> gam_db.Monitor:
+    """One monitor of it on an engine, which no test writes to."""
+    return made(engines.session(engine))
 
 
 def data_of(path: Path) -> dict[str, Any]:
@@ -134,9 +141,8 @@ def assert_cells(monitor: gam_db.Monitor, name: tuple[str, str], detail: dict[st
 
 
 def test_what_is_in_the_file_is_what_the_tables_say(engine: str, tmp_path: Path) -> None:
-    session = engines.session(engine)
-    monitor = made(session)
-    other = made(session, "other", monitor.prefix)
+    monitor = shared(engine)
+    other = made(monitor.session, "other", monitor.prefix)
     path = tmp_path / "page.html"
     figures = monitor.report(path, Wishes(details=4, made=MADE))
     assert figures["bytes"] == len(path.read_bytes())
@@ -190,7 +196,7 @@ def test_what_is_in_the_file_is_what_the_tables_say(engine: str, tmp_path: Path)
 
 def test_readings_are_new_where_the_score_says(tmp_path: Path) -> None:
     """The marks of the last bucket's readings are as many as its novel vectors."""
-    monitor = made(engines.session("duckdb"))
+    monitor = shared("duckdb")
     monitor.report(tmp_path / "page.html", Wishes(details=4, made=MADE))
     data = data_of(tmp_path / "page.html")
     for place in range(4):
@@ -205,14 +211,15 @@ def test_readings_are_new_where_the_score_says(tmp_path: Path) -> None:
 def test_the_same_tables_make_the_same_bytes_on_every_engine(engine: str, tmp_path: Path) -> None:
     wishes = Wishes(title="Plant", details=3, made=MADE, time_zone="Europe/Berlin")
     pages = []
-    for number, on in enumerate((engine, engine, "duckdb")):
-        made(engines.session(on)).report(tmp_path / f"{number}.html", wishes)
+    another = shared("duckdb") if engine != "duckdb" else made(engines.session("duckdb"))
+    for number, monitor in enumerate((shared(engine), shared(engine), another)):
+        monitor.report(tmp_path / f"{number}.html", wishes)
         pages.append((tmp_path / f"{number}.html").read_bytes())
     assert pages[0] == pages[1] == pages[2]
 
 
 def test_without_raw_readings_no_value_of_the_source_is_in_the_file(tmp_path: Path) -> None:
-    monitor = made(engines.session("duckdb"))
+    monitor = shared("duckdb")
     figures = monitor.report(tmp_path / "page.html", Wishes(raw=False))
     assert figures["raw"] == "left out"
     data = data_of(tmp_path / "page.html")
@@ -275,6 +282,19 @@ def test_a_reading_is_new_where_a_whole_vector_ends_in_no_healthy_cell() -> None
     assert new.tolist() == [False, False, True, False, False]
 
 
+@pytest.fixture(scope="module")
+def calibrated(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A database with a calibrated monitor."""
+    path = tmp_path_factory.mktemp("calibrated") / "plant.duckdb"
+    with duckdb.connect(path) as connection:
+        connection.execute("CREATE TABLE t (asset TEXT, channel TEXT, time BIGINT, value DOUBLE)")
+        connection.executemany("INSERT INTO t VALUES (?, ?, ?, ?)", telemetry()[:400])
+    words = ["--m", "2", "--bins", "4", "--window", "20", "--calibrate", "0/199", "-q"]
+    done = CliRunner().invoke(app, ["calibrate", "t", "--database", str(path), *words])
+    assert done.exit_code == 0
+    return path
+
+
 @pytest.mark.parametrize(
     ("options", "said"),
     [
@@ -289,17 +309,10 @@ def test_a_reading_is_new_where_a_whole_vector_ends_in_no_healthy_cell() -> None
     ],
 )
 def test_bad_input_is_refused_and_nothing_written(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, options: list[str], said: str
+    calibrated: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, options: list[str], said: str
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    with duckdb.connect("plant.duckdb") as connection:
-        connection.execute("CREATE TABLE t (asset TEXT, channel TEXT, time BIGINT, value DOUBLE)")
-        connection.executemany("INSERT INTO t VALUES (?, ?, ?, ?)", telemetry()[:400])
-    words = ["--m", "2", "--bins", "4", "--window", "20", "--calibrate", "0/199", "-q"]
-    assert (
-        CliRunner().invoke(app, ["calibrate", "t", "--database", "plant.duckdb", *words]).exit_code == 0
-    )
-    done = CliRunner().invoke(app, ["report", "--database", "plant.duckdb", *options])
+    done = CliRunner().invoke(app, ["report", "--database", str(calibrated), *options])
     assert done.exit_code == 1
     assert said in " ".join(done.output.split())
     assert list(tmp_path.rglob("*.html")) == []

@@ -1,10 +1,12 @@
 """The page in a real browser: what is drawn is what the views say, and nothing of the data runs."""
 
+import dataclasses
 import datetime as dt
+import functools
 import json
 import random
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from decimal import ROUND_HALF_UP, Decimal
 from pathlib import Path
@@ -27,6 +29,9 @@ TITLE = "</title><script>window.HACKED=1</script>"
 PARAMETERS = gam_db.Parameters(m=3, tau=1, bins=8, window=40, stride=10, max_gap="30 min")
 CALIBRATION = gam_db.Calibration(duration="3 d")
 MADE = dt.datetime(2026, 4, 1, tzinfo=dt.UTC)
+
+#: Readings from the end at which one lies where none was: 1, 2 and 3 novel vectors are in the last window.
+EDGES = (8, 9, 10)
 
 #: Names that would do harm as markup, as a path, as a key or as a pattern.
 HOSTILE = (
@@ -58,18 +63,25 @@ class Plant:
     ladder: dict[int, float]
 
 
+def once(when: int, i: int) -> float:
+    """What one reading adds that is where none was."""
+    return 9.0 if i == when else 0.0
+
+
 def telemetry() -> pa.Table:
     """Machines of all kinds: calm, left long ago, left lately (after the clocks change), back, paused, silent."""
-    kinds = {
+    kinds: dict[str, Callable[[int], float]] = {
         "calm": lambda i: 0.0,
         "left": lambda i: 9.0 if i > 800 else 0.0,
         "lately": lambda i: 9.0 if i > 1320 else 0.0,
         "back": lambda i: 9.0 if 700 < i < 900 else 0.0,
         "some": lambda i: 9.0 if i > 1000 and i % 37 == 0 else 0.0,
+        "night": lambda i: 9.0 if i > 1014 else 0.0,  # the clocks are put forward
+        **{f"edge {last}": functools.partial(once, COUNT - last) for last in EDGES},
     }
     rows: list[tuple[str, str, dt.datetime, float | None]] = []
     names = [("m1", kind) for kind in kinds] + [("m2", "left"), ("m2", "paused"), ("m3", "silent")]
-    names += [("m3", "constant"), ("m3", "short"), ("m4", "empty")]
+    names += [("m3", "constant"), ("m3", "short"), ("m4", "empty"), ("m6", "recalibrated")]
     names += [(name, "calm") for name in HOSTILE] + [("m5", name) for name in HOSTILE]
     for asset, channel in names:
         chance = random.Random(f"{asset} {channel}")
@@ -102,6 +114,10 @@ def made(folder: Path, source: pa.Table, **wished: Any) -> Plant:
     monitor.migrate()
     monitor.calibrate()
     monitor.score()
+    later = dataclasses.replace(PARAMETERS, overrides=[gam_db.Override("m6", bins=5)])
+    again = gam_db.Monitor(session, gam_db.Source(source), later, CALIBRATION)
+    again.calibrate()
+    again.score()
     file = folder / "the 'page' <b>.html"
     monitor.report(file, Wishes(title=TITLE, time_zone=ZONE, details=16, made=MADE, **wished))
 
@@ -119,7 +135,7 @@ def made(folder: Path, source: pa.Table, **wished: Any) -> Plant:
     for row in rows("SELECT asset, channel, cell_key FROM gam_quarantine"):
         new[row["asset"], row["channel"]].add(row["cell_key"])
     machines = {row["asset"]: row for row in rows("SELECT * FROM gam_machine")}
-    ladder = f"SELECT bins, floor {known.replace('support', 'ladder', 1)} WHERE asset = 'm1' AND channel = 'left'"
+    ladder = f"SELECT gam_ladder.bins, gam_ladder.floor {known.replace('support', 'ladder', 1)} WHERE asset = 'm1' AND channel = 'left'"
     floors = {row["bins"]: row["floor"] for row in rows(ladder)}
     return Plant(file, rows("SELECT * FROM gam_fleet"), health, machines, healthy, new, floors)
 
@@ -317,7 +333,18 @@ def compare_all(seen: browser.Seen, plant: Plant) -> None:
 def test_every_figure_is_that_of_the_views(chrome: Any, plant: Plant) -> None:
     with browser.Seen(chrome, plant.file, timezone_id="America/New_York") as seen:
         compare_all(seen, plant)
-        row = next(row for row in plant.fleet if (row["asset"], row["channel"]) == ("m1", "left"))
+        fleet = {(row["asset"], row["channel"]): row for row in plant.fleet}
+        # Just below the limit, at it, and just above: the limit is 2 of 40 vectors.
+        edges = {row["hi"]: row for name, row in fleet.items() if name[1].startswith("edge")}
+        assert [edges[n / 40]["status"] for n in (1, 2, 3)] == ["ok", "ok", "high"]
+        assert edges[2 / 40]["hi"] == edges[2 / 40]["hi_limit"]
+        ends = {row["hi"] for row in fleet.values()}
+        assert {0.0, 1.0, None} <= ends
+        assert fleet["m6", "recalibrated"]["version_no"] == 2
+        night = dt.datetime.fromtimestamp(fleet["m1", "night"]["since_tick"] / 1e6, ZoneInfo(ZONE))
+        assert (night.date(), night.utcoffset()) == (dt.date(2026, 3, 29), dt.timedelta(hours=2))
+        assert {row["version_no"] for name, row in fleet.items() if name[0] != "m6"} == {1}
+        row = fleet["m1", "left"]
         chip = seen.ask("(({hi, limit}) => [hi, limit])(document.querySelector('.chip').dataset)")
         assert [float(one) for one in chip] == [row["hi"], row["hi_limit"]]
         facts = seen.ask("[...document.querySelectorAll('.facts b')].map(b => b.textContent)")
@@ -459,6 +486,88 @@ def test_a_browser_that_cannot_says_so(plant: Plant, chrome: Any) -> None:
     page.goto(plant.file.as_uri())
     assert "too old" in page.inner_text("h1")
     context.close()
+
+
+def test_a_channel_recalibrated_is_that_of_its_new_version(chrome: Any, plant: Plant) -> None:
+    with browser.Seen(chrome, plant.file, "#/m6/recalibrated") as seen:
+        row = next(row for row in plant.fleet if row["asset"] == "m6")
+        facts = seen.ask("document.querySelector('.facts').textContent")
+        assert "calibration 2" in facts
+        chip = seen.ask("(({hi, limit}) => [hi, limit])(document.querySelector('.chip').dataset)")
+        assert [float(one) for one in chip] == [row["hi"], row["hi_limit"]]
+        assert row["bins"] == 5
+        assert seen.wrong == []
+
+
+def test_a_source_that_counts_has_no_clock(chrome: Any, tmp_path: Path) -> None:
+    rows = [("A", name, t, t % 5 + 9.0 * (t > left)) for name, left in COUNTED for t in range(3000)]
+    columns = list(zip(*rows, strict=True))
+    source = pa.table(dict(zip(("asset", "channel", "time", "value"), columns, strict=True)))
+    parameters = gam_db.Parameters(m=2, bins=6, window=40, stride=10)
+    session = DuckSession()
+    monitor = gam_db.Monitor(
+        session, gam_db.Source(source), parameters, gam_db.Calibration(intervals=[(0, 999)])
+    )
+    monitor.migrate()
+    monitor.calibrate()
+    monitor.score()
+    monitor.report(tmp_path / "page.html", Wishes(made=MADE, time_zone=ZONE))
+    fleet = {row["channel"]: row for row in monitor.status().to_pylist()}
+    since = dict(session.connection.execute("SELECT channel, since_tick FROM gam_fleet").fetchall())
+    with browser.Seen(chrome, tmp_path / "page.html") as seen:
+        found = open_all(seen)
+        for name, row in fleet.items():
+            value, words = found["A", name]
+            assert value == share(row["hi"])
+            assert (row["status"] == "high") == (f"since {since[name] or 0:,}," in words)
+            assert words.startswith("new") == (name == "last")
+        assert "the last window" in seen.ask("document.querySelector('h1').parentElement.textContent")
+        assert ZONE not in seen.ask("document.body.innerText")
+        seen.ask("() => { location.hash = '#/A/left'; }")
+        seen.wait("signal")
+        assert f"since {since['left']:,}" in seen.ask("document.querySelector('.state').textContent")
+        assert seen.wrong == []
+
+
+#: Signals of a source that counts, and the instant at which each leaves.
+COUNTED = (("calm", 9999), ("left", 1500), ("last", 2975))
+
+
+def test_it_prints_on_a4(chrome: Any, plant: Plant, tmp_path: Path) -> None:
+    wide = 703  # 186 mm, which the margins leave of A4, at 96 to the inch
+    with browser.Seen(chrome, plant.file) as seen:
+        seen.page.click('.tile[data-count="calm"]')
+        many = int(seen.ask("document.querySelector('.tile[data-count=calm] b').textContent"))
+        assert seen.ask("document.querySelectorAll('a.row').length") < many, "the list scrolls"
+        pages = seen.page.pdf(prefer_css_page_size=True)
+        assert pages.startswith(b"%PDF")
+        assert b"/MediaBox [0 0 59" in pages, "A4: 595 by 842 points"
+        seen.page.emulate_media(media="print")
+        seen.page.set_viewport_size({"width": wide, "height": 1000})
+        seen.ask("dispatchEvent(new Event('beforeprint'))")
+        assert seen.ask("document.documentElement.scrollWidth <= innerWidth")
+        assert seen.ask("document.querySelectorAll('a.row').length") == many, "paper has all rows"
+        over = """() => { const rows = [...document.querySelectorAll('.row')].map(row => row.getBoundingClientRect()).sort((a, b) => a.top - b.top);
+            return rows.filter((row, i) => i && row.top < rows[i - 1].bottom - 1).length; }"""
+        assert seen.ask(over) == 0, "none lies over another"
+        seen.ask("dispatchEvent(new Event('afterprint'))")
+        assert seen.ask("document.querySelectorAll('.row').length") <= 60
+        seen.go("#/m1/left")
+        seen.page.reload()
+        seen.wait("signal")
+        assert seen.ask("document.documentElement.scrollWidth <= innerWidth")
+        seen.page.set_viewport_size({"width": 1280, "height": 1000})
+        widths = "() => [...document.querySelectorAll('.u-wrap')].map(one => one.clientWidth)"
+        before = seen.ask(widths)
+        while max(before) < 800:  # charts follow the window a moment later
+            seen.page.wait_for_timeout(50)
+            before = seen.ask(widths)
+        seen.ask("dispatchEvent(new Event('beforeprint'))")
+        assert max(seen.ask(widths)) <= 688
+        seen.ask("dispatchEvent(new Event('afterprint'))")
+        assert seen.ask(widths) == before
+        assert len(seen.page.pdf(prefer_css_page_size=True)) > 20_000
+        assert seen.wrong == []
 
 
 def test_boxes_of_both_sorts_are_drawn(chrome: Any, plant: Plant) -> None:

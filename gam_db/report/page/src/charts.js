@@ -9,6 +9,12 @@ const font = () => `12px ${css('--font')}`;
 const alive = new Set();
 export function clearCharts() { for (const [chart, watch] of alive) { watch.disconnect(); chart.destroy(); } alive.clear(); }
 
+// Paper is narrower than a window, and nothing is told of the new widths while it is printed. A4 less its margins:
+const PAPER = 688;
+const resize = width => { for (const [made] of alive) made.setSize({width: width(made.root.parentNode.clientWidth), height: made.height}); };
+addEventListener('beforeprint', () => { const app = document.getElementById('app').clientWidth; resize(wide => Math.min(wide, Math.floor(PAPER * wide / app))); });
+addEventListener('afterprint', () => resize(wide => wide));
+
 /** A chart that is as wide as its place. */
 export function chart(place, options, data) {
   const axis = {stroke: css('--soft'), font: font(), grid: {stroke: css('--line'), width: 0.6}, ticks: {show: false}, size: 44};

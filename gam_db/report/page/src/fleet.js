@@ -106,6 +106,8 @@ function legend() {
     sample({background: ramp}, chosen.byWorst ? 'from the limit to all states new' : 'one … all signals above', 'ramp'), sample({}, 'cannot be judged', 'hatch'), sample({background: rgb(its.pause)}, 'pause', 'edge'), sample({background: rgb(its.ground)}, 'no data', 'edge'));
 }
 
+const PRINTED = 500;
+
 function list() {
   const narrow = innerWidth < 700, HIGH = {machine: narrow ? 62 : 34, signal: narrow ? 58 : 28}, SEEN = narrow ? 560 : 620, BEYOND = 150;
   const box = el('div', {class: 'scroll', id: 'list', role: 'group', 'aria-label': 'Machines and signals'}), inner = el('div', {class: 'inner'});
@@ -113,7 +115,7 @@ function list() {
   const found = el('span', {class: 'note', role: 'status'});
   const input = el('input', {type: 'search', placeholder: 'Find a machine or a signal', 'aria-label': 'Find a machine or a signal', value: chosen.text,
     oninput: event => { chosen.text = event.target.value; chosen.scroll = 0; build(); }});
-  let rows = [], tops = [0];
+  let rows = [], tops = [0], isPrinted = false;
   const alive = new Map();
 
   function build() {
@@ -145,7 +147,7 @@ function list() {
     return low;
   }
   function draw() {
-    const from = first(box.scrollTop - BEYOND), to = Math.min(rows.length, first(box.scrollTop + SEEN + BEYOND) + 1);
+    const from = isPrinted ? 0 : first(box.scrollTop - BEYOND), to = Math.min(rows.length, isPrinted ? PRINTED : first(box.scrollTop + SEEN + BEYOND) + 1);
     for (const [place, made] of alive) if ((place < from || place >= to) && made !== document.activeElement) { made.remove(); alive.delete(place); }
     for (let place = from; place < to; place++) if (!alive.has(place)) add(place);
   }
@@ -196,6 +198,9 @@ function list() {
     event.preventDefault();
     focusOn(place + step);
   });
+  // paper does not scroll: it gets all rows that are asked for, as far as paper is of use
+  window.onbeforeprint = () => { isPrinted = true; draw(); };
+  window.onafterprint = () => { isPrinted = false; draw(); };
   const jump = machine => {
     const place = rows.findIndex(row => row.machine === machine && !row.signal);
     box.scrollTop = tops[place]; draw();

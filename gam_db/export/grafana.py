@@ -1,0 +1,217 @@
+"""``gam export grafana``: a dashboard over the views, and an alert rule, as files that Grafana reads.
+
+This module owns what Grafana's data sources want; what is asked stands in ``sql/export/grafana_*.sql``,
+and the JSON is made by Grafana's own library.
+"""
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.engines import engine_named
+from gam_db.errors import ConfigurationError
+from gam_db.export import yaml_text
+from gam_db.extras import needed
+from gam_db.pipeline import filled, place
+from gam_db.stored.tables import StateTables
+
+DASHBOARD, ALERT = "gam-dashboard.json", "gam-alert.yaml"
+
+
+@dataclass(frozen=True)
+class DataSource:
+    """What one of Grafana's data sources wants of a query.
+
+    Attributes:
+        plugin: its type.
+        stretch: its macro for the stretch of time that a row of ``last_time`` falls into.
+        series, rows: what a query says beside its SQL, for a chart over time and for a table.
+        escapes: whether a backslash in a text is an escape, which Grafana does not write.
+    """
+
+    plugin: str
+    stretch: str
+    series: Mapping[str, Any]
+    rows: Mapping[str, Any]
+    escapes: bool = False
+
+
+_CODE = {"rawQuery": True, "editorMode": "code"}
+_EDITED = {"editorType": "sql", "pluginVersion": "4.0.0"}
+
+SOURCES = {
+    "postgres": DataSource(
+        "grafana-postgresql-datasource",
+        "$__timeGroup(last_time, $__interval)",
+        {"format": "time_series", **_CODE},
+        {"format": "table", **_CODE},
+    ),
+    "clickhouse": DataSource(
+        "grafana-clickhouse-datasource",
+        "$__timeInterval(last_time)",
+        {"format": 0, "queryType": "timeseries", **_EDITED},
+        {"format": 1, "queryType": "table", **_EDITED},
+        escapes=True,
+    ),
+}
+
+
+def write(
+    engine: str, folder: Path, tables: StateTables, monitor: str = "default", uid: str = "gam-db"
+) -> list[Path]:
+    """Write the dashboard and the alert rule; return their paths.
+
+    Args:
+        engine: where the tables lie, one of :data:`SOURCES`.
+        folder: where the files go; it is made, and files of an earlier export are replaced.
+        tables: the state tables.
+        monitor: its name.
+        uid: of Grafana's data source, which an alert rule must name.
+
+    Raises:
+        UserError: there is no such data source, Grafana's library is not installed, or the files cannot
+            be written.
+    """
+    if engine not in SOURCES:
+        raise ConfigurationError(
+            f"engine is {engine!r}; Grafana's data sources that gam-db knows: {', '.join(SOURCES)}."
+        )
+    if "$" in f"{tables.schema or ''}{monitor}":
+        raise ConfigurationError(
+            "A schema or monitor with $ in its name would mean a variable in Grafana."
+        )
+    asked = queries(engine, tables, monitor)
+    made = {DASHBOARD: dashboard(engine, asked), ALERT: alert(engine, asked["alert"], uid)}
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, text in made.items():
+            (folder / name).write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise ConfigurationError(f"{folder} cannot be written: {error.strerror}.") from error
+    return [folder / name for name in made]
+
+
+def queries(engine: str, tables: StateTables, monitor: str) -> dict[str, str]:
+    """Return the SQL of every variable, panel and rule, with Grafana's macros and variables in it."""
+    source, writer = SOURCES[engine], engine_named(engine)
+    values: dict[str, template.Slot] = {}
+    for role in ("asset", "channel"):
+        said: exp.Expr = exp.column(role)
+        if source.escapes:  # Grafana doubles the quotes of a value, and leaves its backslashes
+            doubled = (exp.Literal.string("\\"), exp.Literal.string("\\\\"))
+            said = exp.Anonymous(this="replaceAll", expressions=[said, *doubled])
+        values[f"{role}_value"] = said
+    slots: dict[str, template.Slot] = {
+        **values,
+        "monitor": template.text(monitor),
+        "assets": exp.var("${asset:sqlstring}"),
+        "channels": exp.var("${channel:sqlstring}"),
+        "stretch": exp.var(source.stretch),
+        "shown": exp.var("$__timeFilter(last_time)"),
+    }
+    found: dict[str, str] = {}
+    for name in ("assets", "channels", "counts", "machines", "indicator", "signals", "alert"):
+        path = f"export/grafana_{name}"
+        wanted = template.load(path).slots
+        tree = filled(path, {slot: value for slot, value in slots.items() if slot in wanted})
+        place(tree, tables.placed())
+        found[name] = writer.text(tree, pretty=True)
+    return found
+
+
+def dashboard(engine: str, asked: Mapping[str, str]) -> str:
+    """Return the dashboard as classic JSON, made by Grafana's own library."""
+    source, builders = SOURCES[engine], needed("grafana_foundation_sdk.builders.dashboard", "grafana")
+    models = needed("grafana_foundation_sdk.models.dashboard", "grafana")
+    origin = models.DataSourceRef(type_val=source.plugin, uid="${source}")
+
+    def panel(kind: str, query: str, title: str, about: str, wide: int, high: int) -> Any:
+        made = needed(f"grafana_foundation_sdk.builders.{kind}", "grafana").Panel()
+        says = source.series if kind in ("statetimeline", "timeseries") else source.rows
+        made.title(title).description(about).datasource(origin).span(wide).height(high)
+        return made.with_target(_Target({"refId": "A", "rawSql": asked[query], **says}))
+
+    def variable(name: str, label: str, query: str) -> Any:
+        made = builders.QueryVariable(name).label(label).datasource(origin).query(asked[query])
+        all_of_them = models.VariableOption(text="All", value="$__all")
+        return made.multi(True).include_all(True).refresh(2).current(all_of_them)
+
+    steps = [models.Threshold(value=None, color="green"), models.Threshold(value=1, color="orange")]
+    above = builders.ThresholdsConfig().mode(models.ThresholdsMode.ABSOLUTE).steps(steps)
+    coloured = builders.FieldColor().mode(models.FieldColorModeId.THRESHOLDS)
+    over = panel("statetimeline", "machines", "Machines over time", "signals above their limit", 24, 9)
+    panels = (
+        panel("stat", "counts", "Now", "of the machines that are chosen", 24, 4),
+        over.min(0).thresholds(above).color_scheme(coloured),
+        panel("timeseries", "indicator", "Health indicator", "with its limit", 14, 10).min(0).max(1),
+        panel("table", "signals", "Signals", "the most urgent first", 10, 10),
+    )
+    plan = builders.Dashboard("Health of the fleet").uid("gam-db-fleet").tags(["gam-db"])
+    plan.timezone("browser").time("now-30d", "now").refresh("5m")
+    plan.with_variable(builders.DatasourceVariable("source").label("Data source").type(source.plugin))
+    plan.with_variable(variable("asset", "Machine", "assets"))
+    plan.with_variable(variable("channel", "Signal", "channels"))
+    for number, one in enumerate(panels, start=1):
+        plan.with_panel(one.id(number))
+    encoder = needed("grafana_foundation_sdk.cog.encoder", "grafana").JSONEncoder
+    made = json.loads(encoder().encode(plan.build()))
+    for one in made["panels"]:
+        one["options"] = one["options"] or {}
+    return json.dumps(made, sort_keys=True, indent=1) + "\n"
+
+
+@dataclass(frozen=True)
+class _Target:
+    """A query as Grafana's library takes one, which has no type for those of SQL data sources."""
+
+    said: Mapping[str, Any]
+
+    def build(self) -> "_Target":
+        return self
+
+    def to_json(self) -> dict[str, Any]:
+        return dict(self.said)
+
+
+def alert(engine: str, sql: str, uid: str) -> str:
+    """Return the alert rule as YAML of Grafana's provisioning: one alert per signal above its limit."""
+    span = {"from": 600, "to": 0}
+    rule = {
+        "uid": "gam-db-above",
+        "title": "A signal is above its limit",
+        "condition": "B",
+        "for": "0s",
+        "noDataState": "OK",
+        "execErrState": "Error",
+        "annotations": {
+            "summary": "{{ .Labels.asset }} / {{ .Labels.channel }} goes where it never went"
+        },
+        "labels": {"source": "gam-db"},
+        "data": [
+            {
+                "refId": "A",
+                "relativeTimeRange": span,
+                "datasourceUid": uid,
+                "model": {"refId": "A", "rawSql": sql, **SOURCES[engine].rows},
+            },
+            {
+                "refId": "B",
+                "relativeTimeRange": span,
+                "datasourceUid": "__expr__",
+                "model": {
+                    "refId": "B",
+                    "type": "threshold",
+                    "expression": "A",
+                    "datasource": {"type": "__expr__", "uid": "__expr__"},
+                    "conditions": [{"evaluator": {"type": "gt", "params": [0]}}],
+                },
+            },
+        ],
+    }
+    group = {"orgId": 1, "name": "gam-db", "folder": "gam-db", "interval": "5m", "rules": [rule]}
+    return yaml_text.text({"apiVersion": 1, "groups": [group]})
