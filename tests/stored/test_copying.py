@@ -22,7 +22,8 @@ def filled(session: DuckSession, tables: StateTables = TABLES) -> DuckSession:
     plant = Plant()
     learnt = plant.support(cells=[1, 2])
     monitor = plant.monitor()
-    version = plant.version(plant.channel(monitor, "it's", "j1"), learnt)
+    channel = plant.channel(monitor, "it's", "j1")
+    version = plant.version(channel, learnt)
     plant.run(version, [{7: 1}, {8: 2}])
     plant.run(version, [{9: 2}], from_bucket=1, committed=False)
     plant.add(
@@ -37,6 +38,36 @@ def filled(session: DuckSession, tables: StateTables = TABLES) -> DuckSession:
     plant.add("proof", monitor_id=monitor, proved_at=1, extent="state", **counted)
     counts = {"nameless": 1, "undated": 0, "strangers": 2, "stranger_channels": 1}
     plant.add("unplaced", monitor_id=monitor, started=0, **counts)
+    of = {"version_id": version.version_id}
+    plant.add("buffered", **of, block=0, g=1, vectors=10, novel_buffered=1)
+    plant.add("extent", **of, vectors=80, calibration_length=80)
+    made = {
+        "asked": "1 per month",
+        "cause": "calibrated",
+        "created": 0,
+        "family": 0,
+        "blocks": 8,
+        "g": 1,
+    }
+    plant.add("limit", **of, limit_no=1, from_judgement=0, **made)
+    told = {"judgement_no": 0, "first_time": 0, "last_time": 1, "novel": 1, "root": 1, "reference": 2}
+    plant.add(
+        "judgement",
+        **of,
+        bucket_no=0,
+        run_id=version.buckets[0][1],
+        **told,
+        height=3,
+        evidence=4,
+        is_open=1,
+    )
+    raised = dict.fromkeys(("onset", "first_judgement", "last_judgement", "is_proving", "noticed_at"), 0)
+    raised |= {"onset_time": 0, "first_time": 0, "last_time": 1, "evidence": 4, "height": 3}
+    mine = {"monitor_id": monitor, "episode_id": 1}
+    plant.add("episode", **mine, **of, seq=1, what="opened", status="open", channel_id=channel, **raised)
+    plant.add(
+        "label", **mine, label_id=1, asset="it's", time_from=0, time_to=1, kind="snoozed", created=0
+    )
     plant.write(session, tables)
     session.connection.execute("CREATE TABLE telemetry AS SELECT 1 AS reading")
     return session

@@ -19,7 +19,7 @@ from gam_db.stored.tables import StateTables
 
 STATE = StateTables()
 FILE = "plant.duckdb"
-TABLES_OF_A_MONITOR = 15
+TABLES_OF_A_MONITOR = 21
 
 
 @pytest.fixture(autouse=True)
@@ -74,6 +74,14 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
                 "checksum": f"{key + 100}, 1, 2, 3, 0, 1, 0.05, 'h', 'h', 1, 2",
                 "horizon": f"{key + 100}, 0, 1",
                 "proof": f"{monitor}, {key}, 'state', 2, 2, 2, 0",
+                "buffered": f"{key + 100}, 0, 1, 10, 1",
+                "extent": f"{key + 100}, 80, 80, 1000",
+                "limit": f"{key + 100}, 1, 0, 0, 'calibrated', '1 per month', 0, 8, 1, 1, 1, 2, 3, "
+                "2, 12, 'table', NULL, NULL, 0.001, 0.001, NULL",
+                "judgement": f"{key + 100}, 0, 1, 0, 0, 1, 1, 1, 2, 3, 4, 1, NULL",
+                "episode": f"{monitor}, {key}, {key}, 0, 'opened', 'open', NULL, {key}, {key + 100}, "
+                "0, 0, 0, 0, 0, 1, 4, 3, 0",
+                "label": f"{monitor}, {key}, {key}, 'a', 0, 1, 'snoozed', NULL, NULL, 0",
             }.items():
                 connection.execute(f"INSERT INTO gam_{table} VALUES ({values})")
 
