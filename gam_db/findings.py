@@ -77,7 +77,8 @@ def findings(study: Study) -> list[Row]:
         name = (row["asset"], row["channel"])
         setting = settings[name]
         course = courses.get(name)
-        said = finding({**supports[name], **row}, setting.span, setting.window, course)
+        learnt_of = {"bins": setting.grid, **supports[name]}
+        said = finding({**learnt_of, **row}, setting.span, setting.window, course)
         found.append({**said, "last_time": None if course is None else course.time})
     return found
 

@@ -12,14 +12,30 @@ from dataclasses import dataclass
 from typing import Any
 
 from gam_db.clock import Length, TimeKind, length, looks_like_calendar
-from gam_db.errors import ParameterError, nearest
-from gam_db.setting import COUNT, LENGTH, SHARE, Setting, check, declared, setting, settings_of
+from gam_db.errors import ConfigurationError, ParameterError, nearest
+from gam_db.setting import (
+    COUNT,
+    LENGTH,
+    SHARE,
+    Kind,
+    Setting,
+    check,
+    declared,
+    number,
+    setting,
+    settings_of,
+)
 
 LARGEST_BINS = 2**31
 LONGEST_STRIDE = 100
 """Vectors of a bucket at most, where nothing is asked for."""
 
 LARGEST_KEY = 2**63 - 1
+
+AUTO = "auto"
+RUNGS = (128, 64, 32, 16, 8)
+"""Grids to choose from where bins is "auto". Each is half of the one before, and for powers of two a
+grid of so many bins is that rung of the ladder to the last bit; fewer tell little but high from low."""
 
 
 @dataclass(frozen=True, init=False)
@@ -58,6 +74,22 @@ class Override:
         return dict(self.changed)
 
 
+def _bins(of: Setting, name: str, value: Any) -> Any:
+    if isinstance(value, str) and value != AUTO:
+        raise ParameterError(f"{name} is {value!r}; it takes an integer, or {AUTO!r}.")
+    return value if value == AUTO else COUNT.checked(of, name, value)
+
+
+def _read_bins(option: str, text: str) -> Any:
+    bins = number(text)
+    if isinstance(bins, int) or bins == AUTO:
+        return bins
+    raise ConfigurationError(f"{option} is {text!r}; it takes an integer, or {AUTO!r}.")
+
+
+_BINS = Kind(_bins, str, _read_bins, "INTEGER|auto")
+
+
 def _positive(of: Setting, name: str, gap: Any) -> Any:
     LENGTH.checked(of, name, gap)
     if isinstance(gap, numbers.Real):
@@ -87,8 +119,11 @@ class Parameters:
 
     m: int = setting(3, COUNT, "embedding dimension")
     tau: int = setting(1, COUNT, "delay, in samples")
-    bins: int = setting(
-        *(100, COUNT, "bins per axis; gam run says if calibration is too short for so fine a grid"),
+    bins: int | str = setting(
+        *(100, _BINS, "bins per axis; gam run says if calibration is too short for so fine a grid"),
+        more=f"{AUTO!r} for the finest of {', '.join(map(str, RUNGS))} that it fills, found for each "
+        "channel or pool and frozen with its version",
+        note='or "auto", the finest that calibration fills',
         most=LARGEST_BINS,
     )
     window: int = setting(5000, COUNT, "vectors in the moving average")
@@ -123,7 +158,7 @@ class Parameters:
         if self.m > 63 or self.radix**self.m > LARGEST_KEY:
             fitting = max(m for m in range(1, 64) if self.radix**m <= LARGEST_KEY)
             raise ParameterError(
-                f"bins = {self.bins} with m = {self.m} needs (bins + 3)^m cell keys, more than 63 "
+                f"bins = {self.grid} with m = {self.m} needs (bins + 3)^m cell keys, more than 63 "
                 f"bits hold; take m <= {fitting}, or fewer bins."
             )
         object.__setattr__(self, "stride", self.bucket_length)
@@ -152,7 +187,19 @@ class Parameters:
     @property
     def radix(self) -> int:
         """R = bins + 3, the codes a sample can have (method, section 3)."""
-        return self.bins + 3
+        return self.grid + 3
+
+    @property
+    def grid(self) -> int:
+        """The bins; where they are to be found, the finest for which cell keys have room."""
+        if not isinstance(self.bins, str):
+            return self.bins
+        return next((one for one in RUNGS if (one + 3) ** min(self.m, 64) <= LARGEST_KEY), RUNGS[-1])
+
+    @property
+    def is_open(self) -> bool:
+        """Tell whether bins of some channels are still to be found."""
+        return any(setting.bins == AUTO for setting in self.variants())
 
     @property
     def span(self) -> int:
@@ -179,6 +226,22 @@ class Parameters:
             raise ParameterError(
                 f"In the override for {override.asset!r} / {override.channel!r}: {error}"
             ) from error
+
+    def of(self, asset: str, channel: str) -> "Parameters":
+        """Return the parameters of one channel."""
+        for one in self.overrides:
+            if pattern_matches(one.asset, asset) and pattern_matches(one.channel, channel):
+                return self.changed_by(one)
+        return dataclasses.replace(self, overrides=())
+
+    def finest(self) -> "Parameters":
+        """Return the same with the finest grids where bins are still to be found."""
+        general, *others = (dataclasses.replace(one, bins=one.grid) for one in self.variants())
+        overrides = [
+            Override(one.asset, one.channel, **{**one.changes(), "bins": of.bins})
+            for one, of in zip(self.overrides, others, strict=True)
+        ]
+        return dataclasses.replace(general, overrides=overrides)
 
     def variants(self) -> "list[Parameters]":
         """Return the sets of parameters: the general one, then one per override."""

@@ -4,6 +4,7 @@ This module owns the order of work: look at the source, resolve what was asked, 
 """
 
 import dataclasses
+from collections import Counter
 from functools import lru_cache, partial
 from pathlib import Path
 
@@ -18,10 +19,12 @@ from gam_db.engines.session import Session
 from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
 from gam_db.method.census import Slicing
 from gam_db.method.delays import Ways
-from gam_db.parameters import Parameters
+from gam_db.parameters import AUTO, RUNGS, Override, Parameters
+from gam_db.patterns import grouped
 from gam_db.pipeline import Pipeline
 from gam_db.preparing import prepared
 from gam_db.running import Listener, Running, unheard
+from gam_db.setting import settings_of
 from gam_db.source import AnySource, is_file, paths_of, under
 from gam_db.streaming import Streams, seems_ordered
 from gam_db.trusting import Trust
@@ -62,7 +65,13 @@ class Study:
         self._is_lent = not isinstance(source.relation, (str, Path, tuple, list))
         read = prepared(session, source)
         self.relation, self.columns, self.source = read.stored, read.columns, read.source
-        self.method = Method(parameters, calibration, read.kind)
+        said = None
+        if parameters.is_open:
+            listening = (on_step, strict, short_cuts)
+            rough = Study(session, source, parameters.finest(), calibration, *listening)
+            said, parameters = parameters, _found(parameters, rough)
+            rough.forget()
+        self.method = Method(parameters, calibration, read.kind, said)
         unread = dataclasses.replace(read.rows, relation=None)  # the node counts
         self._asked = (self.method, unread, read.relation, session.engine)
         self.running = Running(session, self._opening(), on_step=on_step)
@@ -177,6 +186,40 @@ class Study:
     def _looked(self) -> pa.Table:
         self.running.keep("names")
         return self.session.fetch(self.steps.query("names", self.running.placed))
+
+
+def _found(asked: Parameters, rough: Study) -> Parameters:
+    """Return parameters with the bins that were to be found.
+
+    Args:
+        asked: the parameters as they were said.
+        rough: a study under the finest grids.
+
+    Returns:
+        One override per pattern. A channel has the finest grid that its support's certificate accepts,
+        the coarsest if none, and the commonest if it has no certificate.
+    """
+    judged = {row["channel_id"]: row for row in rough.table("verdicts").to_pylist()}
+    rungs, said = {}, {}
+    for row in rough.table("channels").to_pylist():
+        name, verdict = (row["asset"], row["channel"]), judged[row["channel_id"]]
+        said[name] = asked.of(*name)
+        if verdict["verdict"] not in ("no_data", "constant"):
+            rungs[name] = max(verdict["finest_bins"] or 0, RUNGS[-1])
+    usual = max(Counter(rungs.values()).items(), key=lambda one: one[::-1], default=(RUNGS[-1],))[0]
+    for name, one in said.items():
+        if one.bins == AUTO:
+            bins = min(rungs.get(name, usual), one.grid)
+            said[name] = dataclasses.replace(one, bins=bins)
+    rules = [(pattern, vars(one)) for pattern, one in grouped(said)]
+    whole = [one for pattern, one in rules if pattern == ("*", "*")]
+    general = dataclasses.replace(asked, **{**whole[0], "overrides": ()}) if whole else asked.finest()
+    overrides = [
+        Override(*pattern, **{key: one[key] for key in settings_of(Parameters)})
+        for pattern, one in rules
+        if pattern != ("*", "*")
+    ]
+    return dataclasses.replace(general, overrides=overrides)
 
 
 @lru_cache(maxsize=LATELY)

@@ -64,7 +64,7 @@ def look_at(
     on_step: Listener = lambda _: None,
 ) -> Look:
     """Look at a source; arguments and errors as in :class:`~gam_db.study.Study`."""
-    study = Study(session, source, parameters, calibration, on_step, strict=False)
+    study = Study(session, source, parameters.finest(), calibration, on_step, strict=False)
     add_look(study.steps, study.instant_of)
     summary = study.table(SUMMARY)
     table = summary.drop_columns(["settings_no"])

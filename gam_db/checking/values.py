@@ -155,7 +155,7 @@ def _coarse(look: Look, moving: Sequence[Row]) -> list[Note]:
     found = [
         row
         for row in moving
-        if row["values_seen"] > FEW_VALUES and (levels(row) or 2**31) < look.setting(row).bins
+        if row["values_seen"] > FEW_VALUES and (levels(row) or 2**31) < look.setting(row).grid
     ]
     return noted("coarse", found, text)
 

@@ -345,7 +345,7 @@ def _settled(seen: Seen, settings: Settings) -> Seen:
     if "max_gap" not in settings.parameters and seen.proposal.max_gap is not None:
         changed["max_gap"] = seen.proposal.max_gap.value
     parameters = dataclasses.replace(seen.job.parameters, **changed)
-    method = dataclasses.replace(seen.look.method, parameters=parameters)
+    method = dataclasses.replace(seen.look.method, parameters=parameters.finest())
     look = dataclasses.replace(seen.look, method=method)
     return Seen(
         dataclasses.replace(seen.job, parameters=parameters),

@@ -212,6 +212,9 @@ def _show(out: Console, job: Job, found: Sequence[Row], everything: bool = False
     out.print()
     page.say(out, f"verdicts: {page.verdicts(found)}")
     page.say(out, f"channels: {page.counted(found)}")
+    if job.parameters.is_open:
+        taken = sorted(Counter(row["bins"] for row in found).items(), reverse=True)
+        page.say(out, f"bins taken: {', '.join(f'{bins} for {count:,}' for bins, count in taken)}")
     for line in page.advice(found):
         page.say(out, line)
     ends = [row["last_time"] for row in found if isinstance(row["last_time"], int)]
@@ -225,7 +228,7 @@ def _show(out: Console, job: Job, found: Sequence[Row], everything: bool = False
     short = [
         row
         for row in found
-        if row["hi_limit"] is not None and row["calibration_vectors"] < 8 * row["window"]
+        if row["hi_limit"] is not None and 0 < row["calibration_vectors"] < 8 * row["window"]
     ]
     if short:
         page.say(

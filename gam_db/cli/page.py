@@ -220,17 +220,18 @@ def channels(out: Console, rows: Sequence[Row], time: str) -> None:
 
     Args:
         out: where to.
-        rows: asset, channel, status, verdict, floor, hi, course, remarks, and perhaps trend.
+        rows: asset, channel, status, verdict, bins, floor, hi, course, remarks, and perhaps trend.
         time: the name of the time that is told.
     """
 
     def told(name: str) -> list[Any]:
         return [None if row["status"] == "not assessed" else row[name] for row in rows]
 
-    names = names_of(rows)
+    names, bins = names_of(rows), [str(row["bins"]) for row in rows]
     columns: dict[str, Sequence[Any]] = {
         "channel": names,
         "verdict": [row["verdict"] for row in rows],
+        **({"bins": bins} if len(set(bins)) > 1 else {}),
         "floor": [share(floor) for floor in told("floor")],
         "HI": [share(hi) for hi in told("hi")],
     }
@@ -238,7 +239,7 @@ def channels(out: Console, rows: Sequence[Row], time: str) -> None:
         columns["trend"] = [rise(trend) for trend in told("trend")]
     columns["HI, 0 to 1"] = [Course(() if course is None else course) for course in told("course")]
     columns["last"] = [time_text(row[time]) for row in rows]
-    table(out, columns, [MARKS.get(row["status"], " ") for row in rows], ("verdict",))
+    table(out, columns, [MARKS.get(row["status"], " ") for row in rows], ("verdict", "bins"))
     remarks(out, zip(names, (row["remarks"] for row in rows), strict=True))
 
 

@@ -130,7 +130,7 @@ class Modelled:
         return Setting(
             m=setting.m,
             tau=setting.tau,
-            bins=setting.bins,
+            bins=setting.grid,
             window_length=setting.window,
             stride=setting.bucket_length,
             max_gap=self.method.gaps[0],

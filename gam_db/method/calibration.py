@@ -37,7 +37,7 @@ def add_bounds(steps: Pipeline, method: Method, number: int) -> None:
     """Add the range of the channels of one set, with what later steps must know of the set."""
     setting = method.settings[number]
     said: dict[str, template.Slot] = {
-        **{"settings_no": number, "bins": setting.bins, "window": setting.window},
+        **{"settings_no": number, "bins": setting.grid, "window": setting.window},
         "target_floor": float(setting.target_floor),
     }
     add(steps, "support/bounds", said, name=method.named("bounds", number))

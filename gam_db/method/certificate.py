@@ -21,10 +21,10 @@ def add_judgement(steps: Pipeline, method: Method, number: int) -> None:
     levels = [
         filled(
             "certificate/levels",
-            {"level": level, "divisor": 2**level, "level_bins": -(-setting.bins // 2**level)},
+            {"level": level, "divisor": 2**level, "level_bins": -(-setting.grid // 2**level)},
         )
-        for level in range(setting.bins.bit_length() + 1)
-        if level == 0 or -(-setting.bins // 2**level) >= 2
+        for level in range(setting.grid.bit_length() + 1)
+        if level == 0 or -(-setting.grid // 2**level) >= 2
     ]
     add_stacked(steps, method.named("levels", number), "certificate/levels", levels)
     radix, top = setting.radix, setting.m - 1

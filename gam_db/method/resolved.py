@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 
 from gam_db.calibration import Calibration, Rule, resolve
 from gam_db.clock import TimeKind, length
+from gam_db.errors import ParameterError
 from gam_db.parameters import Parameters
 
 #: Steps that are small: a row per channel, interval, bucket or cell. They may be kept on the way.
@@ -33,6 +34,7 @@ class Method:
         parameters: with their overrides.
         calibration: with its overrides and pools, as the user gave it.
         kind: how the source tells time.
+        asked: the parameters as they were said, where bins were found since.
         assets: the patterns of the calibration's overrides; that of number n has rule n + 1.
         pools: groups of asset patterns.
         settings: the distinct sets of parameters; number 0 is the general one.
@@ -40,12 +42,14 @@ class Method:
         gaps: max_gap of each set, in steps of the clock.
 
     Raises:
-        CalibrationError, ParameterError: calibration or max_gap does not fit the kind of time.
+        CalibrationError, ParameterError: calibration or max_gap does not fit the kind of time, or bins
+            are still to be found.
     """
 
     parameters: Parameters
     calibration: Calibration = field(compare=False)  # may hold a dict; what is made of it is compared
     kind: TimeKind
+    asked: Parameters | None = field(default=None, compare=False)
     assets: tuple[str, ...] = field(init=False)
     pools: tuple[tuple[str, ...], ...] = field(init=False)
     settings: tuple[Parameters, ...] = field(init=False)
@@ -53,6 +57,11 @@ class Method:
     gaps: tuple[int | None, ...] = field(init=False)
 
     def __post_init__(self) -> None:
+        if self.parameters.is_open:
+            raise ParameterError(
+                "bins is 'auto', which is found where telemetry is read; a script or a package is "
+                "written without. Give a number: gam run --bins auto says which were taken."
+            )
         distinct = tuple(dict.fromkeys(self.parameters.variants()))
         object.__setattr__(self, "assets", tuple(self.calibration.overrides))
         object.__setattr__(self, "pools", self.calibration.pools)

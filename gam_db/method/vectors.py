@@ -102,9 +102,9 @@ def add_short_vectors(
 
 def code_of(setting: Parameters) -> exp.Expr:
     """Return support/code.sql cast to the narrowest integer: it is what a window has to sort."""
-    largest = setting.bins + 2
+    largest = setting.grid + 2
     narrow = "SMALLINT" if largest < 2**15 else "INT" if largest < 2**31 else "BIGINT"
-    return exp.cast(template.fill("support/code", {"bins": setting.bins}), narrow)
+    return exp.cast(template.fill("support/code", {"bins": setting.grid}), narrow)
 
 
 def stream_slots(setting: Parameters) -> dict[str, template.Slot]:
@@ -129,7 +129,7 @@ def cell_slots(setting: Parameters) -> dict[str, template.Slot]:
         ),
         "outside": exp.or_(
             *(
-                template.fill("embedding/outside", {"code": code, "above": setting.bins + 2})
+                template.fill("embedding/outside", {"code": code, "above": setting.grid + 2})
                 for code in coordinates
             )
         ),

@@ -62,7 +62,7 @@ def add_budget(steps: Pipeline, method: Method, search: Search) -> None:
 def add_results(steps: Pipeline, method: Method) -> None:
     """Add the last steps: names instead of integers."""
     general = method.settings[0]
-    add(steps, "selection/choices", {"bins": general.bins, "window": general.window})
+    add(steps, "selection/choices", {"bins": general.grid, "window": general.window})
     for name in ("lag_curve", "dimension_curve", "cycle_curve", "budget_curve"):
         add(steps, f"selection/{name}")
 

@@ -50,9 +50,9 @@ class Selection:
 
 
 def alone(parameters: Parameters, calibration: Calibration) -> tuple[Parameters, Calibration]:
-    """Return the method for channels that each speak for themselves: no overrides, no pools."""
+    """Return the method for channels that each speak for themselves: one set of numbers, no pools."""
     return (
-        dataclasses.replace(parameters, overrides=()),
+        dataclasses.replace(parameters.finest(), overrides=()),
         dataclasses.replace(calibration, pool=None),
     )
 
@@ -68,7 +68,7 @@ def selected(study: Study, search: Search) -> Selection:
         search,
         samples=max((one["samples"] for one in extents), default=0),
     )
-    add_embedding(steps, search, study.method.settings[0].bins)
+    add_embedding(steps, search, study.method.settings[0].grid)
     add_dimensions(steps, search, usable, lambda step: _waiting(study.table(step)))
     add_budget(steps, study.method, search)
     add_results(steps, study.method)

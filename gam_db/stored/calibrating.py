@@ -122,7 +122,7 @@ def settings_hash(method: Method, channel: Mapping[str, Any]) -> str:
 
     Args:
         method: what the user asks for.
-        channel: asset, settings_no and calibration_no of the channel.
+        channel: asset, channel, settings_no and calibration_no of the channel.
     """
     pool = next(
         (
@@ -133,8 +133,11 @@ def settings_hash(method: Method, channel: Mapping[str, Any]) -> str:
         None,
     )
     setting = method.settings[channel["settings_no"]]
+    figures = _figures(setting, method.gaps[channel["settings_no"]])
+    if method.asked is not None:  # what is found anew each time is no other setting
+        figures["bins"] = method.asked.of(channel["asset"], channel["channel"]).bins
     said = (
-        _figures(setting, method.gaps[channel["settings_no"]]),
+        figures,
         method.rules[channel["calibration_no"]],
         pool,
     )

@@ -29,7 +29,7 @@ def differing(
         UserError: there is no such monitor, or a length does not fit how it tells time.
     """
     monitor = state.monitor(name)
-    method = Method(parameters, calibration, kind_of(monitor))
+    method = Method(parameters.finest(), calibration, kind_of(monitor), parameters)
     versions = state.fetch("stored/active", {"monitor_id": monitor["monitor_id"]})
     rows = versions.to_pylist()
     names = pa.table(

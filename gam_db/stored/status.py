@@ -45,6 +45,7 @@ def status(
     * ``verdict``, ``floor``: of the certificate; ``hi_limit``, NULL where nothing is to be judged, for
       ``limit_reason``
     * ``hi``: the latest health indicator, ``novel_in_window`` / ``window``; NULL before a full window
+    * ``bins``: per axis of its grid, as found where they were left to be
     * ``trend``: ``hi`` less the one a window earlier, (``novel_in_window`` - ``novel_window_before``) /
       ``window``, so that no vector is in both; NULL until two windows are scored
     * ``course``: the indicator of late, oldest first, in at most 64 stretches of buckets that hold 64
@@ -267,6 +268,7 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
             "novel_in_window": stored("novel_in_window", count),
             "novel_window_before": stored("novel_window_before", count),
             "window": stored("window_length", count),
+            "bins": stored("bins", count),
             "course": pa.array([row["course"] for row in rows], pa.list_(share), from_pandas=True),
             "scored": stored("scored", count),
             "last_time": ticks("last_tick"),

@@ -28,6 +28,7 @@ SELECT
   stride,
   m,
   tau,
+  bins,
   bucket,
   last_tick,
   data_tick,

@@ -33,7 +33,7 @@ LAYERS = [
     ["script", "streaming", "trusting"],
     ["study"],
     ["alarms", "health", "checking", "findings", "selection"],
-    ["backtesting"],
+    ["backtesting", "sklearn"],
     ["report"],
     ["stored"],
     ["gam_db"],

@@ -10,8 +10,9 @@ calibration are read by attribute only, hence ``Any``: whatever has the attribut
 
 import math
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
 
@@ -22,10 +23,16 @@ Row = tuple[str, str, int, float | None]
 Answer = list[dict[str, Any]]
 Integers = NDArray[np.int64]
 
+#: Where bins are to be found, the finest of these that passes is taken, the last if none does.
+RUNGS = (128, 64, 32, 16, 8)
+
 
 @dataclass(frozen=True)
 class Settings:
-    """The parameters of one channel after overrides, ``stride`` resolved (section 3)."""
+    """The parameters of one channel after overrides, ``stride`` resolved (section 3).
+
+    ``is_open``: bins were to be found; until they are, they are the finest for which keys have room.
+    """
 
     m: int
     tau: int
@@ -35,6 +42,7 @@ class Settings:
     max_gap: int | None
     still_after: int | None
     target_floor: float
+    is_open: bool = False
 
 
 @dataclass
@@ -81,13 +89,16 @@ def glob(pattern: str, text: str) -> bool:
 
 def settings_of(parameters: Any, asset: str, name: str) -> Settings:
     """Section 3: a channel's parameters; the first override that matches applies, alone."""
-    values = {key: getattr(parameters, key) for key in Settings.__dataclass_fields__}
+    values = {key: getattr(parameters, key) for key in Settings.__dataclass_fields__ if key != "is_open"}
     for override in parameters.overrides:
         if glob(override.asset, asset) and glob(override.channel, name):
             values.update(override.changes())
             break
     if values["stride"] is None:
         values["stride"] = math.gcd(values["window"], 100)
+    if values["bins"] == "auto":
+        room = [bins for bins in RUNGS if (bins + 3) ** values["m"] < 2**63]
+        return Settings(**{**values, "bins": room[0], "is_open": True})
     return Settings(**values)
 
 
@@ -233,7 +244,25 @@ def channels(rows: Iterable[Row], parameters: Any, calibration: Any) -> list[tup
         pairs.append((channel, pool))
     for pool in pools.values():
         learn(pool)
+    settle(list(pools.values()))
     return pairs
+
+
+def settle(pools: list[Pool]) -> None:
+    """Give pools whose bins were to be found the finest grid that passes, and let them learn anew."""
+    open_pools, rungs, usual = [pool for pool in pools if pool.settings.is_open], {}, Counter[int]()
+    for pool in pools:
+        said = judgement(pool)
+        if pool.settings.is_open and said["verdict"] not in ("no_data", "constant"):
+            rungs[id(pool)] = max(said["finest_bins"] or 0, RUNGS[-1])
+            usual[rungs[id(pool)]] += len(pool.members)
+    commonest = max(usual, key=lambda bins: (usual[bins], bins), default=RUNGS[-1])
+    for pool in open_pools:
+        bins = min(rungs.get(id(pool), commonest), pool.settings.bins)
+        pool.settings, pool.keys = replace(pool.settings, bins=bins), set()
+        for channel in pool.members:
+            channel.settings = pool.settings
+        learn(pool)
 
 
 def health(channel: Channel, pool: Pool) -> Iterator[dict[str, Any]]:

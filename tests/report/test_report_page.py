@@ -309,7 +309,7 @@ FLAT = """codes => { const canvas = document.querySelector('figure canvas'), siz
 
 def compare_states(seen: browser.Seen, plant: Plant, name: tuple[str, str]) -> None:
     """Each cell of the first flat picture is healthy or new as gam_support and gam_quarantine say."""
-    codes = PARAMETERS.bins + 3
+    codes = PARAMETERS.grid + 3
     flat: dict[tuple[int, int], str] = {}
     for keys, kind in ((plant.new[name], "new"), (plant.healthy[name], "healthy")):
         flat |= {(key % codes, key // codes % codes): kind for key in keys}

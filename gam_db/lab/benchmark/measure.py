@@ -111,7 +111,7 @@ def parameters() -> dict[str, int]:
     return {
         "m": used.m,
         "tau": used.tau,
-        "bins": used.bins,
+        "bins": used.grid,
         "window": used.window,
         "stride": used.bucket_length,
     }
