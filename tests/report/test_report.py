@@ -81,7 +81,7 @@ def times(text: str) -> list[int]:
     return [int(one) for one in np.cumsum(unpacked(text, "f8"))]
 
 
-def axes_of(key: int, bins: int = PARAMETERS.bins, m: int = PARAMETERS.m) -> tuple[int, ...]:
+def axes_of(key: int, bins: int = PARAMETERS.grid, m: int = PARAMETERS.m) -> tuple[int, ...]:
     """The codes of a key, the newest first."""
     return tuple(key // (bins + 3) ** axis % (bins + 3) for axis in range(m))
 
@@ -125,7 +125,7 @@ def assert_cells(monitor: gam_db.Monitor, name: tuple[str, str], detail: dict[st
         assert (visits, away) == (expected, min(steps))
         for (place, code, start, end), wanted in zip(axes, codes, strict=True):
             assert code == wanted
-            if 1 < code < PARAMETERS.bins + 2:
+            if 1 < code < PARAMETERS.grid + 2:
                 assert place == "within"
                 assert (start, end) == pytest.approx((low + (code - 2) * wide, low + (code - 1) * wide))
             else:

@@ -75,10 +75,10 @@ def test_cells_are_those_of_the_support_and_of_quarantine_in_units(engine: str) 
         ]
         learnt = fleet[asset, channel]
         ends = learnt["calibrated_lo"], learnt["calibrated_hi"]
-        for row, code in zip(rows, codes(key, PARAMETERS.bins, PARAMETERS.m), strict=True):
+        for row, code in zip(rows, codes(key, PARAMETERS.grid, PARAMETERS.m), strict=True):
             assert row["code"] == code
             said = (row["place"], row["value_from"], row["value_to"])
-            assert said == interval(code, PARAMETERS.bins, *ends)
+            assert said == interval(code, PARAMETERS.grid, *ends)
         if kind == "novel":
             row = fresh[asset, channel, key]
             assert {**row, **{k: rows[0][k] for k in ("visits", "first_tick", "last_tick")}} == row
