@@ -16,11 +16,15 @@ from rich.status import Status
 from gam_db.engines.session import Session
 from gam_db.running import Listener
 
+EVERY = 30.0
+"""Seconds after which a run that writes into a log says what it does, and then again."""
+
 
 class Progress:
     """A status line: the step at work, for how long, and how far DuckDB says it is.
 
-    Nothing is shown unless stderr is a terminal.
+    Where stderr is no terminal, a run prints a line at each step once it lasts 30 s,
+    and one every 30 s.
 
     Args:
         session: asked how far its statement is, from the thread that draws the line.
@@ -34,20 +38,35 @@ class Progress:
         self._since = self._begin = time.monotonic()
         shown = console.is_terminal and not quiet
         self._status = Status(self, console=console, refresh_per_second=5) if shown else None
+        self._console, self._is_logged = console, not (shown or quiet)
+        self._ended = threading.Event()
 
     def __enter__(self) -> "Progress":
         if self._status:
             self._status.start()
+        elif self._is_logged:
+            threading.Thread(target=self._log, daemon=True).start()
         return self
 
     def __exit__(self, *_: object) -> None:
+        self._ended.set()
         if self._status:
             self._status.stop()
+
+    def _log(self) -> None:
+        while not self._ended.wait(EVERY):
+            self._tell()
+
+    def _tell(self) -> None:
+        with contextlib.suppress(OSError, ValueError):  # the log may be gone
+            self._console.print(self.__rich__(), soft_wrap=True, highlight=False)
 
     def on_step(self, step: str) -> None:
         """Take note of the step that begins."""
         self._step = step
         self._since = time.monotonic()
+        if self._is_logged and self._since - self._begin >= EVERY:
+            self._tell()
 
     def __rich__(self) -> RenderableType:
         now = time.monotonic()

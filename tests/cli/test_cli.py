@@ -6,6 +6,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import Any
 
@@ -579,6 +580,23 @@ def test_progress_shows_the_step_only_at_a_terminal(
         assert "bounds" in capsys.readouterr().err
         with Progress(session, quiet=True) as progress:
             progress.on_step("bounds")
+        assert capsys.readouterr().err == ""
+
+
+def test_a_long_run_says_in_a_log_what_it_does(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("gam_db.cli.progress.EVERY", 0.05)
+    with DuckSession() as session:
+        with Progress(session) as progress:
+            time.sleep(0.2)
+            progress.on_step("bounds")
+        lines = capsys.readouterr().err.splitlines()
+        assert len(lines) >= 3
+        assert lines[0].startswith("looking at the source  0 s")
+        assert any(line.startswith("bounds  0 s") for line in lines)
+        with Progress(session, quiet=True) as progress:
+            time.sleep(0.2)
         assert capsys.readouterr().err == ""
 
 
