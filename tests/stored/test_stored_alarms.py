@@ -146,6 +146,7 @@ class Course:
         judgements, episodes = plain.judgements(self.rows, *self.method, limits)
         mine = self.monitor()
         found = visible(mine, JUDGEMENTS)
+        assert found or not judgements
         limit_of = {(row["asset"], row["channel"]): row for row in limits}
         for row in judgements:
             limit = limit_of[row["asset"], row["channel"]]
