@@ -29,6 +29,7 @@ from gam_db.findings import Row, need_attention, share, shortcomings
 from gam_db.guess import SourceSettings
 from gam_db.parameters import pattern_matches
 from gam_db.source import AnySource, WideSource, is_file
+from gam_db.stored import alarms as stored_alarms
 from gam_db.stored import migrations
 from gam_db.stored import status as stored_status
 from gam_db.stored.copying import copy
@@ -56,7 +57,7 @@ def watched(session: Session, settings: Settings, relation: str | None) -> tuple
     known = state.monitor(settings.monitor.name)
     channels = state.fetch("stored/known_channels", {"monitor_id": known["monitor_id"]})
     source = source_of(known, channels["channel"].to_pylist(), relation)
-    return Monitor(session, source, alarms=settings.alarms, **vars(settings.monitor)), known
+    return Monitor(session, source, asked=settings.alarms, **vars(settings.monitor)), known
 
 
 @options.taking(*options.READ, *options.ALARMS, *options.STATE, state=True)
@@ -278,8 +279,8 @@ def score(
     """Score what is new since the last run, and what came late, of every calibrated channel.
 
     It can be run at any time, and again after a crash: what is stored is then the same. Exit code 2
-    means what it does in `gam run`: an indicator is above its limit, or a calibration is not good
-    enough.
+    means what it does in `gam status`: an episode needs attention, or an indicator is above its limit
+    where a channel has none for judgements, or a calibration is not good enough.
     """
     if dry_run and copy_to is not None:
         raise ConfigurationError("--dry-run writes nothing; leave out --copy.")
@@ -298,19 +299,70 @@ def score(
             on_step=on_step,
         )
         status = None if dry_run else monitor.status()
+        raised = None if dry_run else Raised.of(monitor.state, monitor.name)
         if copy_to is not None:
             on_step(f"copying to {copy_to}")
             copy(session, monitor.tables, copy_to)
         others = _differing(monitor.state, settings)
-    urgent = status is not None and _is_urgent(status)
+    urgent = status is not None and raised is not None and raised.is_urgent(status)
     outcome = _Outcome(settings, source or known["source"], kind, run, status, others, copy_to)
-    figures = {**outcome.figures(), "needs_attention": urgent}
-    code = Exit.ATTENTION if urgent else Exit.FINE
-    page.tell(code, figures, outcome.show, as_json, quiet)
+    figures = {**outcome.figures(), **(raised.figures() if raised else {}), "needs_attention": urgent}
+
+    def show(out: Console) -> None:
+        outcome.show(out)
+        for line in raised.lines() if raised is not None else ():
+            page.say(out, line)
+
+    page.tell(Exit.ATTENTION if urgent else Exit.FINE, figures, show, as_json, quiet)
 
 
-def _is_urgent(status: pa.Table) -> bool:
-    return need_attention(status.select(["needs_attention", "verdict"]).to_pylist())
+@dataclasses.dataclass(frozen=True)
+class Raised:
+    """What episodes say of a monitor: of its channels that have a limit, they decide and not ``hi``.
+
+    Attributes:
+        judged: asset and channel of those that have one.
+        asking: of those an episode of which needs attention.
+        episodes: that do.
+    """
+
+    judged: frozenset[tuple[str, str]]
+    asking: frozenset[tuple[str, str]]
+    episodes: tuple[int, ...]
+
+    @classmethod
+    def of(cls, state: State, name: str) -> "Raised":
+        """Return what the state says."""
+        judged = [row for row in stored_alarms.limits(state, name) if row["reason"] is None]
+        rows = [row for row in stored_alarms.alarms(state, name).to_pylist() if row["needs_attention"]]
+        return cls(
+            frozenset((row["asset"], row["channel"]) for row in judged),
+            frozenset((row["asset"], row["channel"]) for row in rows),
+            tuple(row["episode"] for row in rows),
+        )
+
+    def is_urgent(self, status: pa.Table) -> bool:
+        """Tell whether a channel of a status needs attention: exit code 2."""
+        rows = status.select(["asset", "channel", "status", "needs_attention", "verdict"]).to_pylist()
+        names = [(row["asset"], row["channel"]) for row in rows]
+        for name, row in zip(names, rows, strict=True):
+            if name in self.judged and row["status"] == "high":
+                row["needs_attention"] = False
+        return need_attention(rows) or not self.asking.isdisjoint(names)
+
+    def figures(self) -> Row:
+        """Return what --json prints of it."""
+        return {"judged_by_episode": len(self.judged), "episodes": list(self.episodes)}
+
+    def lines(self) -> Iterator[str]:
+        """Yield what is to be said of it."""
+        if self.judged:
+            yield (
+                f"attention is asked for by episodes of {number_of(len(self.judged), 'channel')} that "
+                "have a limit (gam limits), of others by the health indicator"
+            )
+        if self.episodes:
+            yield f"{number_of(len(self.episodes), 'episode')} to look at; gam alarms shows them"
 
 
 def _instant(option: str, text: str | None, kind: TimeKind) -> str | None:
@@ -480,17 +532,19 @@ def status(
     """Say how every channel is: verdict, floor, indicator, trend, and what is wrong with its data.
 
     It reads the state in the database, not the source; of assets, it prints the 20 most urgent unless
-    there is --all. A channel needs attention (exit code 2) by the
-    same rule as in `gam run`: its indicator is above its limit, or its calibration is not good enough.
+    there is --all. A channel needs attention (exit code 2) if an episode of it does (`gam alarms`),
+    where it has a limit (`gam limits`), else if its indicator is above its limit; and if its calibration
+    is not good enough.
     """
     monitor, silence = settings.monitor.name, settings.monitor.park_after
     with options.opened(settings, writable=False) as session:
         channels = stored_status.status(session, settings.monitor.tables, monitor, silence)
         proof = stored_status.proved(session, settings.monitor.tables, monitor)
+        raised = Raised.of(State(session, settings.monitor.tables), monitor)
     unheard = stored_status.unheard_for(channels, silence, dt.datetime.now(dt.UTC))
     if asset is not None:
         channels = _of_assets(channels, asset)
-    urgent = _is_urgent(channels)
+    urgent = raised.is_urgent(channels)
     figures = {
         "database": settings.source.shown_database,
         "monitor": monitor,
@@ -498,6 +552,7 @@ def status(
         "proved": None if proof is None else _proved(proof),
         "channels": channels,
         "assets": stored_status.by_asset(channels),
+        **raised.figures(),
         "needs_attention": urgent,
     }
 
@@ -508,6 +563,8 @@ def status(
         page.say(out, _proof(proof, dt.datetime.now(dt.UTC)))
         out.print()
         _show_status(out, channels, everything)
+        for line in raised.lines():
+            page.say(out, line)
 
     page.tell(Exit.ATTENTION if urgent else Exit.FINE, figures, show, as_json, quiet)
 

@@ -122,3 +122,11 @@ LIMIT = pa.schema(
         ("reason", pa.string()),
     ]
 )
+
+#: What is shown of limits: the newest ones, by the names of their channels.
+SHOWN = pa.schema(
+    [
+        *((name, pa.string()) for name in ("asset", "channel")),
+        *(field for field in LIMIT if field.name not in ("version_id", "created")),
+    ]
+)

@@ -4,6 +4,7 @@ This module owns the public calls of the stored form.
 """
 
 import contextlib
+import datetime as dt
 import html
 from collections.abc import Callable
 from dataclasses import InitVar, dataclass
@@ -26,6 +27,7 @@ from gam_db.parameters import Parameters, pattern_matches
 from gam_db.report import Wishes, write
 from gam_db.running import Listener, unheard
 from gam_db.source import AnySource
+from gam_db.stored import alarms as stored_alarms
 from gam_db.stored import lengths, limits, migrations
 from gam_db.stored.calibrating import calibrate
 from gam_db.stored.checking import Checked, check_state
@@ -53,7 +55,7 @@ class Monitor(MonitorSettings):
         source: where the telemetry lies: a table of that database, a file, or an Arrow table.
         parameters: of the method; default :class:`Parameters`. They count when a version is made.
         calibration: the healthy part; default the first fifth of each channel. It counts likewise.
-        alarms: the asked rate of false alarms, and families; default :class:`Alarms`. It counts when
+        asked: the rate of false alarms, and families; default :class:`Alarms`. It counts when
             limits are made.
 
     Raises:
@@ -64,7 +66,7 @@ class Monitor(MonitorSettings):
     source: AnySource
     parameters: Parameters = None  # type: ignore[assignment]
     calibration: Calibration = None  # type: ignore[assignment]
-    alarms: Alarms = None  # type: ignore[assignment]
+    asked: Alarms = None  # type: ignore[assignment]
 
     def __post_init__(self, engine: Any) -> None:
         super().__post_init__()
@@ -72,7 +74,7 @@ class Monitor(MonitorSettings):
         self.session = engine if isinstance(engine, Session) else connect(engine)
         self.parameters = self.parameters or Parameters()
         self.calibration = self.calibration or Calibration()
-        self.alarms = self.alarms or Alarms()
+        self.asked = self.asked or Alarms()
         self.state = State(self.session, self.tables)
 
     def __enter__(self) -> "Monitor":
@@ -123,12 +125,12 @@ class Monitor(MonitorSettings):
         migrations.require(self.session, self.state.tables)
         study = Study(self.session, self.source, self.parameters, self.calibration, on_step)
         try:
-            self.alarms.asked(study.method.kind)
+            self.asked.asked(study.method.kind)
             made = calibrate(self.state, study, self.name, again, limit)
         finally:
             study.running.forget()
         on_step("limits")
-        limits.make(self.state, self.name, self.alarms)
+        limits.make(self.state, self.name, self.asked)
         return made
 
     def score(
@@ -225,6 +227,71 @@ class Monitor(MonitorSettings):
             UserError: there is no such monitor, or no state.
         """
         return status(self.session, self.state.tables, self.name, self.park_after)
+
+    def alarms(self) -> pa.Table:
+        """Return the episodes, those that need attention first; the source is not read.
+
+        Returns:
+            One row per episode; see :func:`gam_db.stored.alarms.alarms` for the columns.
+
+        Raises:
+            UserError: there is no such monitor, or no state.
+        """
+        migrations.require(self.session, self.state.tables)
+        return stored_alarms.alarms(self.state, self.name)
+
+    def label(
+        self,
+        kind: str,
+        episode: int | None = None,
+        *,
+        asset: str | None = None,
+        span: tuple[Instant, Instant] | None = None,
+        note: str | None = None,
+        until: dt.datetime | None = None,
+        instead: bool = False,
+    ) -> list[int]:
+        """Keep what is known of an episode, or of an asset from one instant to another.
+
+        Args:
+            kind: true_fault, false_alarm, maintenance, new_program, acknowledged or snoozed.
+            episode: its number; else say asset and span.
+            asset: the machine.
+            span: first and last instant.
+            note: what else there is to say.
+            until: when an acknowledgement or a snooze ends.
+            instead: let it replace another decision.
+
+        Returns:
+            The numbers of the episodes that it is about.
+
+        Raises:
+            UserError: it is about nothing, or contradicts what was said before; nothing is written.
+        """
+        migrations.require(self.session, self.state.tables)
+        about = (self.state, self.name, kind, episode, asset, span)
+        return stored_alarms.label(*about, note, until, instead)
+
+    def limits(self, again: bool = False, reason: str = "asked for") -> pa.Table:
+        """Return by what each channel is judged now, or why it is not; perhaps made again.
+
+        Args:
+            again: make new ones of all channels, for the judgements to come.
+            reason: why, as it is kept with them.
+
+        Returns:
+            One row per channel, as of :func:`gam_db.limits`, with limit_no, from_judgement, cause and
+            asked of the newest limit.
+
+        Raises:
+            UserError: there is no such monitor, or no state.
+        """
+        migrations.require(self.session, self.state.tables)
+        self.state.monitor(self.name)
+        if again:
+            with self.session.transaction():
+                limits.make(self.state, self.name, self.asked, reason, lambda _: True)
+        return pa.Table.from_pylist(stored_alarms.limits(self.state, self.name), schema=limits.SHOWN)
 
     def _repr_html_(self) -> str:
         """Return the status as a table for a notebook, or why there is none; all names are escaped."""

@@ -31,21 +31,20 @@ _TOUCHED = {"migration": "applied_at", "monitor": "created"}
 
 #: The views by which runs, buckets and cells that count are found, and what a run says in the end.
 _COUNTING = (
-    "finished_run",
-    "visible_bucket",
-    "visible_novel",
-    "visible_judgement",
-    "visible_episode",
-    "fleet",
+    *("finished_run", "visible_bucket", "visible_novel", "visible_judgement", "visible_episode"),
+    *("fleet", "alarm"),
 )
 
 #: What the status is made of.
-_STATUS = ("migration", "monitor", "proof", "visible_bucket", "fleet")
+_STATUS = (
+    *("migration", "monitor", "proof", "visible_bucket", "fleet"),
+    *("channel", "version", "bounds", "limit", "alarm"),
+)
 
 #: The views that are for whoever reads on.
 _SHOWN = (
     *("health", "quarantine", "unplaced_day", "onset", "machine", "growth", "cell", "trend"),
-    *("alarm", "alarm_event"),
+    *("visible_judgement", "alarm_event"),
 )
 
 #: What a script cannot know, as comments of it.

@@ -5,10 +5,8 @@ SELECT
   spanned.channel_id AS channel_id,
   spanned.limit_no AS limit_no,
   spanned.from_judgement AS from_judgement,
-  CASE
-    WHEN spanned.next_judgement IS NULL THEN 4611686018427387904
-    ELSE spanned.next_judgement
-  END AS until_judgement,
+  CASE WHEN spanned.limits_back = 1 THEN 4611686018427387904 ELSE spanned.next_judgement END
+    AS until_judgement,
   spanned.reference AS reference,
   spanned.height AS height,
   spanned.cap AS cap
@@ -17,6 +15,8 @@ FROM (
     part.channel_id AS channel_id,
     made.limit_no AS limit_no,
     made.from_judgement AS from_judgement,
+    CAST(ROW_NUMBER() OVER (PARTITION BY made.version_id ORDER BY made.limit_no DESC) AS BIGINT)
+      AS limits_back,
     MIN(made.from_judgement) OVER (
       PARTITION BY made.version_id
       ORDER BY made.limit_no DESC

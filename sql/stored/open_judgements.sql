@@ -1,10 +1,11 @@
--- Open judgements: the stored judgements of a cohort that belong to an episode.
+-- Open judgements: the stored judgements of a cohort that belong to an episode. The number is cast since LAG gives 0,
+-- and not NULL, before the first row of a column that ClickHouse keeps as NOT NULL.
 -- Reads:  cohort, stored_visible_judgement
 -- A row:  one judgement.
 SELECT
   part.channel_id AS channel_id,
   0 AS limit_no,
-  known.judgement_no AS judgement_no,
+  CAST(known.judgement_no AS BIGINT) AS judgement_no,
   known.is_open AS is_open,
   known.last_zero AS last_zero
 FROM stored_visible_judgement AS known

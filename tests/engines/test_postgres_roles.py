@@ -28,11 +28,14 @@ SETTINGS = ("--m", "2", "--bins", "4", "--window", "20", "--stride", "5", "--cal
 
 #: What the status takes, and what there is to look at.
 STATUS = {"migration", "monitor", "proof", "visible_bucket", "fleet"}
+STATUS |= {"channel", "version", "bounds", "limit", "alarm"}
 SHOWN = {"health", "quarantine", "unplaced_day", "onset", "machine", "growth", "cell", "trend"}
+SHOWN |= {"visible_judgement", "alarm_event"}
 
 #: The views that a writer takes, and the tables whose rows stay.
 COUNTING = {"finished_run", "visible_bucket", "visible_novel", "fleet"}
-KEPT = {"migration", "monitor", "channel", "proof"}
+COUNTING |= {"visible_judgement", "visible_episode", "alarm"}
+KEPT = {"migration", "monitor", "channel", "proof", "episode", "label"}
 
 #: What a writer does.
 WORK = (

@@ -79,6 +79,7 @@ _ABOUT = {
         for name in (
             *("buffered_rows", "extent_rows", "kept_buffered", "limit_*", "judged_*", "judgement_rows"),
             *("open_judgements", "found_episodes", "episode_records", "expired_judgements"),
+            *("alarm_rows", "event_rows", "labels", "next_judgement", "raised_judgements"),
         )
     },
     "alarms/within": "test_backtest",

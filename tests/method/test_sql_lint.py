@@ -29,7 +29,7 @@ from gam_db.selection.lags import add_delays, add_samples
 from gam_db.selection.neighbours import add_dimensions, add_embedding
 from gam_db.selection.search import Search
 from gam_db.source import Source, WideSource, readings
-from gam_db.stored.episodes import records_of
+from gam_db.stored import alarms
 from gam_db.stored.migration_files import definitions
 from gam_db.stored.migrations import rendered
 from gam_db.stored.monitor import Monitor
@@ -663,8 +663,12 @@ def alarm_once() -> None:
         monitor.calibrate()
         for until in (43, None):
             monitor.score(until=until)
-        records = records_of(monitor.state, 1)
-        assert [row["status"] for row in records] == ["ended"]
+        (episode,) = alarms.alarms(monitor.state, "default").to_pylist()
+        row = {**episode, "episode_id": 1}
+        assert len(alarms.judgements(monitor.state, row)) == 5
+        assert monitor.label("false_alarm", 1) == [1]
+        assert alarms.events(monitor.state, "default").num_rows == 3
+        assert monitor.limits()["reason"].to_pylist() == ["unrepresentative"]
 
 
 def test_filled_queries_of_a_selection_break_no_rule() -> None:

@@ -4,16 +4,24 @@ The reference is that of the stateless form, in plain loops (tests/reference/ala
 """
 
 import contextlib
+import datetime as dt
 import itertools
 import random
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 from typing import Any
+
+import pytest
+from sqlglot import exp
 
 import alarms_reference as plain
 import engines
 import gam_db
 import harness
 import scripts
-from gam_db.errors import ConflictError
+from gam_db.engines.duckdb_session import DuckSession
+from gam_db.errors import ConflictError, ParameterError
+from gam_db.stored import alarms
 from gam_db.stored.monitor import Monitor
 from sets import amounts
 from strategies import Row
@@ -21,7 +29,7 @@ from visible import CrashError, crashing, visible
 
 #: Histories of an engine in the first set and in the full one; each is one of 3 to 9 channels.
 HISTORIES = {
-    "duckdb": (2, 300),
+    "duckdb": (1, 300),
     "sqlite": (1, 100),
     "postgres": (1, 40),
     "mariadb": (1, 20),
@@ -49,7 +57,7 @@ EVENTS = "SELECT * FROM gam_alarm_event ORDER BY seq"
 class Course:
     """A fleet whose rows arrive bit by bit, some late, some again; with runs of each kind between."""
 
-    LENGTH, CALIBRATED, LATE = 320, 159, 12
+    LENGTH, CALIBRATED, LATE = 280, 159, 12
 
     def __init__(self, engine: str, seed: int) -> None:
         self.chance = random.Random(seed)
@@ -92,10 +100,8 @@ class Course:
 
     def monitor(self) -> Monitor:
         source = gam_db.Source(self.table.name)
-        alarms = gam_db.Alarms(f"{self.per_thousand} per 1000 judgements", self.family)
-        return Monitor(
-            self.session, source, *self.method, alarms, prefix=self.prefix, lookback=self.LATE
-        )
+        asked = gam_db.Alarms(f"{self.per_thousand} per 1000 judgements", self.family)
+        return Monitor(self.session, source, *self.method, asked, prefix=self.prefix, lookback=self.LATE)
 
     def play(self) -> None:
         """Let it happen."""
@@ -121,9 +127,16 @@ class Course:
         elif what == "again" and not self.is_pruned:
             mine.calibrate(again=True)
         elif what == "beside":
+            left = self.chance.randint(1, 30)
+
+            def listen(_: str) -> None:
+                nonlocal left
+                left -= 1
+                if left == 0:
+                    self.monitor().score()
+
             with contextlib.suppress(ConflictError):
-                at = iter(range(self.chance.randint(1, 30)))
-                mine.score(on_step=lambda _: next(at, None) == 0 and self.monitor().score())
+                mine.score(on_step=listen)
         else:
             mine.score(full=what == "full" and not self.is_pruned)
 
@@ -133,6 +146,7 @@ class Course:
         judgements, episodes = plain.judgements(self.rows, *self.method, limits)
         mine = self.monitor()
         found = visible(mine, JUDGEMENTS)
+        assert found or not judgements
         limit_of = {(row["asset"], row["channel"]): row for row in limits}
         for row in judgements:
             limit = limit_of[row["asset"], row["channel"]]
@@ -176,3 +190,175 @@ def test_alarms_that_grow_are_those_of_all_at_once(engine: str, is_full: bool) -
             course.assert_as_at_once()
         except AssertionError as error:
             raise AssertionError(f"history {seed}: {error}") from error
+
+
+W = 4
+PARAMETERS = gam_db.Parameters(m=1, bins=2, window=W, stride=2)
+CALIBRATION = gam_db.Calibration(intervals=[(0, 8 * W - 1)])
+ALARMS = gam_db.Alarms("1 per 1000 judgements")
+
+
+@dataclass
+class Plant:
+    """One channel of a calm calibration and then windows of so many novel vectors, in DuckDB."""
+
+    session: Any
+    counts: list[int] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        values = [0.0, 1.0, 1.0, 0.0] * 8
+        rows: list[Row] = [("a", "x", time, value) for time, value in enumerate(values)]
+        self.table = scripts.telemetry(self.session, rows)
+        self.monitor = Monitor(
+            *(self.session, gam_db.Source(self.table.name), PARAMETERS, CALIBRATION, ALARMS)
+        )
+        self.monitor.migrate()
+        self.monitor.calibrate()
+
+    def score(self, *counts: int, **options: Any) -> None:
+        start = (8 + len(self.counts)) * W
+        self.counts += counts
+        values = [9.0 if i < count else 1.0 for count in counts for i in range(W)]
+        rows: list[Row] = [("a", "x", start + i, value) for i, value in enumerate(values)]
+        scripts.arrive(self.session, self.table, rows)
+        self.monitor.score(**options)
+
+    def told(self) -> list[tuple[int, str]]:
+        changes = alarms.events(self.monitor.state, "default").to_pylist()
+        return [(row["episode_id"], row["what"]) for row in changes]
+
+    def now(self) -> list[tuple[int, str, bool]]:
+        rows = self.monitor.alarms().to_pylist()
+        return [(row["episode"], row["status"], row["needs_attention"]) for row in rows]
+
+
+@pytest.fixture
+def plant() -> Iterator[Plant]:
+    with DuckSession() as session:
+        yield Plant(session)
+
+
+def test_an_episode_opens_ends_and_opens_again_under_its_number(plant: Plant) -> None:
+    plant.score(0, 4, 4)
+    assert plant.told() == []
+    plant.score(4)
+    assert plant.told() == [(1, "opened")]
+    assert plant.now() == [(1, "proving", True)]
+    plant.score(4)
+    assert plant.told() == [(1, "opened")], "that it goes on is no news"
+    plant.score(0, 0, 0)
+    plant.score(*[0] * 6, 4, 4, 4)
+    assert plant.told() == [(1, "opened"), (1, "ended"), (1, "reopened")]
+    plant.score(*[0] * 14)
+    plant.score(4, 4, 4)
+    assert plant.told()[3:] == [(1, "ended"), (2, "opened")]
+    assert plant.now() == [(1, "proving", True), (2, "open", True)]
+
+
+def test_what_late_rows_take_back_is_withdrawn_and_what_they_join_is_merged(plant: Plant) -> None:
+    plant.score(4, 4, 4, *[0] * 16, 4, 4, 4)
+    assert plant.now() == [(1, "proving", True), (2, "open", True)]
+    first, windows = 8 * W + 3 * W, 13  # between them
+    late: list[Row] = [("a", "x", first + i, 9.0) for i in range(windows * W)]
+    plant.session.execute(delete(plant.table, first, first + windows * W - 1))
+    scripts.arrive(plant.session, plant.table, late)
+    plant.monitor.score(since=first)
+    assert plant.told()[-2:] == [(1, "reopened"), (2, "merged")]
+    plant.session.execute(delete(plant.table, 8 * W, 10**6))
+    calm: list[Row] = [("a", "x", 8 * W + i, 1.0) for i in range(len(plant.counts) * W)]
+    scripts.arrive(plant.session, plant.table, calm)
+    plant.monitor.score(full=True)
+    assert {what for _, what in plant.told()} >= {"opened", "withdrawn"}
+    assert [status for _, status, _ in plant.now() if status not in ("merged", "withdrawn")] == []
+    plant.score(4, 4, 4)
+    assert plant.told()[-1] == (3, "opened"), "a number is not given again"
+
+
+def delete(table: exp.Table, start: int, end: int) -> exp.Delete:
+    inside = exp.column("time").between(exp.Literal.number(start), exp.Literal.number(end))
+    return exp.Delete(this=table.copy(), where=exp.Where(this=inside))
+
+
+def test_a_new_version_ends_what_it_does_not_find(plant: Plant) -> None:
+    plant.score(4, 4, 4, 4)
+    plant.monitor.calibration = gam_db.Calibration(intervals=[(0, 12 * W - 1)])
+    plant.monitor.calibrate()
+    plant.score(0)
+    assert plant.told() == [(1, "opened"), (1, "recalibrated")]
+    assert plant.now() == [(1, "recalibrated", False)]
+
+
+def test_labels_decide_and_pause(plant: Plant) -> None:
+    plant.score(*[0] * 9, 4, 4, 4)
+    label = plant.monitor.label
+    assert label("acknowledged", 1) == [1]
+    assert plant.now() == [(1, "open", False)]
+    label("snoozed", 1, until=dt.datetime(2020, 1, 1))
+    assert plant.now() == [(1, "open", True)], "that snooze is over"
+    assert label("true_fault", asset="a", span=(0, 10**6), note="gear") == [1]
+    assert plant.now() == [(1, "open", True)]
+    with pytest.raises(ParameterError, match="is labelled true_fault already, which false_alarm contra"):
+        label("false_alarm", 1)
+    label("false_alarm", 1, instead=True)
+    assert plant.now() == [(1, "open", False)]
+    assert plant.told() == [(1, "opened"), *[(1, "labelled")] * 4]
+    plant.score(4)
+    assert plant.monitor.limits()["reason"].to_pylist() == [None], "it opened after proving"
+
+
+def test_a_false_alarm_in_proving_ends_judging_until_calibrated_again(plant: Plant) -> None:
+    plant.score(4, 4, 4)
+    plant.monitor.label("false_alarm", 1)
+    assert plant.told() == [(1, "opened"), (1, "labelled"), (1, "ended")]
+    assert plant.monitor.limits()["reason"].to_pylist() == ["unrepresentative"]
+    plant.score(4, 4, 4)
+    assert len(visible(plant.monitor, JUDGEMENTS)) == 3
+    assert plant.told()[-1] == (1, "ended")
+    plant.monitor.calibrate(again=True)
+    plant.score(4)
+    assert plant.monitor.limits()["reason"].to_pylist() == [None]
+    assert plant.now() == [(1, "open", False)], "found again under its number, with its label"
+
+
+def test_limits_that_are_made_again_are_for_judgements_to_come(plant: Plant) -> None:
+    plant.score(4, 4)
+    before = visible(plant.monitor, JUDGEMENTS)
+    plant.monitor.asked = gam_db.Alarms("5 per 1000 judgements")
+    (limit,) = plant.monitor.limits(again=True, reason="stricter").to_pylist()
+    assert (limit["limit_no"], limit["from_judgement"], limit["cause"]) == (2, 2, "stricter")
+    plant.score(4, 0)
+    assert visible(plant.monitor, JUDGEMENTS)[:2] == before
+    found = visible(plant.monitor, JUDGEMENTS)
+    # Height 1.5 x 500 now, so a window adds 375 at most; evidence begins anew.
+    assert [row["evidence"] for row in found] == [979, 1958, 375, 0]
+    plant.monitor.score(full=True)
+    assert visible(plant.monitor, JUDGEMENTS) == found, "each judgement by its own limit"
+
+
+@pytest.mark.parametrize(
+    ("said", "message"),
+    [
+        ({"kind": "broken", "episode": 1}, "A label is one of true_fault, false_alarm"),
+        ({"kind": "true_fault", "episode": 7}, "There is no episode 7; the newest is 1"),
+        ({"kind": "true_fault"}, "A label is about an episode, or about an asset"),
+        ({"kind": "true_fault", "asset": "b", "span": (0, 9)}, "There is no asset 'b' in the monitor"),
+        ({"kind": "maintenance", "asset": "a", "span": (9, 0)}, "ends at 0, before it begins at 9"),
+        ({"kind": "snoozed", "episode": 1}, "A snooze needs an end"),
+        (
+            {"kind": "true_fault", "episode": 1, "until": dt.datetime(2030, 1, 1)},
+            "true_fault has no end",
+        ),
+    ],
+)
+def test_a_label_that_means_nothing_is_refused(plant: Plant, said: dict[str, Any], message: str) -> None:
+    plant.score(4, 4, 4)
+    with pytest.raises(ParameterError, match=message):
+        plant.monitor.label(**said)
+    assert plant.told() == [(1, "opened")]
+
+
+def test_a_rate_in_days_is_refused_before_anything_is_written(plant: Plant) -> None:
+    plant.monitor.asked = gam_db.Alarms("1 per month")
+    with pytest.raises(ParameterError, match="the source counts time in integers"):
+        plant.monitor.calibrate(again=True)
+    assert len(visible(plant.monitor, "SELECT * FROM gam_version")) == 1

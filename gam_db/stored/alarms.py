@@ -1,0 +1,313 @@
+"""Alarms for people: which episodes there are, what was said of them, and what follows from that.
+
+This module owns which episode needs attention, and what a label may be.
+"""
+
+import datetime as dt
+from collections.abc import Sequence
+from typing import Any
+
+import pyarrow as pa
+
+from gam_db import template
+from gam_db.clock import Instant, TimeKind, instant, shown_instant
+from gam_db.errors import ParameterError, nearest
+from gam_db.method.adding import add
+from gam_db.pipeline import Pipeline
+from gam_db.stored.episodes import Log, records_of
+from gam_db.stored.limits import keep
+from gam_db.stored.state import State, kind_of, now
+
+Row = dict[str, Any]
+
+#: What an episode can be, and what puts it aside for a while.
+DECISIONS = ("true_fault", "false_alarm", "maintenance", "new_program")
+PAUSES = ("acknowledged", "snoozed")
+KINDS = (*DECISIONS, *PAUSES)
+
+#: Why there is no limit any more after a false alarm right after calibration.
+UNREPRESENTATIVE = "unrepresentative"
+
+
+def alarms(state: State, name: str) -> pa.Table:
+    """Return the episodes of a monitor, those that need attention first.
+
+    Returns:
+        One row per episode: episode, asset, channel, status (proving: it opened right after calibration
+        and asks for a decision; open, ended, merged, withdrawn, recalibrated), needs_attention, since
+        (when evidence left 0), opened, last_time, sure (highest evidence / height), basis, stated_rate
+        (per judgement; NULL where none can be stated), asked, signals_open (of the machine), label,
+        label_until (UTC), note, merged_into, onset, first_judgement, last_judgement, evidence, height,
+        seq. Times are as in the source.
+
+    Raises:
+        ConfigurationError: there is no such monitor.
+    """
+    kind = kind_of(state.monitor(name))
+    rows = state.fetch("stored/alarm_rows", {"monitor": template.text(name)}).to_pylist()
+    this = now()
+    for row in rows:
+        row["needs_attention"] = _asks(row, this)
+        if row["is_proving"] and row["status"] in ("open", "ended") and row["label"] not in DECISIONS:
+            row["status"] = "proving"
+    order = {"proving": 0, "open": 1}
+    rows.sort(key=lambda row: (not row["needs_attention"], order.get(row["status"], 2)))
+    return _table(rows, kind)
+
+
+def _asks(row: Row, this: int) -> bool:
+    """Tell whether somebody should look at an episode."""
+    if row["status"] not in ("open", "ended"):
+        return False
+    if row["label"] in PAUSES and (row["label_until"] is None or row["label_until"] > this):
+        return False
+    if row["label"] in DECISIONS:
+        return bool(row["label"] == "true_fault" and row["status"] == "open")
+    return bool(row["status"] == "open" or row["is_proving"])
+
+
+def judgements(state: State, episode: Row) -> list[Row]:
+    """Return the judgements of an episode (a row of :func:`alarms`), from its onset to its last one."""
+    slots: dict[str, template.Slot] = {
+        "version_id": episode["version_id"],
+        "first": episode["onset"],
+        "last": episode["last_judgement"],
+    }
+    rows: list[Row] = state.fetch("stored/raised_judgements", slots).to_pylist()
+    return rows
+
+
+def events(state: State, name: str, after: int = 0) -> pa.Table:
+    """Return the changes of a monitor's episodes after one that is known, in order.
+
+    Returns:
+        One row per change: seq, episode_id, what, noticed_at (UTC), asset, channel, status, is_proving.
+    """
+    state.monitor(name)
+    return state.fetch("stored/event_rows", {"monitor": template.text(name), "after": after})
+
+
+def limits(state: State, name: str) -> list[Row]:
+    """Return by what each channel of a monitor is judged now, or why it is not."""
+    steps = Pipeline()
+    add(steps, "stored/active", {"monitor_id": state.monitor(name)["monitor_id"]})
+    add(steps, "stored/limit_rows")
+    query = steps.query("limit_rows", state.tables.placed())
+    rows: list[Row] = state.session.fetch(query).to_pylist()
+    return rows
+
+
+def label(
+    state: State,
+    name: str,
+    kind: str,
+    episode: int | None = None,
+    asset: str | None = None,
+    span: tuple[Instant, Instant] | None = None,
+    note: str | None = None,
+    until: dt.datetime | None = None,
+    instead: bool = False,
+) -> list[int]:
+    """Keep what somebody said of an episode, or of a machine in an interval of time.
+
+    Args:
+        state: the state tables, in a session that can write.
+        name: of the monitor.
+        kind: one of :data:`KINDS`.
+        episode: its number; else asset and span.
+        asset: the machine.
+        span: first and last instant.
+        note: what else was said.
+        until: when an acknowledgement, or a snooze, ends; with a time zone, else UTC.
+        instead: let it replace another decision.
+
+    Returns:
+        The numbers of the episodes that it is about.
+
+    Raises:
+        ParameterError: it is about nothing, or contradicts what was said before.
+    """
+    monitor = state.monitor(name)
+    monitor_id, time = monitor["monitor_id"], kind_of(monitor)
+    _check_kind(kind, until)
+    ends = None if span is None else _ticks(span, time)
+    with state.session.transaction():
+        if state.session.transactions:
+            state.lock(monitor_id)
+        records = records_of(state, monitor_id)
+        channels = {
+            row["channel_id"]: row
+            for row in state.fetch("stored/known_channels", {"monitor_id": monitor_id}).to_pylist()
+        }
+        if episode is not None:
+            about = [_episode(episode, records)]
+            asset = channels[about[0]["channel_id"]]["asset"]
+            ends = about[0]["first_time"], about[0]["last_time"]
+        elif asset is None or ends is None:
+            raise ParameterError("A label is about an episode, or about an asset in a time from and to.")
+        else:
+            machines = sorted({row["asset"] for row in channels.values()})
+            if asset not in machines:
+                raise ParameterError(
+                    f"There is no asset {asset!r} in the monitor {name!r}{nearest(asset, machines)}"
+                )
+            about = [
+                row
+                for row in records
+                if row["status"] not in ("merged", "withdrawn")
+                and channels[row["channel_id"]]["asset"] == asset
+                and row["first_time"] <= ends[1]
+                and ends[0] <= row["last_time"]
+            ]
+        given = state.fetch("stored/labels", {"monitor_id": monitor_id}).to_pylist()
+        if kind in DECISIONS and not instead:
+            _check_agrees(kind, about, asset, given, channels)
+        row = {
+            **{
+                "monitor_id": monitor_id,
+                "label_id": 1 + max((one["label_id"] for one in given), default=0),
+            },
+            **{"episode_id": episode, "asset": asset, "time_from": ends[0], "time_to": ends[1]},
+            **{"kind": kind, "note": note, "until": _micros(until), "created": now()},
+        }
+        state.append_rows("label", pa.Table.from_pylist([row], schema=_LABEL))
+        log = Log(monitor_id, records)
+        off = {one["version_id"] for one in about if kind == "false_alarm" and one["is_proving"]}
+        for one in about:
+            log.add("labelled", one)
+            if one["version_id"] in off and one["status"] == "open":
+                log.add("ended", one, status="ended")
+        log.keep(state)
+        _switch_off(state, name, off)
+    return [one["episode_id"] for one in about]
+
+
+def _check_kind(kind: str, until: dt.datetime | None) -> None:
+    if kind not in KINDS:
+        raise ParameterError(f"A label is one of {', '.join(KINDS)}, not {kind!r}{nearest(kind, KINDS)}")
+    if kind == "snoozed" and until is None:
+        raise ParameterError("A snooze needs an end; say until when.")
+    if kind in DECISIONS and until is not None:
+        raise ParameterError(f"{kind} has no end; leave out until, or say acknowledged or snoozed.")
+
+
+def _ticks(span: tuple[Instant, Instant], kind: TimeKind) -> tuple[int, int]:
+    start, end = (instant(one, kind, "label") for one in span)
+    if end < start:
+        raise ParameterError(
+            f"The label ends at {shown_instant(end, kind)}, before it begins at "
+            f"{shown_instant(start, kind)}."
+        )
+    return start, end
+
+
+def _micros(until: dt.datetime | None) -> int | None:
+    if until is None:
+        return None
+    aware = until if until.tzinfo else until.replace(tzinfo=dt.UTC)
+    return (aware - dt.datetime(1970, 1, 1, tzinfo=dt.UTC)) // dt.timedelta(microseconds=1)
+
+
+def _episode(number: int, records: Sequence[Row]) -> Row:
+    row = next((row for row in records if row["episode_id"] == number), None)
+    if row is None:
+        newest = max((row["episode_id"] for row in records), default=None)
+        last = "there is none yet" if newest is None else f"the newest is {newest}"
+        raise ParameterError(f"There is no episode {number}; {last}.")
+    if row["status"] == "merged":
+        raise ParameterError(
+            f"Episode {number} is a part of episode {row['merged_into']} now; label that one."
+        )
+    if row["status"] == "withdrawn":
+        raise ParameterError(
+            f"Episode {number} was withdrawn: data that came later took it back, so there is nothing "
+            "to label."
+        )
+    return row
+
+
+def _check_agrees(
+    kind: str, about: Sequence[Row], asset: str, given: Sequence[Row], channels: dict[int, Row]
+) -> None:
+    """Refuse a decision where another one was made of the same episode."""
+    for row in about:
+        for said in reversed(given):
+            of_it = said["episode_id"] == row["episode_id"]
+            beside = (
+                said["episode_id"] is None
+                and said["asset"] == asset
+                and said["time_from"] <= row["last_time"]
+                and row["first_time"] <= said["time_to"]
+            )
+            if said["kind"] in DECISIONS and (of_it or beside):
+                if said["kind"] != kind:
+                    raise ParameterError(
+                        f"Episode {row['episode_id']} is labelled {said['kind']} already, which {kind} "
+                        "contradicts; if that was wrong, say --instead."
+                    )
+                break
+
+
+def _switch_off(state: State, name: str, versions: set[int]) -> None:
+    """Let channels be judged no more until they are calibrated again."""
+    made = []
+    for row in limits(state, name) if versions else ():
+        if row["version_id"] in versions and row["reason"] is None:
+            gone = dict.fromkeys(("centre", "spread", "reference", "height", "cap", "quarters", "basis"))
+            begin = state.fetch("stored/next_judgement", {"version_id": row["version_id"]})
+            made.append(
+                {
+                    **{**row, **gone, "rate": None, "stated_rate": None, "reason": UNREPRESENTATIVE},
+                    **{"limit_no": row["limit_no"] + 1, "created": now(), "cause": "false_alarm"},
+                    "from_judgement": begin["next_no"][0].as_py() or 0,
+                }
+            )
+    if made:
+        keep(state, made)
+
+
+def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
+    time = pa.int64()
+    if not kind.is_counter:
+        time = pa.timestamp("us", "UTC" if kind.has_zone else None)
+
+    def column(name: str, of: pa.DataType) -> pa.Array:
+        return pa.array([row[name] for row in rows], of)
+
+    count, word = pa.int64(), pa.string()
+    return pa.table(
+        {
+            "episode": column("episode_id", count),
+            **{name: column(name, word) for name in ("asset", "channel", "status")},
+            "needs_attention": column("needs_attention", pa.bool_()),
+            "since": column("since_tick", count).cast(time),
+            "opened": column("first_tick", count).cast(time),
+            "last_time": column("last_tick", count).cast(time),
+            "sure": pa.array([row["evidence"] / row["height"] for row in rows], pa.float64()),
+            "basis": column("basis", word),
+            "stated_rate": column("stated_rate", pa.float64()),
+            "asked": column("asked", word),
+            "signals_open": column("signals_open", count),
+            "label": column("label", word),
+            "label_until": column("label_until", count).cast(pa.timestamp("us")),
+            "note": column("note", word),
+            **{
+                name: column(name, count)
+                for name in (
+                    *("merged_into", "onset", "first_judgement", "last_judgement"),
+                    *("evidence", "height", "seq", "channel_id", "version_id"),
+                )
+            },
+        }
+    )
+
+
+_LABEL = pa.schema(
+    [
+        *((name, pa.int64()) for name in ("monitor_id", "label_id", "episode_id")),
+        ("asset", pa.string()),
+        *((name, pa.int64()) for name in ("time_from", "time_to")),
+        *((name, pa.string()) for name in ("kind", "note")),
+        *((name, pa.int64()) for name in ("until", "created")),
+    ]
+)
