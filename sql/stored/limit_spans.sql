@@ -1,4 +1,5 @@
--- Limit spans: which limit is for which judgements: the newest that begins at or before one.
+-- Limit spans: which limit is for which judgements: the newest that begins at or before one. The CASE lets an empty
+-- frame be NULL on ClickHouse, too, where the MIN of a column without NULLs is 0.
 -- Reads:  judged_until, stored_limit
 -- A row:  one limit of one version, for from_judgement up to, not with, until_judgement.
 SELECT
@@ -17,7 +18,7 @@ FROM (
     part.channel_id AS channel_id,
     made.limit_no AS limit_no,
     made.from_judgement AS from_judgement,
-    MIN(made.from_judgement) OVER (
+    MIN(CASE WHEN made.limit_no >= 0 THEN made.from_judgement END) OVER (
       PARTITION BY made.version_id
       ORDER BY made.limit_no DESC
       ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING
