@@ -30,7 +30,7 @@ FROM (
       judgement_no,
       CASE WHEN last_zero IS NULL THEN 0 ELSE last_zero + 1 END AS begins,
       CASE
-        WHEN judgement_no - LAG(judgement_no, 1) OVER (
+        WHEN judgement_no - LAG(CASE WHEN judgement_no >= 0 THEN judgement_no END, 1) OVER (
           PARTITION BY channel_id, limit_no ORDER BY judgement_no
         ) <= 10 THEN 0
         ELSE 1

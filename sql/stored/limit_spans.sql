@@ -1,4 +1,5 @@
--- Limit spans: which limit is for which judgements: the newest that begins at or before one.
+-- Limit spans: which limit is for which judgements: the newest that begins at or before one. The CASE lets an empty
+-- frame be NULL on ClickHouse, too, where the MIN of a column without NULLs is 0.
 -- Reads:  judged_until, stored_limit
 -- A row:  one limit of one version, for from_judgement up to, not with, until_judgement.
 SELECT
