@@ -759,6 +759,7 @@ def test_every_file_is_used() -> None:
         for made in (*cached, matching_steps, first_rows):
             made.cache_clear()
         scoring_steps(Setting(3, 1, 100, 5000, 100, None, False), TimeKind.COUNTER, trusting=True)
+        scoring_steps(Setting(3, 1, 100, 5000, 100, None, False, 25), TimeKind.COUNTER)
         watch_once()
         alarm_once()
         stream_once()

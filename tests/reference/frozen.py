@@ -62,24 +62,25 @@ def buckets(
     answer = []
     for channel, pool in channels(first, final, parameters, calibration):
         stride, window = pool.settings.stride, pool.settings.window
-        span = (pool.settings.m - 1) * pool.settings.tau
+        span, after = (pool.settings.m - 1) * pool.settings.tau, pool.settings.still_after
+        reach = span - 1 if after is None else span + after - 2
+        still = [t for t, stands in zip(channel.times, stands_still(channel), strict=True) if stands]
         scored = list(reference.health(channel, pool))
-        start = channel.score_from
-        if start is None:
-            start = -(2**62) if channel.end is None else channel.end + 1
-        ends = [start - 1]
+        ends = [scored_from(channel) - 1]
         for bucket in range(len(scored) // stride):
             inside = scored[bucket * stride : (bucket + 1) * stride]
             newest = channel.times.index(inside[-1]["time"])
             recent = [row["novel"] for row in scored[: (bucket + 1) * stride]][-window:]
+            stood = sum(ends[-1] < t <= inside[-1]["time"] for t in still)
             row = {
                 "asset": channel.asset,
                 "channel": channel.name,
                 "bucket": bucket,
                 "first_time": inside[0]["time"],
                 "last_time": inside[-1]["time"],
-                "context_time": channel.times[newest - max(span - 1, 0)],
+                "context_time": -(2**62) if reach > newest else channel.times[newest - max(reach, 0)],
                 "samples": sum(ends[-1] < t <= inside[-1]["time"] for t in channel.times),
+                "still": None if after is None else stood,
                 "novel": sum(row["novel"] for row in inside),
                 "out_of_range": sum(row["out_of_range"] for row in inside),
                 "novel_in_window": sum(recent) if len(recent) == window else None,
@@ -87,6 +88,32 @@ def buckets(
             ends.append(inside[-1]["time"])
             answer.append(row)
     return answer
+
+
+def scored_from(channel: Channel) -> int:
+    """Return the instant from which on a channel is scored."""
+    if channel.score_from is not None:
+        return channel.score_from
+    return -(2**62) if channel.end is None else channel.end + 1
+
+
+def stands_still(channel: Channel) -> list[bool]:
+    """Tell of each sample whether it stands still: it is there, and no vector may contain it."""
+    usable = reference.usable(channel, reference.segments(channel))
+    return [value is not None and not used for value, used in zip(channel.values, usable, strict=True)]
+
+
+def still_since(
+    first: list[Row], final: list[Row], parameters: Any, calibration: Any
+) -> dict[tuple[str, str], int | None]:
+    """Return since when each channel stands still, of what is scored; None where it moves."""
+    found = {}
+    for channel, _ in channels(first, final, parameters, calibration):
+        stands = stands_still(channel)
+        moved = max((i for i, still in enumerate(stands) if not still), default=-1)
+        since = (t for t in channel.times[moved + 1 :] if t >= scored_from(channel))
+        found[channel.asset, channel.name] = next(since, None)
+    return found
 
 
 def novel_cells(

@@ -12,15 +12,27 @@ from gam_db.stored.monitor import Monitor
 from strategies import Row
 
 BUCKETS = """
-    SELECT asset, channel, bucket_no AS bucket, first_time, last_time, context_time, samples, novel,
-        out_of_range, novel_in_window
-    FROM gam_visible_bucket JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+    SELECT asset, channel, bucket_no AS bucket, first_time, last_time, context_time, samples, still,
+        novel, out_of_range, novel_in_window
+    FROM gam_visible_bucket
+    JOIN (SELECT version_id, bucket_no, run_id, still FROM gam_bucket) AS written
+        USING (version_id, bucket_no, run_id)
+    JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
     ORDER BY asset, channel, bucket_no
 """
 NOVEL = """
     SELECT asset, channel, bucket_no AS bucket, cell_key, visits, first_time, last_time
     FROM gam_visible_novel JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
     ORDER BY asset, channel, bucket_no, cell_key
+"""
+STANDING = """
+    SELECT asset, channel, still_since
+    FROM (
+        SELECT version_id, MAX(run_id) AS run_id FROM gam_finished_run
+        WHERE settled_bucket IS NOT NULL GROUP BY version_id
+    ) AS newest JOIN gam_run USING (version_id, run_id)
+    JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+    ORDER BY asset, channel
 """
 
 
