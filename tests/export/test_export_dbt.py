@@ -89,10 +89,7 @@ def test_any_history_of_builds_equals_a_full_refresh(kind: str, seed: int) -> No
             if batch.runs:
                 builder.build()
         found = builder.rows(BUCKETS)
-        expected = frozen.buckets(told.first, told.final, parameters, rule)
-        for row in expected:
-            del row["still"]  # a package counts only what it needs
-        harness.assert_same(expected, found, "buckets")
+        harness.assert_same(frozen.buckets(told.first, told.final, parameters, rule), found, "buckets")
         comparisons.compared("duckdb", "dbt", told.final, parameters, rule, told.first)
         builder.build(full_refresh=True)
         harness.assert_same(builder.rows(BUCKETS), found, "a full refresh")

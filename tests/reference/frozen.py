@@ -64,14 +64,12 @@ def buckets(
         stride, window = pool.settings.stride, pool.settings.window
         span, after = (pool.settings.m - 1) * pool.settings.tau, pool.settings.still_after
         reach = span - 1 if after is None else span + after - 2
-        still = [t for t, stands in zip(channel.times, stands_still(channel), strict=True) if stands]
         scored = list(reference.health(channel, pool))
         ends = [scored_from(channel) - 1]
         for bucket in range(len(scored) // stride):
             inside = scored[bucket * stride : (bucket + 1) * stride]
             newest = channel.times.index(inside[-1]["time"])
             recent = [row["novel"] for row in scored[: (bucket + 1) * stride]][-window:]
-            stood = sum(ends[-1] < t <= inside[-1]["time"] for t in still)
             row = {
                 "asset": channel.asset,
                 "channel": channel.name,
@@ -80,7 +78,6 @@ def buckets(
                 "last_time": inside[-1]["time"],
                 "context_time": -(2**62) if reach > newest else channel.times[newest - max(reach, 0)],
                 "samples": sum(ends[-1] < t <= inside[-1]["time"] for t in channel.times),
-                "still": None if after is None else stood,
                 "novel": sum(row["novel"] for row in inside),
                 "out_of_range": sum(row["out_of_range"] for row in inside),
                 "novel_in_window": sum(recent) if len(recent) == window else None,
@@ -101,6 +98,28 @@ def stands_still(channel: Channel) -> list[bool]:
     """Tell of each sample whether it stands still: it is there, and no vector may contain it."""
     usable = reference.usable(channel, reference.segments(channel))
     return [value is not None and not used for value, used in zip(channel.values, usable, strict=True)]
+
+
+def still_counts(
+    first: list[Row], final: list[Row], parameters: Any, calibration: Any
+) -> list[dict[str, Any]]:
+    """Return the column ``still`` of ``gam_bucket``, in order."""
+    stands: dict[tuple[str, str], tuple[int, list[int] | None]] = {
+        (channel.asset, channel.name): (
+            scored_from(channel) - 1,
+            [t for t, still in zip(channel.times, stands_still(channel), strict=True) if still],
+        )
+        for channel, pool in channels(first, final, parameters, calibration)
+        if pool.settings.still_after is not None
+    }
+    answer: list[dict[str, Any]] = []
+    for row in buckets(first, final, parameters, calibration):
+        name = {key: row[key] for key in ("asset", "channel", "bucket")}
+        end, still = stands.get((row["asset"], row["channel"]), (0, None))
+        count = None if still is None else sum(end < t <= row["last_time"] for t in still)
+        stands[row["asset"], row["channel"]] = (row["last_time"], still)
+        answer.append({**name, "still": count})
+    return answer
 
 
 def still_since(

@@ -12,18 +12,22 @@ from gam_db.stored.monitor import Monitor
 from strategies import Row
 
 BUCKETS = """
-    SELECT asset, channel, bucket_no AS bucket, first_time, last_time, context_time, samples, still,
-        novel, out_of_range, novel_in_window
-    FROM gam_visible_bucket
-    JOIN (SELECT version_id, bucket_no, run_id, still FROM gam_bucket) AS written
-        USING (version_id, bucket_no, run_id)
-    JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+    SELECT asset, channel, bucket_no AS bucket, first_time, last_time, context_time, samples, novel,
+        out_of_range, novel_in_window
+    FROM gam_visible_bucket JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
     ORDER BY asset, channel, bucket_no
 """
 NOVEL = """
     SELECT asset, channel, bucket_no AS bucket, cell_key, visits, first_time, last_time
     FROM gam_visible_novel JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
     ORDER BY asset, channel, bucket_no, cell_key
+"""
+STILL = """
+    SELECT asset, channel, bucket_no AS bucket, still
+    FROM (SELECT version_id, bucket_no, run_id FROM gam_visible_bucket) AS seen
+    JOIN gam_bucket USING (version_id, bucket_no, run_id)
+    JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+    ORDER BY asset, channel, bucket_no
 """
 STANDING = """
     SELECT asset, channel, still_since
