@@ -40,7 +40,7 @@ _COUNTING = (
 )
 
 #: What the status is made of.
-_STATUS = ("migration", "monitor", "proof", "visible_bucket", "fleet")
+_STATUS = ("migration", "monitor", "proof", "visible_bucket", "fleet", "stillness")
 
 #: The views that are for whoever reads on.
 _SHOWN = (

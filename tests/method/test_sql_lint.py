@@ -523,7 +523,7 @@ def steps(
     method = Method(parameters, calibration, TimeKind.COUNTER)
     rows = readings(source, exp.to_table("telemetry"), lambda node: node)
     made = pipeline(method, rows, lambda node: node)
-    add_look(made, lambda node: node)
+    add_look(made, method, lambda node: node)
     return [(step.name, step.query) for step in made.steps.values()]
 
 
