@@ -207,6 +207,11 @@ class Parameters:
         return (self.m - 1) * self.tau
 
     @property
+    def reach(self) -> int:
+        """The samples before a vector's newest one that decide what it is: its own, and stillness."""
+        return self.span + (0 if self.still_after is None else self.still_after - 1)
+
+    @property
     def bucket_length(self) -> int:
         """The stride, resolved."""
         return math.gcd(self.window, LONGEST_STRIDE) if self.stride is None else self.stride

@@ -13,7 +13,8 @@ _COLUMNS = {
     _SHARE: "hi floor floor_sd floor_max good_turing healthy_hi learned_floor hi_limit",
     _VECTORS: "novel_in_window vectors_in_window novel out_of_range calibration_vectors missing_vectors "
     "vectors vectors_needed learned_vectors window",
-    _SAMPLES: "samples calibration_samples missing longest_still cycle_length",
+    _SAMPLES: "samples calibration_samples missing longest_still cycle_length "
+    "still_after calibration_still longest_run",
     "cells": "cells learned_cells",
     "rows": "readings without_time repeated",
     "instants": "conflicts",

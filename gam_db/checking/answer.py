@@ -42,9 +42,12 @@ def check(
         (samples of one value in a row); values_seen and quantum (distinct values, and their smallest
         difference, among at most 20,480 samples); cycle_length (samples) and cycle_strength (its
         autocorrelation), NULL where no cycle was found in the first 163,840 samples;
-        calibration_samples, calibration_lowest, calibration_highest; notes (what is to be known of the
-        channel and of the source as a whole, in sentences, what must be fixed first). What a row lacks
-        is NULL. Units stand in the metadata of its schema (:mod:`gam_db.units`).
+        calibration_samples, calibration_lowest, calibration_highest; still_after (as it is
+        set, else as it would be proposed), calibration_still (samples of calibration that count as
+        still by it), still_runs, longest_run (of these, and the samples of the longest); notes
+        (what is to be known of the channel and of the source as a whole, in sentences, what must be
+        fixed first). What a row lacks is NULL. Units stand in the metadata of its schema
+        (:mod:`gam_db.units`).
 
     Raises:
         UserError: the source, a parameter or the calibration cannot be used at all.

@@ -65,7 +65,7 @@ def look_at(
 ) -> Look:
     """Look at a source; arguments and errors as in :class:`~gam_db.study.Study`."""
     study = Study(session, source, parameters.finest(), calibration, on_step, strict=False)
-    add_look(study.steps, study.instant_of)
+    add_look(study.steps, study.method, study.instant_of)
     summary = study.table(SUMMARY)
     table = summary.drop_columns(["settings_no"])
     rows = summary.drop_columns(["first_time", "last_time"]).to_pylist()

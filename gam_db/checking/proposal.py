@@ -1,4 +1,4 @@
-"""What to set: max_gap and the window, each with its reason.
+"""What to set: max_gap, the window and still_after, each with its reason.
 
 Only what follows from the look is proposed. The embedding and the grid do not: the certificate judges
 them.
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from gam_db.checking.look import Look, Row
 from gam_db.checking.sampling import is_irregular
 from gam_db.checking.steps import PAUSE
-from gam_db.checking.words import roundest, setting, spoken
+from gam_db.checking.words import percent, roundest, setting, spoken
 from gam_db.clock import TimeKind
 from gam_db.parameters import Parameters
 
@@ -21,6 +21,8 @@ CYCLES = 5
 BLOCKS = 8
 """Calibration is at least so many windows long, or the certificate has to take shorter blocks."""
 _SHORTEST_WINDOW = 10
+MOST_STILL = 0.1
+"""Share of calibration from which on still samples are not proposed to count as missing."""
 
 
 @dataclass(frozen=True)
@@ -39,6 +41,14 @@ class Gap:
 
 
 @dataclass(frozen=True)
+class Still:
+    """A still_after, in samples, and why this one, in plain words."""
+
+    value: int
+    reason: str
+
+
+@dataclass(frozen=True)
 class Proposal:
     """What to set.
 
@@ -47,12 +57,16 @@ class Proposal:
         gaps: channel -> max_gap, where one length does not suit all.
         window: W, in vectors.
         window_reason: why.
+        still: None where no channel stood still in calibration, or where not all of them can take it.
+        stills: channel -> still_after, where not all can.
     """
 
     max_gap: Gap | None
     gaps: dict[str, Gap]
     window: int
     window_reason: str
+    still: Still | None
+    stills: dict[str, Still]
 
 
 def propose(look: Look) -> Proposal:
@@ -66,7 +80,28 @@ def propose(look: Look) -> Proposal:
             if own is not None:
                 gaps[channel] = own
     window, reason = _window(look)
-    return Proposal(one, gaps, window, reason)
+    still = _still(look.channels)
+    stills: dict[str, Still] = {}
+    if still is None:
+        for channel in dict.fromkeys(row["channel"] for row in look.channels):
+            its = _still([row for row in look.channels if row["channel"] == channel])
+            if its is not None:
+                stills[channel] = its
+    return Proposal(one, gaps, window, reason, still, stills)
+
+
+def _still(rows: Sequence[Row]) -> Still | None:
+    """Return from where on these channels stand still, if some did in calibration, and none for long."""
+    shares = [row["calibration_still"] / max(row["calibration_samples"], 1) for row in rows]
+    if not any(shares) or max(shares) >= MOST_STILL:
+        return None
+    standing = [row for row in rows if row["calibration_still"]]
+    runs = sum(row["still_runs"] for row in standing)
+    reason = (
+        f"{percent(max(shares))} of calibration at most stood still, in {runs:,} "
+        f"run{'s' * (runs != 1)} of at most {max(row['longest_run'] for row in standing):,} samples"
+    )
+    return Still(max(row["still_after"] for row in standing), reason)
 
 
 def _gap(rows: Sequence[Row], kind: TimeKind) -> Gap | None:

@@ -3,8 +3,12 @@
 This module owns the bounds of the work. The formulas are in ``sql/check``.
 """
 
+from collections.abc import Sequence
+
 from sqlglot import exp
 
+from gam_db import template
+from gam_db.method import Method
 from gam_db.method.adding import add, add_stacked
 from gam_db.pipeline import Pipeline, filled
 from gam_db.source import TimeNode
@@ -27,19 +31,25 @@ LONGEST_SAMPLE = 4 * _BLOCKS * SCALES[-1]
 VALUES_LOOKED_AT = LONGEST_SAMPLE // 8
 """Samples of a channel in which distinct values are counted."""
 
+LEAST_STILL = 25
+"""Equal samples in a row at least from which on a signal is proposed to count as still."""
+STILL_LASTING = 5_000_000
+"""Microseconds that these last at least."""
+
 _SMALL = frozenset(
     (
         *("step_counts", "pauses", "movements", "longest_stills"),
-        *("quanta", "block_sums", "correlations", "cycles"),
+        *("quanta", "block_sums", "correlations", "cycles", "stood"),
     )
 )
 
 
-def add_look(steps: Pipeline, instant_of: TimeNode) -> None:
+def add_look(steps: Pipeline, method: Method, instant_of: TimeNode) -> None:
     """Add the steps of the look to those of a method, over the same samples.
 
     Args:
         steps: of the method; *check_summary* is the last step that is added.
+        method: what the user asks for.
         instant_of: turns integer time into what the source has.
     """
     add(steps, "check/ordered_samples")
@@ -49,6 +59,13 @@ def add_look(steps: Pipeline, instant_of: TimeNode) -> None:
     add(steps, "check/pauses", {"pause": PAUSE})
     add(steps, "check/movements")
     add(steps, "check/longest_stills")
+    stands: dict[str, template.Slot] = {
+        "still_after": _by_setting([setting.still_after for setting in method.settings]),
+        "max_gap": _by_setting(method.gaps),
+        "least": LEAST_STILL,
+        "lasting": 0 if method.kind.is_counter else STILL_LASTING,
+    }
+    add(steps, "check/stood", stands)
     add(steps, "check/head_samples", {"longest_sample": LONGEST_SAMPLE})
     add(steps, "check/distinct_values", {"looked_at": VALUES_LOOKED_AT // 4})
     add(steps, "check/quanta")
@@ -71,3 +88,13 @@ def add_look(steps: Pipeline, instant_of: TimeNode) -> None:
     edges = {name: instant_of(exp.column(name, table="known")) for name in ("first_time", "last_time")}
     add(steps, "check/check_summary", edges)
     steps.small |= _SMALL
+
+
+def _by_setting(figures: Sequence[int | None]) -> exp.Expr:
+    """Return the figure of a channel by the number of its settings."""
+    chosen = exp.Case(ifs=[], default=template.node_of(figures[0]))
+    number = exp.column("settings_no", table="known")
+    for place, figure in enumerate(figures[1:], start=1):
+        is_it = exp.EQ(this=number.copy(), expression=exp.Literal.number(place))
+        chosen.append("ifs", exp.If(this=is_it, true=template.node_of(figure)))
+    return chosen if chosen.args["ifs"] else chosen.args["default"].copy()

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from gam_db.checking.look import Look, Row
 from gam_db.checking.note import Note, noted
+from gam_db.checking.proposal import MOST_STILL
 from gam_db.checking.words import extent, percent
 
 LONG_STILL = 0.2
@@ -25,6 +26,7 @@ def values(look: Look) -> list[Note]:
         *_missing(held),
         *_constant(held, moving),
         *_still(moving),
+        *_left_out(look, moving),
         *_counters(moving),
         *_states(moving),
         *_coarse(look, moving),
@@ -111,6 +113,33 @@ def _still(moving: Sequence[Row]) -> list[Note]:
             f"one and the same value for {_still_share(found)} of the recording at a stretch: a machine "
             "that stood still (leave it out by where=, or calibrate where it works), or a stuck sensor"
         ),
+    )
+
+
+def _left_out(look: Look, moving: Sequence[Row]) -> list[Note]:
+    """Still samples that take much of calibration, where somebody set that they do."""
+
+    def text(found: Sequence[Row]) -> str:
+        shares = [row["calibration_still"] / row["calibration_samples"] for row in found]
+        least, most = percent(min(shares)), percent(max(shares))
+        share = least if least == most else f"{least.removesuffix(' %')} to {most}"
+        runs = extent([row["still_runs"] for row in found])
+        longest = max(row["longest_run"] for row in found)
+        return (
+            f"still_after leaves out {share} of calibration, in {runs} runs of at most {longest:,} "
+            "samples: a machine that stands at night has few long ones, a coarse signal many short "
+            "ones, and wants a larger still_after"
+        )
+
+    return noted(
+        "still_after",
+        [
+            row
+            for row in moving
+            if look.setting(row).still_after is not None
+            and row["calibration_still"] >= MOST_STILL * max(row["calibration_samples"], 1)
+        ],
+        text,
     )
 
 

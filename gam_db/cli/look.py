@@ -119,6 +119,8 @@ def _figures(seen: Seen) -> dict[str, Any]:
             "max_gap": None if proposal.max_gap is None else proposal.max_gap.value,
             "max_gap_by_channel": {name: gap.value for name, gap in proposal.gaps.items()},
             "window": proposal.window,
+            "still_after": None if proposal.still is None else proposal.still.value,
+            "still_after_by_channel": {name: one.value for name, one in proposal.stills.items()},
         },
     }
 
@@ -241,6 +243,10 @@ def _ending(seen: Seen) -> list[str]:
             if row["pauses"] and not (is_heeded(look, row) or is_irregular(row))
         ]
         to_set = _max_gap(proposal) if open_ended else []
+        if look.method.parameters.still_after is None and proposal.still is not None:
+            to_set.append(f"still_after = {proposal.still.value} ({proposal.still.reason})")
+        elif look.method.parameters.still_after is None and proposal.stills:
+            to_set.append(f"still_after of {number_of(len(proposal.stills), 'channel')}")
         if proposal.window != look.method.parameters.window:
             to_set.append(f"window = {proposal.window} ({proposal.window_reason})")
         if not must:
@@ -321,20 +327,32 @@ def text(
         lines += ["#", first, *more]
     lines += ["", "[source]", *toml_text.entries(_source(seen, settings, folder))]
     lines += ["", "[parameters]", *toml_text.entries(_parameters(seen, settings))]
-    gaps = {} if "max_gap" in settings.parameters else seen.proposal.gaps
+    proposed = _of_channels(seen, settings)
     if choices is not None:
         own = {
-            _key(row): {"max_gap": gaps[row["channel"]].value}
+            _key(row): {name: value for name, (value, _) in proposed[row["channel"]].items()}
             for row in choices
-            if row["channel"] in gaps
+            if row["channel"] in proposed
         }
         lines += groups(choices, seen.job, seen.job.parameters.window, own)
     else:
-        for channel, gap in gaps.items():
-            said_gap = {"channel": (channel, ""), "max_gap": (gap.value, gap.reason)}
-            lines += ["", "[[override]]", *toml_text.entries(said_gap)]
+        for channel, said_own in proposed.items():
+            entries = {"channel": (channel, ""), **said_own}
+            lines += ["", "[[override]]", *toml_text.entries(entries)]
     lines += ["", "[calibration]", *_calibration(settings.calibration)]
     return "\n".join(lines) + "\n"
+
+
+def _of_channels(seen: Seen, settings: Settings) -> dict[str, dict[str, tuple[Any, str]]]:
+    """Return what is proposed for channels of one name alone; of overrides only the first applies."""
+    gaps = {} if "max_gap" in settings.parameters else seen.proposal.gaps
+    stills = {} if "still_after" in settings.parameters else seen.proposal.stills
+    made: dict[str, dict[str, tuple[Any, str]]] = {}
+    for channel, gap in gaps.items():
+        made.setdefault(channel, {})["max_gap"] = gap.value, gap.reason
+    for channel, still in stills.items():
+        made.setdefault(channel, {})["still_after"] = still.value, still.reason
+    return made
 
 
 def _settled(seen: Seen, settings: Settings) -> Seen:
@@ -344,6 +362,8 @@ def _settled(seen: Seen, settings: Settings) -> Seen:
         changed = {"window": seen.proposal.window, "stride": None}
     if "max_gap" not in settings.parameters and seen.proposal.max_gap is not None:
         changed["max_gap"] = seen.proposal.max_gap.value
+    if "still_after" not in settings.parameters and seen.proposal.still is not None:
+        changed["still_after"] = seen.proposal.still.value
     parameters = dataclasses.replace(seen.job.parameters, **changed)
     method = dataclasses.replace(seen.look.method, parameters=parameters.finest())
     look = dataclasses.replace(seen.look, method=method)
@@ -401,6 +421,8 @@ def _parameters(seen: Seen, settings: Settings) -> dict[str, tuple[Any, str]]:
             continue
         elif name == "max_gap" and not given:
             of, why = _gap(seen)
+        elif name == "still_after" and not given:
+            of, why = _stillness(seen)
         said[name] = (False if of is None else of, f"{one.what}: {why}")
     steps = sorted(row["typical_step"] for row in seen.look.channels if row["typical_step"])
     if steps and "tau" not in settings.parameters:
@@ -410,6 +432,15 @@ def _parameters(seen: Seen, settings: Settings) -> dict[str, tuple[Any, str]]:
             f"{settings_of(Parameters)['tau'].what} (usual step {usual}): the default",
         )
     return said
+
+
+def _stillness(seen: Seen) -> tuple[Any, str]:
+    still = seen.proposal.still
+    if still is not None:
+        return still.value, still.reason
+    if seen.proposal.stills:
+        return False, "none for all channels, see the overrides"
+    return False, "never, since nothing stood still for a short part of calibration"
 
 
 def _gap(seen: Seen) -> tuple[Any, str]:

@@ -35,6 +35,7 @@ _MEANINGS = {
     "high": "above the limit",
     "setup": "without a good enough calibration",
     "waiting": "less than a window scored yet",
+    "standing": "standing still",
     "ok": "ok",
     "not assessed": "not assessable",
 }

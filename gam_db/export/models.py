@@ -107,11 +107,6 @@ class Modelled:
             )
         if not any(rule.allowed for rule in self.method.rules):
             raise CalibrationError("Nothing is left of the calibration intervals; give at least one.")
-        if self.method.settings[0].still_after is not None:
-            raise ParameterError(
-                "still_after is set, which a dbt package does not know yet; leave it out. gam run "
-                "and scripts take it."
-            )
         if len(self.method.settings) > 1:
             raise ParameterError(
                 "A dbt package has one set of parameters; write one package for each, with --where for "
@@ -135,6 +130,7 @@ class Modelled:
             stride=setting.bucket_length,
             max_gap=self.method.gaps[0],
             has_start=any(rule.score_from is not None for rule in self.method.rules),
+            still_after=setting.still_after,
         )
 
     @cached_property
@@ -208,7 +204,7 @@ def _calibration(of: Modelled) -> list[Model]:
     add(steps, "stored/recount")
     hashes = {"settings_hash": of.settings_hash, "method_hash": method_hash()}
     slots: dict[str, template.Slot] = {key: template.text(said) for key, said in hashes.items()}
-    slots |= {"span": of.method.settings[0].span, "long_ago": LONG_AGO}
+    slots |= {"span": of.method.settings[0].reach, "long_ago": LONG_AGO}
     add(steps, "export/channel_rows", slots)
     made = [
         _frozen(
@@ -264,7 +260,9 @@ def _learning(of: Modelled) -> Pipeline:
         for edge, sign in zip(edges, (-1, 1), strict=True)
     )
     time = template.column(of.source.time)
-    rows = of.readings(exp.GTE(this=time, expression=low), exp.LT(this=time.copy(), expression=high))
+    within = [exp.GTE(this=time, expression=low), exp.LT(this=time.copy(), expression=high)]
+    # Samples before calibration decide nothing, unless by standing still.
+    rows = of.readings(*(within if of.setting.still_after is None else within[1:]))
     add(steps, "export/channels")
     limits = union_of(steps, ["channels"], ["channel_id", "calibration_end", "first_scored"])
     steps.add("limits", limits, "Limits: when calibration ends, and from when on is scored.")

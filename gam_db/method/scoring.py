@@ -52,19 +52,27 @@ def add_scoring(steps: Pipeline, method: Method, number: int, bits: Bits | None 
     add_of_set(steps, method, number, "health/window_counts", {"window": method.settings[number].window})
 
 
-def add_numbered(steps: Pipeline, method: Method, number: int, bits: Bits | None = None) -> None:
-    """Add Eq. 4 of one set by the complete form of its vectors."""
-    add_vectors(steps, method, number, "", exp.true())
-    add_of_set(steps, method, number, "score/monitored")
-    add_novelty(steps, method, number, [_carried("straddling")], bits)
-    add_of_set(steps, method, number, "health/numbered", {"carried": []})
+def add_numbered(
+    steps: Pipeline,
+    method: Method,
+    number: int,
+    bits: Bits | None = None,
+    carried: Sequence[str] = (),
+) -> None:
+    """Add Eq. 4 of one set by the complete form of its vectors; see :func:`add_vectors`."""
+    add_vectors(steps, method, number, "", exp.true(), carried)
+    travelling = [_carried(name) for name in carried]
+    add_of_set(steps, method, number, "score/monitored", {"carried": travelling})
+    add_novelty(steps, method, number, [_carried("straddling"), *travelling], bits)
+    named: dict[str, template.Slot] = {"carried": [exp.column(name) for name in carried]}
+    add_of_set(steps, method, number, "health/numbered", named)
 
 
 def add_run_up(
     steps: Pipeline, method: Method, number: int, tables: Mapping[str, str] | None = None
 ) -> None:
     """Add from where on the channels of one set are read to be scored."""
-    slots = {"span": method.settings[number].span}
+    slots = {"span": method.settings[number].reach}
     add_of_set(steps, method, number, "score/run_up", slots, tables=tables)
 
 

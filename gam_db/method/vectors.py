@@ -15,10 +15,18 @@ from gam_db.pipeline import Pipeline
 _OF_STREAM = ("span", "cell_key", "outside")
 
 
-def add_vectors(steps: Pipeline, method: Method, number: int, prefix: str, read: exp.Expr) -> None:
+def add_vectors(
+    steps: Pipeline,
+    method: Method,
+    number: int,
+    prefix: str,
+    read: exp.Expr,
+    carried: Sequence[str] = (),
+) -> None:
     """Add the complete form of codes and vectors of one set (Eq. 1) over the samples to be read.
 
-    The vectors of calibration are called ``calibration_vectors``, the others ``marked_vectors``.
+    The vectors of calibration are called ``calibration_vectors``, the others ``marked_vectors``. Their
+    ``still_so_far`` travels with them where it is ``carried``.
     """
     setting = method.settings[number]
     codes = f"{prefix or 'marked_'}codes"
@@ -27,31 +35,19 @@ def add_vectors(steps: Pipeline, method: Method, number: int, prefix: str, read:
     ks = range(1, setting.m)
     delayed = [_delayed(name, k, setting) for name in ("code", "calibrating") for k in ks]
     add_of_set(steps, method, number, "support/marked_codes", coded, codes)
+    slots = {name: slot for name, slot in cell_slots(setting).items() if name != "next_span"}
+    slots |= {"touching": _touching(setting), "long_ago": LONG_AGO}
+    slots |= {"carried": [exp.column(name) for name in carried], "context": _context(setting)}
+    if carried:
+        delayed.append(exp.alias_(template.fill("embedding/still_so_far"), "still_so_far"))
     if setting.still_after is not None:
         moving, marked = f"{prefix or 'marked_'}moving_codes", {"marked_codes": codes}
-        slots: dict[str, template.Slot] = {"still_after": setting.still_after}
-        add_of_set(steps, method, number, "embedding/moving_codes", slots, moving, marked)
+        after: dict[str, template.Slot] = {"still_after": setting.still_after}
+        add_of_set(steps, method, number, "embedding/moving_codes", after, moving, marked)
         codes = moving
-    touching = exp.or_(
-        *(
-            exp.EQ(this=exp.column(f"calibrating_{k}"), expression=exp.Literal.number(1))
-            for k in range(setting.m)
-        )
-    )
-    add_of_set(
-        steps,
-        method,
-        number,
-        "embedding/marked_vectors",
-        {
-            **cell_slots(setting),
-            "delayed": delayed,
-            "touching": touching,
-            "long_ago": LONG_AGO,
-        },
-        f"{prefix or 'marked_'}vectors",
-        {"marked_codes": codes},
-    )
+    made, renamed = f"{prefix or 'marked_'}vectors", {"marked_codes": codes}
+    slots["delayed"] = delayed
+    add_of_set(steps, method, number, "embedding/marked_vectors", slots, made, renamed)
 
 
 def add_short_vectors(
@@ -134,6 +130,21 @@ def cell_slots(setting: Parameters) -> dict[str, template.Slot]:
             )
         ),
     }
+
+
+def _touching(setting: Parameters) -> exp.Expr:
+    one = exp.Literal.number(1)
+    return exp.or_(
+        *(exp.EQ(this=exp.column(f"calibrating_{k}"), expression=one.copy()) for k in range(setting.m))
+    )
+
+
+def _context(setting: Parameters) -> exp.Expr:
+    """Return the time from where on the next vector is decided."""
+    delay = max(setting.reach - 1, 0)
+    if setting.still_after is None:
+        return template.fill("embedding/delayed", {"column": exp.column("time"), "delay": delay})
+    return template.fill("embedding/context", {"delay": delay, "long_ago": LONG_AGO})
 
 
 def _flag(condition: exp.Expr) -> exp.Expr:

@@ -13,7 +13,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import LONG_AGO
-from gam_db.errors import CalibrationError, ParameterError
+from gam_db.errors import CalibrationError
 from gam_db.method import Method
 from gam_db.method.adding import add
 from gam_db.method.alarms import NEAR, add_learnt_limits
@@ -73,7 +73,6 @@ def calibrate(
         UserError: the source or the calibration cannot be used, or the monitor watches a source that
             tells time in another way.
     """
-    _check_stillness(study.method)
     running, steps = study.running, study.steps
     keys = state.keys()
     monitor = _monitor(state, study, name, keys)
@@ -137,6 +136,8 @@ def settings_hash(method: Method, channel: Mapping[str, Any]) -> str:
     figures = _figures(setting, method.gaps[channel["settings_no"]])
     if method.asked is not None:  # what is found anew each time is no other setting
         figures["bins"] = method.asked.of(channel["asset"], channel["channel"]).bins
+    if setting.still_after is None:  # older versions know nothing of it
+        del figures["still_after"]
     said = (
         figures,
         method.rules[channel["calibration_no"]],
@@ -154,15 +155,6 @@ def method_hash() -> str:
     return digest.hexdigest()[:16]
 
 
-def _check_stillness(method: Method) -> None:
-    """Refuse still samples: a restart does not read the samples before, by which they are told."""
-    if any(setting.still_after is not None for setting in method.settings):
-        raise ParameterError(
-            "still_after is set, which a monitor's tables do not keep yet; leave it out. gam run "
-            "and scripts take it."
-        )
-
-
 def _figures(setting: Parameters, gap: int | None) -> Row:
     return {
         "m": setting.m,
@@ -171,6 +163,7 @@ def _figures(setting: Parameters, gap: int | None) -> Row:
         "window_length": setting.window,
         "stride": setting.bucket_length,
         "max_gap": gap,
+        "still_after": setting.still_after,
         "target_floor": float(setting.target_floor),
     }
 
@@ -298,7 +291,8 @@ _NUMBERING = pa.schema(
             (name, pa.int64())
             for name in (
                 *("channel_id", "stored_channel_id", "version_id", "stored_support_id", "parent_id"),
-                *("version_no", "m", "tau", "bins", "window_length", "stride", "max_gap", "score_from"),
+                *("version_no", "m", "tau", "bins", "window_length", "stride", "max_gap", "still_after"),
+                "score_from",
             )
         ),
         ("target_floor", pa.float64()),

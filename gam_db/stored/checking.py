@@ -265,8 +265,9 @@ class _Check:
             cohort = cohort_of(group, read_from=LONG_AGO, read_until=ends, first_bucket=0)
             running.load("cohort", cohort)
             edges = running.table("calibration_range").to_pylist()[0]
-            # No sample before an interval decides what is learnt in it.
-            healthy = self.reader.readings(assets_of(group), edges["earliest"], edges["latest"])
+            # No sample before an interval decides what is learnt in it, unless by standing still.
+            earliest = edges["earliest"] if setting.still_after is None else LONG_AGO
+            healthy = self.reader.readings(assets_of(group), earliest, edges["latest"])
             rows = reading_steps(healthy)
             running.put("identified", rows.query("identified", running.placed))
             counted = self.session.fetch(rows.query("recount", running.placed)).to_pylist()
@@ -348,7 +349,7 @@ _CHECKED = pa.schema(
             (name, pa.int64())
             for name in (
                 *("version_id", "channel_id", "support_id", "parent_id", "version_no"),
-                *("window_length", "stride", "context_rows", "run_up_from", "is_active"),
+                *("window_length", "stride", "still_after", "context_rows", "run_up_from", "is_active"),
                 *("first_bucket", "first_novel"),
             )
         ),

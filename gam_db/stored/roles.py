@@ -37,7 +37,7 @@ _COUNTING = (
 
 #: What the status is made of.
 _STATUS = (
-    *("migration", "monitor", "proof", "visible_bucket", "fleet"),
+    *("migration", "monitor", "proof", "visible_bucket", "fleet", "stillness"),
     *("channel", "version", "bounds", "limit", "alarm"),
 )
 

@@ -40,8 +40,9 @@ def status(
 
     * ``asset``, ``channel``, ``version``: its names, and which calibration it is (1, 2, ...)
     * ``status``: high (``hi`` is above ``hi_limit``), setup (the calibration is not good enough to be
-      watched), waiting (less than a window is scored), ok or not assessed (constant in calibration, or
-      without one: never an alarm); ``needs_attention``: high or setup
+      watched), waiting (less than a window is scored), ok, standing (it would be one of these two, and
+      the signal stands still) or not assessed (constant in calibration, or without one: never an
+      alarm); ``needs_attention``: high or setup
     * ``verdict``, ``floor``: of the certificate; ``hi_limit``, NULL where nothing is to be judged, for
       ``limit_reason``
     * ``hi``: the latest health indicator, ``novel_in_window`` / ``window``; NULL before a full window
@@ -54,6 +55,8 @@ def status(
     * ``last_data``: the newest time read of the channel; ``silent``: that is more than ``park_after``
       behind the newest of the whole monitor, or no run has found any yet; ``looked_at``: when the last
       run looked (UTC)
+    * ``still_since``: since when the signal stands still (``still_after``), as far as it is scored; NULL
+      where it moves
     * ``differing_contexts``: runs that found other samples than were scored, since rows came later than
       lookback allows or were taken away; ``repair_from``: scoring again from there mends it
     * ``calibration_rows``: different readings inside calibration when it was learnt (one that comes
@@ -219,6 +222,8 @@ def _remarks(row: Row, kind: TimeKind) -> list[str]:
         remarks.append("silent: no data was ever found")
     elif row["silent"]:
         remarks.append(f"silent: {shown_length(row['behind'], kind)} behind the newest data")
+    if row["still_since_tick"] is not None:
+        remarks.append(f"stands still since {shown_instant(row['still_since_tick'], kind)}")
     runs = row["differing_contexts"]
     if runs:
         since = shown_instant(row["repair_from_tick"], kind)
@@ -274,6 +279,7 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
             "last_time": ticks("last_tick"),
             "last_data": ticks("data_tick"),
             "silent": stored("silent", pa.bool_()),
+            "still_since": ticks("still_since_tick"),
             "looked_at": stored("looked_at", pa.timestamp("us")),
             "differing_contexts": stored("differing_contexts", count),
             "repair_from": ticks("repair_from_tick"),

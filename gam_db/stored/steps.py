@@ -35,7 +35,7 @@ PUBLISHED = ("bucket_rows", "novel_rows", "run_rows")
 KEPT = frozenset(
     (
         *("identified", "timeline", "collapsed", "seen", "run_up", "breaks"),
-        *("visited", "buckets", "new_buckets", "recount"),
+        *("visited", "buckets", "new_buckets", "recount", "stillness"),
     )
 )
 
@@ -51,6 +51,7 @@ class Setting(NamedTuple):
         m, tau, bins, window_length, stride: as in the version.
         max_gap: integer time; None for no limit.
         has_start: whether the version is scored from a given instant on.
+        still_after: samples; None for never.
     """
 
     m: int
@@ -60,6 +61,7 @@ class Setting(NamedTuple):
     stride: int
     max_gap: int | None
     has_start: bool
+    still_after: int | None = None
 
 
 def setting_of(version: Mapping[str, Any]) -> Setting:
@@ -142,6 +144,7 @@ def scoring_steps(setting: Setting, kind: TimeKind, trusting: bool = False) -> P
     """
     steps = _frozen()
     add_counting(steps, setting, kind, trusting=trusting)
+    _add_stillness(steps, setting)
     if trusting:
         add(steps, "stored/doubtful")
     for name in ("past_counts", "new_counts", "settled"):
@@ -192,6 +195,7 @@ def comparing_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     """
     steps = _frozen()
     add_counting(steps, setting, kind, has_past=False)
+    _add_stillness(steps, setting)
     add(steps, "stored/reread")
     add(steps, "stored/compared", {"day": FAR_AHEAD if kind.is_counter else DAY})
     add(steps, "stored/compared_novel")
@@ -245,7 +249,7 @@ def soundness_steps(monitor_id: int, is_whole: bool) -> Pipeline:
     add(steps, "stored/checked", {"monitor_id": monitor_id})
     for name in ("unsound_versions", "unsound_buckets", "unsound_novel"):
         add(steps, f"stored/{name}")
-    add(steps, "stored/unsound_runs", {"nothing": FAR_AHEAD})
+    add(steps, "stored/unsound_runs", {"nothing": FAR_AHEAD, "long_ago": LONG_AGO})
     add(steps, "stored/orphans", {"whole": int(is_whole)})
     return steps
 
@@ -283,11 +287,26 @@ def _add_samples(
 def _add_new_buckets(steps: Pipeline, method: Method, trusting: bool = False) -> None:
     add(steps, "stored/seen")
     add(steps, "stored/run_up", {"span": method.settings[0].span})
+    ends = {"position": "end_position", "context_time": "context_time"}
+    is_told = method.settings[0].still_after is not None
     if not method.is_short(0):
-        add_numbered(steps, method, 0)
-    add_buckets(steps, method, 0, {"position": "end_position", "context_time": "context_time"}, trusting)
+        add_numbered(steps, method, 0, carried=["still_so_far"] * is_told)
+    if is_told:
+        ends["still_so_far"] = "end_still"
+    add_buckets(steps, method, 0, ends, trusting)
     add(steps, "stored/bucket_ends")
     add(steps, "stored/new_buckets")
+
+
+def _add_stillness(steps: Pipeline, setting: Setting) -> None:
+    """Add how many samples of each new bucket stand still, and since when the newest do."""
+    if setting.still_after is None:
+        for name in ("stillness", "still_counts"):
+            add(steps, "stored/no_stillness", name=name)
+        return
+    moving = {"moving_codes": "marked_moving_codes"}
+    add(steps, "stored/stillness", {"long_ago": LONG_AGO}, tables=moving)
+    add(steps, "stored/still_counts")
 
 
 def _method(setting: Setting, kind: TimeKind, target_floor: float = Parameters.target_floor) -> Method:
@@ -305,6 +324,7 @@ def _method(setting: Setting, kind: TimeKind, target_floor: float = Parameters.t
         window=setting.window_length,
         stride=setting.stride,
         max_gap=gap,
+        still_after=setting.still_after,
         target_floor=target_floor,
     )
     start = None

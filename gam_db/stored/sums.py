@@ -13,6 +13,9 @@ from gam_db.pipeline import Pipeline
 #: The ends of a range, and what the tables called them when checksums came.
 ENDS = {"calibrated_lo": "lo", "calibrated_hi": "hi"}
 
+#: What versions have had since: nothing, where it is not there yet.
+LATER = ("still_after",)
+
 
 @cache
 def matching_steps() -> Pipeline:
@@ -34,6 +37,9 @@ def first_rows(table: str) -> exp.Query | None:
         query = _summing(steps).query("checksum_rows").copy()
         for name in query.find_all(exp.Identifier):
             name.set("this", ENDS.get(name.name, name.name))
+        for column in list(query.find_all(exp.Column)):
+            if column.table == "made" and column.name in LATER:
+                column.replace(exp.cast(exp.null(), "BIGINT"))
         return query
     return None
 

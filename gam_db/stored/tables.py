@@ -48,6 +48,7 @@ VIEWS = (
     "alarm_event",
     "onset",
     "health",
+    "stillness",
     "fleet",
     "quarantine",
     "unplaced_day",

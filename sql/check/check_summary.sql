@@ -1,5 +1,6 @@
 -- Check summary: what a channel looks like before anything is learnt of it.
--- Reads:  names, channels, series, movements, longest_stills, pauses, quanta, cycles, calibrated
+-- Reads:  names, channels, series, movements, longest_stills, pauses, quanta, cycles, calibrated,
+--         stood
 -- A row:  one (asset, channel) pair, in order; where a name is missing, or no row has a time, only the
 --         rows are counted.
 -- Slots:  :first_time, :last_time  the instants of the first and last sample as the source tells time
@@ -41,7 +42,11 @@ SELECT
   CASE WHEN cyclic.hit = 1 THEN cyclic.cycle_strength END AS cycle_strength,
   CASE WHEN healthy.hit = 1 THEN healthy.calibration_samples ELSE 0 END AS calibration_samples,
   CASE WHEN healthy.hit = 1 THEN healthy.lowest END AS calibration_lowest,
-  CASE WHEN healthy.hit = 1 THEN healthy.highest END AS calibration_highest
+  CASE WHEN healthy.hit = 1 THEN healthy.highest END AS calibration_highest,
+  CASE WHEN stood.hit = 1 THEN stood.still_after END AS still_after,
+  CASE WHEN stood.hit = 1 THEN stood.calibration_still ELSE 0 END AS calibration_still,
+  CASE WHEN stood.hit = 1 THEN stood.still_runs ELSE 0 END AS still_runs,
+  CASE WHEN stood.hit = 1 THEN stood.longest_run END AS longest_run
 FROM names AS named
 LEFT JOIN (
   SELECT
@@ -90,4 +95,7 @@ LEFT JOIN (
 LEFT JOIN (
   SELECT channel_id, calibration_samples, lowest, highest, 1 AS hit FROM calibrated
 ) AS healthy ON healthy.channel_id = known.channel_id
+LEFT JOIN (
+  SELECT channel_id, still_after, calibration_still, still_runs, longest_run, 1 AS hit FROM stood
+) AS stood ON stood.channel_id = known.channel_id
 ORDER BY named.asset, named.channel

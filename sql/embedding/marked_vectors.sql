@@ -5,8 +5,9 @@
 --         calibration_vector = 1 if every sample from its oldest to its newest is one of calibration,
 --         straddling = 1 if at least one of its m samples is. position and context_time as in vectors.
 -- Slots:  :delayed   code_1 ... code_(m-1) and calibrating_1 ..., the delayed columns
+--         :carried   columns that travel with the vector
 --         :span      (m-1) * tau, the samples between oldest and newest
---         :next_span the samples between its newest and the oldest one of the next vector
+--         :context   the time of the oldest sample of the next vector
 --         :known     all coordinates are there
 --         :cell_key  the mixed-radix integer of the coordinates
 --         :outside   a coordinate lies outside the calibrated range
@@ -20,7 +21,8 @@ SELECT
   CASE WHEN :touching THEN 1 ELSE 0 END AS straddling,
   CASE WHEN oldest_time > last_uncalibrated THEN 1 ELSE 0 END AS calibration_vector,
   position,
-  context_time
+  context_time,
+  :carried
 FROM (
   SELECT
     channel_id,
@@ -35,7 +37,7 @@ FROM (
     MAX(CASE WHEN calibrating = 0 THEN time ELSE CAST(:long_ago AS BIGINT) END) OVER (
       PARTITION BY channel_id ORDER BY time ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
     ) AS last_uncalibrated,
-    LAG(time, :next_span) OVER (PARTITION BY channel_id ORDER BY time) AS context_time,
+    :context AS context_time,
     CAST(ROW_NUMBER() OVER (PARTITION BY channel_id ORDER BY time) AS BIGINT) AS position
   FROM marked_codes
 ) AS embedded

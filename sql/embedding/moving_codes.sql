@@ -1,14 +1,15 @@
 -- Moving codes: as marked_codes, where a sample that stands still counts as missing (alarms, section 1): it and the
 -- still_after - 1 before it in its segment are all equal, and none of them is missing. It looks back only.
 -- Reads:  marked_codes
--- A row:  one sample.
+-- A row:  one sample; still = 1 where it stands still.
 -- Slots:  :still_after  samples
 SELECT
   channel_id,
   time,
   CASE WHEN position - unmoved_from >= :still_after - 1 THEN 0 ELSE marked_code END AS code,
   calibrating,
-  breaking
+  breaking,
+  CASE WHEN position - unmoved_from >= :still_after - 1 THEN 1 ELSE 0 END AS still
 FROM (
   SELECT
     channel_id,

@@ -2,9 +2,9 @@
 -- then: its number, its support, and when calibration ends. A channel that appears later is scored after a
 -- full refresh.
 -- Reads:  channels, bounds, run_up, recount
--- A row:  one channel. run_up_from reaches back (m-1) tau samples before the first vector to be scored, or
+-- A row:  one channel. run_up_from reaches back so many samples before the first vector to be scored, or
 --         over everything where there are not that many.
--- Slots:  :span           (m-1) * tau
+-- Slots:  :span           (m-1) * tau, and still_after - 1 more where still samples are told by those before
 --         :long_ago       an instant before all others
 --         :settings_hash  of the settings of the package
 --         :method_hash    of the SQL that learns

@@ -2,6 +2,7 @@
 -- score_from on), no sample missing, not a calibration vector.
 -- Reads:  marked_vectors, bounds
 -- A row:  one vector.
+-- Slots:  :carried  columns that travel with the vector
 SELECT
   vector.channel_id AS channel_id,
   scale.support_id AS support_id,
@@ -10,7 +11,8 @@ SELECT
   vector.out_of_range AS out_of_range,
   vector.straddling AS straddling,
   vector.position AS position,
-  vector.context_time AS context_time
+  vector.context_time AS context_time,
+  :carried
 FROM marked_vectors AS vector
 JOIN bounds AS scale ON scale.channel_id = vector.channel_id
 WHERE vector.time >= scale.first_scored

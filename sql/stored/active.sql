@@ -18,6 +18,7 @@ SELECT
   frozen.window_length AS window_length,
   frozen.stride AS stride,
   frozen.max_gap AS max_gap,
+  frozen.still_after AS still_after,
   frozen.score_from AS score_from,
   frozen.calibration_end AS calibration_end,
   frozen.first_scored AS first_scored,

@@ -1,6 +1,6 @@
 -- Bucket rows: what a run appends to the stored buckets, with the two integers of Eq. 2.
--- Reads:  new_buckets, bucket_counts, stamp
--- A row:  one bucket.
+-- Reads:  new_buckets, bucket_counts, still_counts, stamp
+-- A row:  one bucket; still is NULL where no sample counts as still.
 SELECT
   made.version_id AS version_id,
   made.bucket_no AS bucket_no,
@@ -9,11 +9,16 @@ SELECT
   made.last_time AS last_time,
   made.context_time AS context_time,
   made.samples AS samples,
+  CASE WHEN calm.hit = 1 THEN calm.still END AS still,
   made.novel AS novel,
   made.out_of_range AS out_of_range,
   counted.novel_in_window AS novel_in_window
 FROM new_buckets AS made
 JOIN bucket_counts AS counted
   ON counted.channel_id = made.channel_id AND counted.bucket_no = made.bucket_no
+LEFT JOIN (
+  SELECT channel_id, bucket_no, still, 1 AS hit
+  FROM still_counts
+) AS calm ON calm.channel_id = made.channel_id AND calm.bucket_no = made.bucket_no
 CROSS JOIN stamp
 ORDER BY made.version_id, made.bucket_no

@@ -19,12 +19,17 @@ SELECT
   made.window_length AS window_length,
   made.stride AS stride,
   made.max_gap AS max_gap,
+  made.still_after AS still_after,
   made.score_from AS score_from,
   made.target_floor AS target_floor,
   made.calibration_end AS calibration_end,
   made.first_scored AS first_scored,
   made.calibration_readings AS calibration_readings,
-  CASE WHEN made.m = 1 THEN 1 ELSE (made.m - 1) * made.tau END AS context_rows,
+  CASE
+    WHEN made.still_after IS NOT NULL THEN (made.m - 1) * made.tau + made.still_after - 1
+    WHEN made.m = 1 THEN 1
+    ELSE (made.m - 1) * made.tau
+  END AS context_rows,
   made.run_up_from AS run_up_from,
   CASE WHEN scale.hit = 1 THEN scale.lo END AS lo,
   CASE WHEN scale.hit = 1 THEN scale.hi END AS hi,

@@ -38,7 +38,8 @@ SELECT
     + figure(scale.seen_once, 19)
     + figure(scale.blocks, 20)
     + figure(scale.finest_bins, 21)
-    + figure(scale.vectors_needed, 22) AS figures_sum,
+    + figure(scale.vectors_needed, 22)
+    + figure(learnt.still_after, 23) AS figures_sum,
   scale.calibrated_lo AS calibrated_lo,
   scale.calibrated_hi AS calibrated_hi,
   learnt.target_floor AS target_floor,

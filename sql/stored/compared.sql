@@ -1,6 +1,6 @@
 -- Compared: the buckets that can be, as they are stored and as the source gives them now. A row that came too
 -- late, was corrected or went changes the bucket that holds it, or moves all that follow.
--- Reads:  new_buckets, bucket_counts, stored_visible_bucket, cohort
+-- Reads:  new_buckets, bucket_counts, still_counts, stored_visible_bucket, stored_bucket, cohort
 -- A row:  one channel and day (of the last vector of a bucket) on which they differ; since is the beginning of
 --         the first bucket that does.
 -- Slots:  :day  a day, in the unit of time
@@ -31,6 +31,7 @@ FROM (
       last_time,
       context_time,
       samples,
+      still,
       novel,
       out_of_range,
       novel_in_window,
@@ -44,11 +45,16 @@ FROM (
         bucket.last_time AS last_time,
         bucket.context_time AS context_time,
         bucket.samples AS samples,
+        written.still AS still,
         bucket.novel AS novel,
         bucket.out_of_range AS out_of_range,
         bucket.novel_in_window AS novel_in_window,
         1 AS is_stored
       FROM stored_visible_bucket AS bucket
+      JOIN stored_bucket AS written
+        ON written.version_id = bucket.version_id
+        AND written.bucket_no = bucket.bucket_no
+        AND written.run_id = bucket.run_id
       JOIN cohort AS member ON member.version_id = bucket.version_id
       WHERE bucket.bucket_no BETWEEN member.oldest_bucket AND member.settled - 1
       UNION ALL
@@ -59,6 +65,7 @@ FROM (
         made.last_time AS last_time,
         made.context_time AS context_time,
         made.samples AS samples,
+        CASE WHEN calm.hit = 1 THEN calm.still END AS still,
         made.novel AS novel,
         made.out_of_range AS out_of_range,
         counted.novel_in_window AS novel_in_window,
@@ -67,6 +74,10 @@ FROM (
       JOIN bucket_counts AS counted
         ON counted.channel_id = made.channel_id AND counted.bucket_no = made.bucket_no
       JOIN cohort AS member ON member.channel_id = made.channel_id
+      LEFT JOIN (
+        SELECT channel_id, bucket_no, still, 1 AS hit
+        FROM still_counts
+      ) AS calm ON calm.channel_id = made.channel_id AND calm.bucket_no = made.bucket_no
       WHERE made.bucket_no BETWEEN member.oldest_bucket AND member.settled - 1
         AND made.last_time <= member.read_until
     ) AS both_sides
@@ -77,6 +88,7 @@ FROM (
       last_time,
       context_time,
       samples,
+      still,
       novel,
       out_of_range,
       novel_in_window

@@ -16,6 +16,7 @@ SELECT
   made.window_length AS window_length,
   made.stride AS stride,
   made.max_gap AS max_gap,
+  made.still_after AS still_after,
   made.score_from AS score_from,
   made.calibration_end AS calibration_end,
   made.first_scored AS first_scored,

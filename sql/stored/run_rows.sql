@@ -1,5 +1,5 @@
 -- Run rows: what commits a run, one row per version; appended last of all.
--- Reads:  cohort, seen, recount, settled, stamp
+-- Reads:  cohort, seen, recount, settled, stillness, stamp
 -- A row:  one version that was looked at. One without any row in its range, not even its context, hides
 --         nothing: from_bucket is beyond all buckets, and what was settled is what an earlier run says. Where
 --         no new bucket is settled, it is the one that stayed, after which this run began.
@@ -36,7 +36,8 @@ SELECT
   END AS settled_context,
   stamp.started AS started,
   stamp.committed AS committed,
-  member.planned_from AS planned_from
+  member.planned_from AS planned_from,
+  CASE WHEN calm.hit = 1 THEN calm.still_since END AS still_since
 FROM cohort AS member
 CROSS JOIN stamp
 LEFT JOIN (
@@ -51,3 +52,7 @@ LEFT JOIN (
   SELECT version_id, settled_bucket, settled_time, settled_context, 1 AS hit
   FROM settled
 ) AS done ON done.version_id = member.version_id
+LEFT JOIN (
+  SELECT channel_id, still_since, 1 AS hit
+  FROM stillness
+) AS calm ON calm.channel_id = member.channel_id

@@ -1,43 +1,48 @@
 -- Status rows: what the state says of the channels of one monitor, for gam status.
--- Reads:  stored_fleet
+-- Reads:  stored_fleet, stored_stillness
 -- A row:  one channel under its active version; times are integers.
 -- Slots:  :monitor  its name
 SELECT
-  asset,
-  channel,
-  version_no,
-  version_id,
-  verdict,
-  status,
-  urgency,
-  needs_attention,
-  floor,
-  hi_limit,
-  limit_reason,
-  calibrated_lo,
-  calibration_vectors,
-  finest_bins,
-  vectors_needed,
-  hi,
-  hi_highest,
-  novel_in_window,
-  novel_window_before,
-  out_of_range_in_window,
-  novel_in_buckets,
-  window_length,
-  stride,
-  m,
-  tau,
-  bins,
-  bucket,
-  last_tick,
-  data_tick,
-  looked_at,
-  differing_contexts,
-  repair_from_tick,
-  calibration_readings,
-  calibration_readings_now,
-  settings_hash,
-  method_hash
-FROM stored_fleet
-WHERE monitor = :monitor
+  known.asset AS asset,
+  known.channel AS channel,
+  known.version_no AS version_no,
+  known.version_id AS version_id,
+  known.verdict AS verdict,
+  known.status AS status,
+  known.urgency AS urgency,
+  known.needs_attention AS needs_attention,
+  known.floor AS floor,
+  known.hi_limit AS hi_limit,
+  known.limit_reason AS limit_reason,
+  known.calibrated_lo AS calibrated_lo,
+  known.calibration_vectors AS calibration_vectors,
+  known.finest_bins AS finest_bins,
+  known.vectors_needed AS vectors_needed,
+  known.hi AS hi,
+  known.hi_highest AS hi_highest,
+  known.novel_in_window AS novel_in_window,
+  known.novel_window_before AS novel_window_before,
+  known.out_of_range_in_window AS out_of_range_in_window,
+  known.novel_in_buckets AS novel_in_buckets,
+  known.window_length AS window_length,
+  known.stride AS stride,
+  known.m AS m,
+  known.tau AS tau,
+  known.bins AS bins,
+  known.bucket AS bucket,
+  known.last_tick AS last_tick,
+  known.data_tick AS data_tick,
+  known.looked_at AS looked_at,
+  known.differing_contexts AS differing_contexts,
+  known.repair_from_tick AS repair_from_tick,
+  known.calibration_readings AS calibration_readings,
+  known.calibration_readings_now AS calibration_readings_now,
+  known.settings_hash AS settings_hash,
+  known.method_hash AS method_hash,
+  CASE WHEN still.hit = 1 THEN still.still_since_tick END AS still_since_tick
+FROM stored_fleet AS known
+LEFT JOIN (
+  SELECT version_id, still_since_tick, 1 AS hit
+  FROM stored_stillness
+) AS still ON still.version_id = known.version_id
+WHERE known.monitor = :monitor

@@ -1,7 +1,7 @@
 -- Unsound buckets: what must hold within the visible buckets of a version, whatever the source: numbers without
 -- a gap from where pruning left them, times in order, counts within their bounds, windows that are the sum of
 -- their buckets (Eq. 2).
--- Reads:  checked, stored_visible_bucket
+-- Reads:  checked, stored_visible_bucket, stored_bucket
 -- A row:  one version with buckets; since is the beginning of the first that is unsound, NULL if all is well.
 SELECT
   version_id,
@@ -29,6 +29,9 @@ FROM (
     CASE
       WHEN placed.samples < placed.stride OR placed.novel > placed.stride THEN 1
       WHEN placed.out_of_range > placed.novel OR placed.out_of_range < 0 THEN 1
+      WHEN placed.still IS NULL THEN CASE WHEN placed.still_after IS NULL THEN 0 ELSE 1 END
+      WHEN placed.still_after IS NULL THEN 1
+      WHEN placed.still < 0 OR placed.still > placed.samples - placed.stride THEN 1
       ELSE 0
     END AS is_miscounted,
     CASE
@@ -49,6 +52,8 @@ FROM (
       bucket.last_time AS last_time,
       bucket.context_time AS context_time,
       bucket.samples AS samples,
+      written.still AS still,
+      version.still_after AS still_after,
       bucket.novel AS novel,
       bucket.out_of_range AS out_of_range,
       bucket.novel_in_window AS novel_in_window,
@@ -72,6 +77,10 @@ FROM (
       ) AS novel_so_far
     FROM stored_visible_bucket AS bucket
     JOIN checked AS version ON version.version_id = bucket.version_id
+    JOIN stored_bucket AS written
+      ON written.version_id = bucket.version_id
+      AND written.bucket_no = bucket.bucket_no
+      AND written.run_id = bucket.run_id
   ) AS placed
   LEFT JOIN (
     SELECT

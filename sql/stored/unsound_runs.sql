@@ -2,10 +2,11 @@
 -- after the bucket that it found settled, reads from that one's context, and says which bucket is settled now.
 -- It was planned from the finished run before it, or from a later one that pruning took. What a later run
 -- wrote anew, or pruning took, says nothing any more.
--- Reads:  checked, stored_finished_run, stored_visible_bucket
+-- Reads:  checked, stored_finished_run, stored_run, stored_visible_bucket
 -- A row:  one run of one version that breaks one of these rules; strays = 1 if it found other samples than were
 --         scored (see the view fleet), which is no fault of its record.
--- Slots:  :nothing  from_bucket of a run that read nothing: beyond all buckets
+-- Slots:  :nothing   from_bucket of a run that read nothing: beyond all buckets
+--         :long_ago  an instant before all others
 SELECT
   version_id,
   run_id,
@@ -32,6 +33,7 @@ FROM (
           WHEN run.read_to IS NOT NULL OR run.settled_bucket IS NOT NULL THEN 1
           WHEN run.from_bucket <> :nothing OR run.rows_read <> 0 OR run.context_rows <> 0 THEN 1
           WHEN run.settled_time IS NOT NULL OR run.settled_context IS NOT NULL THEN 1
+          WHEN calm.hit = 1 THEN 1
           WHEN run.context_expected <> version.context_rows THEN 1
           WHEN run.run_id < run.reading_id THEN 0
           WHEN run.read_from = version.run_up_from OR resumed.hit = 1 THEN 0
@@ -40,7 +42,8 @@ FROM (
         END
       WHEN run.from_bucket = 0 AND run.context_expected IS NOT NULL THEN 1
       WHEN run.from_bucket = 0 AND run.read_from <> version.run_up_from THEN 1
-      WHEN run.from_bucket > 0 AND run.context_expected IS NULL THEN 1
+      WHEN run.from_bucket > 0 AND run.context_expected IS NULL AND run.read_from > :long_ago THEN 1
+      WHEN calm.hit = 1 AND (version.still_after IS NULL OR calm.standing_from > run.read_to) THEN 1
       WHEN run.context_expected <> version.context_rows THEN 1
       WHEN run.settled_bucket < run.last_staying THEN 1
       WHEN stayed.hit = 1 AND stayed.run_id < run.run_id AND stayed.context_time <> run.read_from THEN 1
@@ -141,5 +144,11 @@ FROM (
       ON maker.version_id = written.version_id AND maker.run_id = written.run_id
     GROUP BY written.version_id, written.run_id
   ) AS own ON own.version_id = run.version_id AND own.run_id = run.run_id
+  LEFT JOIN (
+    SELECT version_id, run_id, MAX(read.still_since) AS standing_from, 1 AS hit
+    FROM stored_run AS read
+    WHERE still_since IS NOT NULL
+    GROUP BY version_id, run_id
+  ) AS calm ON calm.version_id = run.version_id AND calm.run_id = run.run_id
 ) AS judged
 WHERE unsound = 1 OR strays = 1

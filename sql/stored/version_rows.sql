@@ -1,7 +1,8 @@
 -- Version rows: what is frozen with a calibration. Appended last of all: they commit it.
 -- Reads:  numbering, bounds, run_up, recount
 -- A row:  one version of one channel; run_up_from reaches back (m-1) tau samples before the first vector to
---         be scored, or over everything where there are not that many.
+--         be scored, and still_after - 1 more by which still ones are told, or over everything where there are
+--         not that many.
 -- Slots:  :long_ago  an instant before all others
 --         :created
 SELECT
@@ -18,12 +19,16 @@ SELECT
   numbered.window_length AS window_length,
   numbered.stride AS stride,
   numbered.max_gap AS max_gap,
+  numbered.still_after AS still_after,
   numbered.score_from AS score_from,
   numbered.target_floor AS target_floor,
   scale.calibration_end AS calibration_end,
   scale.first_scored AS first_scored,
   CASE
-    WHEN earlier.hit = 1 AND earlier.context_rows = (numbered.m - 1) * numbered.tau
+    WHEN earlier.hit = 1
+      AND earlier.context_rows
+        = (numbered.m - 1) * numbered.tau
+          + CASE WHEN numbered.still_after IS NULL THEN 0 ELSE numbered.still_after - 1 END
       THEN earlier.read_from
     ELSE CAST(:long_ago AS BIGINT)
   END AS run_up_from,

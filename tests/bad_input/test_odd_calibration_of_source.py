@@ -8,7 +8,7 @@ import pyarrow.csv
 import pyarrow.parquet
 import pytest
 
-from gam_db import Calibration, Monitor, Parameters, Source, connect
+from gam_db import Calibration, Parameters, Source
 from gam_db.errors import CalibrationError, ParameterError
 from odd import MICROS, ROWS, SMALL, agreed, expected, health, refused, support, table, timed
 
@@ -56,11 +56,3 @@ def test_numbers_in_words_on_a_counter() -> None:
 @pytest.mark.parametrize("samples", [1, 0, -3, 2.5, True])
 def test_a_run_of_still_samples_has_at_least_two(samples: Any) -> None:
     refused("still_after is", lambda: Parameters(still_after=samples), ParameterError)
-
-
-def test_a_monitor_does_not_take_still_samples_yet() -> None:
-    with connect() as session:
-        monitor = Monitor(session, Source(table()), Parameters(still_after=2), Calibration())
-        monitor.migrate()
-        refused("still_after is set, which a monitor", monitor.calibrate, ParameterError)
-        assert not monitor.state.monitors()

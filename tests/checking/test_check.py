@@ -1,5 +1,6 @@
 """The look before calibration: its figures against NumPy, odd sources, and its words."""
 
+import dataclasses
 from typing import Any
 
 import numpy as np
@@ -8,9 +9,11 @@ import pytest
 from hypothesis import given, settings
 
 import comparisons
+import frozen
 import gam_db
 import harness
 import look_reference
+import reference
 from gam_db import Source, WideSource
 from gam_db.checking.words import roundest, setting, spoken
 from gam_db.clock import TimeKind, length
@@ -19,6 +22,7 @@ from looks import SECOND, figures, said, table, wave
 from strategies import Case, cases
 
 OF_CALIBRATION = ("calibration_samples", "calibration_lowest", "calibration_highest")
+STILL = ("still_after", "calibration_still", "still_runs", "longest_run")
 TIMES = ("first_time", "last_time")
 
 
@@ -34,8 +38,15 @@ def test_figures_are_those_of_numpy(case: Case) -> None:
     found = gam_db.check(Source(harness.arrow(rows)), *made).drop_columns(["notes"])
     assert found["first_time"].equals(found["first_tick"])
     assert found["last_time"].equals(found["last_tick"])
-    plain = found.drop_columns([*OF_CALIBRATION, *TIMES]).to_pylist()
+    plain = found.drop_columns([*OF_CALIBRATION, *STILL, *TIMES]).to_pylist()
     harness.assert_same(look_reference.figures(rows), plain)
+
+    for (channel, _), seen in zip(reference.channels(rows, *made), found.to_pylist(), strict=True):
+        after = channel.settings.still_after or 25
+        channel.settings = dataclasses.replace(channel.settings, still_after=after)
+        stands = zip(frozen.stands_still(channel), channel.healthy, strict=True)
+        assert seen["calibration_still"] == sum(still and healthy for still, healthy in stands)
+        assert seen["still_after"] in (None, after)
 
     if not made[1].pools:  # a pool's range is that of all members
         learnt = harness.by_reference("support", rows, *made)
@@ -53,7 +64,7 @@ def test_long_series_agree_too(period: int) -> None:
     values[4000:4100] = np.nan
     rows: list[Any] = [("a", "x", 3 * t, v) for t, v in enumerate(values.tolist())]
     found = gam_db.check(Source(harness.arrow(rows))).drop_columns(["notes"])
-    plain = found.drop_columns([*OF_CALIBRATION, *TIMES]).to_pylist()
+    plain = found.drop_columns([*OF_CALIBRATION, *STILL, *TIMES]).to_pylist()
     expected = look_reference.figures(rows)
     harness.assert_same(expected, plain)
     assert expected[0]["cycle_length"] is not None

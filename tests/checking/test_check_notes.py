@@ -11,6 +11,7 @@ import pytest
 import gam_db
 from gam_db import Calibration, Parameters, Source
 from gam_db.checking import look_at, must_be_fixed, propose
+from gam_db.checking.proposal import Proposal, Still
 from gam_db.engines.duckdb_session import DuckSession
 from looks import HALF, SECOND, SHORT, figures, said, table, wave
 
@@ -269,3 +270,66 @@ def test_the_proposed_window() -> None:
     assert proposed(np.random.default_rng(0).standard_normal(4000), Parameters()) == 100
     assert proposed(np.random.default_rng(0).standard_normal(4000), Parameters(window=77)) == 77
     assert proposed(np.zeros(4000), Parameters()) == 5000
+
+
+def proposal_of(source: Any, parameters: Parameters = SHORT) -> Proposal:
+    with DuckSession() as session:
+        return propose(look_at(session, Source(source), parameters, Calibration(fraction=0.5)))
+
+
+def stood(*lengths: int, of: int = 1000, channel: str = "x", step: int = 1) -> pa.Table:
+    """A wave that stands still so long, again and again from its 100th sample on."""
+    values = wave(of)
+    for number, length in enumerate(lengths):
+        values[100 * (number + 1) : 100 * (number + 1) + length] = 4.5
+    times = np.arange(of) * step
+    return pa.table({"asset": ["a"] * of, "channel": [channel] * of, "time": times, "value": values})
+
+
+@pytest.mark.parametrize(
+    ("lengths", "proposed"),
+    [
+        ((24, 24), None),  # none of 25 equal ones
+        ((30, 25), 25),  # 7 of 500
+        ((74,), None),  # just a tenth
+        ((73,), 25),
+        ((10, 10, 10, 10, 0, 0, 60), None),  # after calibration
+    ],
+)
+def test_what_stood_still_for_a_short_part_of_calibration_is_proposed(
+    lengths: tuple[int, ...], proposed: int | None
+) -> None:
+    found = proposal_of(stood(*lengths)).still
+    assert (None if found is None else found.value) == proposed
+
+
+def test_the_figures_of_what_stood_still() -> None:
+    row = figures(stood(30, 25), calibration=Calibration(fraction=0.5))
+    told = ("still_after", "calibration_still", "still_runs", "longest_run")
+    assert tuple(row[name] for name in told) == (25, 7, 2, 30)
+    assert proposal_of(stood(30, 25)).still == Still(
+        25, "1.4 % of calibration at most stood still, in 2 runs of at most 30 samples"
+    )
+
+
+def test_samples_in_five_seconds_where_these_are_more() -> None:
+    source = stood(60, 30)
+    times = pa.array(np.arange(1000) * 100_000, pa.timestamp("us"))
+    found = proposal_of(source.set_column(2, "time", times)).still
+    assert found is not None
+    assert found.value == 50  # at 10 Hz
+
+
+def test_a_still_after_that_not_all_channels_can_take() -> None:
+    source = pa.concat_tables([stood(30, 30), stood(90, 90, 90, channel="y")])
+    found = proposal_of(source)
+    assert found.still is None
+    assert {name: one.value for name, one in found.stills.items()} == {"x": 25}
+
+
+def test_a_still_after_that_takes_much_of_calibration_is_obeyed_and_said() -> None:
+    note = said(stood(90, 90, 90), Parameters(bins=4, window=20, still_after=25))["still_after"]
+    assert not note.must
+    assert "leaves out 40 % of calibration, in 3 runs of at most 90 samples" in note.text
+    assert "still_after" not in said(stood(90, 90, 90))
+    assert "still_after" not in said(stood(30, 30), Parameters(bins=4, window=20, still_after=25))

@@ -113,7 +113,13 @@ def test_check_as_json() -> None:
     subjects = {note["subject"]: note["must_be_fixed"] for note in said["notes"]}
     assert subjects == {"pauses": False, "missing": False}
     assert said["notes"][0]["channels"] == [["R1", "j1"]]
-    assert said["proposal"] == {"max_gap": "5 s", "max_gap_by_channel": {}, "window": 100}
+    assert said["proposal"] == {
+        "max_gap": "5 s",
+        "max_gap_by_channel": {},
+        "window": 100,
+        "still_after": None,
+        "still_after_by_channel": {},
+    }
     assert said["rows_without"] == {"asset": 0, "channel": 0, "time": 0}
 
 
@@ -256,6 +262,25 @@ def test_channels_with_gaps_of_their_own_get_overrides() -> None:
         ("slow\n2", 200),
     ]
     assert gam("run", "--no-out").exit_code in (0, 2)
+
+
+def test_what_stands_still_is_proposed_and_written() -> None:
+    values = SIGNAL.copy()
+    values[100:140] = 4.5
+    parquet.write_table(pa.table({"t": np.arange(4000), "value": values}), "one.parquet")
+    assert "still_after = 25 (2 % of calibration at most stood still" in flat(
+        gam("check", "one.parquet")
+    )
+    assert gam("init", "one.parquet").exit_code == 0
+    parameters, _ = config.load().method()
+    assert parameters.still_after == 25
+    assert "to be set" not in flat(gam("check"))
+    values[100:600] = 4.5
+    parquet.write_table(
+        pa.table({"channel": ["x"] * 4000, "t": np.arange(4000), "value": values}), "x.parquet"
+    )
+    assert gam("init", "x.parquet", "--out", "x.toml").exit_code == 0
+    assert tomllib.loads(Path("x.toml").read_text())["parameters"]["still_after"] is False
 
 
 def test_a_file_in_another_folder_and_a_table_of_a_database() -> None:

@@ -19,7 +19,10 @@ from visible import BUCKETS, NOVEL, visible
 
 #: When things were done; all else is the same in two runs.
 CLOCKS = ("calibrated_at", "looked_at", "last_run", "created", "run_id")
-OF_CALIBRATION = ("calibration_samples", "calibration_lowest", "calibration_highest")
+OF_CALIBRATION = (
+    *("calibration_samples", "calibration_lowest", "calibration_highest"),
+    *("still_after", "calibration_still", "still_runs", "longest_run"),
+)
 
 
 def test_figures_of_check_are_those_of_numpy(engine: str) -> None:

@@ -27,7 +27,7 @@ SCHEMA = "plant state"
 SETTINGS = ("--m", "2", "--bins", "4", "--window", "20", "--stride", "5", "--calibrate", "0/99")
 
 #: What the status takes, and what there is to look at.
-STATUS = {"migration", "monitor", "proof", "visible_bucket", "fleet"}
+STATUS = {"migration", "monitor", "proof", "visible_bucket", "fleet", "stillness"}
 STATUS |= {"channel", "version", "bounds", "limit", "alarm"}
 SHOWN = {"health", "quarantine", "unplaced_day", "onset", "machine", "growth", "cell", "trend"}
 SHOWN |= {"visible_judgement", "alarm_event"}

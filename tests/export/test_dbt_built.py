@@ -1,5 +1,6 @@
 """Packages that the real dbt builds, on a real recording: the integers of gam score, every time."""
 
+import dataclasses
 import datetime as dt
 from collections.abc import Callable
 from pathlib import Path
@@ -37,19 +38,30 @@ def recording(recordings: Path) -> Rows:
     return [row for row in rows if row[1] in CHANNELS]
 
 
-def scored(rows: Rows, calibration: gam_db.Calibration) -> tuple[Rows, Rows]:
+def scored(
+    rows: Rows, calibration: gam_db.Calibration, parameters: gam_db.Parameters
+) -> tuple[Rows, Rows]:
     """What gam score makes of the same rows, in one run."""
     with duckdb.connect() as connection:
         source = gam_db.Source(dbt_runs.arrow(rows), time="ts")
-        monitor = Monitor(connection, source, PARAMETERS, calibration, park_after=False)
+        monitor = Monitor(connection, source, parameters, calibration, park_after=False)
         monitor.migrate()
         monitor.calibrate()
         monitor.score()
         return connection.sql(BUCKETS).fetchall(), connection.sql(FLEET).fetchall()
 
 
-@pytest.mark.parametrize("engine", ["duckdb", pytest.param("postgres", marks=pytest.mark.full)])
-def test_dbt_builds_what_gam_scores(engine: str, recording: Rows, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("engine", "still_after"),
+    [
+        ("duckdb", None),
+        pytest.param("postgres", None, marks=pytest.mark.full),
+        pytest.param("duckdb", 4, marks=pytest.mark.full),
+    ],
+)
+def test_dbt_builds_what_gam_scores(
+    engine: str, still_after: int | None, recording: Rows, tmp_path: Path
+) -> None:
     dbt_runs.executable()
     places: dict[str, Callable[[], dbt_runs.Warehouse]] = {
         "duckdb": lambda: dbt_runs.InDuckDB(tmp_path / "plant.duckdb"),
@@ -60,7 +72,8 @@ def test_dbt_builds_what_gam_scores(engine: str, recording: Rows, tmp_path: Path
     calibration = gam_db.Calibration(intervals=[(first, first + 0.3 * (last - first))])
     source = gam_db.Source("telemetry", time="ts", time_kind="timestamp")
     folder = tmp_path / "package"
-    write(Package(source, PARAMETERS, calibration, engine, lookback=LOOKBACK), folder)
+    parameters = dataclasses.replace(PARAMETERS, still_after=still_after)
+    write(Package(source, parameters, calibration, engine, lookback=LOOKBACK), folder)
 
     # The first six tenths, of which every fifth row of the last two minutes is still on its way.
     edge = first + 0.6 * (last - first)
@@ -73,7 +86,7 @@ def test_dbt_builds_what_gam_scores(engine: str, recording: Rows, tmp_path: Path
     warehouse.arrive([*(row for row in recording if row[2] > edge), *late])
     dbt_runs.run(folder, warehouse, "build")
     found = warehouse.rows(BUCKETS)
-    expected, fleet = scored(recording, calibration)
+    expected, fleet = scored(recording, calibration, parameters)
     assert len(early) < len(found)
     assert found == expected
     assert warehouse.rows(FLEET) == fleet
@@ -86,6 +99,6 @@ def test_dbt_builds_what_gam_scores(engine: str, recording: Rows, tmp_path: Path
     dbt_runs.run(folder, warehouse, "run")
     fewer = warehouse.rows(BUCKETS)
     assert len(fewer) < len(found)
-    assert fewer == scored([*recording, *gone], calibration)[0]
+    assert fewer == scored([*recording, *gone], calibration, parameters)[0]
     dbt_runs.run(folder, warehouse, "build", "--full-refresh")
     assert warehouse.rows(BUCKETS) == fewer

@@ -284,7 +284,6 @@ def test_settings_of_another_package_are_told_apart() -> None:
             "one set of parameters",
             {"parameters": gam_db.Parameters(overrides=[gam_db.Override(asset="a", m=2)])},
         ),
-        ("still_after", {"parameters": gam_db.Parameters(still_after=25)}),
         ("a table of the warehouse", {"source": gam_db.Source("readings.parquet")}),
         ("channels named", {"source": gam_db.WideSource("readings")}),
         ("'{{ x }}'", {"source": gam_db.Source("t", where="asset = '{{ x }}'")}),

@@ -523,7 +523,7 @@ def steps(
     method = Method(parameters, calibration, TimeKind.COUNTER)
     rows = readings(source, exp.to_table("telemetry"), lambda node: node)
     made = pipeline(method, rows, lambda node: node)
-    add_look(made, lambda node: node)
+    add_look(made, method, lambda node: node)
     return [(step.name, step.query) for step in made.steps.values()]
 
 
@@ -763,6 +763,7 @@ def test_every_file_is_used() -> None:
         for made in (*cached, matching_steps, first_rows):
             made.cache_clear()
         scoring_steps(Setting(3, 1, 100, 5000, 100, None, False), TimeKind.COUNTER, trusting=True)
+        scoring_steps(Setting(3, 1, 100, 5000, 100, None, False, 25), TimeKind.COUNTER)
         watch_once()
         alarm_once()
         stream_once()

@@ -62,12 +62,10 @@ def buckets(
     answer = []
     for channel, pool in channels(first, final, parameters, calibration):
         stride, window = pool.settings.stride, pool.settings.window
-        span = (pool.settings.m - 1) * pool.settings.tau
+        span, after = (pool.settings.m - 1) * pool.settings.tau, pool.settings.still_after
+        reach = span - 1 if after is None else span + after - 2
         scored = list(reference.health(channel, pool))
-        start = channel.score_from
-        if start is None:
-            start = -(2**62) if channel.end is None else channel.end + 1
-        ends = [start - 1]
+        ends = [scored_from(channel) - 1]
         for bucket in range(len(scored) // stride):
             inside = scored[bucket * stride : (bucket + 1) * stride]
             newest = channel.times.index(inside[-1]["time"])
@@ -78,7 +76,7 @@ def buckets(
                 "bucket": bucket,
                 "first_time": inside[0]["time"],
                 "last_time": inside[-1]["time"],
-                "context_time": channel.times[newest - max(span - 1, 0)],
+                "context_time": -(2**62) if reach > newest else channel.times[newest - max(reach, 0)],
                 "samples": sum(ends[-1] < t <= inside[-1]["time"] for t in channel.times),
                 "novel": sum(row["novel"] for row in inside),
                 "out_of_range": sum(row["out_of_range"] for row in inside),
@@ -87,6 +85,54 @@ def buckets(
             ends.append(inside[-1]["time"])
             answer.append(row)
     return answer
+
+
+def scored_from(channel: Channel) -> int:
+    """Return the instant from which on a channel is scored."""
+    if channel.score_from is not None:
+        return channel.score_from
+    return -(2**62) if channel.end is None else channel.end + 1
+
+
+def stands_still(channel: Channel) -> list[bool]:
+    """Tell of each sample whether it stands still: it is there, and no vector may contain it."""
+    usable = reference.usable(channel, reference.segments(channel))
+    return [value is not None and not used for value, used in zip(channel.values, usable, strict=True)]
+
+
+def still_counts(
+    first: list[Row], final: list[Row], parameters: Any, calibration: Any
+) -> list[dict[str, Any]]:
+    """Return the column ``still`` of ``gam_bucket``, in order."""
+    stands: dict[tuple[str, str], tuple[int, list[int] | None]] = {
+        (channel.asset, channel.name): (
+            scored_from(channel) - 1,
+            [t for t, still in zip(channel.times, stands_still(channel), strict=True) if still],
+        )
+        for channel, pool in channels(first, final, parameters, calibration)
+        if pool.settings.still_after is not None
+    }
+    answer: list[dict[str, Any]] = []
+    for row in buckets(first, final, parameters, calibration):
+        name = {key: row[key] for key in ("asset", "channel", "bucket")}
+        end, still = stands.get((row["asset"], row["channel"]), (0, None))
+        count = None if still is None else sum(end < t <= row["last_time"] for t in still)
+        stands[row["asset"], row["channel"]] = (row["last_time"], still)
+        answer.append({**name, "still": count})
+    return answer
+
+
+def still_since(
+    first: list[Row], final: list[Row], parameters: Any, calibration: Any
+) -> dict[tuple[str, str], int | None]:
+    """Return since when each channel stands still, of what is scored; None where it moves."""
+    found = {}
+    for channel, _ in channels(first, final, parameters, calibration):
+        stands = stands_still(channel)
+        moved = max((i for i, still in enumerate(stands) if not still), default=-1)
+        since = (t for t in channel.times[moved + 1 :] if t >= scored_from(channel))
+        found[channel.asset, channel.name] = next(since, None)
+    return found
 
 
 def novel_cells(

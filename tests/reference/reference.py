@@ -137,6 +137,14 @@ def calibrated(
     return healthy, max((b for _, b in declared), default=None), own.score_from
 
 
+def segments(channel: Channel) -> list[int]:
+    """Section 1: the number of the segment of each sample."""
+    found, gap = [0], channel.settings.max_gap
+    for before, time in pairwise(channel.times):
+        found.append(found[-1] + (gap is not None and time - before > gap))
+    return found
+
+
 def usable(channel: Channel, segments: list[int]) -> list[bool]:
     """Alarms, section 1: which samples a vector may contain: those there are that do not stand still.
 
@@ -153,11 +161,8 @@ def usable(channel: Channel, segments: list[int]) -> list[bool]:
 
 def embed(channel: Channel) -> None:
     """Eq. 1 and section 4: find the delay vectors, and tell those to learn from those to score."""
-    s, times, segments = channel.settings, channel.times, [0]
-    for before, time in pairwise(times):
-        torn = s.max_gap is not None and time - before > s.max_gap
-        segments.append(segments[-1] + torn)
-    known = usable(channel, segments)
+    s, times, numbers = channel.settings, channel.times, segments(channel)
+    known = usable(channel, numbers)
     span = (s.m - 1) * s.tau
     for newest in range(span, len(times)):
         oldest = newest - span
@@ -165,7 +170,7 @@ def embed(channel: Channel) -> None:
         due = channel.end is None or times[newest] > channel.end
         if channel.score_from is not None:
             due = times[newest] >= channel.score_from
-        if segments[oldest] != segments[newest]:
+        if numbers[oldest] != numbers[newest]:
             continue
         if not all(known[i] for i in vector):
             channel.missing_vectors += 1

@@ -130,7 +130,7 @@ def test_rows_of_a_run_that_was_cut_short_while_the_clock_stood_ahead_go(
     ((newest,),) = asked(plant, "SELECT MAX(run_id) FROM gam_run")
     assert refused < newest < alive
     for run_id in (dead, alive, refused):
-        plant.execute(f"INSERT INTO gam_bucket SELECT 1, 90, {run_id}, 0, 0, 0, 5, 0, 0, NULL")
+        plant.execute(f"INSERT INTO gam_bucket SELECT 1, 90, {run_id}, 0, 0, 0, 5, 0, 0, NULL, NULL")
         plant.execute(f"INSERT INTO gam_novel SELECT 1, 90, {run_id}, 7, 1, 0, 0")
     mine = monitor(plant)
     mine.session.transactions = False
@@ -153,7 +153,7 @@ def test_runs_go_on_from_ids_of_a_clock_that_stood_ahead(
     assert len(given) > 10
     ((newest,),) = asked(plant, "SELECT MAX(run_id) FROM gam_run")
     assert min(given) > newest
-    plant.execute(f"INSERT INTO gam_bucket SELECT 1, 90, {max(given)}, 0, 0, 0, 5, 0, 0, NULL")
+    plant.execute(f"INSERT INTO gam_bucket SELECT 1, 90, {max(given)}, 0, 0, 0, 5, 0, 0, NULL, NULL")
     mine.session.transactions = False
     pruning.compact(mine.session, mine.state.tables)
     assert asked(plant, "SELECT run_id FROM gam_bucket WHERE bucket_no = 90") == [(max(given),)]

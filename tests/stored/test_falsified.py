@@ -263,6 +263,11 @@ def find_all(engine: str) -> None:
     assert emptied <= {
         *(("version", f"{column} IS NULL") for column in ("max_gap", "score_from")),
         ("run", "withdrawn IS NULL"),
+        *(
+            ("version", "still_after IS NULL"),
+            ("bucket", "still IS NULL"),
+            ("run", "still_since IS NULL"),
+        ),
         *((table, f"{column} IS NULL") for table in ("bounds", "checksum") for column in ("lo", "hi")),
     }
 

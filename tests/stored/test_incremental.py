@@ -17,7 +17,7 @@ from batches import CHANNELS, KINDS, History, history
 from gam_db.stored import scoring
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.tables import TABLES
-from visible import BUCKETS, NOVEL, CrashError, crashing, put, rows_of
+from visible import BUCKETS, NOVEL, STANDING, STILL, CrashError, crashing, put, rows_of
 
 #: Histories of each kind; each is one of several channels, whose rows arrive each in their own way.
 EXAMPLES = 5
@@ -81,6 +81,13 @@ def test_any_history_ends_in_the_tables_of_one_full_run(
     asked = (told.first, told.final, parameters, calibration)
     harness.assert_same(frozen.buckets(*asked), rows_of(connection, BUCKETS), "buckets")
     harness.assert_same(frozen.novel_cells(*asked), rows_of(connection, NOVEL), "novel cells")
+    if kind in ("still samples", KINDS[0]):
+        harness.assert_same(frozen.still_counts(*asked), rows_of(connection, STILL), "still samples")
+    if kind == "still samples":
+        since, told_since = frozen.still_since(*asked), rows_of(connection, STANDING)
+        assert told_since
+        for row in told_since:
+            assert row["still_since"] == since[row["asset"], row["channel"]]
     comparisons.compared("duckdb", "stored", told.final, parameters, calibration, told.first)
 
 

@@ -170,9 +170,10 @@ def test_pruning_leaves_the_newest_record(plant: duckdb.DuckDBPyConnection) -> N
 def test_the_past_window_is_found_by_literals(plant: duckdb.DuckDBPyConnection) -> None:
     """The condition reaches the scan; DuckDB says how many rows come out of it."""
     plant.execute(
-        "INSERT INTO gam_bucket SELECT 1, n, 7, n, n, n, 1, 0, 0, 0 FROM range(200000) AS others(n)"
+        "INSERT INTO gam_bucket SELECT 1, n, 7, n, n, n, 1, 0, 0, 0, NULL "
+        "FROM range(200000) AS others(n)"
     )
-    nothing = "NULL, NULL, 0, 0, 0, 0, 0, 0, 0, NULL"
+    nothing = "NULL, NULL, 0, 0, 0, 0, 0, 0, 0, NULL, NULL"
     plant.execute(f"INSERT INTO gam_run SELECT 7, 1, 0, 0, 0, 0, 0, {nothing}")
     group = [{"version_id": 1, "first_bucket": 199_000}]
     query = filled("stored/past_buckets", {"buckets": 4, "near": near(group, 4)})

@@ -18,7 +18,7 @@ from batches import KINDS, History, history
 from gam_db.engines.session import Session
 from gam_db.stored import scoring
 from gam_db.stored.monitor import Monitor
-from visible import BUCKETS, NOVEL, CrashError, crashing, visible
+from visible import BUCKETS, NOVEL, STANDING, STILL, CrashError, crashing, visible
 
 #: Histories per engine; each is one of many channels with a series and a lateness of its own. DuckDB has
 #: its own, many more, in test_incremental.py.
@@ -63,6 +63,10 @@ def test_any_history_ends_in_the_tables_of_one_full_run(engine: str) -> None:
         buckets, novel = frozen.buckets(*asked), frozen.novel_cells(*asked)
         harness.assert_same(buckets, visible(monitor, BUCKETS), "buckets")
         harness.assert_same(novel, visible(monitor, NOVEL), "novel cells")
+        harness.assert_same(frozen.still_counts(*asked), visible(monitor, STILL), "still samples")
+        since = frozen.still_since(*asked)
+        for row in visible(monitor, STANDING):
+            assert row["still_since"] == since[row["asset"], row["channel"]]
         monitor.compact()
         harness.assert_same(buckets, visible(monitor, BUCKETS), "buckets after compacting")
         harness.assert_same(novel, visible(monitor, NOVEL), "novel cells after compacting")

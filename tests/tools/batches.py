@@ -19,7 +19,7 @@ CHANNELS = 100
 LENGTH = 60
 
 #: What a history is about -> parameters and calibration that go with it.
-KINDS = ("short form", "pauses", "given start", "pools")
+KINDS = ("short form", "pauses", "given start", "pools", "still samples")
 
 #: What is done after a batch, as often as it stands here.
 PLAIN = (*["score"] * 6, *["crash"] * 3, "full", "everything")
@@ -82,6 +82,8 @@ def history(kind: str, seed: int, channels: int = CHANNELS, mixed: bool = False)
     chance = random.Random(seed)
     parameters, calibration = settings(kind, chance)
     rows = [row for name in names(chance, channels) for row in series(chance, *name, parameters["bins"])]
+    if "still_after" in parameters:
+        rows = standing(chance, rows, parameters["still_after"])
     cut = chance.choice([20, 30, 40])
     starts: dict[tuple[str, str], int] = {}
     for row in rows:
@@ -200,6 +202,13 @@ def settings(kind: str, chance: random.Random) -> tuple[Arguments, Arguments]:
             "exclude": chance.choice([[], [(4, 6)], [(25, 30)]]),
             "score_from": chance.choice([None, 5, 20, 33, 45]),
         }
+    if kind == "still samples":
+        parameters |= {
+            "still_after": chance.choice([2, 3, 6, 15]),
+            "max_gap": chance.choice([None, None, 2]),
+        }
+        if chance.random() < 0.3:
+            calibration = {"intervals": [(6, 15), (18, 28)], "score_from": chance.choice([None, 20, 33])}
     if kind == "pools":
         calibration |= {"pool": chance.choice(["channel", [["a*", "b%"], ["m_1*"]]])}
         calibration["overrides"] = {"m_1*": None}
@@ -212,6 +221,26 @@ def names(chance: random.Random, channels: int) -> list[tuple[str, str]]:
     assets = [*ASSETS, *(f"m_{number}" for number in range(10, 50))]
     both = [(asset, channel) for asset in assets for channel in ("x", "X", "y*")]
     return chance.sample(both, channels)
+
+
+def standing(chance: random.Random, rows: list[Row], after: int) -> list[Row]:
+    """Return the rows of channels that stand still now and then, some until the end."""
+    held: dict[tuple[str, str], list[tuple[int, int, float | None]]] = {}
+    for asset, channel, *_ in rows:
+        if (asset, channel) not in held:
+            starts = [chance.randrange(LENGTH) for _ in range(chance.choice([0, 1, 1, 2]))]
+            lengths = [
+                chance.choice([after - 1, after, after + 2, 2 * after + 5, LENGTH]) for _ in starts
+            ]
+            values = [chance.choice([None, value]) for *_, value in chance.sample(rows, len(starts))]
+            held[asset, channel] = list(zip(starts, lengths, values, strict=True))
+    made = []
+    for asset, channel, time, value in rows:
+        for start, length, constant in held[asset, channel]:
+            if start <= time < start + length:
+                value = 0.25 if constant is None else constant
+        made.append((asset, channel, time, value))
+    return made
 
 
 def series(chance: random.Random, asset: str, channel: str, bins: int) -> list[Row]:

@@ -22,6 +22,22 @@ NOVEL = """
     FROM gam_visible_novel JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
     ORDER BY asset, channel, bucket_no, cell_key
 """
+STILL = """
+    SELECT asset, channel, bucket_no AS bucket, still
+    FROM (SELECT version_id, bucket_no, run_id FROM gam_visible_bucket) AS seen
+    JOIN gam_bucket USING (version_id, bucket_no, run_id)
+    JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+    ORDER BY asset, channel, bucket_no
+"""
+STANDING = """
+    SELECT asset, channel, still_since
+    FROM (
+        SELECT version_id, MAX(run_id) AS run_id FROM gam_finished_run
+        WHERE settled_bucket IS NOT NULL GROUP BY version_id
+    ) AS newest JOIN gam_run USING (version_id, run_id)
+    JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+    ORDER BY asset, channel
+"""
 
 
 class CrashError(Exception):
