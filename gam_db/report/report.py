@@ -37,6 +37,11 @@ DAY = 86_400 * SECOND
 #: Above so many signals a page gets fewer columns, and above the last one it is refused.
 COLUMNS, FEW_COLUMNS, MANY, MOST = 240, 120, 10_000, 40_000
 
+#: Episodes in a page at most, and what is told of each, as the view calls it.
+MOST_ALARMS = 2000
+_OF_ALARM = {name: name for name in ("status", "label", "note", "evidence", "height")}
+_OF_ALARM |= {"id": "episode_id", "proving": "is_proving"}
+
 #: A place of the frame that is filled.
 _PLACE = re.compile(r"\{\{([a-z-]+)\}\}")
 
@@ -164,6 +169,7 @@ def write(
         "machines": {name: [row[name] for row in machines] for name in machines[0]},
         "machine": [place_of[row["asset"]] for row in signals],
         "signals": {name: [one[name] for one in said] for name in said[0]},
+        "alarms": _alarms(state, monitor, signals),
         "strips": packed(np.array(rows).reshape(-1), "u1"),
         "details": {str(place): one for place, one in sorted(shown.items())},
     }
@@ -288,6 +294,18 @@ def _machines(state: Reads, monitor: str, signals: Sequence[Row]) -> list[Row]:
         }
         for name in order
     ]
+
+
+def _alarms(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[str, list[Any]]:
+    """Return the episodes of the signals in columns, open ones first, then the newest."""
+    place = {(row["asset"], row["channel"]): row["place"] for row in signals}
+    rows = state.fetch("report/alarms", {"monitor": template.text(monitor)}).to_pylist()
+    rows = [row for row in rows if (row["asset"], row["channel"]) in place][:MOST_ALARMS]
+    return {
+        "signal": [place[row["asset"], row["channel"]] for row in rows],
+        **{name: [row[of] for row in rows] for name, of in _OF_ALARM.items()},
+        **{name: [tick(row[f"{name}_tick"]) for row in rows] for name in ("since", "last")},
+    }
 
 
 def _courses(state: Reads, monitor: str, signals: Sequence[Row]) -> list[dict[str, NDArray[Any]]]:

@@ -61,6 +61,7 @@ class Plant:
     healthy: dict[tuple[str, str], set[int]]
     new: dict[tuple[str, str], set[int]]
     ladder: dict[int, float]
+    alarms: list[dict[str, Any]]
 
 
 def once(when: int, i: int) -> float:
@@ -118,6 +119,11 @@ def made(folder: Path, source: pa.Table, **wished: Any) -> Plant:
     again = gam_db.Monitor(session, gam_db.Source(source), later, CALIBRATION)
     again.calibrate()
     again.score()
+    session.connection.execute(
+        "INSERT INTO gam_label SELECT monitor_id, 1, episode_id, 'm1', 0, 1, 'false_alarm', ?, NULL, 0 "
+        "FROM gam_episode WHERE seq = 1",
+        [HOSTILE[1]],
+    )
     file = folder / "the 'page' <b>.html"
     monitor.report(file, Wishes(title=TITLE, time_zone=ZONE, details=16, made=MADE, **wished))
 
@@ -137,7 +143,8 @@ def made(folder: Path, source: pa.Table, **wished: Any) -> Plant:
     machines = {row["asset"]: row for row in rows("SELECT * FROM gam_machine")}
     ladder = f"SELECT gam_ladder.bins, gam_ladder.floor {known.replace('support', 'ladder', 1)} WHERE asset = 'm1' AND channel = 'left'"
     floors = {row["bins"]: row["floor"] for row in rows(ladder)}
-    return Plant(file, rows("SELECT * FROM gam_fleet"), health, machines, healthy, new, floors)
+    alarms = rows("SELECT * FROM gam_alarm WHERE status <> 'merged'")
+    return Plant(file, rows("SELECT * FROM gam_fleet"), health, machines, healthy, new, floors, alarms)
 
 
 @pytest.fixture(scope="module")
@@ -497,6 +504,64 @@ def test_a_channel_recalibrated_is_that_of_its_new_version(chrome: Any, plant: P
         assert [float(one) for one in chip] == [row["hi"], row["hi_limit"]]
         assert row["bins"] == 5
         assert seen.wrong == []
+
+
+#: Rows of the list of episodes: number and status, when it began, what was said of it.
+ALARMS = """() => [...document.querySelectorAll('.alarms tbody tr')].map(row => [+row.dataset.alarm, ...[...row.cells].map(cell => cell.textContent)])"""
+
+#: Which columns of the tall strip of a signal are marked at its lower edge.
+MARKED = """() => { const canvas = document.querySelector('.strip canvas'), data = canvas.getContext('2d').getImageData(0, canvas.height - 1, canvas.width, 1).data;
+  return Array.from({length: canvas.width}, (_, x) => data[4 * x] < 60 && data[4 * x + 1] < 60 && data[4 * x + 2] < 60); }"""
+
+
+def test_episodes_are_listed_and_marked_as_the_view_says(chrome: Any, plant: Plant) -> None:
+    alarms = {row["episode_id"]: row for row in plant.alarms}
+    assert len(alarms) > 2
+    assert [row["label"] for row in alarms.values()].count("false_alarm") == 1
+    with browser.Seen(chrome, plant.file, color_scheme="light") as seen:
+        listed = {row[0]: row[1:] for row in seen.ask(ALARMS)}
+        assert set(listed) == set(alarms)
+        order = [alarms[number] for number in listed]
+        assert order == sorted(
+            order, key=lambda row: (row["status"] != "open", -row["since_tick"], row["episode_id"])
+        )
+        for number, (signal, said, since, _, evidence, label) in listed.items():
+            row = alarms[number]
+            assert signal == f"{row['asset']} · {row['channel'] or '(no name)'}"
+            assert (said, since) == (f"{number}, {row['status']}", clock(row["since_tick"]))
+            assert evidence.split()[0] == f"{row['evidence'] / row['height']:.1f}"
+            if row["label"]:
+                assert label == f"{row['label'].replace('_', ' ')}: {row['note']}"
+            else:
+                assert row["is_proving"] == ("first windows" in label)
+        assert seen.ask("[window.HACKED, document.querySelectorAll('img').length]") == [None, 0]
+        first = next(row for row in order if row["status"] == "open")
+        seen.page.click(f'tr[data-alarm="{first["episode_id"]}"] a')
+        seen.wait("signal")
+        own = [number for number, row in alarms.items() if row["channel_id"] == first["channel_id"]]
+        assert [row[0] for row in seen.ask(ALARMS)] == sorted(
+            own, key=lambda number: list(listed).index(number)
+        )
+        assert seen.wrong == []
+
+
+def test_a_strip_marks_its_episodes(chrome: Any, plant: Plant, tmp_path: Path) -> None:
+    """Each mark goes from the column of the onset to that of the last open judgement."""
+    data = json.loads(
+        plant.file.read_text(encoding="utf-8").partition('type="application/json">')[2].partition("<")[0]
+    )
+    data["details"] = {}  # so that the page of a signal shows its strip
+    (tmp_path / "page.html").write_text(report_module.page(data, "x"), encoding="utf-8")
+    first, span = data["first"], data["last"] - data["first"]
+    row = next(row for row in plant.alarms if (row["asset"], row["channel"]) == ("m1", "left"))
+    ends = [round((row[of] - first) / span * data["columns"]) for of in ("since_tick", "last_tick")]
+    assert ends[1] > ends[0] + 3
+    with browser.Seen(chrome, tmp_path / "page.html", "#/m1/left", color_scheme="light") as seen:
+        marked = seen.ask(MARKED)
+        assert [x for x, is_marked in enumerate(marked) if is_marked] == list(range(*ends))
+        seen.ask("() => { location.hash = '#/m1/calm'; }")
+        seen.wait("signal")
+        assert not any(seen.ask(MARKED))
 
 
 def test_a_source_that_counts_has_no_clock(chrome: Any, tmp_path: Path) -> None:

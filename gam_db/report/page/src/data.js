@@ -26,7 +26,7 @@ export const machines = D.machines.asset.map((name, number) => ({
 
 /** A signal, most urgent first. */
 export const signals = D.machine.map((number, place) => {
-  const signal = {place, machine: machines[number]};
+  const signal = {place, machine: machines[number], alarms: []};
   for (const [name, column] of Object.entries(D.signals)) signal[name] = column[place];
   signal.judged = signal.status === 'high' || signal.status === 'ok';
   signal.above = signal.status === 'high';
@@ -37,6 +37,15 @@ for (const machine of machines) {
   machine.fresh = machine.signals.filter(signal => signal.fresh).length;
   machine.silent = machine.signals.filter(signal => signal.silent != null).length;
 }
+
+/** An episode, open ones first, then the newest: id, status, label, note, proving, since, last, evidence, height. */
+export const alarms = D.alarms.id.map((_, number) => {
+  const one = {};
+  for (const [name, column] of Object.entries(D.alarms)) one[name] = column[number];
+  one.since = Number(one.since); one.last = Number(one.last); one.signal = signals[one.signal];
+  one.signal.alarms.push(one);
+  return one;
+});
 
 /** What a count stands for, and which signals it holds. */
 export const STATES = {

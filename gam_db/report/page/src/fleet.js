@@ -3,12 +3,15 @@ import {D, FRAME, STATES, counts, machines, signals} from './data.js';
 import {brief, plural, share, shortly, ticks, unjudged, when, whole} from './words.js';
 import {CALIBRATION, PAUSE, column, drawStrip, heat, rgb, stripInto, theme, byteOf, AT_LIMIT} from './colour.js';
 import {el, named, showTip} from './dom.js';
+import {list as alarmList, markStrip} from './alarms.js';
 
 /** What is chosen, kept while signals are looked at. */
 export const chosen = {state: null, text: '', byWorst: false, open: new Set(), scroll: 0};
 
 export const linkOf = signal => `#/${encodeURIComponent(signal.machine.name)}/${encodeURIComponent(signal.name)}`;
 const lately = D.counter ? 'in the last window' : 'in the last 24 hours';
+
+const headOf = (text, more) => el('div', {class: 'head'}, el('h2', {}, text), el('span', {class: 'note'}, more));
 
 /** The line above both pages. */
 export function heading() {
@@ -51,7 +54,7 @@ export function drawFleet(app, again) {
     counts.unjudged ? ` ${plural(counts.unjudged, 'signal')} cannot be judged and never alarm${counts.unjudged === 1 ? 's' : ''} (${reasons()}).` : '');
   const [section, build, jump] = list();
   const map = heatMap(machine => { chosen.open.add(machine.number); chosen.state = null; chosen.text = ''; press(); build(); jump(machine); }, again);
-  app.replaceChildren(heading(), el('main', {id: 'main', tabindex: '-1'}, sentence(), lead, tiles, map, section), foot());
+  app.replaceChildren(heading(), el('main', {id: 'main', tabindex: '-1'}, sentence(), lead, tiles, map, section, alarmList(null, headOf)), foot());
   build();
 }
 
@@ -175,6 +178,7 @@ function list() {
   function rowOf({machine, signal}, place) {
     const canvas = el('canvas', {'aria-hidden': 'true'});
     stripInto(canvas, signal ? [signal] : machine.signals, false, 16);
+    markStrip(canvas, signal ? [signal] : machine.signals);
     const strip = el('span', {class: 'strip'}, canvas);
     if (!signal) {
       const parts = machine.signals.length;

@@ -6,6 +6,7 @@ import {across, chart, gaps, hover, numberAxis, stretch, timeAxis, uPlot, uprigh
 import {css, el, named} from './dom.js';
 import {drawStates} from './states.js';
 import {foot, heading, linkOf} from './fleet.js';
+import {list as alarmList, markChart, markStrip} from './alarms.js';
 
 const titled = (text, more) => el('div', {class: 'head'}, el('h2', {}, text), el('span', {class: 'note'}, more));
 const calm = matchMedia('(prefers-reduced-motion:reduce)');
@@ -23,7 +24,8 @@ export async function drawSignal(app, signal, isStill) {
   if (!known) {
     const canvas = el('canvas', {class: 'alone', role: 'img', 'aria-label': 'The course of the indicator'});
     stripInto(canvas, [signal], false, 24);
-    main.append(titled('Its course', 'grey: below the limit; colour: above it'), el('div', {class: 'strip tall'}, canvas),
+    markStrip(canvas, [signal]);
+    main.append(titled('Its course', 'grey: below the limit; colour: above it'), el('div', {class: 'strip tall'}, canvas), ...alarmList(signal, titled),
       el('p', {class: 'lead'}, 'This page shows the most urgent signals in detail, and this is none of them. To see it: ', el('code', {}, `gam report --signal ${shell(`${signal.machine.name}/${signal.name}`)}`)));
     return;
   }
@@ -31,6 +33,7 @@ export async function drawSignal(app, signal, isStill) {
   if (!isStill()) return;
   const seen = {calibration: known.learntFrom == null ? null : [Number(known.learntFrom), Number(known.learntTo)], pauses: pausesOf(begins, time)};
   indicator(main, signal, time, hi, seen, await unpack(known.novel, Uint32Array), await unpack(known.outside, Uint32Array));
+  main.append(...alarmList(signal, titled));
   if (known.envelope) {
     await readings(main, signal, known, seen);
     await pieces(main, signal, known);
@@ -92,6 +95,7 @@ function indicator(main, signal, time, hi, seen, novel, outside) {
   const made = chart(place, {height: 220, cursor: {y: false, sync: {key: 'time'}}, scales: {x: {time: false, range: () => [FRAME.first, FRAME.last]}, y: {range: [0, top * 1.02]}},
     series: [{}, {stroke: css('--ink'), width: 1.3, fill, points: {show: time.length < 3}}], axes: [timeAxis(), numberAxis()],
     hooks: {drawAxes: [marks(seen)], draw: [it => {
+      markChart(it, signal);
       across(it, signal.limit, css('--ink'), [6, 4], `limit ${share(signal.limit)}`);
       if (signal.floor != null && (signal.limit ?? 1) - signal.floor > 0.09 * top) across(it, signal.floor, css('--soft'), [2, 3], `floor ${share(signal.floor)}`, true);
       upright(it, signal.since, css('--hot'), 'left health');
