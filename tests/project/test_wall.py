@@ -38,7 +38,7 @@ LAYERS = [
     ["stored"],
     ["gam_db"],
     ["config"],
-    ["export"],
+    ["export", "plot"],
     ["cli"],
     ["lab.estimators", "lab.evaluation"],
     ["lab.benchmark", "lab.simulate", "lab.baselines"],

@@ -1,0 +1,60 @@
+"""Figures of Plotly: their figures are the views', and those of what ``gam run`` wrote."""
+
+from pathlib import Path
+
+import duckdb
+import pytest
+from typer.testing import CliRunner
+
+from gam_db import plot
+from gam_db.cli import app
+from gam_db.errors import UserError
+from test_report import shared, telemetry
+
+pytest.importorskip("plotly", reason="pip install plotly")
+
+
+def test_figures_are_those_of_the_views() -> None:
+    monitor = shared("duckdb")
+    health = [
+        row for row in monitor.health().to_pylist() if (row["asset"], row["channel"]) == ("A", "x")
+    ]
+    drawn = plot.signal(monitor, "A", "x")
+    assert list(drawn.data[0].x) == [row["last_tick"] for row in health]
+    assert list(drawn.data[0].y) == [row["hi"] for row in health]
+    limit = {row["channel"]: row["hi_limit"] for row in monitor.status().to_pylist()}["x"]
+    assert drawn.layout.shapes[0].y0 == drawn.layout.shapes[0].y1 == limit
+    fleet = plot.fleet(monitor)
+    above = {
+        (row["asset"], row["last_tick"]) for row in health if row["hi"] is not None and row["hi"] > limit
+    }
+    (heat,) = fleet.data
+    assert list(heat.y) == ["A", "B"]
+    assert above
+    first = next(tick for tick, count in zip(heat.x, heat.z[0], strict=True) if count)
+    assert first <= min(tick for _, tick in above) < first + heat.x[1] - heat.x[0]
+    assert max(count for count in heat.z[0] if count is not None) == 2
+    with pytest.raises(UserError, match=r"no signal 'A / w'"):
+        plot.signal(monitor, "A", "w")
+
+
+@pytest.mark.parametrize("out", ["r.parquet", "r.duckdb"])
+def test_files_of_gam_run_are_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, out: str) -> None:
+    monkeypatch.chdir(tmp_path)
+    with duckdb.connect() as connection:
+        connection.execute("CREATE TABLE t (asset TEXT, channel TEXT, time BIGINT, value DOUBLE)")
+        rows = [("<b>", *rest) for asset, *rest in telemetry() if asset == "A"]
+        connection.executemany("INSERT INTO t VALUES (?, ?, ?, ?)", rows)
+        connection.execute("COPY t TO 't.parquet'")
+    words = ["--m", "2", "--bins", "4", "--window", "20", "--calibrate", "0/199", "-q", "--out", out]
+    assert CliRunner().invoke(app, ["run", "t.parquet", *words]).exit_code in (0, 2)
+    drawn, fleet = plot.signal(out, "<b>", "x"), plot.fleet(Path(out))
+    assert max(one for one in drawn.data[0].y if one is not None) > 0.5
+    assert drawn.layout.title.text == "&lt;b&gt; · x"
+    assert list(fleet.data[0].y) == ["&lt;b&gt;"]
+    assert max(one for one in fleet.data[0].z[0] if one is not None) == 2
+
+
+def test_a_file_that_is_none_is_named(tmp_path: Path) -> None:
+    with pytest.raises(UserError, match=r"nothing\.parquet is not there, or no result"):
+        plot.fleet(tmp_path / "nothing.parquet")
