@@ -89,7 +89,8 @@ def calibrate(
         (row["asset"], row["channel"]): row
         for row in state.fetch("stored/active", {"monitor_id": monitor["monitor_id"]}).to_pylist()
     }
-    found = running.table("channels").to_pylist()
+    # Keys, and so the numbers of episodes, go by names, whatever order an engine gives rows in.
+    found = sorted(running.table("channels").to_pylist(), key=lambda row: (row["asset"], row["channel"]))
     for row in found:
         row["hash"] = settings_hash(study.method, row)
     due = _due(found, versions, again)
