@@ -6,4 +6,4 @@
 SELECT CAST(:asset_value AS VARCHAR) AS __value, asset AS __text
 FROM stored_machine
 WHERE monitor = :monitor
-ORDER BY __text
+ORDER BY asset

@@ -8,4 +8,4 @@ SELECT CAST(:channel_value AS VARCHAR) AS __value, channel AS __text
 FROM stored_fleet
 WHERE monitor = :monitor AND asset IN (:assets)
 GROUP BY channel
-ORDER BY __text
+ORDER BY channel

@@ -16,4 +16,4 @@ FROM (
   WHERE monitor = :monitor AND asset IN (:assets) AND channel IN (:channels) AND hi IS NOT NULL
     AND hi_limit IS NOT NULL AND :shown
 ) AS drawn
-ORDER BY time, metric
+ORDER BY last_time, metric

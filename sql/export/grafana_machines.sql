@@ -12,4 +12,4 @@ FROM (
   WHERE monitor = :monitor AND asset IN (:assets) AND hi IS NOT NULL AND hi_limit IS NOT NULL AND :shown
 ) AS judged
 GROUP BY ended, asset
-ORDER BY time, metric
+ORDER BY ended, asset

@@ -54,6 +54,10 @@ WORDS: dict[str, tuple[str, ...]] = {
     "select": ("telemetry",),
     "compile": ("telemetry", "--engine", "duckdb"),
     "export": ("dbt", "telemetry", "--engine", "duckdb"),
+    "alarms": (),
+    "alarm": ("1",),
+    "label": ("1", "true_fault"),
+    "limits": (),
     "backtest": ("telemetry",),
     "evaluate": ("telemetry", "telemetry"),
 }

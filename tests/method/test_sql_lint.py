@@ -19,7 +19,7 @@ from gam_db.checking.steps import add_look
 from gam_db.clock import TimeKind
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_session import DuckSession
-from gam_db.export import Package
+from gam_db.export import Package, grafana
 from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
 from gam_db.method.alarms import add_backtested, add_judgements, add_learnt_limits, add_replay
 from gam_db.method.census import Slicing
@@ -773,6 +773,7 @@ def test_every_file_is_used() -> None:
             held = pa.table({"time": times, "value": [True]})
             gam_db.check(gam_db.Source(held, None, None, time_unit=unit))
         Package(source, gam_db.Parameters(), gam_db.Calibration(intervals=[(0, 9)])).files()
+        grafana.queries("postgres", StateTables(), "default")
     assert set(NAMES) - loaded == set()
     assert {name for name in loaded if name not in NAMES} == set()
 
