@@ -145,7 +145,7 @@ def label(
     """
     if len(words) not in (2, 4):
         raise ConfigurationError(
-            f"gam label takes ID KIND or ASSET FROM TO KIND, not {len(words)} words: gam label 3 "
+            f"gam label takes ID KIND or ASSET, two times and KIND, not {len(words)} words: gam label 3 "
             "true_fault, or gam label robot_7 2026-03-01 2026-03-02 maintenance."
         )
     episode = _number(words[0]) if len(words) == 2 else None
@@ -263,7 +263,7 @@ def _number(text: str) -> int:
         return int(text)
     except ValueError as error:
         raise ConfigurationError(
-            f"{text!r} is no number of an episode; of a machine say ASSET FROM TO KIND."
+            f"{text!r} is no number of an episode; of a machine say ASSET, two times and KIND."
         ) from error
 
 
