@@ -27,7 +27,7 @@ def add_learnt_limits(steps: Pipeline, method: Method, families: Sequence[str]) 
         families: patterns of channel names.
     """
     join_sets(steps, method, ("visits", "block_sizes"))
-    steps.small |= {"visits", "block_sizes"}
+    steps.small |= {"visits", "block_sizes", "own_cells", "chances"}
     reaches = (NEAR, ORDERED, FAR)
     add_stacked(
         steps, "buffered", "alarms/buffered", [filled("alarms/buffered", {"g": g}) for g in reaches]
@@ -136,7 +136,9 @@ def _root(column: str, table: str | None = None) -> exp.Expr:
 
 
 def _chance(visited_blocks: int) -> exp.Query:
-    factors = [template.fill("alarms/chance_factor", {"i": i}) for i in range(visited_blocks - 1)]
+    factors = [
+        exp.paren(template.fill("alarms/chance_factor", {"i": i})) for i in range(visited_blocks - 1)
+    ]
     certain: exp.Expr = exp.cast(exp.Literal.number(1), "DOUBLE")
     product = reduce(lambda left, right: exp.Mul(this=left, expression=right), factors, certain)
     slots: dict[str, template.Slot] = {

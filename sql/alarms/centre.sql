@@ -3,5 +3,8 @@
 --         :total   sum of root - least
 --         :blocks  how many there are
 :least + CAST(
-  FLOOR((CAST(:total AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(NULLIF(:blocks, 0) AS DOUBLE)) AS BIGINT
+  FLOOR(
+    (CAST(:total AS DOUBLE) + CAST(5e-1 AS DOUBLE))
+    / CAST(CASE WHEN :blocks > 0 THEN :blocks ELSE 1 END AS DOUBLE)
+  ) AS BIGINT
 )

@@ -1,4 +1,5 @@
 -- Chance factor: given that some blocks of a cell lie near a block, the chance that one more does, blocks being in
--- random order (alarms, section 3). Repeated by Python and multiplied.
+-- random order (alarms, section 3). Repeated by Python and multiplied. A cell lies in no more blocks than there are; for
+-- more, which nobody asks for, nothing is divided by 0: ClickHouse would carry that on behind a NULL.
 -- Slots:  :i  how many lie there already
-CAST(near_blocks - :i AS DOUBLE) / CAST(NULLIF(blocks - 1 - :i, 0) AS DOUBLE)
+CAST(near_blocks - :i AS DOUBLE) / CAST(CASE WHEN blocks - 1 > :i THEN blocks - 1 - :i ELSE 1 END AS DOUBLE)

@@ -6,12 +6,12 @@
 CASE
   WHEN SQRT(
     CAST(:blocks * :squares - :total * :total AS DOUBLE) * CAST(:blocks + 1 AS DOUBLE)
-    / CAST(NULLIF(:blocks * :blocks * (:blocks - 1), 0) AS DOUBLE)
+    / CAST(CASE WHEN :blocks > 1 THEN :blocks * :blocks * (:blocks - 1) ELSE 1 END AS DOUBLE)
   ) >= CAST(500 AS DOUBLE) THEN CAST(
     FLOOR(
       SQRT(
         CAST(:blocks * :squares - :total * :total AS DOUBLE) * CAST(:blocks + 1 AS DOUBLE)
-        / CAST(NULLIF(:blocks * :blocks * (:blocks - 1), 0) AS DOUBLE)
+        / CAST(CASE WHEN :blocks > 1 THEN :blocks * :blocks * (:blocks - 1) ELSE 1 END AS DOUBLE)
       )
     ) AS BIGINT
   )

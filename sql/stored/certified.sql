@@ -80,8 +80,8 @@ FROM (
       FROM cohort
     ) AS needed ON needed.support_id = step.support_id
   ) AS both_ladders
-  GROUP BY support_id, bins, floor
-  HAVING COUNT(*) <> 2 * SUM(is_stored)
+  GROUP BY support_id, bins
+  HAVING COUNT(*) <> 2 * SUM(is_stored) OR MIN(floor) <> MAX(floor) OR COUNT(floor) = 1
   UNION ALL
   SELECT 'bounds' AS part, learnt.support_id AS support_id, 0 AS place
   FROM stored_bounds AS learnt

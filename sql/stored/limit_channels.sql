@@ -1,5 +1,6 @@
 -- Limit channels: the active versions of a monitor that limits can be made of, with what calibration says of them.
--- Channels of the same parameters have the same settings_no. Judgements counts the full windows there are.
+-- Channels of the same parameters have the same settings_no; target_floor counts in units of 2^-30, since BigQuery
+-- groups by no double. Judgements counts the full windows there are.
 -- Reads:  active, stored_version, stored_bounds, stored_extent, stored_limit, stored_visible_bucket
 -- A row:  one active version; limit_no is that of its newest limit, 0 before there is one.
 -- Slots:  :limit_reason  the expression of judgement/limit_reason.sql
@@ -17,7 +18,8 @@ SELECT
       member.window_length,
       member.stride,
       member.max_gap,
-      made.target_floor
+      made.still_after,
+      CAST(FLOOR(made.target_floor * CAST(1073741824 AS DOUBLE) + CAST(5e-1 AS DOUBLE)) AS BIGINT)
   ) AS settings_no,
   :limit_reason AS limit_reason,
   extent.vectors AS vectors,

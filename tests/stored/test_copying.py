@@ -24,7 +24,7 @@ def filled(session: DuckSession, tables: StateTables = TABLES) -> DuckSession:
     monitor = plant.monitor()
     channel = plant.channel(monitor, "it's", "j1")
     version = plant.version(channel, learnt)
-    plant.run(version, [{7: 1}, {8: 2}])
+    plant.run(version, [{7: 1}, {8: 2}], still_since=1, settled_bucket=1)
     plant.run(version, [{9: 2}], from_bucket=1, committed=False)
     plant.add(
         "block", support_id=learnt, block=0, channel_id=1, first_time=0, last_time=0, vectors=1, novel=0
