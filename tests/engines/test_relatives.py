@@ -194,6 +194,7 @@ def spark() -> Any:
     return session
 
 
+@pytest.mark.full
 def test_databricks_on_spark_gives_the_integers_of_the_reference(spark: Any) -> None:
     rows: list[harness.Row] = [
         ("a1", "x", time, None if time == 31 else float(time % 5 if time % 17 else time % 3))

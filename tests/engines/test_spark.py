@@ -209,6 +209,7 @@ def test_instants_are_right_in_any_zone(
 # What is read
 
 
+@pytest.mark.full
 def test_a_run_reads_its_range_only(spark: WarehouseSession, tmp_path: Path) -> None:
     for asset in ("007", "8"):
         folder = tmp_path / "telemetry.parquet" / f"asset={asset}"

@@ -1,8 +1,8 @@
 """Killed at any moment (kill -9, Java and all), a run on Spark leaves a state that it passes through.
 
-What a kill leaves is the folder as it is at that moment. So the first set stops all processes of a run,
+What a kill leaves is the folder as it is at that moment. So one test stops all processes of a run,
 Java included, for as long as the folder is copied (``kill -STOP``), tens of times in a run, and looks at
-the copies; it costs one warm run instead of a cold Java for every kill. The full set kills: a victim
+the copies; it costs one warm run instead of a cold Java for every kill. Another one kills: a victim
 scores one batch more than the one before it, and every second one is killed while it writes. What is in
 a folder is looked at by DuckDB, so that looking takes no second Spark.
 """
@@ -37,10 +37,10 @@ from strategies import Row
 from victims import Moment, is_at_work
 from visible import BUCKETS, NOVEL, rows_of
 
-#: In the full set; a kill takes some twenty seconds.
+#: A kill takes some twenty seconds.
 KILLS = int(os.environ.get("GAM_SPARK_KILLS", "10"))
 
-#: Copies of the folder that are looked at in the first set, and those of them that are gone on with.
+#: Copies of the folder that are looked at, and those of them that are gone on with.
 COPIES, RESUMED = 20, 1
 
 #: What is seen of each channel.
@@ -153,6 +153,7 @@ def java_of_spark() -> int:
     return int(context._jvm.java.lang.ProcessHandle.current().pid())
 
 
+@pytest.mark.full
 def test_what_kills_leave(tmp_path: Path) -> None:
     chance = random.Random(5)
     folder, copies = tmp_path / "plant", tmp_path / "copies"
