@@ -40,18 +40,21 @@ class Progress:
         self._status = Status(self, console=console, refresh_per_second=5) if shown else None
         self._console, self._is_logged = console, not (shown or quiet)
         self._ended = threading.Event()
+        self._logging = threading.Thread(target=self._log, daemon=True)
 
     def __enter__(self) -> "Progress":
         if self._status:
             self._status.start()
         elif self._is_logged:
-            threading.Thread(target=self._log, daemon=True).start()
+            self._logging.start()
         return self
 
     def __exit__(self, *_: object) -> None:
         self._ended.set()
         if self._status:
             self._status.stop()
+        elif self._is_logged:
+            self._logging.join()  # drivers complain at the end of a process of what a thread still holds
 
     def _log(self) -> None:
         while not self._ended.wait(EVERY):

@@ -61,6 +61,13 @@ _PIN = """
 #: The number of a relation, or NULL; the same holds for it.
 _NUMBER = "SELECT pg_catalog.to_regclass(%s::pg_catalog.text)::pg_catalog.oid"
 
+#: Schemas that hold a table or view, and that this user may not use: they are not searched.
+_CLOSED = (
+    "SELECT nspname FROM pg_class JOIN pg_namespace ON pg_namespace.oid = relnamespace "
+    "WHERE relname = %s AND relkind IN ('r', 'v', 'm', 'p', 'f') "
+    "AND NOT has_schema_privilege(pg_namespace.oid, 'USAGE')"
+)
+
 _SCHEMA = re.compile(r'CREATE SCHEMA IF NOT EXISTS "([^"]+)"')
 
 #: Seconds to wait for a server, where neither the address nor the environment says.
@@ -234,6 +241,7 @@ class PostgresDriver(DbapiDriver):
         """Return the node of a table with its schema, as the user's search_path has it.
 
         Raises:
+            EngineError: it lies in a schema that the user may not use.
             SourceError: it lies in a schema that is not searched.
         """
         if not isinstance(table, exp.Table) or table.db:
@@ -249,6 +257,10 @@ class PostgresDriver(DbapiDriver):
             (number,),
         )
         if not found:
+            for (schema,) in self._asked(_CLOSED, (table.name,)):
+                raise EngineError(
+                    f"This PostgreSQL user lacks a privilege: GRANT USAGE ON SCHEMA {schema} TO it."
+                )
             raise SourceError(
                 f"The table or view {table.name!r} is there, but in a schema that is not searched; "
                 "write SCHEMA.NAME, or add the schema to search_path."

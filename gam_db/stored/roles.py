@@ -32,7 +32,7 @@ _TOUCHED = {"migration": "applied_at", "monitor": "created"}
 #: The views by which runs, buckets and cells that count are found, and what a run says in the end.
 _COUNTING = (
     *("finished_run", "visible_bucket", "visible_novel", "visible_judgement", "visible_episode"),
-    *("fleet", "alarm"),
+    *("fleet", "stillness", "alarm"),
 )
 
 #: What the status is made of.

@@ -34,7 +34,7 @@ SHOWN |= {"visible_judgement", "alarm_event"}
 
 #: The views that a writer takes, and the tables whose rows stay.
 COUNTING = {"finished_run", "visible_bucket", "visible_novel", "fleet"}
-COUNTING |= {"visible_judgement", "visible_episode", "alarm"}
+COUNTING |= {"visible_judgement", "visible_episode", "alarm", "stillness"}
 KEPT = {"migration", "monitor", "channel", "proof", "episode", "label"}
 
 #: What a writer does.

@@ -31,7 +31,7 @@ from test_migrations import catalog
 from victims import Moment, Victims, carry_out
 from visible import BUCKETS, NOVEL, put, rows_of
 
-pytestmark = pytest.mark.thorough
+pytestmark = [pytest.mark.thorough, pytest.mark.comments]
 
 #: How many running processes are killed of each command, in the first set and in the full one.
 KILLS = {"migrate": (6, 40), "calibrate": (8, 60), "score": (18, 200)}

@@ -127,9 +127,9 @@ def test_what_is_young_or_needed_stays_and_nothing_else(
     assert [row[:2] for row in bucket_rows] == sorted(set.union(*(one[0] for one in expected)))
     cells = [(row[0], row[1], row[3]) for row in novel_rows]
     assert sorted(cells) == sorted(set.union(*(one[1] for one in expected)))
-    for table in ("bucket", "novel"):
+    for table, columns in {"bucket": 10, "novel": 7}.items():  # a view has the columns that it reads
         assert set(rows(session, f"visible_{table}")) >= {
-            row for row in after[table] if row[0] not in strangers
+            row[:columns] for row in after[table] if row[0] not in strangers
         }
     for table, column in {"bucket": 0, "novel": 0, "run": 1}.items():
         left, was = ([row for row in of[table] if row[column] in strangers] for of in (after, before))

@@ -86,13 +86,13 @@ def test_the_newest_finished_run_that_reached_a_bucket_is_seen(
     keys = [f"{run.version}, {bucket}, {by}" for by, run in numbered for bucket in run.buckets]
     nothing = "0, 0, 0, 0, NULL, NULL, 0, NULL, NULL, NULL, 0, 0, 0"
     finished = [
-        f"({by}, {run.version}, {run.start}, {nothing}, {withdrawn})"
+        f"({by}, {run.version}, {run.start}, {nothing}, {withdrawn}, NULL)"
         for by, run in numbered
         for withdrawn in (("NULL", "1") if run.is_withdrawn else ("NULL",))
         if run.is_finished
     ]
     for connection in connections:
-        write(connection, "gam_bucket", [f"({key}, 1, 2, 3, 4, 5, 6, NULL)" for key in keys])
+        write(connection, "gam_bucket", [f"({key}, 1, 2, 3, 4, 5, 6, NULL, NULL)" for key in keys])
         write(connection, "gam_novel", [f"({key}, 7, 8, 9, 10)" for key in keys])
         write(connection, "gam_run", finished)
         for view, more in (("bucket", (1, 2, 3, 4, 5, 6, None)), ("novel", (7, 8, 9, 10))):
