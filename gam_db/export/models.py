@@ -348,7 +348,8 @@ def _views(of: Modelled) -> list[Model]:
     of_window: dict[str, template.Slot] = {"window": of.setting.window_length}
     for name, times_of, slots, keys in (
         ("health", ("first_time", "last_time"), of_limit, ("asset", "channel", "bucket")),
-        ("fleet", ("last_tick",), of_window, ("asset", "channel")),
+        ("fleet", ("last_tick", "since_tick"), of_window, ("asset", "channel")),
+        ("machine", ("since_tick", "last_tick"), {}, ("asset",)),
     ):
         times: list[exp.Expr] = []
         if not of.kind.is_counter:

@@ -1,6 +1,7 @@
 -- Assessed, dbt form: each channel with what it is judged by, and what its buckets say.
 -- Reads:  stored_channel, stored_bounds, stored_bucket
--- A row:  one channel; hi is NULL until a window is scored.
+-- A row:  one channel; hi is NULL until a window is scored. since_tick is the end of the first bucket of the unbroken
+--         run above hi_limit that goes on, window_from_tick where the window of that bucket begins; NULL if below.
 -- Slots:  :hi_limit, :limit_reason  the expressions of judgement/hi_limit.sql and judgement/limit_reason.sql
 --         :stride                   vectors per bucket
 SELECT
@@ -22,7 +23,9 @@ SELECT
   CASE WHEN shown.hit = 1 THEN shown.newest_no END AS bucket,
   CASE WHEN shown.hit = 1 THEN shown.buckets ELSE 0 END AS buckets,
   CASE WHEN shown.hit = 1 THEN shown.novel ELSE 0 END AS novel_in_buckets,
-  CASE WHEN shown.hit = 1 THEN shown.last_time END AS last_tick
+  CASE WHEN shown.hit = 1 THEN shown.last_time END AS last_tick,
+  CASE WHEN shown.hit = 1 THEN shown.since_tick END AS since_tick,
+  CASE WHEN shown.hit = 1 THEN shown.window_from_tick END AS window_from_tick
 FROM stored_channel AS known
 JOIN stored_bounds AS learnt ON learnt.support_id = known.support_id
 LEFT JOIN (
@@ -40,25 +43,50 @@ LEFT JOIN (
     MAX(CASE WHEN placed.vectors_back = 0 THEN placed.novel_in_window END) AS novel_in_window,
     MAX(CASE WHEN placed.vectors_back = placed.window_length THEN placed.novel_in_window END)
       AS novel_window_before,
-    MAX(placed.novel_in_window) AS most_in_window
+    MAX(placed.novel_in_window) AS most_in_window,
+    MIN(CASE WHEN placed.bucket_no > placed.last_below THEN placed.last_time END) AS since_tick,
+    MIN(
+      CASE
+        WHEN placed.newest_no > placed.last_below
+          AND (placed.bucket_no - placed.last_below - 1) * :stride + placed.window_length > 0
+          THEN placed.first_time
+      END
+    ) AS window_from_tick
   FROM (
     SELECT
-      full_bucket.channel_id AS channel_id,
-      newest.newest_no AS newest_no,
-      (newest.newest_no - full_bucket.bucket_no) * :stride AS vectors_back,
-      full_bucket.window_length AS window_length,
-      full_bucket.last_time AS last_time,
-      full_bucket.novel AS novel,
-      full_bucket.out_of_range AS out_of_range,
-      full_bucket.novel_in_window AS novel_in_window
-    FROM stored_bucket AS full_bucket
-    JOIN (
-      SELECT channel_id, MAX(bucket_no) AS newest_no
-      FROM stored_bucket
-      WHERE last_time IS NOT NULL
-      GROUP BY channel_id
-    ) AS newest ON newest.channel_id = full_bucket.channel_id
-    WHERE full_bucket.last_time IS NOT NULL
+      above.channel_id AS channel_id,
+      above.bucket_no AS bucket_no,
+      MAX(above.bucket_no) OVER (PARTITION BY above.channel_id) AS newest_no,
+      MAX(CASE WHEN above.is_above = 1 THEN -1 ELSE above.bucket_no END) OVER (PARTITION BY above.channel_id)
+        AS last_below,
+      (MAX(above.bucket_no) OVER (PARTITION BY above.channel_id) - above.bucket_no) * :stride AS vectors_back,
+      above.window_length AS window_length,
+      above.first_time AS first_time,
+      above.last_time AS last_time,
+      above.novel AS novel,
+      above.out_of_range AS out_of_range,
+      above.novel_in_window AS novel_in_window
+    FROM (
+      SELECT
+        full_bucket.channel_id AS channel_id,
+        full_bucket.bucket_no AS bucket_no,
+        full_bucket.window_length AS window_length,
+        full_bucket.first_time AS first_time,
+        full_bucket.last_time AS last_time,
+        full_bucket.novel AS novel,
+        full_bucket.out_of_range AS out_of_range,
+        full_bucket.novel_in_window AS novel_in_window,
+        CASE
+          WHEN full_bucket.novel_in_window IS NULL OR :hi_limit IS NULL THEN 0
+          WHEN CAST(full_bucket.novel_in_window AS DOUBLE) / CAST(full_bucket.window_length AS DOUBLE)
+            > :hi_limit THEN 1
+          ELSE 0
+        END AS is_above
+      FROM stored_bucket AS full_bucket
+      JOIN stored_channel AS known ON known.channel_id = full_bucket.channel_id
+      JOIN stored_bounds AS learnt ON learnt.support_id = known.support_id
+      WHERE full_bucket.last_time IS NOT NULL
+    ) AS above
   ) AS placed
   GROUP BY placed.channel_id, placed.newest_no
 ) AS shown ON shown.channel_id = known.channel_id

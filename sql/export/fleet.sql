@@ -2,7 +2,7 @@
 -- so hi > hi_limit is true of the channels whose status is high, and of no other.
 -- Reads:  stored_channel, stored_bounds, judged
 -- A row:  one channel.
--- Slots:  :times   last_time as the source tells time; nothing where it counts
+-- Slots:  :times   last_time and since_time as the source tells time; nothing where it counts
 --         :window  W, in vectors
 SELECT
   known.asset AS asset,
@@ -27,6 +27,7 @@ SELECT
   made.novel_in_buckets AS novel_in_buckets,
   :times,
   made.last_tick AS last_tick,
+  made.since_tick AS since_tick,
   learnt.calibration_vectors AS calibration_vectors,
   learnt.cells AS cells,
   learnt.calibrated_lo AS calibrated_lo,

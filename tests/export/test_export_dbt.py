@@ -100,7 +100,7 @@ ONLY_STORED = {
     *("monitor", "version_no", "version_id", "m", "tau", "bins", "stride", "target_floor"),
     *("settings_hash", "method_hash", "data_time", "data_tick", "looked_at", "differing_contexts"),
     *("repair_from_time", "repair_from_tick", "calibration_readings", "calibration_readings_now"),
-    *("since_time", "since_tick", "at_least", "silent_for"),
+    *("at_least", "silent_for"),
 }
 
 
@@ -146,6 +146,46 @@ def test_tables_are_those_of_the_stored_form(calibration: dict[str, Any], gap: i
             assert of_both[0]
 
 
+#: When each signal of two machines leaves health, and when it comes back.
+LEAVING = {
+    ("A", "x"): (400, 900),
+    ("A", "y"): (420, 900),
+    ("A", "z"): (700, 900),
+    ("A", "calm"): (900, 900),
+}
+LEAVING |= {("B", "x"): (300, 500), ("B", "y"): (410, 900)}
+
+
+def test_onsets_and_machines_are_those_of_the_stored_form() -> None:
+    rows = [
+        (*key, t, float(t % 5) + (9.0 if left <= t < back else 0.0))
+        for key, (left, back) in LEAVING.items()
+        for t in range(900)
+    ]
+    parameters, rule = harness.made(
+        {"m": 2, "tau": 1, "bins": 5, "window": 60, "stride": 10}, {"intervals": [(0, 249)]}
+    )
+    with opened() as connection:
+        arrive(connection, rows)
+        reach: dict[str, Any] = {"prefix": "state_", "park_after": False}
+        monitor = Monitor(connection, gam_db.Source("telemetry"), parameters, rule, **reach)
+        monitor.migrate()
+        monitor.calibrate()
+        monitor.score()
+        builder = Builder(package(parameters=parameters, calibration=rule).files(), connection)
+        builder.build()
+        for view, columns in {
+            "fleet": "asset, channel, status, since_tick",
+            "machine": "asset, signals, judged, above, not_judged, since_tick, together",
+        }.items():
+            found, stored = (
+                builder.rows(f"SELECT {columns} FROM {prefix}_{view} ORDER BY ALL")
+                for prefix in ("gam", "state")
+            )
+            assert found == stored
+    assert [(row["above"], row["together"]) for row in found] == [(3, 2), (1, 1)]
+
+
 STORED_CHANNELS = "SELECT * FROM state_channel JOIN state_version USING (channel_id)"
 
 
@@ -165,7 +205,7 @@ def named(rows: list[dict[str, Any]], channels: list[dict[str, Any]]) -> list[st
 
 def _dates(view: str) -> list[str]:
     """Columns that a source which counts time does not fill."""
-    return ["last_time"] if view == "fleet" else ["first_time", "last_time"]
+    return ["last_time", "since_time"] if view == "fleet" else ["first_time", "last_time"]
 
 
 def test_late_rows_without_a_value_end_buckets() -> None:
@@ -347,6 +387,7 @@ def test_the_command_writes_a_package_for_a_table_it_can_see(tmp_path: Path) -> 
             "bucket",
             "health",
             "fleet",
+            "machine",
         )
         builder.models = {f"gam_{name}": builder.models[f"gam_{name}"] for name in order}
         builder.build()

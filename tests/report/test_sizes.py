@@ -1,8 +1,8 @@
-"""Hard figures of the page: bytes, seconds and memory of 200 and of 3,000 signals; printed by -s.
+"""Hard figures of the page: bytes, seconds and memory of 200, 3,000 and 30,000 signals; printed by -s.
 
 Aims: bundle 0.7 MB; 200 signals 1.3 MB; 3,000 signals 2 MB made in 15 s, drawn in 1.5 s on a heap of 30 MB,
-searched in 100 ms; a signal with its boxes by software graphics in 3 s. What is asserted leaves room for a
-slow machine: twice the time, never more bytes.
+searched in 100 ms; a signal with its boxes by software graphics in 3 s; 30,000 signals 8 MB. What is asserted
+leaves room for a slow machine: twice the time, ten times for ten times the signals, never more bytes.
 """
 
 import time
@@ -27,6 +27,9 @@ READINGS = """
             + CASE WHEN (m * 6 + s) % 17 = 0 AND t > 1200 + m THEN 1.5 + 0.5 * sin(t * 1.7) ELSE 0 END, 4) AS value
     FROM range(?) machines(m), range(1, 7) signals(s), range(2300) times(t)
 """
+
+#: Page, machines of six signals, most bytes, and how much longer than for 3,000 signals it may take.
+SIZES = [(34, 1.3e6, 1), (500, 2e6, 1), (5000, 8e6, 10)]
 
 
 def made(folder: Path, machines: int) -> dict[str, Any]:
@@ -84,8 +87,8 @@ def test_the_bundle_is_small() -> None:
 
 
 @pytest.mark.full
-@pytest.mark.parametrize(("machines", "most"), [(34, 1.3e6), (500, 2e6)], ids=["200", "3000"])
-def test_sizes(tmp_path: Path, machines: int, most: float) -> None:
+@pytest.mark.parametrize(("machines", "most", "longer"), SIZES, ids=["200", "3000", "30000"])
+def test_sizes(tmp_path: Path, machines: int, most: float, longer: int) -> None:
     figures = made(tmp_path, machines)
     found = seen(tmp_path / "page.html")
     print(
@@ -94,9 +97,9 @@ def test_sizes(tmp_path: Path, machines: int, most: float) -> None:
         f"search {found['search_ms']:.0f} ms, most rows {found['rows']}, signal {found['signal_s']:.1f} s"
     )
     assert figures["bytes"] <= most
-    assert figures["seconds"] <= 30
-    assert found["drawn_ms"] <= 3000
-    assert found["heap_mb"] <= 30
-    assert found["search_ms"] <= 200
+    assert figures["seconds"] <= 30 * longer
+    assert found["drawn_ms"] <= 3000 * longer
+    assert found["heap_mb"] <= 30 * longer
+    assert found["search_ms"] <= 200 * longer
     assert found["rows"] <= 60
     assert found["signal_s"] <= 6
