@@ -196,7 +196,7 @@ def _match(log: Log, found: list[Row], live: list[Row], judged: Mapping[str, Any
             log.opened(row)
             continue
         mine = meets[0]
-        if mine["version_id"] == version and mine["first_judgement"] < first:  # its begin was pruned
+        if mine["version_id"] == version and mine["onset"] < first:  # its begin was pruned
             row |= {name: mine[name] for name in _BEGIN}
             row["evidence"] = max(row["evidence"], mine["evidence"])
         if any(row[name] != mine[name] for name in ("status", *_KNOWN)):

@@ -175,6 +175,7 @@ class Course:
             assert not {"merged", "withdrawn", "recalibrated"}.intersection(told[:-1])
         mine.score()
         assert visible(mine, RECORDS) == records, "a run without a change writes none"
+        assert mine.checked_state().differences.to_pylist() == []
 
 
 def key(row: dict[str, Any]) -> tuple[Any, ...]:
