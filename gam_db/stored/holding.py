@@ -240,9 +240,11 @@ def _episodes(
         is_whole = oldest == 0 or oldest <= row["onset"]
         if mine is not None and is_whole and any(mine[name] != row[name] for name in _WHOLE):
             wrong.add(_ended(row))
+    begins = {_ended(row): row["first_time"] for row in (*there, *live)}
     for version, rows_of in groupby(sorted(wrong), key=lambda ended: ended[0]):
+        starts = [begins[one] for one in rows_of]
         what = "episodes that are not those of the judgements"
-        yield Unsound(version, "episodes", what, len(list(rows_of)))
+        yield Unsound(version, "episodes", what, len(starts), min(starts))
 
 
 def _ended(row: Row) -> tuple[int, int, int, str]:

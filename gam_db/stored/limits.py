@@ -38,14 +38,26 @@ class Kept:
         self.running.load(step, rows)
 
 
-def learnt(state: State, monitor_id: int, families: Sequence[str] = ()) -> Kept:
-    """Return the steps *limit_channels* and *learnt_limits*, over the active versions of a monitor."""
+def learnt(
+    state: State, monitor_id: int, families: Sequence[str] = (), is_heeding: bool = False
+) -> Kept:
+    """Return the steps *limit_channels* and *learnt_limits*, over the active versions of a monitor.
+
+    Args:
+        state: the state tables.
+        monitor_id: of the monitor.
+        families: patterns of channel names.
+        is_heeding: whether one with a false alarm right after calibration gets no limit any more.
+    """
     steps = Pipeline(small=frozenset({"active", "limit_channels", "buffered"}))
     add(steps, "stored/active", {"monitor_id": monitor_id})
     verdict = exp.column("verdict", table="learnt")
     add(
         *(steps, "stored/limit_channels"),
-        {"limit_reason": template.fill("judgement/limit_reason", {"verdict": verdict})},
+        {
+            "limit_reason": template.fill("judgement/limit_reason", {"verdict": verdict}),
+            "heeding": int(is_heeding),
+        },
     )
     add(steps, "stored/kept_buffered", name="buffered")
     add_spreads(steps, families, "limit_channels")
@@ -78,7 +90,7 @@ def make(
     monitor = state.monitor(name)
     kind = kind_of(monitor)
     asked = alarms.asked(kind)
-    work = learnt(state, monitor["monitor_id"], alarms.family)
+    work = learnt(state, monitor["monitor_id"], alarms.family, is_heeding=True)
     try:
         known = {row["channel_id"]: row for row in work.table("limit_channels").to_pylist()}
         chosen = {channel for channel, row in known.items() if wanted(row)}
