@@ -214,12 +214,9 @@ def chosen_limits(work: Work, alarms: Alarms, kind: TimeKind) -> list[Row]:
     """
     rate = Rate.of(alarms.asked(kind))
     found = {(row["channel_id"], row["g"]): row for row in work.table("learnt_limits").to_pylist()}
-    day = None if kind.is_counter else length("1 d", kind, "a day")
     near = [row for (_, g), row in sorted(found.items()) if g == NEAR]
     for row in near:
-        row["judgements_per_day"] = _per_day(row, day)
-        row["reason"] = _reason(row, day)
-        row["order_ratio"] = row["order_ratio"] if row["blocks"] >= _ORDERED_BLOCKS else None
+        assess(row, day_of(kind))
     rows = [
         {**row, **_based(row, _is_drifting(row["family_no"], near))} if row["reason"] is None else row
         for row in near
@@ -233,12 +230,24 @@ def chosen_limits(work: Work, alarms: Alarms, kind: TimeKind) -> list[Row]:
     replayed, counted = _replayed(work, members)
     for row in members:
         family = row["family_no"]
-        row |= _high(row, _height(row, replayed.get(family), counted[family]))
+        row |= high(row, _height(row, replayed.get(family), counted[family]))
     for row in rows:
         row["family"] = row["family_no"]
         if row["reason"] is not None:
             row |= {"centre": None, "spread": None}
     return rows
+
+
+def day_of(kind: TimeKind) -> int | None:
+    """Return a day in the unit of time; None where the source counts time."""
+    return None if kind.is_counter else length("1 d", kind, "a day")
+
+
+def assess(row: Row, day: int | None) -> None:
+    """Add to a row of *learnt_limits* its judgements a day, and why there is no limit."""
+    row["judgements_per_day"] = _per_day(row, day)
+    row["reason"] = _reason(row, day)
+    row["order_ratio"] = row["order_ratio"] if row["blocks"] >= _ORDERED_BLOCKS else None
 
 
 def _per_day(row: Row, day: int | None) -> float | None:
@@ -318,7 +327,8 @@ def _height(row: Row, judged: int | None, counted: Mapping[int, int]) -> Height:
     return Height(height.quarters, row["basis"] or height.basis)
 
 
-def _high(row: Row, height: Height) -> Row:
+def high(row: Row, height: Height) -> Row:
+    """Return what follows from a height, and from the centre, the spread and the rate of a limit."""
     scaled = (height.quarters * row["spread"] + 3) // 4
     return {
         "reference": row["centre"] + row["spread"],

@@ -197,6 +197,15 @@ def _show_versions(out: Console, where: str, job: Job, rows: Sequence[Row], ever
     page.cut(out, ordered, everything, page.verdicts(ordered[len(shown) :]))
     out.print()
     page.say(out, f"verdicts: {page.verdicts(rows)}")
+    if less := [row for row in rows if row["left_out"]]:
+        machines = sorted({printable(row["asset"]) for row in less})
+        more = f" and {len(machines) - 3:,} more" if len(machines) > 3 else ""
+        spans = number_of(sum(row["left_out"] for row in less), "interval")
+        page.say(
+            out,
+            f"left out of calibration, as true_fault or maintenance: {spans} of "
+            f"{', '.join(machines[:3])}{more}",
+        )
     for line in page.advice(rows):
         page.say(out, line)
     if not need_attention(rows):

@@ -27,6 +27,12 @@ def add_learnt_limits(steps: Pipeline, method: Method, families: Sequence[str]) 
         families: patterns of channel names.
     """
     join_sets(steps, method, ("visits", "block_sizes"))
+    add_counted(steps)
+    add_spreads(steps, families)
+
+
+def add_counted(steps: Pipeline) -> None:
+    """Add what is counted in calibration, up to *buffered*, *order_ratios* and *lengths*."""
     steps.small |= {"visits", "block_sizes", "own_cells", "chances"}
     reaches = (NEAR, ORDERED, FAR)
     add_stacked(
@@ -37,7 +43,6 @@ def add_learnt_limits(steps: Pipeline, method: Method, families: Sequence[str]) 
     add_stacked(steps, "chances", "alarms/chances", chances)
     add(steps, "alarms/order_ratios", {"g": ORDERED})
     add(steps, "alarms/lengths")
-    add_spreads(steps, families)
 
 
 def add_spreads(steps: Pipeline, families: Sequence[str], known: str | None = None) -> None:
@@ -101,6 +106,13 @@ def add_kept_judgements(steps: Pipeline, buckets: int, near: exp.Expr) -> None:
     add(steps, "stored/judged_on", {"root": _root("novel", "judged"), "near": near})
     for name in ("evidence", "opened"):
         add(steps, f"alarms/{name}", tables={"rooted": "judged_on"})
+
+
+def add_held_judgements(steps: Pipeline) -> None:
+    """Add judgements over *held_windows* and *limit_spans*, up to *opened*."""
+    add(steps, "stored/held_on", {"root": _root("novel", "judged")})
+    for name in ("evidence", "opened"):
+        add(steps, f"alarms/{name}", tables={"rooted": "held_on"})
 
 
 def add_backtested(steps: Pipeline, healthy: Sequence[tuple[int, int]]) -> None:

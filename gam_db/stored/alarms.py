@@ -25,6 +25,9 @@ DECISIONS = ("true_fault", "false_alarm", "maintenance", "new_program")
 PAUSES = ("acknowledged", "snoozed")
 KINDS = (*DECISIONS, *PAUSES)
 
+#: Decisions by which a machine was not as it is when healthy: no later calibration learns from that.
+UNHEALTHY = ("true_fault", "maintenance")
+
 #: Why there is no limit any more after a false alarm right after calibration.
 UNREPRESENTATIVE = "unrepresentative"
 
@@ -180,6 +183,42 @@ def label(
         log.keep(state)
         _switch_off(state, name, off)
     return [one["episode_id"] for one in about]
+
+
+def left_out(state: State, name: str) -> dict[str, list[tuple[Instant, Instant]]]:
+    """Return what labels take out of calibration, by asset: closed intervals, as the source tells time.
+
+    A decision that replaced another counts alone. An episode counts from its onset, as long as it is
+    now.
+    """
+    monitor = next((row for row in state.monitors() if row["name"] == name), None)
+    if monitor is None:
+        return {}
+    slots, kind = {"monitor_id": monitor["monitor_id"]}, kind_of(monitor)
+    said = [row for row in state.fetch("stored/labels", slots).to_pylist() if row["kind"] in DECISIONS]
+    spans: dict[str, list[tuple[Instant, Instant]]] = {}
+    if any(row["kind"] in UNHEALTHY for row in said):
+        known = {row["episode_id"]: row for row in records_of(state, slots["monitor_id"])}
+        for number, row in enumerate(said):
+            if row["kind"] in UNHEALTHY and not any(_replaces(one, row) for one in said[number + 1 :]):
+                ends = row["time_from"], row["time_to"]
+                if row["episode_id"] in known:
+                    episode = known[row["episode_id"]]
+                    ends = min(ends[0], episode["onset_time"]), max(ends[1], episode["last_time"])
+                span = shown_instant(ends[0], kind), shown_instant(ends[1], kind)
+                spans.setdefault(row["asset"], []).append(span)
+    return spans
+
+
+def _replaces(later: Row, row: Row) -> bool:
+    """Tell whether a later decision is of the same episode, or of the machine in all that time."""
+    if row["episode_id"] is not None and later["episode_id"] == row["episode_id"]:
+        return True
+    return bool(
+        later["asset"] == row["asset"]
+        and later["time_from"] <= row["time_from"]
+        and row["time_to"] <= later["time_to"]
+    )
 
 
 def _check_kind(kind: str, until: dt.datetime | None) -> None:

@@ -4,6 +4,7 @@ This module owns which channels need a version, and the order in which one is wr
 ``gam_version`` comes last, so that a version is there as a whole or not at all.
 """
 
+import dataclasses
 import hashlib
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -12,7 +13,8 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.clock import LONG_AGO
+from gam_db.calibration import Calibration, Rule, subtract
+from gam_db.clock import LONG_AGO, Instant
 from gam_db.errors import CalibrationError
 from gam_db.method import Method
 from gam_db.method.adding import add
@@ -49,7 +51,12 @@ _TOLD = (
 
 
 def calibrate(
-    state: State, study: Study, name: str, again: bool = False, limit: int | None = None
+    state: State,
+    study: Study,
+    name: str,
+    again: bool = False,
+    limit: int | None = None,
+    said: Calibration | None = None,
 ) -> pa.Table:
     """Make a version of every channel that has none with these settings (method, section 4).
 
@@ -62,12 +69,15 @@ def calibrate(
         name: of the monitor; it is made if it is not there.
         again: make a new version of every channel.
         limit: most readings to work on at once; None for what memory allows.
+        said: the calibration as the user gave it, where more is taken out of the study's; that is no
+            other setting.
 
     Returns:
         One row per new version, ordered: asset, channel, version_no, reason, m, tau, bins,
         calibrated_lo, calibrated_hi, verdict, floor, floor_sd, floor_max, vectors (of calibration),
         cells, blocks, finest_bins, vectors_needed, hi_limit, limit_reason, status (setup, waiting or not
-        assessed, since nothing is scored yet), needs_attention.
+        assessed, since nothing is scored yet), needs_attention, left_out (how many intervals were taken
+        out beside what the user gave).
 
     Raises:
         UserError: the source or the calibration cannot be used, or the monitor watches a source that
@@ -90,8 +100,11 @@ def calibrate(
     }
     # Keys, and so the numbers of episodes, go by names, whatever order an engine gives rows in.
     found = sorted(running.table("channels").to_pylist(), key=lambda row: (row["asset"], row["channel"]))
+    given = study.method if said is None else dataclasses.replace(study.method, calibration=said)
     for row in found:
-        row["hash"] = settings_hash(study.method, row)
+        number = number_of(row["asset"], given.assets)
+        row["hash"] = settings_hash(given, {**row, "calibration_no": number})
+        row["said"] = given.rules[number]
     due = _due(found, versions, again)
     made: list[Row] = []
     names = running.placed["names"]
@@ -115,6 +128,33 @@ def calibrate(
         running.placed["names"] = names
     made.sort(key=lambda row: (row["asset"], row["channel"]))
     return pa.Table.from_pylist(made, schema=_RESULT)
+
+
+def without(
+    calibration: Calibration, spans: Mapping[str, Sequence[tuple[Instant, Instant]]]
+) -> Calibration:
+    """Return a rule from which intervals of single assets are taken out besides.
+
+    Args:
+        calibration: the rule.
+        spans: asset -> closed intervals.
+    """
+    own: dict[str, Calibration | None] = {}
+    for asset, cut in spans.items():
+        number = number_of(asset, tuple(calibration.overrides))
+        rule: Calibration | None = dataclasses.replace(calibration, overrides={}, pool=None)
+        if number:
+            rule = tuple(calibration.overrides.values())[number - 1]
+        if rule is not None:
+            own[asset] = dataclasses.replace(rule, exclude=(*rule.exclude, *cut))
+    others = {asset: rule for asset, rule in calibration.overrides.items() if asset not in own}
+    return dataclasses.replace(calibration, overrides={**own, **others})
+
+
+def number_of(asset: str, patterns: Sequence[str]) -> int:
+    """Return which rule an asset has: 0 for the general one, else the place of its pattern, from 1."""
+    matches = (number for number, one in enumerate(patterns, 1) if pattern_matches(one, asset))
+    return next(matches, 0)
 
 
 def settings_hash(method: Method, channel: Mapping[str, Any]) -> str:
@@ -280,9 +320,20 @@ def _write(
             **{key: ranges[numbered["channel_id"]][key] for key in sums.ENDS},
             **{key: verdicts[numbered["channel_id"]][key] for key in _TOLD},
             "needs_attention": bool(verdicts[numbered["channel_id"]]["needs_attention"]),
+            "left_out": _left_out(
+                row["said"],
+                study.method.rules[row["calibration_no"]],
+                ranges[numbered["channel_id"]]["calibration_end"],
+            ),
         }
         for row, numbered in zip(group, numbering, strict=True)
     ]
+
+
+def _left_out(said: Rule, used: Rule, end: int | None) -> int:
+    """Return how many intervals were taken out of what a rule allows up to the end of calibration."""
+    gone = subtract(said.allowed, used.allowed)
+    return sum(end is not None and start <= end for start, _ in gone)
 
 
 _NUMBERING = pa.schema(
@@ -323,5 +374,6 @@ _RESULT = pa.schema(
         ("hi_limit", pa.float64()),
         *((name, pa.string()) for name in ("limit_reason", "status")),
         ("needs_attention", pa.bool_()),
+        ("left_out", pa.int64()),
     ]
 )

@@ -19,6 +19,7 @@ import pyarrow as pa
 from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
+from gam_db.stored.holding import unsound
 from gam_db.stored.planning import Row, assets_of, portions, whole_pools
 from gam_db.stored.proving import STATE, Proof, mismatched
 from gam_db.stored.reading import Reader, cohort_of, plan_rows, searched_plan_rows
@@ -34,6 +35,7 @@ from gam_db.stored.steps import (
 #: Parts of the state, in the order in which they are told.
 PARTS = (
     *("frozen", "versions", "tables", "buckets", "novel cells", "runs"),
+    *("limits", "judgements", "episodes", "labels"),
     *("scored", "calibration", "certificate"),
 )
 
@@ -54,6 +56,8 @@ _CERTIFICATE = {
     "block": "blocks of calibration",
     "ladder": "floors of coarser grids",
     "bounds": "figures of the certificate",
+    "buffered": "counts of blocks that limits are made of",
+    "extent": "the length or the order of calibration",
 }
 
 
@@ -106,6 +110,9 @@ def check_state(
     check = _Check(state, reader, on_step)
     monitor_id, began = monitor["monitor_id"], now()
     buckets = check.soundness(monitor_id)
+    for one in unsound(state, monitor_id, reader.kind, check.versions):
+        key = one.version_id if one.version_id in check.versions else None
+        check.note(key, one.part, what=one.what, differing=one.differing, since=one.since)
     usable = {key: row for key, row in check.versions.items() if key not in check.unusable}
     active = {key for key, row in usable.items() if row["is_active"]}
     settled = {row["version_id"]: row for row in plan_rows(state, monitor_id, lookback)}
@@ -273,6 +280,7 @@ class _Check:
             counted = self.session.fetch(rows.query("recount", running.placed)).to_pylist()
             changed = running.table("relearnt").to_pylist()
             otherwise = running.table("certified").to_pylist()
+            extents = running.table("certified_extents").to_pylist()
         finally:
             running.forget()
         cells = {row["support_id"]: row["differing"] for row in changed}
@@ -299,6 +307,11 @@ class _Check:
             member = next(one for one in group if one["support_id"] == row["support_id"])
             what = f"{_CERTIFICATE[row['part']]} are not what calibration gives"
             self.note(member["version_id"], "certificate", what=what, differing=row["differing"])
+        support_of = {row["version_id"]: row["support_id"] for row in group}
+        for row in extents:
+            if support_of[row["version_id"]] not in came:
+                what = f"{_CERTIFICATE[row['part']]} are not what calibration gives"
+                self.note(row["version_id"], "certificate", what=what, differing=row["differing"])
 
     def _running(self, steps: Any) -> Running:
         return Running(self.session, steps, self.state.tables.placed(), self.on_step)

@@ -14,7 +14,9 @@ from gam_db.clock import LONG_AGO
 from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline
 from gam_db.running import Running
+from gam_db.stored.judging import buckets_of
 from gam_db.stored.planning import Row
+from gam_db.stored.reading import near
 from gam_db.stored.state import State, now
 
 #: States in which a number may be that of an episode again.
@@ -29,6 +31,9 @@ _KNOWN = (
 
 #: Those that stay where the judgements of its begin were pruned.
 _BEGIN = ("onset", "first_judgement", "onset_time", "first_time", "height", "is_proving")
+
+#: Judgements before the first new one that an episode may go on from.
+_NEAR = 10
 
 #: What a change of status is called.
 _WHAT = {("ended", "open"): "reopened", ("open", "ended"): "ended"}
@@ -72,33 +77,79 @@ def records_of(state: State, monitor_id: int) -> list[Row]:
     return rows
 
 
-def follow(state: State, monitor_id: int, cohort: exp.Table) -> None:
+def follow(state: State, monitor_id: int, group: Sequence[Row], judged: Mapping[int, int]) -> None:
     """Let the episodes of some channels be those of their stored judgements.
+
+    Looked at again are the judgements from the tenth before the first one written anew, and those of
+    the episodes that reach them or are open.
 
     Args:
         state: the state tables, in a session that can write.
         monitor_id: of the monitor.
-        cohort: a table with channel_id and version_id of the channels.
+        group: rows of the plan, of one setting: the channels.
+        judged: the first judgement written anew, of each version that has, or had, a limit.
     """
-    steps = Pipeline()
-    add(steps, "stored/open_judgements", name="opened")
-    for path in ("alarms/merged", "stored/found_episodes", "stored/judged_ranges"):
-        add(steps, path)
-    running = Running(state.session, steps, {**state.tables.placed(), "cohort": cohort})
     records = records_of(state, monitor_id)
-    found = _by_channel(running.table("found_episodes").to_pylist())
     live = _by_channel(row for row in records if row["status"] in _LIVE)
-    if not found and not live:
-        return
-    ranges = {row["channel_id"]: row for row in running.table("judged_ranges").to_pylist()}
-    here = state.session.fetch(exp.select("channel_id", "version_id").from_(cohort.copy())).to_pylist()
+    found, ranges = _found(state, group, live, judged)
     log = Log(monitor_id, records)
-    for row in sorted(here, key=lambda row: row["channel_id"]):
+    for row in sorted(group, key=lambda row: row["channel_id"]):
         channel = row["channel_id"]
         if channel in found or channel in live:
-            judged = ranges.get(channel, {"version_id": row["version_id"]})
-            _match(log, found.get(channel, []), live.get(channel, []), judged)
+            said = ranges.get(channel, {"version_id": row["version_id"]})
+            _match(log, found.get(channel, []), live.get(channel, []), said)
     log.keep(state)
+
+
+def _found(
+    state: State, group: Sequence[Row], live: Mapping[int, list[Row]], judged: Mapping[int, int]
+) -> tuple[dict[int, list[Row]], dict[int, Row]]:
+    """Return the episodes of the judgements that are looked at, and which these are, by channel."""
+    followed = [
+        {**row, "since_judgement": _since(row, live, judged[row["version_id"]])}
+        for row in group
+        if row["version_id"] in judged
+    ]
+    if not followed:
+        return {}, {}
+    # Apart: for the sake of one long episode, the judgements of all channels are not read.
+    parts: tuple[list[Row], list[Row]] = [], []
+    for row in followed:
+        parts[row["since_judgement"] < max(judged[row["version_id"]] - _NEAR, 1)].append(row)
+    close = exp.or_(*(_from(rows, "since_judgement") for rows in parts if rows))
+    steps = Pipeline(small=frozenset({"merged"}))
+    add(steps, "stored/open_judgements", {"near": close}, name="opened")
+    add(steps, "alarms/merged")
+    add(steps, "stored/judged_ranges", {"near": close})
+    running = Running(state.session, steps, state.tables.placed())
+    try:
+        running.load("followed", pa.Table.from_pylist(followed, schema=_FOLLOWED))
+        running.keep("merged")
+        onsets = running.table("merged").to_pylist()
+        ranges = {row["channel_id"]: row for row in running.table("judged_ranges").to_pylist()}
+        if not onsets:
+            return {}, ranges
+        version = {row["channel_id"]: row for row in followed}
+        begun = [{**version[row["channel_id"]], "onset": row["onset"]} for row in onsets]
+        add(steps, "stored/found_episodes", {"near": _from(begun, "onset")})
+        return _by_channel(running.table("found_episodes").to_pylist()), ranges
+    finally:
+        running.forget()
+
+
+def _since(row: Row, live: Mapping[int, list[Row]], first: int) -> int:
+    """Return from which judgement on a channel is looked at, the first new one being known."""
+    since = max(first - _NEAR, 0)
+    known = [one for one in live.get(row["channel_id"], ()) if one["version_id"] == row["version_id"]]
+    for one in sorted(known, key=lambda one: -int(one["last_judgement"])):
+        if one["status"] == "open" or one["last_judgement"] >= since:
+            since = min(since, one["onset"])
+    return since
+
+
+def _from(rows: Sequence[Row], judgement: str) -> exp.Expr:
+    """Return a condition on *bucket* that holds for the judgements from a column of rows on."""
+    return near([{**row, "first_bucket": row[judgement] * buckets_of(rows)} for row in rows])
 
 
 def _by_channel(rows: Iterable[Row]) -> dict[int, list[Row]]:
@@ -113,7 +164,7 @@ def _match(log: Log, found: list[Row], live: list[Row], judged: Mapping[str, Any
 
     Args:
         log: to be written.
-        found: episodes as the judgements of the active version say it.
+        found: episodes as the judgements of the active version that are looked at say it.
         live: records of episodes that may be among them.
         judged: version_id, and what judged_ranges says of it; without a limit nothing else.
     """
@@ -145,7 +196,7 @@ def _match(log: Log, found: list[Row], live: list[Row], judged: Mapping[str, Any
             log.opened(row)
             continue
         mine = meets[0]
-        if mine["version_id"] == version and mine["first_judgement"] < first:  # its begin was pruned
+        if mine["version_id"] == version and mine["onset"] < first:  # its begin was pruned
             row |= {name: mine[name] for name in _BEGIN}
             row["evidence"] = max(row["evidence"], mine["evidence"])
         if any(row[name] != mine[name] for name in ("status", *_KNOWN)):
@@ -163,6 +214,8 @@ def _match(log: Log, found: list[Row], live: list[Row], judged: Mapping[str, Any
             elif row in free:
                 log.add("withdrawn", row, status="withdrawn")
 
+
+_FOLLOWED = pa.schema([(name, pa.int64()) for name in ("channel_id", "version_id", "since_judgement")])
 
 EPISODE = pa.schema(
     [

@@ -21,23 +21,28 @@ from gam_db.stored.state import State
 _BEFORE = 50
 
 
-def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) -> None:
+def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) -> dict[int, int]:
     """Append the judgements of a run that is not committed yet.
 
     Args:
         state: the state tables, in a session that can write.
         group: rows of the plan, of one setting.
         given: the tables of *cohort*, *stamp* and *new_buckets* of the run.
+
+    Returns:
+        The first judgement written anew, of each version that has, or had, a limit.
     """
-    buckets = group[0]["window_length"] // group[0]["stride"]
+    buckets = buckets_of(group)
     placed = {**state.tables.placed(), **given}
-    until = _until(state, placed, near(group, buckets))
-    rows = until.to_pylist()
-    if any(row["first_judgement"] == 0 and row["first_bucket"] >= buckets for row in rows):
-        until = _until(state, placed, near([{**row, "first_bucket": 0} for row in group]))
-        rows = until.to_pylist()
+    rows = _until(state, placed, near(group, buckets))
+    lost = [row for row in rows if row["first_judgement"] == 0 and row["first_bucket"] >= buckets]
+    if lost:  # nothing was judged of late, or ever
+        versions = {row["version_id"] for row in lost}
+        again = _until(state, placed, near([{**row, "first_bucket": 0} for row in lost]))
+        rows = [row for row in rows if row["version_id"] not in versions]
+        rows += [row for row in again if row["version_id"] in versions]
     if not rows:
-        return
+        return {}
     first = min(row["first_judgement"] for row in rows)
     steps = Pipeline(small=frozenset({"judged_buckets", "judged_windows"}))
 
@@ -50,14 +55,26 @@ def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) ->
     add(steps, "stored/judgement_rows")
     running = Running(state.session, steps, placed)
     try:
-        running.load("judged_until", until)
+        running.load("judged_until", pa.Table.from_pylist(rows, schema=_UNTIL))
         state.append("judgement", running.query("judgement_rows"))
     finally:
         running.forget()
+    return {row["version_id"]: row["first_judgement"] for row in rows}
 
 
-def _until(state: State, placed: Mapping[str, exp.Table], close: exp.Expr) -> pa.Table:
+def buckets_of(group: Sequence[Row]) -> int:
+    """Return how many buckets a window of a group has."""
+    return int(group[0]["window_length"] // group[0]["stride"])
+
+
+def _until(state: State, placed: Mapping[str, exp.Table], close: exp.Expr) -> list[Row]:
     slots: dict[str, template.Slot] = {"near": close}
     query = filled("stored/judged_until", slots)
     place(query, placed)
-    return state.session.fetch(query)
+    rows: list[Row] = state.session.fetch(query).to_pylist()
+    return rows
+
+
+_UNTIL = pa.schema(
+    [(name, pa.int64()) for name in ("channel_id", "version_id", "first_bucket", "first_judgement")]
+)

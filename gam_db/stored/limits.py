@@ -3,7 +3,7 @@
 This module owns when limits are made, and of what. How one is chosen is said by :mod:`gam_db.alarms`.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import pyarrow as pa
 from sqlglot import exp
@@ -18,10 +18,11 @@ from gam_db.stored.state import State, kind_of, now
 
 CALIBRATED = "calibrated"
 
-_CHOSEN = ("centre", "spread", "reference", "height", "cap", "quarters", "basis", "rate", "stated_rate")
+#: What is NULL where there is no limit.
+CHOSEN = ("centre", "spread", "reference", "height", "cap", "quarters", "basis", "rate", "stated_rate")
 
 
-class _Kept:
+class Kept:
     """What calibration left in tables, as :class:`gam_db.alarms.Work`."""
 
     def __init__(self, state: State, steps: Pipeline) -> None:
@@ -29,10 +30,38 @@ class _Kept:
         self.running = Running(state.session, steps, state.tables.placed())
 
     def table(self, step: str) -> pa.Table:
+        """Return the rows of a step."""
         return self.running.table(step)
 
     def put(self, step: str, rows: pa.Table) -> None:
+        """Let a table be a step."""
         self.running.load(step, rows)
+
+
+def learnt(
+    state: State, monitor_id: int, families: Sequence[str] = (), is_heeding: bool = False
+) -> Kept:
+    """Return the steps *limit_channels* and *learnt_limits*, over the active versions of a monitor.
+
+    Args:
+        state: the state tables.
+        monitor_id: of the monitor.
+        families: patterns of channel names.
+        is_heeding: whether one with a false alarm right after calibration gets no limit any more.
+    """
+    steps = Pipeline(small=frozenset({"active", "limit_channels", "buffered"}))
+    add(steps, "stored/active", {"monitor_id": monitor_id})
+    verdict = exp.column("verdict", table="learnt")
+    add(
+        *(steps, "stored/limit_channels"),
+        {
+            "limit_reason": template.fill("judgement/limit_reason", {"verdict": verdict}),
+            "heeding": int(is_heeding),
+        },
+    )
+    add(steps, "stored/kept_buffered", name="buffered")
+    add_spreads(steps, families, "limit_channels")
+    return Kept(state, steps)
 
 
 def make(
@@ -61,16 +90,7 @@ def make(
     monitor = state.monitor(name)
     kind = kind_of(monitor)
     asked = alarms.asked(kind)
-    steps = Pipeline(small=frozenset({"active", "limit_channels", "buffered"}))
-    add(steps, "stored/active", {"monitor_id": monitor["monitor_id"]})
-    verdict = exp.column("verdict", table="learnt")
-    add(
-        *(steps, "stored/limit_channels"),
-        {"limit_reason": template.fill("judgement/limit_reason", {"verdict": verdict})},
-    )
-    add(steps, "stored/kept_buffered", name="buffered")
-    add_spreads(steps, alarms.family, "limit_channels")
-    work = _Kept(state, steps)
+    work = learnt(state, monitor["monitor_id"], alarms.family, is_heeding=True)
     try:
         known = {row["channel_id"]: row for row in work.table("limit_channels").to_pylist()}
         chosen = {channel for channel, row in known.items() if wanted(row)}
@@ -94,7 +114,7 @@ def keep(state: State, rows: list[Row]) -> None:
 
 def _row(row: Row, known: Row, cause: str, asked: str) -> Row:
     return {
-        **dict.fromkeys(_CHOSEN),
+        **dict.fromkeys(CHOSEN),
         **row,
         "version_id": known["version_id"],
         "limit_no": known["limit_no"] + 1,

@@ -29,7 +29,7 @@ from gam_db.running import Listener, unheard
 from gam_db.source import AnySource
 from gam_db.stored import alarms as stored_alarms
 from gam_db.stored import lengths, limits, migrations
-from gam_db.stored.calibrating import calibrate
+from gam_db.stored.calibrating import calibrate, without
 from gam_db.stored.checking import Checked, check_state
 from gam_db.stored.proving import Proof, keep
 from gam_db.stored.pruning import Retention, compact, prune
@@ -111,6 +111,8 @@ class Monitor(MonitorSettings):
     ) -> pa.Table:
         """Freeze what calibration teaches; see :func:`gam_db.stored.calibrating.calibrate`.
 
+        What is labelled true_fault or maintenance is left out of it.
+
         Args:
             again: make a new version of every channel, even with the same settings.
             limit: most readings to work on at once; None for what memory allows.
@@ -123,10 +125,11 @@ class Monitor(MonitorSettings):
             UserError: the source or the calibration cannot be used; nothing is half written.
         """
         migrations.require(self.session, self.state.tables)
-        study = Study(self.session, self.source, self.parameters, self.calibration, on_step)
+        healthy = without(self.calibration, stored_alarms.left_out(self.state, self.name))
+        study = Study(self.session, self.source, self.parameters, healthy, on_step)
         try:
             self.asked.asked(study.method.kind)
-            made = calibrate(self.state, study, self.name, again, limit)
+            made = calibrate(self.state, study, self.name, again, limit, self.calibration)
         finally:
             study.running.forget()
         on_step("limits")

@@ -102,8 +102,8 @@ def verify(state: State, wanted: exp.Table, versions: Sequence[Row]) -> None:
     )
 
 
-def verify_daily(state: State, monitor: Row) -> None:
-    """Verify all active versions of a monitor, unless that was done within a day.
+def verify_daily(state: State, monitor: Row) -> bool:
+    """Verify all active versions of a monitor, unless that was done within a day; tell whether.
 
     Args:
         state: the state tables, in a session that can write.
@@ -116,7 +116,7 @@ def verify_daily(state: State, monitor: Row) -> None:
     proofs = last_proofs(state, monitor["monitor_id"])
     times = [monitor["created"], *(one.proved_at for one in proofs.values() if not one.differences)]
     if any(0 <= began - time < DAY for time in times):
-        return
+        return False
     rows = state.fetch("stored/active", {"monitor_id": monitor["monitor_id"]}).to_pylist()
     keys = pa.array([row["version_id"] for row in rows], pa.int64())
     wanted = state.session.load(pa.table({"version_id": keys}))
@@ -125,6 +125,7 @@ def verify_daily(state: State, monitor: Row) -> None:
     finally:
         state.session.forget(wanted)
     keep(state, monitor["monitor_id"], Proof(CHECKSUMS, began, len(rows), len(rows), 0, 0))
+    return True
 
 
 def keep(state: State, monitor_id: int, proof: Proof) -> None:

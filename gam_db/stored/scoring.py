@@ -23,7 +23,7 @@ from gam_db.stored.episodes import follow
 from gam_db.stored.judging import judge
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due, planned, portions, resumed
 from gam_db.stored.proving import verify, verify_daily
-from gam_db.stored.publishing import GONE, NOTHING, Standings, publication, standings
+from gam_db.stored.publishing import GONE, NOTHING, Standings, publication, standings, withdraw
 from gam_db.stored.reading import (
     Reader,
     cohort_of,
@@ -131,6 +131,7 @@ class _Run:
         self.reader = Reader(state.session, source, kind_of(self.monitor), name)
         self.started = now()
         self.planned: Standings = {}
+        self.is_thorough = wanted.everything
         self.report = Report()
 
     def go(self, dry_run: bool) -> Report:
@@ -142,7 +143,7 @@ class _Run:
                 "channel; * stands for any text, ? for one character."
             )
         if not dry_run:
-            verify_daily(self.state, self.monitor)
+            self.is_thorough |= verify_daily(self.state, self.monitor)
         rows = self._plan()
         everything = wanted.everything or wanted.full or wanted.repair_from is not None
         plan = planned(rows, wanted.lookback, wanted.park_after, self.started, everything)
@@ -325,19 +326,31 @@ class _Run:
         running.load("stamp", pa.Table.from_pylist([stamp]))
         after = min(row["first_scored"] for row in group) - 1
         monitor_id = self.monitor["monitor_id"]
+        judged: dict[int, int] = {}
         with publication(self.state, monitor_id, group, self.planned, run_id) as compare_again:
             for part in PUBLISHED:
                 if part == PUBLISHED[-1]:
-                    judge(self.state, group, {name: running.placed[name] for name in _JUDGED})
+                    given = {name: running.placed[name] for name in _JUDGED}
+                    judged = judge(self.state, group, given)
                     compare_again()
                 self.state.append(part.removesuffix("_rows"), running.query(part))
             if self.session.transactions:  # else `gam compact` does it now and then
                 for table in ("bucket", "novel", "judgement"):
                     self.state.delete_hidden(table, run_id, after, near(group))
-                follow(self.state, monitor_id, running.placed["cohort"])
+                follow(self.state, monitor_id, group, judged)
         if not self.session.transactions:
-            follow(self.state, monitor_id, running.placed["cohort"])
+            self._follow(group, judged, run_id)
         self._note(group, made, seen)
+
+    def _follow(self, group: Sequence[Row], judged: Mapping[int, int], run_id: int) -> None:
+        """Follow what is committed already; what a run was killed before is made up for once a day."""
+        try:
+            if self.is_thorough:
+                judged = dict.fromkeys(judged, 0)
+            follow(self.state, self.monitor["monitor_id"], group, judged)
+        except BaseException:
+            withdraw(self.state, run_id)
+            raise
 
     def _past(self, group: Sequence[Row], running: Running) -> exp.Query:
         """Return the query of the buckets that stay and are needed for the new ones' windows."""

@@ -17,6 +17,7 @@ from gam_db.calibration import Calibration
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.method import Method
 from gam_db.method.adding import add, add_of_set
+from gam_db.method.alarms import add_counted, add_held_judgements
 from gam_db.method.calibration import add_breaks, until_calibration_end
 from gam_db.method.certificate import add_judgement
 from gam_db.method.resolved import SMALL_OF_SET
@@ -208,7 +209,8 @@ def relearning_steps(
 ) -> Pipeline:
     """Return the steps from *identified* to what calibration would teach and say now.
 
-    The last are *relearnt*, whether it would teach other cells, and *certified*, all else.
+    The last are *relearnt*, whether it would teach other cells, *certified*, what is said of supports,
+    and *certified_extents*, what is said of judgements.
 
     Args:
         setting: that of all channels.
@@ -231,6 +233,8 @@ def relearning_steps(
     add(steps, "stored/judged_bounds", slots)
     add(steps, "certificate/verdicts", tables={"bounds": "judged_bounds"})
     add(steps, "stored/certified")
+    add_counted(steps)
+    add(steps, "stored/certified_extents")
     return steps
 
 
@@ -251,6 +255,32 @@ def soundness_steps(monitor_id: int, is_whole: bool) -> Pipeline:
         add(steps, f"stored/{name}")
     add(steps, "stored/unsound_runs", {"nothing": FAR_AHEAD, "long_ago": LONG_AGO})
     add(steps, "stored/orphans", {"whole": int(is_whole)})
+    return steps
+
+
+@cache
+def judging_steps(buckets: int) -> Pipeline:
+    """Return the steps that judge the versions of *judged_until* anew, each as a channel of its own.
+
+    The last are *unsound_judgements*, *judged_edges* and *raised_again*.
+
+    Args:
+        buckets: of a window.
+    """
+    steps = Pipeline(
+        small=frozenset({"held_buckets", "held_judgements", "held_windows", "judged_again", "merged"})
+    )
+    slots: dict[str, template.Slot] = {"buckets": buckets}
+    add(steps, "stored/limit_spans")
+    for name in ("held_buckets", "held_judgements"):
+        add(steps, f"stored/{name}")
+    add(steps, "alarms/judged_windows", slots, tables={"bucket_counts": "held_buckets"})
+    add(steps, "stored/held_windows", slots)
+    add_held_judgements(steps)
+    for name in ("judged_again", "unsound_judgements", "judged_edges"):
+        add(steps, f"stored/{name}")
+    add(steps, "alarms/merged")
+    add(steps, "stored/raised_again")
     return steps
 
 

@@ -1,6 +1,7 @@
--- Judged ranges: from which to which judgement the versions of a cohort are judged.
--- Reads:  cohort, stored_version, stored_limit, stored_visible_judgement
+-- Judged ranges: the first and the last of the judgements that are looked at again.
+-- Reads:  followed, stored_version, stored_limit, stored_visible_judgement
 -- A row:  one version that has, or had, a limit (is_judged = 0: had); NULL where nothing is judged yet.
+-- Slots:  :near  a condition on bucket that holds for all of them
 SELECT
   part.channel_id AS channel_id,
   part.version_id AS version_id,
@@ -9,7 +10,7 @@ SELECT
   CASE WHEN judged.hit = 1 THEN judged.first_judgement END AS first_judgement,
   CASE WHEN judged.hit = 1 THEN judged.last_judgement END AS last_judgement,
   CASE WHEN judged.hit = 1 THEN judged.last_time END AS last_time
-FROM cohort AS part
+FROM followed AS part
 JOIN stored_version AS made ON made.version_id = part.version_id
 JOIN (
   SELECT
@@ -23,11 +24,13 @@ JOIN stored_limit AS latest
   ON latest.version_id = limited.version_id AND latest.limit_no = limited.newest_no
 LEFT JOIN (
   SELECT
-    version_id,
-    MIN(judgement_no) AS first_judgement,
-    MAX(judgement_no) AS last_judgement,
-    MAX(known.last_time) AS last_time,
+    bucket.version_id AS version_id,
+    MIN(bucket.judgement_no) AS first_judgement,
+    MAX(bucket.judgement_no) AS last_judgement,
+    MAX(bucket.last_time) AS last_time,
     1 AS hit
-  FROM stored_visible_judgement AS known
-  GROUP BY version_id
+  FROM stored_visible_judgement AS bucket
+  JOIN followed AS since ON since.version_id = bucket.version_id
+  WHERE bucket.judgement_no >= since.since_judgement AND :near
+  GROUP BY bucket.version_id
 ) AS judged ON judged.version_id = part.version_id

@@ -4,6 +4,7 @@
 -- Reads:  active, stored_version, stored_bounds, stored_extent, stored_limit, stored_visible_bucket
 -- A row:  one active version; limit_no is that of its newest limit, 0 before there is one.
 -- Slots:  :limit_reason  the expression of judgement/limit_reason.sql
+--         :heeding       1 where a false alarm right after calibration leaves a version without a limit
 SELECT
   member.channel_id AS channel_id,
   member.version_id AS version_id,
@@ -21,7 +22,8 @@ SELECT
       made.still_after,
       CAST(FLOOR(made.target_floor * CAST(1073741824 AS DOUBLE) + CAST(5e-1 AS DOUBLE)) AS BIGINT)
   ) AS settings_no,
-  :limit_reason AS limit_reason,
+  CASE WHEN :heeding = 1 AND known.hit = 1 AND known.is_off = 1 THEN 'unrepresentative' ELSE :limit_reason END
+    AS limit_reason,
   extent.vectors AS vectors,
   extent.calibration_length AS length,
   extent.order_ratio AS order_ratio,
@@ -40,7 +42,11 @@ JOIN stored_version AS made ON made.version_id = member.version_id
 JOIN stored_bounds AS learnt ON learnt.support_id = member.support_id
 JOIN stored_extent AS extent ON extent.version_id = member.version_id
 LEFT JOIN (
-  SELECT version_id, MAX(made.limit_no) AS limit_no, 1 AS hit
+  SELECT
+    version_id,
+    MAX(made.limit_no) AS limit_no,
+    MAX(CASE WHEN made.cause = 'false_alarm' THEN 1 ELSE 0 END) AS is_off,
+    1 AS hit
   FROM stored_limit AS made
   GROUP BY version_id
 ) AS known ON known.version_id = member.version_id

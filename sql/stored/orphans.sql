@@ -3,7 +3,8 @@
 -- likewise; so there only rows count whose run is recorded for other versions.
 -- Reads:  stored_monitor, stored_channel, stored_version, stored_calibration, stored_checksum, stored_bounds,
 --         stored_block, stored_support, stored_bucket, stored_novel, stored_horizon, stored_run, stored_proof,
---         stored_ladder, stored_visible_bucket, stored_visible_novel
+--         stored_ladder, stored_buffered, stored_extent, stored_limit, stored_judgement, stored_episode, stored_label,
+--         stored_visible_bucket, stored_visible_novel
 -- A row:  one kind of them that there is: the table, what it lacks, and how many.
 -- Slots:  :whole  1 where a run and a calibration are there as a whole or not at all
 SELECT of_table, lacks, CAST(SUM(looked.found) AS BIGINT) AS found
@@ -17,6 +18,19 @@ FROM (
   UNION ALL
   SELECT 'proof' AS of_table, 'monitor' AS lacks, CASE WHEN owner.hit = 1 THEN 0 ELSE 1 END AS found
   FROM stored_proof AS orphan
+  LEFT JOIN (
+    SELECT DISTINCT monitor_id, 1 AS hit
+    FROM stored_monitor
+  ) AS owner ON owner.monitor_id = orphan.monitor_id
+  UNION ALL
+  SELECT orphan.of_table AS of_table, 'monitor' AS lacks, CASE WHEN owner.hit = 1 THEN 0 ELSE 1 END AS found
+  FROM (
+    SELECT 'episode' AS of_table, monitor_id
+    FROM stored_episode
+    UNION ALL
+    SELECT 'label' AS of_table, monitor_id
+    FROM stored_label
+  ) AS orphan
   LEFT JOIN (
     SELECT DISTINCT monitor_id, 1 AS hit
     FROM stored_monitor
@@ -52,6 +66,18 @@ FROM (
     UNION ALL
     SELECT DISTINCT 'checksum' AS of_table, version_id, 1 AS is_written_first
     FROM stored_checksum
+    UNION ALL
+    SELECT DISTINCT 'buffered' AS of_table, version_id, 1 AS is_written_first
+    FROM stored_buffered
+    UNION ALL
+    SELECT DISTINCT 'extent' AS of_table, version_id, 1 AS is_written_first
+    FROM stored_extent
+    UNION ALL
+    SELECT DISTINCT 'limit' AS of_table, version_id, 0 AS is_written_first
+    FROM stored_limit
+    UNION ALL
+    SELECT DISTINCT 'judgement' AS of_table, version_id, 0 AS is_written_first
+    FROM stored_judgement
   ) AS orphan
   LEFT JOIN (
     SELECT DISTINCT version_id, 1 AS hit

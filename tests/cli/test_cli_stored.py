@@ -388,3 +388,12 @@ def test_a_monitor_tells_its_status_and_its_health() -> None:
         with monitor, pytest.raises(gam_db.UserError, match="no monitor 'none'"):
             monitor.health()
         assert session.relations()  # a session that was given stays open
+
+
+def test_calibrate_says_what_labels_left_out() -> None:
+    source = saved(1000)
+    assert "left out" not in said(gam("calibrate", source, *SMALL, *HEALTHY, *STATE))
+    gam("score", *STATE)
+    assert gam("label", "R1", "100", "149", "maintenance", *STATE).exit_code == 0
+    told = said(gam("calibrate", source, *SMALL, *HEALTHY, *STATE, "--again"))
+    assert "left out of calibration, as true_fault or maintenance: 2 intervals of R1" in told

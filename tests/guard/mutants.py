@@ -80,6 +80,8 @@ _ABOUT = {
             *("buffered_rows", "extent_rows", "kept_buffered", "limit_*", "judged_*", "judgement_rows"),
             *("open_judgements", "found_episodes", "episode_records", "expired_judgements"),
             *("alarm_rows", "event_rows", "labels", "next_judgement", "raised_judgements"),
+            *("held_*", "judged_again", "unsound_judgements", "raised_again", "episode_history"),
+            "certified_extents",
         )
     },
     "alarms/within": "test_backtest",

@@ -175,6 +175,7 @@ class Course:
             assert not {"merged", "withdrawn", "recalibrated"}.intersection(told[:-1])
         mine.score()
         assert visible(mine, RECORDS) == records, "a run without a change writes none"
+        assert mine.checked_state().differences.to_pylist() == []
 
 
 def key(row: dict[str, Any]) -> tuple[Any, ...]:
@@ -314,10 +315,38 @@ def test_a_false_alarm_in_proving_ends_judging_until_calibrated_again(plant: Pla
     plant.score(4, 4, 4)
     assert len(visible(plant.monitor, JUDGEMENTS)) == 3
     assert plant.told()[-1] == (1, "ended")
+    again = plant.monitor.limits(again=True)
+    assert again["reason"].to_pylist() == ["unrepresentative"], "limits made again are no calibration"
+    assert plant.monitor.check_state().num_rows == 0
     plant.monitor.calibrate(again=True)
     plant.score(4)
     assert plant.monitor.limits()["reason"].to_pylist() == [None]
     assert plant.now() == [(1, "open", False)], "found again under its number, with its label"
+
+
+def test_what_is_labelled_unhealthy_is_left_out_of_later_calibrations(plant: Plant) -> None:
+    plant.monitor.calibration = gam_db.Calibration(intervals=[(0, 12 * W - 1)])
+    plant.score(0, 4, 4, 4, 0, 0, 0)
+    assert plant.monitor.label("true_fault", 1) == [1]
+    service = 2 * W, 3 * W - 1
+    assert plant.monitor.label("maintenance", asset="a", span=service) == []
+    plant.monitor.label("new_program", asset="a", span=(0, W - 1))
+    (version,) = plant.monitor.calibrate().to_pylist()
+    assert version["left_out"] == 2
+    left = """
+        SELECT time_from, time_to FROM gam_calibration
+        WHERE version_id = (SELECT MAX(version_id) FROM gam_version) ORDER BY time_from
+    """
+    assert visible(plant.monitor, left) == [
+        {"time_from": 0, "time_to": 2 * W - 1},
+        {"time_from": 3 * W, "time_to": 9 * W - 1},
+    ], "the fault from its onset on"
+    plant.score(0)
+    assert plant.monitor.check_state().num_rows == 0
+    assert plant.monitor.calibrate().num_rows == 0, "a label is no other setting"
+    plant.monitor.label("false_alarm", asset="a", span=(0, 20 * W), instead=True)
+    (version,) = plant.monitor.calibrate(again=True).to_pylist()
+    assert version["left_out"] == 0, "that replaced all of it"
 
 
 def test_limits_that_are_made_again_are_for_judgements_to_come(plant: Plant) -> None:

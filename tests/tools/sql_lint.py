@@ -676,7 +676,8 @@ def reserved_names(checked: Checked) -> Iterator[exp.Expr]:
     ``hash`` on BigQuery, ``percent`` on T-SQL.
     """
     for node in checked.every(exp.Alias, exp.TableAlias):
-        if node.alias.lower() in RESERVED or node.name.lower() in RESERVED:
+        said = "" if isinstance(node.this, exp.Literal) else node.name
+        if RESERVED.intersection((node.alias.lower(), said.lower())):
             yield node
 
 

@@ -1,0 +1,311 @@
+"""Holding alarms to what they are made of: limits to calibration, judgements to buckets, and so on.
+
+This module owns what must hold between the tables of alarms, whatever the source. It writes nothing.
+What calibration counted for them is compared with the source by :mod:`gam_db.stored.checking`.
+"""
+
+import math
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import groupby, pairwise
+from typing import NamedTuple
+
+import pyarrow as pa
+
+from gam_db.alarms import assess, day_of, high
+from gam_db.clock import FAR_AHEAD, TimeKind
+from gam_db.errors import ParameterError
+from gam_db.heights import UNSTATED, Height, Rate, by_table
+from gam_db.method.alarms import FAR, NEAR
+from gam_db.running import Running
+from gam_db.stored.alarms import DECISIONS, KINDS, UNREPRESENTATIVE
+from gam_db.stored.limits import CHOSEN, learnt
+from gam_db.stored.planning import Row
+from gam_db.stored.state import State
+from gam_db.stored.steps import judging_steps
+
+_NO_RATE, _DRIFTS, _TABLED = "none", "drifting", "table"
+_BASES = ("replay", "extrapolated", _TABLED, _DRIFTS, _NO_RATE)
+
+#: What a change of an episode leaves it as.
+_LEAVES = {
+    **{"opened": ("open",), "reopened": ("open",), "ended": ("ended",), "changed": ("open", "ended")},
+    **{one: (one,) for one in ("merged", "withdrawn", "recalibrated")},
+    "labelled": ("open", "ended", "recalibrated"),
+}
+_LIVE = ("open", "ended")
+
+#: Columns of an episode that follow from judgements; the rest only while those of its begin are kept.
+_ENDS = ("version_id", "last_judgement", "last_time", "status")
+_WHOLE = (
+    *("onset", "first_judgement", "onset_time", "first_time"),
+    *("evidence", "height", "is_proving"),
+)
+
+
+class Unsound(NamedTuple):
+    """Something that does not hold: of which version (None: of none), where, what, how often."""
+
+    version_id: int | None
+    part: str
+    what: str
+    differing: int = 1
+    since: int | None = None
+
+
+@dataclass(frozen=True)
+class Judged:
+    """What judging anew gives: the episodes of all versions, and the judgements that are kept."""
+
+    episodes: list[Row]
+    oldest: dict[int, int]
+
+
+def unsound(
+    state: State, monitor_id: int, kind: TimeKind, versions: Mapping[int, Row]
+) -> Iterator[Unsound]:
+    """Give what does not hold between the tables of alarms.
+
+    Args:
+        state: the state tables.
+        monitor_id: of the monitor.
+        kind: how its source tells time.
+        versions: rows of the step *checked*, by version_id.
+    """
+    yield from _limits(state, monitor_id, kind, versions)
+    judged = Judged([], {})
+    by_length = sorted(versions.values(), key=_buckets)
+    for buckets, group in groupby(by_length, key=_buckets):
+        yield from _judgements(state, buckets, list(group), judged)
+    slots = {"monitor_id": monitor_id}
+    history = state.fetch("stored/episode_history", slots).to_pylist()
+    channels = {
+        row["channel_id"]: row["asset"]
+        for row in state.fetch("stored/known_channels", slots).to_pylist()
+    }
+    yield from _episodes(history, judged, channels, versions)
+    yield from _labels(state.fetch("stored/labels", slots).to_pylist(), history, channels)
+
+
+def _buckets(version: Row) -> int:
+    return int(version["window_length"] // version["stride"])
+
+
+def _held(versions: Iterable[Row]) -> pa.Table:
+    return pa.Table.from_pylist(
+        [{"channel_id": row["version_id"], "version_id": row["version_id"]} for row in versions],
+        schema=pa.schema([(name, pa.int64()) for name in ("channel_id", "version_id")]),
+    )
+
+
+# Limits
+
+
+def _limits(
+    state: State, monitor_id: int, kind: TimeKind, versions: Mapping[int, Row]
+) -> Iterator[Unsound]:
+    """Hold the limits of active versions to what calibration counted."""
+    rows = state.fetch("stored/held_limits", {"monitor_id": monitor_id}).to_pylist()
+    work = learnt(state, monitor_id)
+    try:
+        version_of = {
+            row["channel_id"]: row["version_id"] for row in work.table("limit_channels").to_pylist()
+        }
+        said: dict[int, dict[int, Row]] = defaultdict(dict)
+        for row in work.table("learnt_limits").to_pylist():
+            said[version_of[row["channel_id"]]][row["g"]] = row
+    finally:
+        work.running.forget()
+    day = day_of(kind)
+    for rows_of in said.values():
+        assess(rows_of[NEAR], day)
+    for version, made in groupby(rows, key=lambda row: row["version_id"]):
+        own = list(made)
+        numbers = [row["limit_no"] for row in own]
+        begins = [row["from_judgement"] for row in own]
+        if not versions[version]["is_active"]:
+            continue
+        if numbers != list(range(1, len(own) + 1)) or begins[0] != 0 or begins != sorted(begins):
+            yield Unsound(version, "limits", "numbers are missing, or judgements without a limit")
+        if version in said:
+            off = [False]
+            for row in own:
+                off.append(off[-1] or row["cause"] == "false_alarm")
+            wrong = sum(
+                not _follows(row, said[version], is_off)
+                for row, is_off in zip(own, off[1:], strict=True)
+            )
+            if wrong:
+                yield Unsound(version, "limits", "limits that calibration does not give", wrong)
+
+
+def _follows(row: Row, said: Mapping[int, Row], is_off: bool) -> bool:
+    """Tell whether a limit is what calibration gives, as far as it does not hang on other channels."""
+    near = said[NEAR]
+    reason = UNREPRESENTATIVE if is_off else near["reason"]
+    wanted = {name: near[name] for name in ("blocks", "judgements_per_day", "order_ratio")}
+    wanted["reason"] = reason
+    if reason is not None:
+        return row["g"] in said and _same(row, {**wanted, **dict.fromkeys(CHOSEN)})
+    if row["basis"] not in _BASES or row["g"] != (FAR if row["basis"] == _DRIFTS else NEAR):
+        return False
+    if row["quarters"] is None or row["rate"] is None or not row["rate"] > 0:
+        return False
+    if row["basis"] == _NO_RATE and row["quarters"] != UNSTATED:
+        return False
+    if row["basis"] == _TABLED and row["quarters"] != by_table(row["rate"], row["blocks"]).quarters:
+        return False
+    try:
+        asked = Rate.of(row["asked"])
+    except ParameterError:
+        return False
+    if asked.days is None:
+        wanted["rate"] = asked.per_judgement(None, 0.0)
+    wanted |= {name: said[row["g"]][name] for name in ("centre", "spread")}
+    wanted |= high({**row, **wanted}, Height(row["quarters"], row["basis"]))
+    return _same(row, wanted)
+
+
+def _same(row: Row, wanted: Row) -> bool:
+    return all(
+        math.isclose(row[name], value, rel_tol=1e-12)
+        if isinstance(value, float) and row[name] is not None
+        else row[name] == value
+        for name, value in wanted.items()
+    )
+
+
+# Judgements and episodes
+
+
+def _judgements(state: State, buckets: int, group: Sequence[Row], judged: Judged) -> Iterator[Unsound]:
+    """Judge the versions of one number of buckets anew, and note what that gives."""
+    running = Running(state.session, judging_steps(buckets), state.tables.placed())
+    try:
+        running.load("judged_until", _held(group))
+        found = running.table("unsound_judgements").to_pylist()
+        edges = running.table("judged_edges").to_pylist()
+        judged.oldest.update({row["channel_id"]: row["oldest_no"] for row in edges})
+        judged.episodes.extend(running.table("raised_again").to_pylist())
+    finally:
+        running.forget()
+    active = {row["version_id"] for row in group if row["is_active"]}
+    for row in found:
+        since = row["since"] if row["version_id"] in active else None
+        what = "judgements that their buckets and limits do not give"
+        yield Unsound(row["version_id"], "judgements", what, row["differing"], since)
+
+
+def _episodes(
+    history: Sequence[Row],
+    judged: Judged,
+    channels: Mapping[int, str],
+    versions: Mapping[int, Row],
+) -> Iterator[Unsound]:
+    """Hold the history of episodes to itself, and the newest of it to the judgements."""
+    opened = [row["episode_id"] for row in history if row["what"] == "opened"]
+    if [row["seq"] for row in history] != list(range(1, len(history) + 1)):
+        yield Unsound(None, "episodes", "numbers of changes are missing or there twice")
+    if opened != list(range(1, len(opened) + 1)):
+        yield Unsound(None, "episodes", "numbers of episodes that were not given once, in order")
+    changes: dict[int, list[Row]] = defaultdict(list)
+    for row in history:
+        changes[row["episode_id"]].append(row)
+    newest = [rows[-1] for rows in changes.values()]
+    for rows in changes.values():
+        if not all(_is_change(row, changes, channels, versions) for row in rows) or not all(
+            before["status"] in _LIVE or (row["what"], row["status"]) == ("labelled", before["status"])
+            for before, row in pairwise(rows)
+        ):
+            yield Unsound(
+                rows[-1]["version_id"], "episodes", "changes that do not follow from one another"
+            )
+    active = {key for key, row in versions.items() if row["is_active"]}
+    live = [
+        row
+        for row in newest
+        if row["status"] in _LIVE
+        and row["version_id"] in active
+        and row["last_judgement"] >= judged.oldest.get(row["version_id"], -FAR_AHEAD)
+    ]
+    there = [row for row in judged.episodes if row["version_id"] in active]
+    for row in there:
+        row["status"] = "open" if row["is_open"] else "ended"
+    wrong = {_ended(row) for row in live} ^ {_ended(row) for row in there}
+    known = {_ended(row): row for row in live}
+    for row in there:
+        oldest = judged.oldest[row["version_id"]]
+        mine = known.get(_ended(row))
+        is_whole = oldest == 0 or oldest <= row["onset"]
+        if mine is not None and is_whole and any(mine[name] != row[name] for name in _WHOLE):
+            wrong.add(_ended(row))
+    begins = {_ended(row): row["first_time"] for row in (*there, *live)}
+    for version, rows_of in groupby(sorted(wrong), key=lambda ended: ended[0]):
+        starts = [begins[one] for one in rows_of]
+        what = "episodes that are not those of the judgements"
+        yield Unsound(version, "episodes", what, len(starts), min(starts))
+
+
+def _ended(row: Row) -> tuple[int, int, int, str]:
+    version, last, time, status = (row[name] for name in _ENDS)
+    return version, last, time, status
+
+
+def _is_change(
+    row: Row,
+    changes: Mapping[int, object],
+    channels: Mapping[int, str],
+    versions: Mapping[int, Row],
+) -> bool:
+    """Tell whether a change of an episode may be one."""
+    version = versions.get(row["version_id"])
+    return (
+        row["status"] in _LEAVES.get(row["what"], ())
+        and (row["merged_into"] in changes if row["status"] == "merged" else row["merged_into"] is None)
+        and row["merged_into"] != row["episode_id"]
+        and row["channel_id"] in channels
+        and (version is None or version["channel_id"] == row["channel_id"])
+        and 0 <= row["onset"] <= row["first_judgement"] <= row["last_judgement"]
+        and row["onset_time"] <= row["first_time"] <= row["last_time"]
+        and row["evidence"] >= row["height"] > 0
+        and row["is_proving"] in (0, 1)
+    )
+
+
+def _labels(
+    labels: Sequence[Row], history: Sequence[Row], channels: Mapping[int, str]
+) -> Iterator[Unsound]:
+    """Hold labels to the episodes that they are about."""
+    if [row["label_id"] for row in labels] != list(range(1, len(labels) + 1)):
+        yield Unsound(None, "labels", "numbers are missing or there twice")
+    marked = [row for row in history if row["what"] == "labelled"]
+    of_episode = {
+        (row["episode_id"], channels.get(row["channel_id"]), row["first_time"], row["last_time"])
+        for row in marked
+    }
+    assets = set(channels.values())
+    for row in labels:
+        key = (row["episode_id"], row["asset"], row["time_from"], row["time_to"])
+        if (
+            row["kind"] not in KINDS
+            or (row["kind"] in DECISIONS and row["until"] is not None)
+            or (row["kind"] == "snoozed" and row["until"] is None)
+            or (row["episode_id"] is not None and key not in of_episode)
+            or row["asset"] not in assets
+            or row["time_from"] > row["time_to"]
+        ):
+            yield Unsound(
+                None, "labels", f"label {row['label_id']} is of nothing, or contradicts itself"
+            )
+    known = {row["episode_id"] for row in labels}
+    beside = defaultdict(list)
+    for row in labels:
+        if row["episode_id"] is None:
+            beside[row["asset"]].append(row)
+    for row in marked:
+        if row["episode_id"] not in known and not any(
+            one["time_from"] <= row["last_time"] and row["first_time"] <= one["time_to"]
+            for one in beside[channels.get(row["channel_id"], "")]
+        ):
+            yield Unsound(row["version_id"], "labels", "an episode was labelled, and no label says how")
