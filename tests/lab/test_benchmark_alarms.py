@@ -32,7 +32,7 @@ def read(tmp_path_factory: pytest.TempPathFactory) -> tuple[fleets.Fleets, list[
     folder = tmp_path_factory.mktemp("fleets")
     files: list[Path] = []
 
-    def kept(source: gam_db.Source) -> None:
+    def kept(_: Fleet, source: gam_db.Source) -> None:
         files.append(folder / f"{len(files)}.parquet")
         assert isinstance(source.relation, Path)
         parquet.write_table(parquet.read_table(source.relation), files[-1])

@@ -15,7 +15,7 @@ from gam_db.lab.benchmark.alarms.tables import Learnt, Name, learnt
 from gam_db.lab.simulate.fleet import READINGS, Fleet
 from gam_db.source import Source
 
-OnFile = Callable[[Source], Any]
+OnFile = Callable[[Fleet, Source], Any]
 
 
 @dataclass
@@ -62,7 +62,7 @@ def read(
             source = Source(path, "asset", "channel", "time", "value")
             result.learnt.append(learnt(source, plan.parameters, calibration))
             if on_file is not None:
-                result.found.append(on_file(source))
+                result.found.append(on_file(fleet, source))
     return result
 
 

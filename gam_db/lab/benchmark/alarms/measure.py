@@ -11,9 +11,10 @@ from gam_db.extras import needed
 from gam_db.lab.benchmark.alarms import fleets
 from gam_db.lab.benchmark.alarms.figures import counted, promise, wear
 from gam_db.lab.benchmark.alarms.plan import CALIBRATION, DRIFTS, LONG_CALIBRATION, RATES, RIVALS, Plan
-from gam_db.lab.benchmark.alarms.rivals import Windows, control, judged_scores, rate_of, roots_of, today
+from gam_db.lab.benchmark.alarms.rivals import Windows, control, judged_scores, rate_of, scored, today
 from gam_db.lab.benchmark.alarms.tables import Judged, Pool, Row, name_of
 from gam_db.lab.simulate.fleet import Fleet
+from gam_db.source import AnySource
 
 Listener = Callable[[str], None]
 
@@ -40,12 +41,17 @@ def measure(plan: Plan, show: Listener) -> dict[str, Any]:
         "bins": plan.parameters.bins,
         "calibration": CALIBRATION.fraction,
     }
-    found = fleets.read(plan, map(plan.fleet, plan.seeds), CALIBRATION, show)
+    rivals = {name: scored(plan, name) for name in RIVALS} if plan.everything else {}
+
+    def on_file(fleet: Fleet, source: AnySource) -> dict[str, pa.Table]:
+        return {name: made(source) for name, made in rivals.items() if fleet.seed in plan.extra}
+
+    found = fleets.read(plan, map(plan.fleet, plan.seeds), CALIBRATION, show, on_file=on_file)
     with DuckSession() as session:
         pool = Pool(session, found.learnt)
         told |= _promised(plan, pool, found)
     if plan.everything:
-        told["rivals"] = _rivals(plan, show)
+        told["rivals"] = _rivals(plan, found)
         told["drift"] = [_moved(plan, plan.window * windows, 0, show) for windows in DRIFTS]
         told["shifts"] = _moved(plan, 0.0, plan.shift, show)
     return told
@@ -77,24 +83,27 @@ def _promised(plan: Plan, pool: Pool, found: fleets.Fleets) -> dict[str, Any]:
     }
 
 
-def _rivals(plan: Plan, show: Listener) -> list[Row]:
-    made = {name: roots_of(plan, name) for name in RIVALS}
-    found = fleets.read(
-        *(plan, map(plan.fleet, plan.extra), CALIBRATION, show),
-        on_file=lambda source: {name: make(source) for name, make in made.items()},
-    )
+def _rivals(plan: Plan, found: fleets.Fleets) -> list[Row]:
+    """Return what estimators see on the fleets that they were asked of, at equal false alarms."""
     with DuckSession() as session:
-        pool = Pool(session, found.learnt)
+        pool = Pool(session, found.learnt[: len(plan.extra)])
         windows = Windows(pool)
+        calm = found.calm.intersection(windows.begins)
+        wearing = {name: truth for name, truth in found.wearing.items() if name in windows.ids}
         judged = pool.judged(Alarms(rate=_asked(RATES[0]), family=["*"]))
-        calm = counted([row for row in judged.counted if name_of(row) in found.calm])
-        episodes, judgements = calm["episodes"], calm["judgements"]
-        mine = {"rate": rate_of(episodes, judgements), "wear": wear(judged, found.wearing, windows.ends)}
-        rows = [{"estimator": "dse", "height": None, **mine}]
+        its = counted([row for row in judged.counted if name_of(row) in calm])
+        rows: list[Row] = [
+            {
+                "estimator": "dse",
+                "height": None,
+                "rate": rate_of(its["episodes"], its["judgements"]),
+                "wear": wear(judged, wearing, windows.ends),
+            }
+        ]
         for name in RIVALS:
-            scored: list[pa.Table] = [one[name] for one in found.found]
-            its = judged_scores(pool, windows, scored, found.calm, found.wearing, episodes)
-            rows.append({"estimator": name, **its})
+            tables: list[pa.Table] = [one[name] for one in found.found[: len(plan.extra)]]
+            told = judged_scores(pool, windows, tables, calm, wearing, its["episodes"])
+            rows.append({"estimator": name, **told})
         return rows
 
 

@@ -48,7 +48,7 @@ class Plan:
     @classmethod
     def quick(cls, seeds: tuple[int, ...]) -> "Plan":
         """Return a plan of all there is on little data."""
-        small = cls(seeds, True, robots=8, joints=2, samples=24_000, window=200, bins=16, sample=500)
+        small = cls(seeds, True, robots=8, joints=4, samples=24_000, window=200, bins=16, sample=500)
         return replace(small, is_quick=True)
 
     @property
@@ -73,7 +73,7 @@ class Plan:
     @property
     def runs(self) -> int:
         """How many fleets are read."""
-        return len(self.seeds) + (2 + len(DRIFTS)) * len(self.extra) * self.everything
+        return len(self.seeds) + (1 + len(DRIFTS)) * len(self.extra) * self.everything
 
 
 CALIBRATION = Calibration(fraction=0.2)

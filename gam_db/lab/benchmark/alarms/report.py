@@ -29,7 +29,7 @@ def lines(figures: Row) -> Iterator[str]:
     yield ""
     yield "Promise: stated, and seen on calm channels"
     for row in figures["promise"]:
-        yield f"  {row['form']}, asked {row['asked']}: {_promised(row)}"
+        yield f"  {row['form']}, asked {row['asked']}: {_promised(row)}{_kept(row, figures['quick'])}"
     yield ""
     yield "Wear: joints seen, and the median share of worn life that they had used"
     for row in figures["wear"]:
@@ -77,15 +77,21 @@ def _promised(row: Row) -> str:
     if row["stated"] is None:
         return f"no rate can be stated; {_apart(row)}"
     drawn = f"[{_thousand(row['resampled_lower'])}, {_thousand(row['resampled_upper'])}]"
-    kept = "kept" if row["kept"] else "NOT KEPT"
-    if row["asked"] not in ("1 per 1000 judgements", "0.5 per 1000 judgements"):
-        kept = "an estimate"
     bases = ", ".join(f"{basis} {its['channels']:,}" for basis, its in sorted(row["basis"].items()))
     return (
         f"stated {_thousand(row['stated'])}, seen {_thousand(row['seen'])} "
         f"[{_thousand(row['lower'])}, {_thousand(row['upper'])}] {drawn} ({row['episodes']:,} in "
-        f"{row['judgements']:,} of {row['judged']:,} channels), {kept}; basis: {bases}{_apart(row)}"
+        f"{row['judgements']:,} of {row['judged']:,} channels); basis: {bases}{_apart(row)}"
     )
+
+
+def _kept(row: Row, is_quick: bool) -> str:
+    """Return whether what is stated is kept; of rates that are an estimate nothing is promised."""
+    if is_quick or row["kept"] is None:
+        return ""
+    if row["asked"] not in ("1 per 1000 judgements", "0.5 per 1000 judgements"):
+        return "; an estimate"
+    return "; kept" if row["kept"] else "; NOT KEPT"
 
 
 def _apart(row: Row) -> str:

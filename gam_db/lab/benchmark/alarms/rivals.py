@@ -16,7 +16,7 @@ from gam_db.lab.estimators import scores_at_buckets
 from gam_db.source import AnySource
 
 _DRAWN = 50_000  # windows by which the control's limit is found
-_HEIGHTS = range(1, 401)  # quarters of a spread
+_HEIGHTS = range(1, 121)  # quarters of a spread
 _FEWEST = 3  # windows that have a spread
 _FAR = 10**6  # thousandths of a spread
 
@@ -29,7 +29,7 @@ class Windows:
     """The judged windows of a pool, by channel.
 
     Attributes:
-        names: channel_id -> its name.
+        names: channel_id -> its name; ids: the other way.
         novel: channel_id -> novel vectors of each judgement, from judgement 0.
         ends: name and judgement -> when it ends.
         begins: name -> when judgement 0 begins.
@@ -40,6 +40,7 @@ class Windows:
         rows = pool.tables["judged_windows"].sort_by(
             [("channel_id", "ascending"), ("judgement_no", "ascending")]
         )
+        self.ids = {name: channel for channel, name in self.names.items()}
         self.novel: dict[int, list[int]] = {}
         self.ends: dict[tuple[Name, int], int] = {}
         self.begins: dict[Name, int] = {}
@@ -131,7 +132,7 @@ def rate_of(episodes: int, judgements: int) -> Row:
     }
 
 
-def roots_of(plan: Plan, rival: str) -> Callable[[AnySource], pa.Table]:
+def scored(plan: Plan, rival: str) -> Callable[[AnySource], pa.Table]:
     """Return what makes a table of a source: an estimator's score of each window, in spreads.
 
     It learns of the first half of calibration; centre and spread are those of the windows of the
@@ -152,7 +153,7 @@ def roots_of(plan: Plan, rival: str) -> Callable[[AnySource], pa.Table]:
 def judged_scores(
     pool: Pool,
     windows: Windows,
-    scored: Sequence[pa.Table],
+    tables: Sequence[pa.Table],
     calm: set[Name],
     wearing: Wearing,
     episodes: int,
@@ -162,14 +163,14 @@ def judged_scores(
     Args:
         pool: of the fleets.
         windows: of the pool.
-        scored: what :func:`roots_of` made of each fleet.
+        tables: what :func:`scored` made of each fleet.
         calm: the channels that nothing happens to.
         wearing: the joints that wear.
         episodes: realised by Discrete Support Estimation on the same calm channels.
     """
-    ids = {name: channel for channel, name in windows.names.items()}
+    ids = windows.ids
     ended: dict[Name, list[tuple[int, float]]] = {}
-    for table in scored:
+    for table in tables:
         times = table["last_time"].cast(pa.int64()).to_pylist()
         for row, time in zip(table.to_pylist(), times, strict=True):
             ended.setdefault(name_of(row), []).append((time, row["hi"]))
