@@ -32,9 +32,10 @@ def read(tmp_path_factory: pytest.TempPathFactory) -> tuple[fleets.Fleets, list[
     folder = tmp_path_factory.mktemp("fleets")
     files: list[Path] = []
 
-    def kept(_: Fleet, source: gam_db.Source) -> None:
+    def kept(fleet: Fleet, source: gam_db.Source, read: fleets.Fleets) -> None:
         files.append(folder / f"{len(files)}.parquet")
         assert isinstance(source.relation, Path)
+        assert any(name[1].startswith(f"f{fleet.seed}_") for name in read.calm)
         parquet.write_table(parquet.read_table(source.relation), files[-1])
 
     return fleets.read(

@@ -15,8 +15,6 @@ from gam_db.lab.benchmark.alarms.tables import Learnt, Name, learnt
 from gam_db.lab.simulate.fleet import READINGS, Fleet
 from gam_db.source import Source
 
-OnFile = Callable[[Fleet, Source], Any]
-
 
 @dataclass
 class Fleets:
@@ -33,6 +31,10 @@ class Fleets:
     wearing: dict[Name, dict[str, Any]] = field(default_factory=dict)
     calm: set[Name] = field(default_factory=set)
     found: list[Any] = field(default_factory=list)
+
+
+#: Makes something of a fleet's file; told the channels that were read so far.
+OnFile = Callable[[Fleet, Source, Fleets], Any]
 
 
 def read(
@@ -62,7 +64,7 @@ def read(
             source = Source(path, "asset", "channel", "time", "value")
             result.learnt.append(learnt(source, plan.parameters, calibration))
             if on_file is not None:
-                result.found.append(on_file(fleet, source))
+                result.found.append(on_file(fleet, source, result))
     return result
 
 

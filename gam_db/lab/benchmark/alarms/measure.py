@@ -14,7 +14,7 @@ from gam_db.lab.benchmark.alarms.plan import CALIBRATION, DRIFTS, LONG_CALIBRATI
 from gam_db.lab.benchmark.alarms.rivals import Windows, control, judged_scores, rate_of, scored, today
 from gam_db.lab.benchmark.alarms.tables import Judged, Pool, Row, name_of
 from gam_db.lab.simulate.fleet import Fleet
-from gam_db.source import AnySource
+from gam_db.source import Source
 
 Listener = Callable[[str], None]
 
@@ -41,10 +41,13 @@ def measure(plan: Plan, show: Listener) -> dict[str, Any]:
         "bins": plan.parameters.bins,
         "calibration": CALIBRATION.fraction,
     }
-    rivals = {name: scored(plan, name) for name in RIVALS} if plan.everything else {}
 
-    def on_file(fleet: Fleet, source: AnySource) -> dict[str, pa.Table]:
-        return {name: made(source) for name, made in rivals.items() if fleet.seed in plan.extra}
+    def on_file(fleet: Fleet, source: Source, read: fleets.Fleets) -> dict[str, pa.Table]:
+        """Score some channels: those that wear, and the first joint of each other robot."""
+        if not plan.everything or fleet.seed not in plan.rivalled:
+            return {}
+        some = [*read.wearing, *(name for name in read.calm if name[1].endswith("_j1"))]
+        return {rival: scored(plan, rival, source, some) for rival in RIVALS}
 
     found = fleets.read(plan, map(plan.fleet, plan.seeds), CALIBRATION, show, on_file=on_file)
     with DuckSession() as session:
@@ -86,10 +89,12 @@ def _promised(plan: Plan, pool: Pool, found: fleets.Fleets) -> dict[str, Any]:
 def _rivals(plan: Plan, found: fleets.Fleets) -> list[Row]:
     """Return what estimators see on the fleets that they were asked of, at equal false alarms."""
     with DuckSession() as session:
-        pool = Pool(session, found.learnt[: len(plan.extra)])
+        pool = Pool(session, found.learnt[: len(plan.rivalled)])
         windows = Windows(pool)
-        calm = found.calm.intersection(windows.begins)
-        wearing = {name: truth for name, truth in found.wearing.items() if name in windows.ids}
+        tables = {name: [one[name] for one in found.found if one] for name in RIVALS}
+        scored_too = {name_of(row) for one in tables[RIVALS[0]] for row in one.to_pylist()}
+        calm = found.calm & scored_too
+        wearing = {name: found.wearing[name] for name in found.wearing.keys() & windows.ids.keys()}
         judged = pool.judged(Alarms(rate=_asked(RATES[0]), family=["*"]))
         its = counted([row for row in judged.counted if name_of(row) in calm])
         rows: list[Row] = [
@@ -101,8 +106,7 @@ def _rivals(plan: Plan, found: fleets.Fleets) -> list[Row]:
             }
         ]
         for name in RIVALS:
-            tables: list[pa.Table] = [one[name] for one in found.found[: len(plan.extra)]]
-            told = judged_scores(pool, windows, tables, calm, wearing, its["episodes"])
+            told = judged_scores(pool, windows, tables[name], calm, wearing, its["episodes"])
             rows.append({"estimator": name, **told})
         return rows
 

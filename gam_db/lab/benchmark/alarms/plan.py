@@ -48,7 +48,7 @@ class Plan:
     @classmethod
     def quick(cls, seeds: tuple[int, ...]) -> "Plan":
         """Return a plan of all there is on little data."""
-        small = cls(seeds, True, robots=8, joints=4, samples=24_000, window=200, bins=16, sample=500)
+        small = cls(seeds, True, robots=8, joints=4, samples=12_000, window=100, bins=16, sample=500)
         return replace(small, is_quick=True)
 
     @property
@@ -66,8 +66,13 @@ class Plan:
         return Fleet(seed, self.samples)
 
     @property
+    def rivalled(self) -> tuple[int, ...]:
+        """Seeds of the fleets that other estimators score; a forest takes minutes for each."""
+        return self.seeds[:2]
+
+    @property
     def extra(self) -> tuple[int, ...]:
-        """Seeds of the fleets of drift, of shifts and of other estimators: half of them all."""
+        """Seeds of the fleets of drift and of shifts: half of them all."""
         return self.seeds[: (len(self.seeds) + 1) // 2]
 
     @property

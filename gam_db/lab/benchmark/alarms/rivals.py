@@ -1,11 +1,13 @@
 """What alarms are measured beside: today's limit, a control without care, and other estimators."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
+from sqlglot import exp
 
 from gam_db.backtesting import poisson_ends
 from gam_db.calibration import Calibration
@@ -13,7 +15,7 @@ from gam_db.lab.benchmark.alarms.figures import shares
 from gam_db.lab.benchmark.alarms.plan import CALIBRATION, Plan
 from gam_db.lab.benchmark.alarms.tables import Name, Pool, Row, name_of
 from gam_db.lab.estimators import scores_at_buckets
-from gam_db.source import AnySource
+from gam_db.source import Source
 
 _DRAWN = 50_000  # windows by which the control's limit is found
 _HEIGHTS = range(1, 121)  # quarters of a spread
@@ -132,22 +134,19 @@ def rate_of(episodes: int, judgements: int) -> Row:
     }
 
 
-def scored(plan: Plan, rival: str) -> Callable[[AnySource], pa.Table]:
-    """Return what makes a table of a source: an estimator's score of each window, in spreads.
+def scored(plan: Plan, rival: str, source: Source, names: Sequence[Name]) -> pa.Table:
+    """Return an estimator's mean score over each window of some channels: asset, channel, last_time, hi.
 
-    It learns of the first half of calibration; centre and spread are those of the windows of the
-    second half, which it has not learnt, so no estimator looks steadier than it is.
+    It learns of the first half of calibration, so that its windows of the second half are scored as
+    those that follow.
     """
     fraction = CALIBRATION.fraction
     assert fraction is not None
-
-    def made(source: AnySource) -> pa.Table:
-        half = Calibration(fraction=fraction / 2)
-        rows = scores_at_buckets(source, plan.parameters, half, estimator=rival, sample=plan.sample)
-        per_window = plan.window // plan.parameters.bucket_length
-        return rows.filter(pa.array((rows["bucket"].to_numpy() + 1) % per_window == 0))
-
-    return made
+    some = replace(source, where=exp.column("channel").isin(*(channel for _, channel in names)))
+    half = Calibration(fraction=fraction / 2)
+    rows = scores_at_buckets(some, plan.parameters, half, estimator=rival, sample=plan.sample)
+    per_window = plan.window // plan.parameters.bucket_length
+    return rows.filter(pa.array((rows["bucket"].to_numpy() + 1) % per_window == 0))
 
 
 def judged_scores(
@@ -159,6 +158,8 @@ def judged_scores(
     episodes: int,
 ) -> Row:
     """Return what an estimator sees at a height at which it opens on calm channels as often as DSE.
+
+    Centre and spread are those of its windows in calibration.
 
     Args:
         pool: of the fleets.
