@@ -143,7 +143,7 @@ def test_the_promise_counts_every_calm_channel() -> None:
 
 @pytest.mark.parametrize(("dispersed", "times"), [(False, (0.3, 3)), (True, (5, 1000))])
 def test_the_control_keeps_its_word_on_independent_vectors_only(
-    dispersed: bool, times: tuple[float, float]
+    dispersed: bool, times: tuple[float, float], read: tuple[fleets.Fleets, list[Path]]
 ) -> None:
     chance = np.random.default_rng(5)
     shares_of_novel = 0.05 * (chance.gamma(10, 0.1, (20, 1000)) if dispersed else np.ones((20, 1000)))
@@ -153,13 +153,11 @@ def test_the_control_keeps_its_word_on_independent_vectors_only(
         {"channel_id": number, "hi_limit": 0.1, "floor": 0.05, "vectors": 9000} for number in channels
     ]
     novel = {number: chance.binomial(500, shares_of_novel[number]).tolist() for number in channels}
-    told = rivals.control(
-        SimpleNamespace(tables={"limited": pa.Table.from_pylist(limited)}),  # type: ignore[arg-type]
-        SimpleNamespace(names=names, novel=novel),  # type: ignore[arg-type]
-        500,
-        set(names.values()),
-        0.001,
-    )
+    with DuckSession() as session:
+        pool = Pool(session, read[0].learnt)
+        pool.tables["limited"] = pa.Table.from_pylist(limited)
+        windows = SimpleNamespace(names=names, novel=novel)
+        told = rivals.control(pool, windows, 500, set(names.values()), 0.001)  # type: ignore[arg-type]
     assert told["judgements"] == 20_000
     assert times[0] <= told["seen"] / told["stated"] <= times[1]
 

@@ -63,8 +63,7 @@ def today(pool: Pool, windows: Windows, window: int, calm: set[Name], wearing: W
         for number, count in enumerate(novel)
         if count / window > limits[channel]
     ]
-    ids, numbers = (pa.array([pair[place] for pair in high], pa.int64()) for place in (0, 1))
-    merged = pool.merged(pa.table({"channel_id": ids, "judgement_no": numbers})).to_pylist()
+    merged = pool.merged(high)
     judged = {
         windows.names[channel]: len(novel)
         for channel, novel in windows.novel.items()
@@ -85,11 +84,13 @@ def control(pool: Pool, windows: Windows, window: int, calm: set[Name], rate: fl
     """Return how often a plain Bernoulli CUSUM opens that takes the floor for the truth.
 
     Each vector is novel with the probability p0 = floor, independently, or 2 p0 when the machine wears;
-    the limit is the one at which such draws alarm at the stated rate. After an alarm it begins anew.
+    the limit is the one at which such draws alarm at the stated rate. After an alarm it begins anew;
+    alarms with fewer than 10 judgements between them are one episode.
     """
     floors = {row["channel_id"]: row for row in pool.tables["limited"].to_pylist()}
     chance = np.random.default_rng(0)
-    alarms = judgements = 0
+    alarms: list[tuple[int, int]] = []
+    judgements = 0
     for channel, novel in sorted(windows.novel.items()):
         row = floors[channel]
         if windows.names[channel] not in calm or row["hi_limit"] is None:
@@ -98,12 +99,13 @@ def control(pool: Pool, windows: Windows, window: int, calm: set[Name], rate: fl
         drawn = _steps(chance.binomial(window, p0, _DRAWN), window, p0)
         limit = np.sort(_peaks(drawn))[::-1][int(rate * _DRAWN)]
         total = 0.0
-        for step in _steps(np.array(novel), window, p0):
+        for number, step in enumerate(_steps(np.array(novel), window, p0)):
             total = max(0.0, total + step)
             if total >= limit:
-                alarms, total = alarms + 1, 0.0
+                alarms.append((channel, number))
+                total = 0.0
         judgements += len(novel)
-    return {"stated": rate, **rate_of(alarms, judgements)}
+    return {"stated": rate, **rate_of(len(pool.merged(alarms)), judgements)}
 
 
 def _steps(novel: NDArray[np.int64], window: int, p0: float) -> Floats:

@@ -137,18 +137,17 @@ class Pool:
         finally:
             running.forget()
 
-    def merged(self, opened: pa.Table) -> pa.Table:
-        """Return the episodes of judgements that are open: channel_id, judgement_no."""
+    def merged(self, opened: Sequence[tuple[int, int]]) -> list[Row]:
+        """Return the episodes of judgements that are open: pairs of channel_id and judgement_no."""
         steps = Pipeline()
         add_judged(steps, lambda node: node)
-        zeros = pa.array([0] * len(opened), pa.int64())
+        names = ("channel_id", "judgement_no", "limit_no", "last_zero", "is_open")
+        rows = [dict(zip(names, (*pair, 0, 0, 1), strict=True)) for pair in opened]
         running = Running(self._session, steps)
-        rows = {"limit_no": zeros, "is_open": pc.add(zeros, 1), "last_zero": zeros}
-        for name, column in rows.items():
-            opened = opened.append_column(name, column)
-        running.load("opened", opened)
+        running.load("opened", pa.Table.from_pylist(rows, pa.schema([(n, pa.int64()) for n in names])))
         try:
-            return running.table("merged")
+            merged: list[Row] = running.table("merged").to_pylist()
+            return merged
         finally:
             running.forget()
 
