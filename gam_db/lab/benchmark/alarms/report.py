@@ -16,11 +16,14 @@ def lines(figures: Row) -> Iterator[str]:
     """Yield the lines of a report on the figures of :mod:`~gam_db.lab.benchmark.alarms.measure`."""
     seeds = figures["seeds"]
     yield (
-        f"{_fleets(len(seeds))} (seeds {', '.join(map(str, seeds))}), simulated, hours for "
-        f"months: {figures['samples']:,} samples, W = {figures['window']:,}, B = {figures['bins']}, "
-        f"still_after 25, calibration {figures['calibration']:.0%}; rates per 1,000 judgements, 95 % "
-        "intervals by Poisson and by drawing the channels again"
+        f"{_fleets(len(seeds))} of seeds {seeds[0]} to {seeds[-1]}, simulated, hours for months: "
+        f"{figures['samples']:,} samples,"
     )
+    yield (
+        f"W = {figures['window']:,}, B = {figures['bins']}, still_after 25, calibration "
+        f"{figures['calibration']:.0%}. Rates per 1,000 judgements,"
+    )
+    yield "95 % intervals by Poisson and by drawing the channels again."
     if figures["quick"]:
         yield "Quick: all paths run; nothing here says how good anything is."
     first = figures["promise"][0]
@@ -29,18 +32,18 @@ def lines(figures: Row) -> Iterator[str]:
     yield ""
     yield "Promise: stated, and seen on calm channels"
     for row in figures["promise"]:
-        yield f"  {row['form']}, asked {row['asked']}: {_promised(row)}{_kept(row, figures['quick'])}"
+        yield f"  {_asked(row)}{_promised(row)}{_kept(row, figures['quick'])}"
     yield ""
     yield "Wear: joints seen, and the median share of worn life that they had used"
     for row in figures["wear"]:
-        yield f"  {row['form']}, asked {row['asked']}: {_worn(row)}"
+        yield f"  {_asked(row)}{_worn(row)}"
     today = figures["today"]
-    yield f"  today's limit (twice the floor, ...): {_worn(today['wear'])}; seen {_rate(today['rate'])}"
+    yield f"  {'today, twice the floor':33}{_worn(today['wear'])}; seen {_rate(today['rate'])}"
     yield ""
     control = figures["control"]
     yield (
-        "Control, a Bernoulli CUSUM that takes the floor for the truth: "
-        f"stated {_thousand(control['stated'])}, seen {_rate(control)}: {_teeth(control)}"
+        f"Control, a Bernoulli CUSUM with p0 = floor: stated {_thousand(control['stated'])}, "
+        f"seen {_rate(control)}: {_teeth(control)}"
     )
     if "rivals" in figures:
         yield ""
@@ -76,13 +79,18 @@ def _rate(row: Row) -> str:
 def _promised(row: Row) -> str:
     if row["stated"] is None:
         return f"no rate can be stated; {_apart(row)}"
-    drawn = f"[{_thousand(row['resampled_lower'])}, {_thousand(row['resampled_upper'])}]"
     bases = ", ".join(f"{basis} {its['channels']:,}" for basis, its in sorted(row["basis"].items()))
+    ends = [
+        _thousand(row[f"{drawn}{end}"]) for drawn in ("", "resampled_") for end in ("lower", "upper")
+    ]
     return (
-        f"stated {_thousand(row['stated'])}, seen {_thousand(row['seen'])} "
-        f"[{_thousand(row['lower'])}, {_thousand(row['upper'])}] {drawn} ({row['episodes']:,} in "
-        f"{row['judgements']:,} of {row['judged']:,} channels); basis: {bases}{_apart(row)}"
+        f"stated {_thousand(row['stated'])}, seen {_thousand(row['seen'])} [{ends[0]}, {ends[1]}] "
+        f"[{ends[2]}, {ends[3]}], {row['episodes']:,} in {row['judgements']:,}; {bases}{_apart(row)}"
     )
+
+
+def _asked(row: Row) -> str:
+    return f"{row['form']:20}{row['asked'].replace(' per 1000 judgements', ''):13}"
 
 
 def _kept(row: Row, is_quick: bool) -> str:
@@ -98,7 +106,7 @@ def _apart(row: Row) -> str:
     apart = row["unstated"]
     if not apart["channels"]:
         return ""
-    return f"; no rate stated: {apart['channels']:,}, {apart['episodes']:,} in {apart['judgements']:,}"
+    return f", none {apart['channels']:,}: {apart['episodes']:,} in {apart['judgements']:,}"
 
 
 def _withheld(row: Row) -> str:
@@ -113,7 +121,7 @@ def _worn(row: Row) -> str:
     kinds = ", ".join(f"{kind} {_of(its)}{_at(its)}" for kind, its in row["by_kind"].items())
     early = f", {row['early']:,} before 0.6" if row["seen"] else ""
     unseen = ", ".join(f"{why} {count:,}" for why, count in sorted(row["unseen"].items()))
-    return f"{_of(row)}{_at(row)}{early} ({kinds}){f'; unseen, by basis: {unseen}' if unseen else ''}"
+    return f"{_of(row)}{_at(row)}{early}; {kinds}{f'; unseen: {unseen}' if unseen else ''}"
 
 
 def _of(row: Row) -> str:
@@ -134,4 +142,4 @@ def _teeth(control: Row) -> str:
 def _moved(row: Row) -> str:
     ratio = row.get("order_ratio")
     said = "" if ratio is None else f"mean order ratio {ratio / 1000:.2f}; "
-    return f"{said}{_promised(row)}; without a limit: {_withheld(row)}"
+    return f"{said}{_promised(row)}; no limit: {_withheld(row)}"
