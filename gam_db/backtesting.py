@@ -84,10 +84,17 @@ def backtest(
         raise ParameterError(
             "There is no judgement to count: healthy covers no full window after calibration."
         )
-    return _figures(alarms.asked(study.method.kind), rows, found)
+    return figures(alarms.asked(study.method.kind), rows, found)
 
 
-def _figures(asked: str, rows: Sequence[Row], found: list[Row]) -> Row:
+def figures(asked: str, rows: Sequence[Row], found: list[Row]) -> Row:
+    """Return what :func:`backtest` does.
+
+    Args:
+        asked: the rate, in words.
+        rows: limits, as :func:`gam_db.alarms.limits_of` returns them.
+        found: the rows of *backtested*; at least one.
+    """
     limit_of = {(row["asset"], row["channel"]): row for row in rows}
     mine = [limit_of[row["asset"], row["channel"]] for row in found]
     judged = np.array([row["judgements"] for row in found], np.float64)

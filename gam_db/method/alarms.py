@@ -81,6 +81,11 @@ def add_judgements(steps: Pipeline, method: Method, instant_of: TimeNode) -> Non
         slots: dict[str, template.Slot] = {"buckets": setting.window // setting.bucket_length}
         add_of_set(steps, method, number, "alarms/judged_windows", slots)
     join_sets(steps, method, ("judged_windows",))
+    add_judged(steps, instant_of)
+
+
+def add_judged(steps: Pipeline, instant_of: TimeNode) -> None:
+    """Add what is judged, over *judged_windows* and *frozen_limits*, likewise."""
     add(steps, "alarms/rooted", {"root": _root("novel", "judged")})
     _add_episodes(steps, "rooted", "")
     edges = {name: instant_of(exp.column(name, table="counted")) for name in ("first_time", "last_time")}

@@ -40,8 +40,8 @@ LAYERS = [
     ["config"],
     ["export", "plot"],
     ["cli"],
-    ["lab.estimators", "lab.evaluation"],
-    ["lab.benchmark", "lab.simulate", "lab.baselines"],
+    ["lab.estimators", "lab.evaluation", "lab.simulate"],
+    ["lab.benchmark", "lab.baselines"],
     ["lab.reproduce"],
 ]
 

@@ -22,6 +22,7 @@ from gam_db.lab.simulate.joint import (
     reporting,
     sampled,
     twin_offset,
+    wandering,
 )
 from gam_db.lab.simulate.program import Program, Timeline, drawn_program, drawn_timeline
 from gam_db.lab.simulate.roles import GROUP, JOINTS, Role, role_of
@@ -67,6 +68,7 @@ _SILENT_FROM = (0.5, 0.8)
 _AMPLITUDE = (0.02, 0.08)  # of the joint's range, at the failure
 _REZEROED_BY = (0.03, 0.08)  # of the joint's range
 _PAYLOAD = (1.05, 1.2)  # gain
+_WANDERING = 0.6  # standard deviations of a level
 
 
 @dataclass(frozen=True)
@@ -94,6 +96,9 @@ class Fleet:
         seed: of everything; not negative.
         samples: instants per joint at 5 Hz, at least 2,000; robots that fail end earlier, and while a
             robot is switched off there are no rows.
+        wander: samples in which a drift of 0.6 standard deviations of a level forgets where it was; 0
+            for no such drift.
+        shift: samples of a shift; in every other one a robot makes another product. 0 for one product.
 
     Raises:
         ParameterError: seed or samples are out of range.
@@ -101,6 +106,8 @@ class Fleet:
 
     seed: int = 0
     samples: int = SAMPLES
+    wander: float = 0.0
+    shift: int = 0
 
     def __post_init__(self) -> None:
         if self.seed < 0:
@@ -138,6 +145,11 @@ class _Robot:
         self._gain = float(events.uniform(*_PAYLOAD))
         self._repeats, self._late = events.integers(1, JOINTS + 1, 2)
         self._programs, self._timeline = self._worked()
+        self._other: Timeline | None = None
+        if fleet.shift:
+            shifts = stream(fleet.seed, number, WHOLE_ROBOT, Purpose.SHIFTS)
+            self._programs.append(drawn_program(shifts))
+            self._other = drawn_timeline(self._programs[-1], shifts, self._seconds + 1, stops=False)
 
     def joint(self, joint: int) -> Joint:
         """Return a joint: its readings and the truth about them."""
@@ -149,11 +161,18 @@ class _Robot:
         scale = drawn_scale(noise, shared)
         seconds = np.arange(int(self._seconds * HERTZ)) / HERTZ + scale.clock
         moves, states = sampled(self._timeline, seconds)
+        if self._other is not None:
+            is_other = (seconds * HERTZ // self._fleet.shift) % 2 == 1
+            moves = np.where(is_other, sampled(self._other, seconds)[0] + self._programs[0].moves, moves)
 
         signal = stream(seed, number, joint, Purpose.SIGNAL)
         heights = followed(levels, moves, signal) + (0.0 if number == role.program else twin_offset(own))
         heights += noise[levels.places[moves]] * signal.standard_normal(len(moves))
         heights += drifting(scale, seconds)
+        if self._fleet.wander:
+            chance = stream(seed, number, joint, Purpose.WANDER)
+            wide = _WANDERING * float(np.median(noise))
+            heights += wandering(wide, self._fleet.wander, len(heights), chance)
         event = stream(seed, number, joint, Purpose.EVENT)
         truth = self._happened(joint, event)
         onset = self._onset

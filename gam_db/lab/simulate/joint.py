@@ -132,6 +132,23 @@ def drifting(scale: Scale, seconds: Floats) -> Floats:
     return np.asarray(scale.drift * (0.7 * waves[0] + 0.3 * waves[1]))
 
 
+def wandering(spread: float, samples: float, count: int, random: np.random.Generator) -> Floats:
+    """Return a drift that forgets where it was: its correlation falls by e in so many samples.
+
+    Args:
+        spread: its standard deviation, in units of height.
+        samples: in which it forgets.
+        count: of samples wanted.
+        random: draws it.
+    """
+    every = max(1, int(samples / 50))
+    kept = math.exp(-every / samples)
+    knots = spread * random.standard_normal(count // every + 2)
+    for number in range(1, len(knots)):
+        knots[number] = kept * knots[number - 1] + math.sqrt(1 - kept**2) * knots[number]
+    return np.interp(np.arange(count), every * np.arange(len(knots)), knots)
+
+
 def measured(scale: Scale, heights: Floats, states: NDArray[np.int64]) -> Floats:
     """Return the readings: torque at the controller's resolution, frozen while the robot stands."""
     readings = np.round(scale.offset + scale.half_range * heights, scale.decimals)

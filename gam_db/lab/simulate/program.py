@@ -81,11 +81,14 @@ def drawn_program(random: np.random.Generator) -> Program:
     )
 
 
-def drawn_timeline(program: Program, random: np.random.Generator, seconds: float) -> Timeline:
+def drawn_timeline(
+    program: Program, random: np.random.Generator, seconds: float, stops: bool = True
+) -> Timeline:
     """Draw what a robot that repeats a program does for at least the given time.
 
     Durations vary by 5 % per cycle, waits of random length shift the phase, and a few stops of minutes
-    to hours (at most an eighth of the time) interrupt it: in turn with constant rows and without rows.
+    to hours (at most an eighth of the time) interrupt it, unless there are to be none: in turn with
+    constant rows and without rows.
     """
     moves = len(program.durations)
     cycles = math.ceil(seconds / ((1 - _JITTER) * program.durations.sum())) + 1
@@ -98,14 +101,14 @@ def drawn_timeline(program: Program, random: np.random.Generator, seconds: float
     lasting[:, moves + 1] = _IDLE_SECONDS[0] + random.exponential(_IDLE_SECONDS[1], cycles)
 
     run = max(1, int(seconds / (program.durations.sum() + sum(_IDLE_SECONDS))))
-    stops = min(run, int(random.integers(_STOPS[0], _STOPS[1] + 1)))
-    stopped = np.sort(random.choice(run, stops, replace=False))
+    count = min(run, int(random.integers(_STOPS[0], _STOPS[1] + 1))) if stops else 0
+    stopped = np.sort(random.choice(run, count, replace=False))
     shortest, longest = min(_STOP_SECONDS[0], seconds / 40), min(_STOP_SECONDS[1], seconds / 8)
-    lasting[stopped, moves + 2] = np.exp(random.uniform(math.log(shortest), math.log(longest), stops))
+    lasting[stopped, moves + 2] = np.exp(random.uniform(math.log(shortest), math.log(longest), count))
 
     states = np.full(lasting.shape, WORKING)
     states[stopped, moves + 2] = np.where(
-        (np.arange(stops) + random.integers(2)) % 2, STANDING, SWITCHED_OFF
+        (np.arange(count) + random.integers(2)) % 2, STANDING, SWITCHED_OFF
     )
     # A robot that is stopped stands as it does while it waits.
     numbers = np.tile([*range(moves + 2), moves + 1], (cycles, 1))

@@ -22,6 +22,8 @@ class Purpose(IntEnum):
     SIGNAL = 6
     EVENT = 7
     DIRT = 8
+    WANDER = 9
+    SHIFTS = 10
 
 
 def stream(seed: int, robot: int, joint: int, purpose: Purpose) -> np.random.Generator:

@@ -1,0 +1,120 @@
+"""The order of work: read fleets, ask the product at several rates, measure what stands beside."""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import pyarrow as pa
+
+from gam_db.alarms import Alarms
+from gam_db.engines.duckdb_session import DuckSession
+from gam_db.extras import needed
+from gam_db.lab.benchmark.alarms import fleets
+from gam_db.lab.benchmark.alarms.figures import counted, promise, wear
+from gam_db.lab.benchmark.alarms.plan import CALIBRATION, DRIFTS, LONG_CALIBRATION, RATES, RIVALS, Plan
+from gam_db.lab.benchmark.alarms.rivals import Windows, control, judged_scores, rate_of, scored, today
+from gam_db.lab.benchmark.alarms.tables import Judged, Pool, Row, name_of
+from gam_db.lab.simulate.fleet import Fleet
+from gam_db.source import Source
+
+Listener = Callable[[str], None]
+
+
+def measure(plan: Plan, show: Listener) -> dict[str, Any]:
+    """Return the figures of a plan.
+
+    Args:
+        plan: what is measured.
+        show: told what is at work, once for each fleet that is read.
+
+    Returns:
+        quick, seeds, samples, window, bins, calibration (its share); promise and wear (of each rate and
+        form of family: form, and what :mod:`~gam_db.lab.benchmark.alarms.figures` returns); today;
+        control; with everything also rivals, drift and shifts.
+    """
+    if plan.everything:
+        needed("sklearn", "benchmark")
+    told: dict[str, Any] = {
+        "quick": plan.is_quick,
+        "seeds": list(plan.seeds),
+        "samples": plan.samples,
+        "window": plan.window,
+        "bins": plan.parameters.bins,
+        "calibration": CALIBRATION.fraction,
+    }
+
+    def on_file(fleet: Fleet, source: Source, read: fleets.Fleets) -> dict[str, pa.Table]:
+        """Score some channels: those that wear, and the first joint of each other robot."""
+        if not plan.everything or fleet.seed not in plan.rivalled:
+            return {}
+        some = [*read.wearing, *(name for name in read.calm if name[1].endswith("_j1"))]
+        return {rival: scored(plan, rival, source, some) for rival in RIVALS}
+
+    found = fleets.read(plan, map(plan.fleet, plan.seeds), CALIBRATION, show, on_file=on_file)
+    with DuckSession() as session:
+        pool = Pool(session, found.learnt)
+        told |= _promised(plan, pool, found)
+    if plan.everything:
+        told["rivals"] = _rivals(plan, found)
+        told["drift"] = [_moved(plan, plan.window * windows, 0, show) for windows in DRIFTS]
+        told["shifts"] = _moved(plan, 0.0, plan.shift, show)
+    return told
+
+
+def _asked(rate: float) -> str:
+    return f"{rate:g} per 1000 judgements"
+
+
+def _promised(plan: Plan, pool: Pool, found: fleets.Fleets) -> dict[str, Any]:
+    windows = Windows(pool)
+    forms: dict[str, Sequence[str]] = {
+        "one family": ["*"],
+        "a family per fleet": fleets.families_by_fleet(plan.seeds),
+        "by the table": fleets.families_by_robot(plan.seeds, plan.robots),
+    }
+    promised, worn = [], []
+    for form, families in forms.items():
+        rates: list[str | None] = [*map(_asked, RATES)]
+        for rate in [*rates, None] if form == "one family" else rates:
+            judged = pool.judged(Alarms(rate=rate, family=families))
+            promised.append({"form": form, **promise(judged, found.calm)})
+            worn.append({"form": form, **wear(judged, found.wearing, windows.ends)})
+    return {
+        "promise": promised,
+        "wear": worn,
+        "today": today(pool, windows, plan.window, found.calm, found.wearing),
+        "control": control(pool, windows, plan.window, found.calm, RATES[0] / 1000),
+    }
+
+
+def _rivals(plan: Plan, found: fleets.Fleets) -> list[Row]:
+    """Return what estimators see on the fleets that they were asked of, at equal false alarms."""
+    with DuckSession() as session:
+        pool = Pool(session, found.learnt[: len(plan.rivalled)])
+        windows = Windows(pool)
+        tables = {name: [one[name] for one in found.found if one] for name in RIVALS}
+        scored_too = {name_of(row) for one in tables[RIVALS[0]] for row in one.to_pylist()}
+        calm = found.calm & scored_too
+        wearing = {name: found.wearing[name] for name in found.wearing.keys() & windows.ids.keys()}
+        judged = pool.judged(Alarms(rate=_asked(RATES[0]), family=["*"]))
+        its = counted([row for row in judged.counted if name_of(row) in calm])
+        rows: list[Row] = [
+            {
+                "estimator": "dse",
+                "height": None,
+                "rate": rate_of(its["episodes"], its["judgements"]),
+                "wear": wear(judged, wearing, windows.ends),
+            }
+        ]
+        for name in RIVALS:
+            told = judged_scores(pool, windows, tables[name], calm, wearing, its["episodes"])
+            rows.append({"estimator": name, **told})
+        return rows
+
+
+def _moved(plan: Plan, wander: float, shift: int, show: Listener) -> Row:
+    """Return promise of calm fleets that drift or change products, calibration included."""
+    moved = (Fleet(seed, plan.samples, wander, shift) for seed in plan.extra)
+    found = fleets.read(plan, moved, LONG_CALIBRATION, show, wearing=False)
+    with DuckSession() as session:
+        judged: Judged = Pool(session, found.learnt).judged(Alarms(rate=_asked(RATES[0]), family=["*"]))
+    return {"windows": wander / plan.window, **promise(judged, found.calm)}
