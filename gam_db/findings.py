@@ -24,10 +24,8 @@ ORDER = (
     ("channel", "ascending"),
 )
 
-#: A grid of fewer bins tells little but high from low, and fewer vectors than this fill none: then the
-#: advice is a longer calibration, and not a coarser grid.
+#: A grid of fewer bins tells little but high from low: then the advice is a longer calibration.
 FEWEST_BINS = 5
-FEW_VECTORS = 300
 
 #: What the other columns of a support row say is a count or a share; these are read by name here.
 Row = dict[str, Any]
@@ -170,8 +168,7 @@ def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
     """Return why a channel cannot be watched, and what would help; nothing for a good calibration.
 
     Args:
-        row: what was learnt of it: verdict, calibrated_lo, finest_bins, vectors_needed, and
-            calibration_vectors where they are known.
+        row: what was learnt of it: verdict, calibrated_lo, finest_bins and vectors_needed.
         span: samples between the oldest and the newest of a vector.
         has_moved: a vector was novel since.
     """
@@ -202,9 +199,7 @@ def is_short(row: Row) -> bool:
     Args:
         row: as in :func:`shortcomings`.
     """
-    vectors = row.get("calibration_vectors")
-    is_few = vectors is not None and vectors < FEW_VECTORS
-    return bool(row["verdict"] == "too_fine" and (is_few or row["finest_bins"] < FEWEST_BINS))
+    return bool(row["verdict"] == "too_fine" and row["finest_bins"] < FEWEST_BINS)
 
 
 def share(value: float | None) -> str:

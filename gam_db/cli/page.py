@@ -296,12 +296,12 @@ def advice(supports: Sequence[Row]) -> list[str]:
             "no_data: say which part is healthy by --calibrate FROM/TO, --calibration-duration or "
             "--calibration-fraction, where it holds data"
         )
-    short = sum(is_short(row) for row in supports)
+    short = sum(row["verdict"] == "needs_data" or is_short(row) for row in supports)
     if short:
         lines.append(
             f"too little calibration in {short:,} of {len(supports):,}: say a longer healthy part by "
-            "--calibrate FROM/TO, --calibration-duration or --calibration-fraction; a coarser grid "
-            "would pass and see nothing"
+            "--calibrate FROM/TO, --calibration-duration or --calibration-fraction; a grid so coarse "
+            "that it passes would see nothing"
         )
     too_fine = [row for row in supports if row["verdict"] == "too_fine" and not is_short(row)]
     grids = [row["finest_bins"] for row in too_fine]

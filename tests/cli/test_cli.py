@@ -98,6 +98,18 @@ def figures(*words: str | Path) -> dict[str, Any]:
 # Exit codes
 
 
+def test_few_vectors_are_not_ready_unless_that_is_asked_for() -> None:
+    """In a process of its own: tests take any calibration."""
+    source = saved({("R1", "j1"): healthy(798)})  # 398 vectors of calibration
+    for words, verdict, code in (((), "needs_data", 2), (("--least-vectors", "398"), "ready", 0)):
+        result = gam_process("run", source, *SMALL, *words, "--no-out")
+        assert result.returncode == code, result.stdout
+        assert f"verdicts: 1 {verdict}\n" in result.stdout
+        advised = "calibration too short, it takes about 50 more vectors" in result.stdout
+        assert advised == (not words)
+    assert "say a longer healthy part" in gam_process("run", source, *SMALL, "--no-out").stdout
+
+
 def test_a_healthy_machine_is_fine() -> None:
     result = gam("run", saved({("R1", "j1"): healthy()}), *SMALL)
     assert result.exit_code == 0, result.output
