@@ -41,7 +41,8 @@ class Course:
         vectors: scored vectors in full buckets.
         novel, out_of_range: of those of the last window, or of as many as there are.
         has_moved: a vector was novel at some time.
-        time: the instant of the last full bucket as the source tells time.
+        since: the instant at which the first point begins, as the source tells time.
+        time: that of the last full bucket.
     """
 
     hi: NDArray[np.float64]
@@ -50,6 +51,7 @@ class Course:
     novel: int
     out_of_range: int
     has_moved: bool
+    since: Any = None
     time: Any = None
 
 
@@ -92,13 +94,15 @@ def finding(row: Row, span: int, window: int, course: Course | None) -> Row:
 
     Returns:
         The row, and ``window``; ``course``, (points,) the health indicator so far, oldest first, NaN
-        until a window is scored; ``scored``, vectors in full buckets; ``remarks``, what is to be known.
+        until a window is scored; ``course_from``, when it begins; ``scored``, vectors in full buckets;
+        ``remarks``, what is to be known.
     """
     return {
         **row,
         "needs_attention": bool(row["needs_attention"]),
         "window": window,
         "course": np.empty(0) if course is None else course.hi,
+        "course_from": None if course is None else course.since,
         "scored": 0 if course is None else course.vectors,
         "remarks": _remarks(row, span, window, course),
     }
@@ -141,6 +145,7 @@ def _courses(
             novel=int(novel[window].sum()),
             out_of_range=int(out_of_range[window].sum()),
             has_moved=bool(novel[start:end].any()),
+            since=buckets["first_time"][start].as_py(),
             time=buckets["last_time"][end - 1].as_py(),
         )
     return courses

@@ -117,8 +117,13 @@ def test_a_healthy_machine_is_fine() -> None:
 
 
 def test_a_worn_machine_needs_attention() -> None:
-    result = gam("run", saved({("R1", "j1"): healthy(), ("R1", "j2"): worn()}), *SMALL)
-    assert result.exit_code == 2
+    short = gam("run", saved({("R1", "j1"): healthy(), ("R1", "j2"): worn()}), *SMALL)
+    assert "of 1 there is more to say: --all" in short.stdout
+    assert "above its limit" not in short.stdout
+    assert "Limit: " not in short.stdout
+    result = gam("run", "plant.parquet", *SMALL, "--all")
+    assert result.exit_code == short.exit_code == 2
+    assert "HI, 0 to 1: all that is scored, from 600 to 1,199\n" in result.stdout
     lines = result.stdout.splitlines()
     first = next(number for number, line in enumerate(lines) if line.startswith("! j2"))
     assert "ready" in lines[first]
@@ -139,7 +144,7 @@ def test_a_constant_channel_never_raises_an_alarm(constant: Any) -> None:
 def test_a_channel_without_calibration_raises_none_beside_others() -> None:
     gone = np.r_[np.full(800, np.nan), healthy(400)]
     source = saved({("R1", "j1"): healthy(), ("R1", "j2"): gone})
-    result = gam("run", source, *SMALL)
+    result = gam("run", source, *SMALL, "--all")
     assert result.exit_code == 0
     assert "no usable sample in calibration" in result.stdout
     alone = gam("run", source, *SMALL, "--where", "channel = 'j2'")

@@ -33,7 +33,7 @@ def series(path: Path) -> Iterator[NDArray[np.float64]]:
 
 
 def judged(values: NDArray[np.float64], count: int, bins: int) -> tuple[float, float] | None:
-    """Return the limit that *count* vectors give, and the share of novel ones after; None if not ready."""
+    """Return the limit of *count* vectors, and the share of novel ones next; None if not ready."""
     taught, after = values[: count + 2], values[: count + max(count, 1000) + 2]
     low, high = taught.min(), taught.max()
     if high == low or len(after) < count + max(count, 1000) + 2:
