@@ -7,11 +7,12 @@ import datetime as dt
 import math
 import operator
 import re
+import zoneinfo
 from enum import Enum
 from fractions import Fraction
 from typing import SupportsIndex, TypeAlias, cast
 
-from gam_db.errors import ParameterError
+from gam_db.errors import ConfigurationError, ParameterError
 
 Instant: TypeAlias = int | str | dt.datetime | dt.date
 Length: TypeAlias = int | float | str | dt.timedelta
@@ -31,6 +32,8 @@ _UNITS = {
     "d": 86_400 * SECOND,
     "w": 604_800 * SECOND,
 }
+_YEAR = 31_557_600 * SECOND
+_LONG = 2 * _YEAR
 #: A unit of numbers since 1970 -> its name, and how many of it are a second.
 SINCE_1970 = {
     "s": ("seconds", 1),
@@ -110,6 +113,11 @@ def shown_instant(tick: int, kind: TimeKind) -> str:
     return (_EPOCH.replace(tzinfo=None) + tick * _MICROSECOND).isoformat()
 
 
+def told_time(tick: int, kind: TimeKind) -> int | dt.datetime:
+    """Return integer time as a counter value, or as a time (UTC)."""
+    return tick if kind.is_counter else _EPOCH + tick * _MICROSECOND
+
+
 def length(value: object, kind: TimeKind, what: str) -> int:
     """Return a length of time as an integer: counter steps, or microseconds.
 
@@ -166,6 +174,34 @@ def epoch_unit(first: int, last: int) -> str | None:
 def is_of_our_time(first: int, last: int, ticks: int = SECOND) -> bool:
     """Tell whether instants since 1970, so many ticks a second, lie where machines of today run."""
     return _1990 * ticks <= first and last <= _2100 * ticks
+
+
+def shown_length(steps: int, kind: TimeKind) -> str:
+    """Return a length of time in words, in its largest unit that is not below 1; years from two on."""
+    if kind.is_counter:
+        return f"{steps:,} steps"
+    if steps >= _LONG:
+        return f"{steps / _YEAR:.3g} years"
+    for unit in ("d", "h", "min", "s"):
+        if steps >= _UNITS[unit]:
+            return f"{steps / _UNITS[unit]:.3g} {unit}"
+    return "less than 1 s"
+
+
+def zone(name: str) -> dt.tzinfo:
+    """Return a time zone by its name.
+
+    Raises:
+        ConfigurationError: there is none of that name.
+    """
+    if name == "UTC":
+        return dt.UTC
+    try:
+        return zoneinfo.ZoneInfo(name)
+    except (ValueError, OSError, zoneinfo.ZoneInfoNotFoundError):
+        raise ConfigurationError(
+            f"There is no time zone {name!r}; give a name such as Europe/Berlin or UTC."
+        ) from None
 
 
 def looks_like_calendar(value: object) -> bool:

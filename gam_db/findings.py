@@ -24,10 +24,8 @@ ORDER = (
     ("channel", "ascending"),
 )
 
-#: A grid of fewer bins tells little but high from low, and fewer vectors than this fill none: then the
-#: advice is a longer calibration, and not a coarser grid.
+#: A grid of fewer bins tells little but high from low: then the advice is a longer calibration.
 FEWEST_BINS = 5
-FEW_VECTORS = 300
 
 #: What the other columns of a support row say is a count or a share; these are read by name here.
 Row = dict[str, Any]
@@ -43,7 +41,8 @@ class Course:
         vectors: scored vectors in full buckets.
         novel, out_of_range: of those of the last window, or of as many as there are.
         has_moved: a vector was novel at some time.
-        time: the instant of the last full bucket as the source tells time.
+        since: the instant at which the first point begins, as the source tells time.
+        time: that of the last full bucket.
     """
 
     hi: NDArray[np.float64]
@@ -52,6 +51,7 @@ class Course:
     novel: int
     out_of_range: int
     has_moved: bool
+    since: Any = None
     time: Any = None
 
 
@@ -94,13 +94,15 @@ def finding(row: Row, span: int, window: int, course: Course | None) -> Row:
 
     Returns:
         The row, and ``window``; ``course``, (points,) the health indicator so far, oldest first, NaN
-        until a window is scored; ``scored``, vectors in full buckets; ``remarks``, what is to be known.
+        until a window is scored; ``course_from``, when it begins; ``scored``, vectors in full buckets;
+        ``remarks``, what is to be known.
     """
     return {
         **row,
         "needs_attention": bool(row["needs_attention"]),
         "window": window,
         "course": np.empty(0) if course is None else course.hi,
+        "course_from": None if course is None else course.since,
         "scored": 0 if course is None else course.vectors,
         "remarks": _remarks(row, span, window, course),
     }
@@ -143,6 +145,7 @@ def _courses(
             novel=int(novel[window].sum()),
             out_of_range=int(out_of_range[window].sum()),
             has_moved=bool(novel[start:end].any()),
+            since=buckets["first_time"][start].as_py(),
             time=buckets["last_time"][end - 1].as_py(),
         )
     return courses
@@ -170,8 +173,7 @@ def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
     """Return why a channel cannot be watched, and what would help; nothing for a good calibration.
 
     Args:
-        row: what was learnt of it: verdict, calibrated_lo, finest_bins, vectors_needed, and
-            calibration_vectors where they are known.
+        row: what was learnt of it: verdict, calibrated_lo, finest_bins and vectors_needed.
         span: samples between the oldest and the newest of a vector.
         has_moved: a vector was novel since.
     """
@@ -202,9 +204,7 @@ def is_short(row: Row) -> bool:
     Args:
         row: as in :func:`shortcomings`.
     """
-    vectors = row.get("calibration_vectors")
-    is_few = vectors is not None and vectors < FEW_VECTORS
-    return bool(row["verdict"] == "too_fine" and (is_few or row["finest_bins"] < FEWEST_BINS))
+    return bool(row["verdict"] == "too_fine" and row["finest_bins"] < FEWEST_BINS)
 
 
 def share(value: float | None) -> str:

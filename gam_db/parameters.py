@@ -32,6 +32,9 @@ LONGEST_STRIDE = 100
 
 LARGEST_KEY = 2**63 - 1
 
+LEAST_VECTORS = 400
+"""Of fewer a floor promises little: docs/decisions.md has the figures."""
+
 AUTO = "auto"
 RUNGS = (128, 64, 32, 16, 8)
 """Grids to choose from where bins is "auto". Each is half of the one before, and for powers of two a
@@ -149,6 +152,9 @@ class Parameters:
         example=25,
     )
     target_floor: float = setting(0.05, SHARE, "indicator that a healthy machine may show")
+    least_vectors: int = setting(
+        *(LEAST_VECTORS, COUNT, "calibration vectors below which the verdict is needs_data"),
+    )
     overrides: Sequence[Override] = ()
 
     def __post_init__(self) -> None:

@@ -68,6 +68,7 @@ class NoveltyDetector(OutlierMixin, BaseEstimator):  # type: ignore[misc]
         )
         asked = {name: getattr(self, name) for name in ("m", "tau", "bins", "window", "target_floor")}
         asked["max_gap"] = 1  # no vector reaches from one recording into another
+        asked["least_vectors"] = 1  # a detector judges by what it was given, as all of its kind do
         source, calibration = self._source(self._healthy), Calibration(fraction=1.0)
         with borrowed(None) as session:
             self.parameters_ = Study(session, source, Parameters(**asked), calibration).method.parameters

@@ -7,7 +7,10 @@ import pytest
 from hypothesis import HealthCheck, Phase, settings
 
 import engines
+import tiny
 from gam_db.engines import storage
+
+tiny.judge_any_calibration()
 
 #: Counts what is compared with the NumPy reference.
 pytest_plugins = ["comparisons"]

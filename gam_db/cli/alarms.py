@@ -14,7 +14,7 @@ from rich.console import Console
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
-from gam_db.clock import shown_instant
+from gam_db.clock import told_time, zone
 from gam_db.config import Settings
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, printable
@@ -40,6 +40,7 @@ def alarms(
         int, typer.Option(metavar="SEQ", help="With --new: only those after this one; 0 for all.")
     ] = 0,
     everything: options.All = False,
+    time_zone: options.TimeZone = "UTC",
     as_json: options.Json = False,
     quiet: options.Quiet = False,
 ) -> None:
@@ -48,13 +49,16 @@ def alarms(
     Episodes that opened right after calibration come first, then those that are open. Exit code 2: one
     of them needs attention. With --new it is 0, whatever is printed.
     """
+    shown_in = zone(time_zone)
     with options.opened(settings, writable=False) as session:
         state = _state(session, settings)
         if new:
             changes = stored.events(state, settings.monitor.name, after).to_pylist()
             newest = max((row["seq"] for row in changes), default=after)
             figures = {"monitor": settings.monitor.name, "seq": newest, "changes": changes}
-            page.tell(Exit.FINE, figures, lambda out: _show_changes(out, changes), as_json, quiet)
+            page.tell(
+                Exit.FINE, figures, lambda out: _show_changes(out, changes, shown_in), as_json, quiet
+            )
             return
         episodes = stored.alarms(state, settings.monitor.name)
         judged = stored.limits(state, settings.monitor.name)
@@ -74,7 +78,7 @@ def alarms(
         page.say(out, f"{printable(where)}: {told}")
         for line in said_of(judged):
             page.say(out, line)
-        _show_episodes(out, rows if everything else rows[:_SHOWN])
+        _show_episodes(out, rows if everything else rows[:_SHOWN], shown_in)
         if not everything and len(rows) > _SHOWN:
             page.say(out, f"and {len(rows) - _SHOWN:,} more; --all")
 
@@ -85,10 +89,12 @@ def alarms(
 def alarm(
     settings: Settings,
     episode: Annotated[int, typer.Argument(metavar="ID", help="Number of the episode.")],
+    time_zone: options.TimeZone = "UTC",
     as_json: options.Json = False,
     quiet: options.Quiet = False,
 ) -> None:
     """Say all that is known of one episode, judgement by judgement."""
+    shown_in = zone(time_zone)
     with options.opened(settings, writable=False) as session:
         state = _state(session, settings)
         kind = kind_of(state.monitor(settings.monitor.name))
@@ -102,12 +108,13 @@ def alarm(
     figures = {"monitor": settings.monitor.name, **found, "judgements": judged}
 
     def show(out: Console) -> None:
-        _show_episodes(out, [found])
+        _show_episodes(out, [found], shown_in)
+        ends = [told_time(row["last_time"], kind) for row in judged]
         page.table(
             out,
             {
                 "judgement": [f"{row['judgement_no']:,}" for row in judged],
-                "until": [shown_instant(row["last_time"], kind) for row in judged],
+                page.in_zone("until", ends, shown_in): [page.time_text(end, shown_in) for end in ends],
                 "novel": [f"{row['novel']:,}" for row in judged],
                 "evidence": [f"{row['evidence']:,}" for row in judged],
                 "height": [f"{row['height']:,}" for row in judged],
@@ -276,7 +283,7 @@ def _end(text: str) -> dt.datetime:
         ) from error
 
 
-def _show_episodes(out: Console, rows: Sequence[Row]) -> None:
+def _show_episodes(out: Console, rows: Sequence[Row], shown_in: dt.tzinfo) -> None:
     if not rows:
         return
 
@@ -290,7 +297,9 @@ def _show_episodes(out: Console, rows: Sequence[Row]) -> None:
             "episode": [f"{row['episode']}" for row in rows],
             "channel": page.names_of(rows),
             "status": [row["status"] for row in rows],
-            "since": [page.time_text(row["since"]) for row in rows],
+            page.in_zone("since", [row["since"] for row in rows], shown_in): [
+                page.time_text(row["since"], shown_in) for row in rows
+            ],
             "sure": [f"{row['sure']:.1f}" for row in rows],
             "basis, per 1,000": [rate(row) for row in rows],
             "open of machine": [f"{row['signals_open']:,}" for row in rows],
@@ -307,8 +316,8 @@ def _show_episodes(out: Console, rows: Sequence[Row]) -> None:
         )
 
 
-def _show_changes(out: Console, rows: Sequence[Row]) -> None:
+def _show_changes(out: Console, rows: Sequence[Row], shown_in: dt.tzinfo) -> None:
     for row in rows:
         name = printable(f"{row['asset']} {row['channel']}")
-        when = page.time_text(row["noticed_at"])
+        when = page.time_text(row["noticed_at"], shown_in, named=True)
         page.say(out, f"{row['seq']}  {when}  episode {row['episode_id']} {row['what']}: {name}")

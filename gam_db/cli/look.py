@@ -133,6 +133,10 @@ def _show(out: Console, seen: Seen, everything: bool) -> None:
     for note in seen.notes:
         for name in note.channels:
             marks[name] = "!" if note.must else marks.get(name, "?")
+    out.print()
+    page.notes(out, (("!" if note.must else "-", note_line(note, look)) for note in seen.notes))
+    for line in _ending(seen):
+        page.say(out, line)
     rows = sorted(look.channels, key=lambda row: marks.get(_key(row)) != "!")
     out.print()
     if rows:
@@ -142,10 +146,13 @@ def _show(out: Console, seen: Seen, everything: bool) -> None:
         spare = (*empty, *(name for name in _LEAST_SAYING if name not in empty))
         page.table(out, columns, [marks.get(_key(row), " ") for row in shown], spare=spare)
     page.cut(out, rows, everything)
-    out.print()
-    page.notes(out, (("!" if note.must else "-", note_line(note, look)) for note in seen.notes))
-    for line in _ending(seen):
-        page.say(out, line)
+    if rows:
+        page.say(
+            out,
+            "step: usual step in time and its jitter (~ irregular). pauses: steps beyond five usual "
+            "ones. values: distinct ones among at most 20,480 samples. still: longest stretch of one "
+            "value. cycle: in samples, where the signal repeats itself.",
+        )
 
 
 def heading(seen: Seen) -> str:
@@ -253,11 +260,6 @@ def _ending(seen: Seen) -> list[str]:
             lines.append("nothing must be fixed")
         if to_set:
             lines.append(f"to be set: {'; '.join(to_set)} (gam init writes it down)")
-    lines.append(
-        "step: usual step in time and its jitter (~ irregular). pauses: steps beyond five usual ones. "
-        "values: distinct ones among at most 20,480 samples. still: longest stretch of one value. "
-        "cycle: in samples, where the signal repeats itself."
-    )
     return lines
 
 

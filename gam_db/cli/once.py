@@ -3,6 +3,7 @@
 This module owns the commands, their page, and where results go.
 """
 
+import datetime as dt
 import os
 import re
 import shlex
@@ -25,7 +26,7 @@ from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, job_of
 from gam_db.cli.progress import Progress, interruptible, working
 from gam_db.cli.report import checked, page_of, told
-from gam_db.clock import SINCE_1970, epoch_unit
+from gam_db.clock import SINCE_1970, epoch_unit, zone
 from gam_db.config import Settings
 from gam_db.connecting import connect
 from gam_db.engines.duckdb_files import SOURCE_MARK
@@ -81,6 +82,7 @@ def run(
         ),
     ] = None,
     everything: options.All = False,
+    time_zone: options.TimeZone = "UTC",
     as_json: options.Json = False,
     quiet: options.Quiet = False,
     threads: options.Threads = None,
@@ -103,6 +105,7 @@ def run(
     never raise an alarm; exit code 2 also says that no channel at all has a calibration. By another
     --estimator there is an indicator (written to SOURCE.NAME.parquet) but no verdict.
     """
+    shown_in = zone(time_zone)
     others = None if estimator.lower() == DSE else _others(estimator)
     estimator = DSE if others is None else others.estimator_named(estimator).name
     relation = options.named_relation(settings)
@@ -118,7 +121,7 @@ def run(
                 found = findings(study)
                 code = Exit.ATTENTION if need_attention(found) else Exit.FINE
                 told = _figures(found)
-                show = partial(_show, job=job, found=found, everything=everything)
+                show = partial(_show, job=job, found=found, everything=everything, shown_in=shown_in)
             else:
                 others.add_estimator(study, estimator)
                 rows, code = study.table("last_scores").to_pylist(), Exit.FINE
@@ -196,7 +199,13 @@ def _figures(found: Sequence[Row]) -> dict[str, Any]:
     }
 
 
-def _show(out: Console, job: Job, found: Sequence[Row], everything: bool = False) -> None:
+def _show(
+    out: Console,
+    job: Job,
+    found: Sequence[Row],
+    everything: bool = False,
+    shown_in: dt.tzinfo = dt.UTC,
+) -> None:
     assets, samples = {row["asset"] for row in found}, sum(row["samples"] for row in found)
     page.say(
         out,
@@ -207,7 +216,7 @@ def _show(out: Console, job: Job, found: Sequence[Row], everything: bool = False
         page.say(out, line)
     out.print()
     shown = found if everything else found[: options.SHOWN]
-    page.channels(out, shown, "last_time")
+    page.channels(out, shown, "last_time", "all that is scored", shown_in, everything)
     page.cut(out, found, everything, page.counted(found[len(shown) :]))
     out.print()
     page.say(out, f"verdicts: {page.verdicts(found)}")
@@ -238,7 +247,7 @@ def _show(out: Console, job: Job, found: Sequence[Row], everything: bool = False
         )
     if not need_attention(found):
         page.say(out, "nothing needs attention")
-    page.say(out, page.legend(remark for row in found for remark in row["remarks"]))
+    page.say(out, page.legend(found, everything))
 
 
 @dataclass(frozen=True)

@@ -57,7 +57,16 @@ All = Annotated[
     bool,
     typer.Option(
         "--all",
-        help=f"Print every channel, not only the {SHOWN} most urgent.",
+        help=f"Print every channel, not only the {SHOWN} most urgent, and what is to be said of each.",
+        rich_help_panel="Output",
+    ),
+]
+TimeZone = Annotated[
+    str,
+    typer.Option(
+        "--time-zone",
+        metavar="NAME",
+        help="In which times are shown, as Europe/Berlin.",
         rich_help_panel="Output",
     ),
 ]

@@ -22,6 +22,7 @@ from rich.text import Text
 
 import gam_db
 from gam_db.cli.options import SHOWN
+from gam_db.clock import TimeKind, shown_length
 from gam_db.errors import printable
 from gam_db.findings import Row, is_short, share
 
@@ -216,13 +217,19 @@ def thinned(course: NDArray[np.float64], points: int = _POINTS) -> list[float]:
     return [float(np.fmax.reduce(stretch)) for stretch in stretches]
 
 
-def channels(out: Console, rows: Sequence[Row], time: str) -> None:
-    """Print a line per channel, then what is to be said of them.
+def channels(
+    out: Console, rows: Sequence[Row], time: str, spanned: str, zone: dt.tzinfo, everything: bool
+) -> None:
+    """Print a line per channel, and what their courses span; then what is to be said of them.
 
     Args:
         out: where to.
-        rows: asset, channel, status, verdict, bins, floor, hi, course, remarks, and perhaps trend.
+        rows: asset, channel, status, verdict, bins, floor, hi, course, course_from, last_time, remarks,
+            and perhaps trend.
         time: the name of the time that is told.
+        spanned: what the courses are of.
+        zone: in which times are told.
+        everything: say what is to be said of each, also where there are several.
     """
 
     def told(name: str) -> list[Any]:
@@ -239,9 +246,23 @@ def channels(out: Console, rows: Sequence[Row], time: str) -> None:
     if rows and "trend" in rows[0]:
         columns["trend"] = [rise(trend) for trend in told("trend")]
     columns["HI, 0 to 1"] = [Course(() if course is None else course) for course in told("course")]
-    columns["last"] = [time_text(row[time]) for row in rows]
+    columns[in_zone("last", [row[time] for row in rows], zone)] = [
+        time_text(row[time], zone) for row in rows
+    ]
     table(out, columns, [MARKS.get(row["status"], " ") for row in rows], ("verdict", "bins"))
-    remarks(out, zip(names, (row["remarks"] for row in rows), strict=True))
+    known = [row for row in rows if row["course_from"] is not None and row["last_time"] is not None]
+    if known:
+        edges = min(row["course_from"] for row in known), max(row["last_time"] for row in known)
+        say(out, f"HI, 0 to 1: {spanned}, {_span(*edges, zone)}")
+    if _tells(rows, everything):
+        remarks(out, zip(names, (row["remarks"] for row in rows), strict=True))
+    elif any(row["remarks"] for row in rows):
+        say(out, f"of {sum(bool(row['remarks']) for row in rows):,} there is more to say: --all")
+
+
+def _tells(rows: Sequence[Row], everything: bool) -> bool:
+    """Tell whether remarks are printed: one line for each channel is enough where there are several."""
+    return everything or len(rows) == 1
 
 
 def remarks(out: Console, said: Iterable[tuple[str, Iterable[str]]]) -> None:
@@ -296,12 +317,12 @@ def advice(supports: Sequence[Row]) -> list[str]:
             "no_data: say which part is healthy by --calibrate FROM/TO, --calibration-duration or "
             "--calibration-fraction, where it holds data"
         )
-    short = sum(is_short(row) for row in supports)
+    short = sum(row["verdict"] == "needs_data" or is_short(row) for row in supports)
     if short:
         lines.append(
             f"too little calibration in {short:,} of {len(supports):,}: say a longer healthy part by "
-            "--calibrate FROM/TO, --calibration-duration or --calibration-fraction; a coarser grid "
-            "would pass and see nothing"
+            "--calibrate FROM/TO, --calibration-duration or --calibration-fraction; a grid so coarse "
+            "that it passes would see nothing"
         )
     too_fine = [row for row in supports if row["verdict"] == "too_fine" and not is_short(row)]
     grids = [row["finest_bins"] for row in too_fine]
@@ -318,12 +339,14 @@ def advice(supports: Sequence[Row]) -> list[str]:
     return lines
 
 
-def legend(said: Iterable[str]) -> str:
-    """Return what the words of a page mean, and no others.
+def legend(rows: Sequence[Row], everything: bool) -> str:
+    """Return what the words of a page of channels mean, and no others.
 
     Args:
-        said: its remarks.
+        rows: those of the page, with remarks.
+        everything: as for :func:`channels`.
     """
+    said = [words for row in rows for words in row["remarks"]] if _tells(rows, everything) else []
     words = [
         "HI: share of the last window's vectors in states that calibration never visited.",
         "Floor: what a healthy machine would show, from calibration itself.",
@@ -341,11 +364,30 @@ def legend(said: Iterable[str]) -> str:
     return " ".join(words)
 
 
-def time_text(time: Any) -> str:
-    """Return an instant to the minute, or a counter; a dash where there is none."""
+def time_text(time: Any, zone: dt.tzinfo = dt.UTC, named: bool = False) -> str:
+    """Return an instant to the minute, in a time zone, or a counter; a dash where there is none."""
     if time is None:
         return "-"
-    return f"{time:%Y-%m-%d %H:%M}" if isinstance(time, dt.datetime) else f"{time:,}"
+    if not isinstance(time, dt.datetime):
+        return f"{time:,}"
+    return f"{_aware(time).astimezone(zone):%Y-%m-%d %H:%M}{f' {zone}' * named}"
+
+
+def in_zone(words: str, times: Iterable[Any], zone: dt.tzinfo) -> str:
+    """Return words of times with the time zone in which they are told, where a calendar tells them."""
+    return f"{words}, {zone}" if any(isinstance(time, dt.datetime) for time in times) else words
+
+
+def _aware(time: dt.datetime) -> dt.datetime:
+    return time if time.tzinfo is not None else time.replace(tzinfo=dt.UTC)
+
+
+def _span(first: Any, last: Any, zone: dt.tzinfo) -> str:
+    edges = f"from {time_text(first, zone)} to {time_text(last, zone)}"
+    if not isinstance(first, dt.datetime):
+        return edges
+    steps = (_aware(last) - _aware(first)) // dt.timedelta(microseconds=1)
+    return f"{edges} {zone}, {shown_length(steps, TimeKind.TIMESTAMP)}"
 
 
 def rise(trend: float | None) -> str:

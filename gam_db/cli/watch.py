@@ -21,7 +21,7 @@ from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, job_of
 from gam_db.cli.progress import working
-from gam_db.clock import LONG_AGO, TimeKind, instant, shown_instant
+from gam_db.clock import LONG_AGO, TimeKind, instant, shown_instant, shown_length, zone
 from gam_db.config import Settings
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, printable
@@ -535,6 +535,7 @@ def status(
         typer.Option(metavar="PATTERN", help="Only these machines; * and ? stand for any text or sign."),
     ] = None,
     everything: options.All = False,
+    time_zone: options.TimeZone = "UTC",
     as_json: options.Json = False,
     quiet: options.Quiet = False,
 ) -> None:
@@ -545,7 +546,7 @@ def status(
     where it has a limit (`gam limits`), else if its indicator is above its limit; and if its calibration
     is not good enough.
     """
-    monitor, silence = settings.monitor.name, settings.monitor.park_after
+    monitor, silence, shown_in = settings.monitor.name, settings.monitor.park_after, zone(time_zone)
     with options.opened(settings, writable=False) as session:
         channels = stored_status.status(session, settings.monitor.tables, monitor, silence)
         proof = stored_status.proved(session, settings.monitor.tables, monitor)
@@ -566,12 +567,13 @@ def status(
     }
 
     def show(out: Console) -> None:
-        page.say(out, _heading(channels, f"{settings.source.shown_database}, monitor {monitor}"))
+        where = f"{settings.source.shown_database}, monitor {monitor}"
+        page.say(out, _heading(channels, where, shown_in))
         if unheard is not None:
             page.say(out, _silence(unheard))
         page.say(out, _proof(proof, dt.datetime.now(dt.UTC)))
         out.print()
-        _show_status(out, channels, everything)
+        _show_status(out, channels, everything, shown_in)
         for line in raised.lines():
             page.say(out, line)
 
@@ -586,17 +588,17 @@ def _of_assets(channels: pa.Table, pattern: str) -> pa.Table:
     return found
 
 
-def _heading(channels: pa.Table, where: str) -> str:
+def _heading(channels: pa.Table, where: str, shown_in: dt.tzinfo) -> str:
     assets = len(channels["asset"].unique())
     newest = pc.max(channels["last_data"]).as_py()
     return (
         f"{printable(where)}: {number_of(channels.num_rows, 'channel')} of "
-        f"{number_of(assets, 'asset')}, newest data {page.time_text(newest)}"
+        f"{number_of(assets, 'asset')}, newest data {page.time_text(newest, shown_in, named=True)}"
     )
 
 
 def _silence(unheard: dt.timedelta) -> str:
-    length = stored_status.shown_length(unheard // dt.timedelta(microseconds=1), TimeKind.TIMESTAMP)
+    length = shown_length(unheard // dt.timedelta(microseconds=1), TimeKind.TIMESTAMP)
     return f"no data at all for {length}: is the source filled, and is gam score run?"
 
 
@@ -605,7 +607,7 @@ def _proof(proof: Proof | None, now: dt.datetime) -> str:
         return "the state was never compared with its source; gam check --state does it"
     epoch = dt.datetime(1970, 1, 1, tzinfo=dt.UTC)
     age = (now - epoch) // dt.timedelta(microseconds=1) - proof.proved_at
-    ago = stored_status.shown_length(age, TimeKind.TIMESTAMP)
+    ago = shown_length(age, TimeKind.TIMESTAMP)
     found = f"{proof.differences:,} differences" if proof.differences else "no difference"
     return f"the state was last compared with its source {ago} ago: {found} (gam check --state)"
 
@@ -615,13 +617,13 @@ def _proved(proof: Proof) -> dict[str, Any]:
     return {**said, "proved_at": shown_instant(proof.proved_at, TimeKind.TIMESTAMP)}
 
 
-def _show_status(out: Console, channels: pa.Table, everything: bool) -> None:
+def _show_status(out: Console, channels: pa.Table, everything: bool, shown_in: dt.tzinfo) -> None:
     if not channels.num_rows:
         page.say(out, "no channel is calibrated yet; run gam calibrate")
         return
     rows = channels.to_pylist()
     shown = rows if everything else rows[: options.SHOWN]
-    page.channels(out, shown, "last_data")
+    page.channels(out, shown, "last_data", "of late", shown_in, everything)
     page.cut(out, rows, everything, page.counted(rows[len(shown) :]))
     out.print()
     assets = stored_status.by_asset(channels).to_pylist()
@@ -630,7 +632,7 @@ def _show_status(out: Console, channels: pa.Table, everything: bool) -> None:
         if not everything and len(assets) > ASSETS:
             page.say(out, f"and {len(assets) - ASSETS:,} more assets; --all")
         out.print()
-    for line in _summary(channels):
+    for line in _summary(channels, everything):
         page.say(out, line)
 
 
@@ -651,7 +653,7 @@ def _show_assets(out: Console, rows: Sequence[Row]) -> None:
     page.table(out, columns, [page.MARKS.get(row["status"], " ") for row in rows], ("worst channel",))
 
 
-def _summary(channels: pa.Table) -> Iterator[str]:
+def _summary(channels: pa.Table, everything: bool) -> Iterator[str]:
     yield "channels: " + page.counted(channels.to_pylist())
     silent = pc.sum(channels["silent"]).as_py()
     if silent:
@@ -666,5 +668,5 @@ def _summary(channels: pa.Table) -> Iterator[str]:
     changed = pc.sum(pc.not_equal(channels["calibration_rows_added"], 0)).as_py()
     if changed:
         yield f"{changed:,} with calibration data that changed; gam calibrate --again learns it anew"
-    remarks = (remark for said in channels["remarks"].to_pylist() for remark in said)
-    yield f"{page.legend(remarks)} Trend: HI now less HI a window earlier."
+    rows = channels.select(["remarks"]).to_pylist()
+    yield f"{page.legend(rows, everything)} Trend: HI now less HI a window earlier."

@@ -22,10 +22,12 @@ class Adapter:
         package: what pip installs.
         strategy: incremental strategy that replaces the rows with the same key, and keeps all others.
         config: what the models that are tables must say besides.
+        profile: what a profile says of a target, by way of example.
         before: what is set for each transaction in which a query of ours runs; empty for nothing.
     """
 
     package: str
+    profile: Mapping[str, Any]
     strategy: str = "delete+insert"
     config: Mapping[str, Any] = field(default_factory=dict)
     before: str = ""
@@ -39,20 +41,69 @@ class Adapter:
 _PATH = f"SET LOCAL search_path TO {PATH}"
 
 
+_LOGIN = {"host": "localhost", "user": "gam"}
+_PLANT = {"dbname": "plant", "schema": "public"}
+
+
+def _secret(variable: str) -> str:
+    return f"{{{{ env_var('{variable}') }}}}"
+
+
 ADAPTERS = {
-    "duckdb": Adapter("dbt-duckdb"),
+    "duckdb": Adapter("dbt-duckdb", {"path": "../plant.duckdb", "schema": "main"}),
     # Its planner expects few rows of any WITH entry and joins two of them by nested loops: 4,408 buckets
     # then take 44 s instead of 4 s, twice as many four times that.
     "postgres": Adapter(
-        "dbt-postgres", config={"pre_hook": [_PATH, "SET LOCAL enable_nestloop = off"]}, before=_PATH
+        "dbt-postgres",
+        {
+            **_LOGIN,
+            "port": 5432,
+            "password": _secret("PGPASSWORD"),
+            **_PLANT,
+        },
+        config={"pre_hook": [_PATH, "SET LOCAL enable_nestloop = off"]},
+        before=_PATH,
     ),
-    "clickhouse": Adapter("dbt-clickhouse"),
-    "spark": Adapter("dbt-spark", "merge", {"file_format": "delta"}),
-    "databricks": Adapter("dbt-databricks", "merge"),
-    "bigquery": Adapter("dbt-bigquery", "merge"),
-    "snowflake": Adapter("dbt-snowflake"),
-    "redshift": Adapter("dbt-redshift"),
-    "trino": Adapter("dbt-trino"),
+    "clickhouse": Adapter(
+        "dbt-clickhouse",
+        {**_LOGIN, "port": 8123, "password": _secret("CLICKHOUSE_PASSWORD"), "schema": "plant"},
+    ),
+    "spark": Adapter(
+        "dbt-spark",
+        {"method": "thrift", "host": "localhost", "port": 10000, "schema": "plant"},
+        "merge",
+        {"file_format": "delta"},
+    ),
+    "databricks": Adapter(
+        "dbt-databricks",
+        {
+            **{"host": "dbc-1.cloud.databricks.com", "http_path": "/sql/1.0/warehouses/1"},
+            **{"token": _secret("DATABRICKS_TOKEN"), "catalog": "main", "schema": "plant"},
+        },
+        "merge",
+    ),
+    "bigquery": Adapter(
+        "dbt-bigquery", {"method": "oauth", "project": "my-project", "dataset": "plant"}, "merge"
+    ),
+    "snowflake": Adapter(
+        "dbt-snowflake",
+        {
+            **{"account": "my-account", "user": "gam", "password": _secret("SNOWFLAKE_PASSWORD")},
+            **{"warehouse": "gam", "database": "plant", "schema": "public"},
+        },
+    ),
+    "redshift": Adapter(
+        "dbt-redshift",
+        {
+            **_LOGIN,
+            "port": 5439,
+            "password": _secret("PGPASSWORD"),
+            **_PLANT,
+        },
+    ),
+    "trino": Adapter(
+        "dbt-trino", {**_LOGIN, "method": "none", "port": 8080, "database": "hive", "schema": "plant"}
+    ),
 }
 
 

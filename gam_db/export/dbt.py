@@ -71,6 +71,7 @@ class Package:
         made = models(of)
         files = {
             PROJECT: documents.project(of),
+            "profiles.example.yml": documents.profiles(of),
             "README.md": documents.readme(of, table),
             "models/sources.yml": documents.sources(of, table, schema, catalog, silent),
             f"tests/generic/{documents.UNIQUE}.sql": _unique(engine),

@@ -44,6 +44,16 @@ def project(of: Modelled) -> str:
     return f"{mark(of.prefix)}\n{yaml_text.text(said)}"
 
 
+def profiles(of: Modelled) -> str:
+    """Return profiles.example.yml, to be filled in as profiles.yml."""
+    target = {"type": of.adapter.package.removeprefix("dbt-"), **of.adapter.profile, "threads": 1}
+    said = {project_name(of.prefix): {"target": "plant", "outputs": {"plant": target}}}
+    return (
+        "# Copy this to profiles.yml and say where your warehouse is; schema, or dataset, is where the\n"
+        f"# models go.\n{yaml_text.text(said)}"
+    )
+
+
 def sources(
     of: Modelled, table: str, schema: str | None, database: str | None, silent_after: int | None
 ) -> str:
@@ -122,7 +132,8 @@ def readme(of: Modelled, table: str) -> str:
 Written by gam-db {__version__} for {of.engine.name} ({adapter}); {built}.
 It needs no Python but dbt's own.
 
-    dbt build --profiles-dir .         # with a profile called {name}, or as a package of your project
+    cp profiles.example.yml profiles.yml     # and say where your warehouse is; or keep a profile {name}
+    dbt build
     dbt docs generate
 
 | model | |

@@ -141,6 +141,7 @@ class Modelled:
         said = (
             self.setting,
             float(self.method.settings[0].target_floor),
+            self.method.settings[0].least_vectors,
             self.method.rules,
             tuple(calibration.overrides),
             calibration.pools,

@@ -41,5 +41,5 @@ def add_judgement(steps: Pipeline, method: Method, number: int) -> None:
             method,
             number,
             f"certificate/{name}",
-            {"target_floor": float(setting.target_floor)},
+            {"target_floor": float(setting.target_floor), "least_vectors": setting.least_vectors},
         )

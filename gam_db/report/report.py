@@ -9,7 +9,6 @@ import hashlib
 import html
 import re
 import secrets
-import zoneinfo
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from importlib.resources import files
@@ -20,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gam_db import template
-from gam_db.clock import SECOND, Length, TimeKind, length
+from gam_db.clock import SECOND, Length, TimeKind, length, zone
 from gam_db.errors import ConfigurationError, UserError
 from gam_db.parameters import pattern_matches
 from gam_db.report import details
@@ -78,12 +77,7 @@ class Wishes:
     def __post_init__(self) -> None:
         if self.details < 0:
             raise ConfigurationError(f"details is {self.details}; it takes 0 or more.")
-        try:
-            zoneinfo.ZoneInfo(self.time_zone)
-        except (ValueError, OSError, zoneinfo.ZoneInfoNotFoundError):
-            raise ConfigurationError(
-                f"There is no time zone {self.time_zone!r}; give a name such as Europe/Berlin or UTC."
-            ) from None
+        zone(self.time_zone)
 
 
 def write(

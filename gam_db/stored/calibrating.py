@@ -178,6 +178,8 @@ def settings_hash(method: Method, channel: Mapping[str, Any]) -> str:
         figures["bins"] = method.asked.of(channel["asset"], channel["channel"]).bins
     if setting.still_after is None:  # older versions know nothing of it
         del figures["still_after"]
+    if setting.least_vectors == Parameters().least_vectors:  # likewise
+        del figures["least_vectors"]
     said = (
         figures,
         method.rules[channel["calibration_no"]],
@@ -204,6 +206,7 @@ def _figures(setting: Parameters, gap: int | None) -> Row:
         "stride": setting.bucket_length,
         "max_gap": gap,
         "still_after": setting.still_after,
+        "least_vectors": setting.least_vectors,
         "target_floor": float(setting.target_floor),
     }
 
@@ -343,7 +346,7 @@ _NUMBERING = pa.schema(
             for name in (
                 *("channel_id", "stored_channel_id", "version_id", "stored_support_id", "parent_id"),
                 *("version_no", "m", "tau", "bins", "window_length", "stride", "max_gap", "still_after"),
-                "score_from",
+                *("least_vectors", "score_from"),
             )
         ),
         ("target_floor", pa.float64()),

@@ -265,8 +265,8 @@ class _Check:
         # Blocks are numbered in the order of names. A channel may be of two pools, one of them retired.
         group = sorted(group, key=lambda row: (row["asset"].encode(), row["channel"].encode()))
         group = [{**row, "channel_id": number} for number, row in enumerate(group, start=1)]
-        setting, target = setting_of(group[0]), group[0]["target_floor"]
-        running = self._running(relearning_steps(setting, self.reader.kind, target))
+        setting = setting_of(group[0])
+        running = self._running(relearning_steps(setting, self.reader.kind, *_asked(group[0])))
         ends = [row["calibration_end"] for row in group]
         try:
             cohort = cohort_of(group, read_from=LONG_AGO, read_until=ends, first_bucket=0)
@@ -337,7 +337,11 @@ def _by_version(rows: Iterable[Row]) -> dict[int, list[Row]]:
 
 
 def _learning(row: Row) -> str:
-    return repr((setting_of(row), row["target_floor"]))
+    return repr((setting_of(row), _asked(row)))
+
+
+def _asked(row: Row) -> tuple[float, int]:
+    return row["target_floor"], row["least_vectors"] or 1
 
 
 def _place(row: Row) -> tuple[Any, ...]:

@@ -15,7 +15,7 @@ import pyarrow.compute as pc
 from numpy.typing import NDArray
 from sqlglot import exp
 
-from gam_db.clock import SECOND, Length, TimeKind, shown_instant
+from gam_db.clock import Length, TimeKind, shown_instant, shown_length
 from gam_db.engines.session import Session
 from gam_db.findings import ORDER, Course, Row, finding
 from gam_db.pipeline import filled, place
@@ -24,8 +24,6 @@ from gam_db.stored.proving import STATE, Proof, last_proofs
 from gam_db.stored.state import State, kind_of
 from gam_db.stored.tables import StateTables
 from gam_db.template import Slot, text
-
-_UNITS = (("d", 86_400 * SECOND), ("h", 3_600 * SECOND), ("min", 60 * SECOND), ("s", SECOND))
 
 
 def status(
@@ -50,7 +48,8 @@ def status(
     * ``trend``: ``hi`` less the one a window earlier, (``novel_in_window`` - ``novel_window_before``) /
       ``window``, so that no vector is in both; NULL until two windows are scored
     * ``course``: the indicator of late, oldest first, in at most 64 stretches of buckets that hold 64
-      buckets or 8 windows, whichever is more; the highest of each; NULL until a window is scored
+      buckets or 8 windows, whichever is more; the highest of each; NULL until a window is scored;
+      ``course_from``: when it begins
     * ``scored``: vectors in full buckets; ``last_time``: when the last of them ends
     * ``last_data``: the newest time read of the channel; ``silent``: that is more than ``park_after``
       behind the newest of the whole monitor, or no run has found any yet; ``looked_at``: when the last
@@ -160,16 +159,6 @@ def unheard_for(
     return behind if longest is not None and behind > dt.timedelta(microseconds=longest) else None
 
 
-def shown_length(steps: int, kind: TimeKind) -> str:
-    """Return a length of time in words, in its largest unit that is not below 1."""
-    if kind.is_counter:
-        return f"{steps:,} steps"
-    for unit, size in _UNITS:
-        if steps >= size:
-            return f"{steps / size:.3g} {unit}"
-    return "less than 1 s"
-
-
 def _fetched(
     session: Session,
     tables: StateTables,
@@ -182,21 +171,25 @@ def _fetched(
     return session.fetch(query)
 
 
-def _courses(stretches: pa.Table) -> dict[int, NDArray[np.float64]]:
-    """Cut the stretches, which come in order, into one course per version."""
+def _courses(stretches: pa.Table) -> dict[int, tuple[NDArray[np.float64], int]]:
+    """Cut the stretches, which come in order, into one course per version, with when it begins."""
     versions = stretches["version_id"].to_numpy()
-    hi = stretches["hi"].to_numpy()
+    hi, first = stretches["hi"].to_numpy(), stretches["first_time"]
     edges = [0, *(np.flatnonzero(np.diff(versions)) + 1).tolist(), len(versions)]
     return {
-        int(versions[start]): hi[start:end] for start, end in itertools.pairwise(edges) if end > start
+        int(versions[start]): (hi[start:end], first[start].as_py())
+        for start, end in itertools.pairwise(edges)
+        if end > start
     }
 
 
-def _course(row: Row, hi: NDArray[np.float64] | None) -> Course | None:
-    if row["bucket"] is None or hi is None:
+def _course(row: Row, known: tuple[NDArray[np.float64], int] | None) -> Course | None:
+    if row["bucket"] is None or known is None:
         return None
+    hi, since = known
     return Course(
         hi=hi,
+        since=since,
         highest=row["hi_highest"],
         vectors=(row["bucket"] + 1) * row["stride"],
         novel=row["novel_in_window"] or 0,
@@ -223,7 +216,8 @@ def _remarks(row: Row, kind: TimeKind) -> list[str]:
     elif row["silent"]:
         remarks.append(f"silent: {shown_length(row['behind'], kind)} behind the newest data")
     if row["still_since_tick"] is not None:
-        remarks.append(f"stands still since {shown_instant(row['still_since_tick'], kind)}")
+        since = shown_instant(row["still_since_tick"], kind)
+        remarks.append(f"stands still since {since}{'' if kind.is_counter else ' UTC'}")
     runs = row["differing_contexts"]
     if runs:
         since = shown_instant(row["repair_from_tick"], kind)
@@ -275,6 +269,7 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
             "window": stored("window_length", count),
             "bins": stored("bins", count),
             "course": pa.array([row["course"] for row in rows], pa.list_(share), from_pandas=True),
+            "course_from": ticks("course_from"),
             "scored": stored("scored", count),
             "last_time": ticks("last_tick"),
             "last_data": ticks("data_tick"),

@@ -205,7 +205,7 @@ def comparing_steps(setting: Setting, kind: TimeKind) -> Pipeline:
 
 @cache
 def relearning_steps(
-    setting: Setting, kind: TimeKind, target_floor: float = Parameters.target_floor
+    setting: Setting, kind: TimeKind, target_floor: float, least_vectors: int
 ) -> Pipeline:
     """Return the steps from *identified* to what calibration would teach and say now.
 
@@ -216,9 +216,11 @@ def relearning_steps(
         setting: that of all channels.
         kind: how the source tells time.
         target_floor: likewise of all.
+        least_vectors: likewise.
     """
     steps = _frozen(SMALL_OF_SET)
-    method = _add_samples(steps, setting, kind, target_floor=target_floor)
+    asked = {"target_floor": target_floor, "least_vectors": least_vectors}
+    method = _add_samples(steps, setting, kind, asked=asked)
     add_vectors(steps, method, 0, "calibration_", until_calibration_end())
     add_of_set(
         steps,
@@ -303,10 +305,10 @@ def _add_samples(
     setting: Setting,
     kind: TimeKind,
     trusting: bool = False,
-    target_floor: float = Parameters.target_floor,
+    asked: Mapping[str, Any] | None = None,
 ) -> Method:
     """Add the steps from *identified* to the samples, and return the method of the setting."""
-    method = _method(setting, kind, target_floor)
+    method = _method(setting, kind, asked)
     add(steps, "stored/unrepeated" if trusting else "stored/repeats", name="timeline")
     for name in ("collapsed", "samples"):
         add(steps, f"source/{name}")
@@ -339,10 +341,10 @@ def _add_stillness(steps: Pipeline, setting: Setting) -> None:
     add(steps, "stored/still_counts")
 
 
-def _method(setting: Setting, kind: TimeKind, target_floor: float = Parameters.target_floor) -> Method:
+def _method(setting: Setting, kind: TimeKind, asked: Mapping[str, Any] | None = None) -> Method:
     """Return the method of a stored version; its calibration is in the tables.
 
-    The target is not needed to score.
+    What its certificate was asked for is not needed to score.
     """
     gap: Any = setting.max_gap
     if gap is not None and not kind.is_counter:
@@ -355,7 +357,7 @@ def _method(setting: Setting, kind: TimeKind, target_floor: float = Parameters.t
         stride=setting.stride,
         max_gap=gap,
         still_after=setting.still_after,
-        target_floor=target_floor,
+        **(asked or {}),
     )
     start = None
     if setting.has_start:

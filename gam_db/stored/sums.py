@@ -14,7 +14,7 @@ from gam_db.pipeline import Pipeline
 ENDS = {"calibrated_lo": "lo", "calibrated_hi": "hi"}
 
 #: What versions have had since: nothing, where it is not there yet.
-LATER = ("still_after",)
+LATER = ("still_after", "least_vectors")
 
 
 @cache

@@ -1,5 +1,5 @@
 -- Verdicts: is the calibration good enough to be watched (method, section 5)? In this order: no_data,
--- constant, ready, too_fine, needs_data.
+-- constant, needs_data (of a support with few vectors, which has no finest grid), ready, too_fine, needs_data.
 -- Reads:  bounds, cells, spread, finest, outlook
 -- A row:  one channel; all but the range is that of its support. vectors_needed is in whole windows; 2^-20 of
 --         one allows for the last bits of logarithms, which differ between engines.

@@ -22,6 +22,7 @@ SELECT
   made.still_after AS still_after,
   made.score_from AS score_from,
   made.target_floor AS target_floor,
+  made.least_vectors AS least_vectors,
   made.calibration_end AS calibration_end,
   made.first_scored AS first_scored,
   made.calibration_readings AS calibration_readings,

@@ -39,7 +39,8 @@ SELECT
     + figure(scale.blocks, 20)
     + figure(scale.finest_bins, 21)
     + figure(scale.vectors_needed, 22)
-    + figure(learnt.still_after, 23) AS figures_sum,
+    + figure(learnt.still_after, 23)
+    + figure(learnt.least_vectors, 24) AS figures_sum,
   scale.calibrated_lo AS calibrated_lo,
   scale.calibrated_hi AS calibrated_hi,
   learnt.target_floor AS target_floor,

@@ -2,18 +2,21 @@
 -- stretch is one bucket, or so many that 64 stretches hold 8 windows. Of each the highest is taken, so
 -- that no peak is lost.
 -- Reads:  status_rows, stored_visible_bucket
--- A row:  one stretch of one version, the oldest first; hi is NULL until a window is scored.
+-- A row:  one stretch of one version, the oldest first; hi is NULL until a window is scored, first_time is when
+--         the stretch begins.
 SELECT
   version_id,
   stretches_back,
   CASE
     WHEN MAX(placed.novel_in_window) IS NOT NULL
       THEN CAST(MAX(placed.novel_in_window) AS DOUBLE) / CAST(MAX(placed.window_length) AS DOUBLE)
-  END AS hi
+  END AS hi,
+  MIN(placed.first_time) AS first_time
 FROM (
   SELECT
     full_bucket.version_id AS version_id,
     full_bucket.novel_in_window AS novel_in_window,
+    full_bucket.first_time AS first_time,
     watched.window_length AS window_length,
     CAST(
       FLOOR(

@@ -22,6 +22,7 @@ SELECT
   numbered.still_after AS still_after,
   numbered.score_from AS score_from,
   numbered.target_floor AS target_floor,
+  numbered.least_vectors AS least_vectors,
   scale.calibration_end AS calibration_end,
   scale.first_scored AS first_scored,
   CASE

@@ -72,8 +72,9 @@ def test_what_check_prints() -> None:
     lines = result.stdout.splitlines()
     assert lines[0].startswith("plant.parquet: 1 channel of 1 asset, 4,000 samples, time from 2026-02-")
     assert "columns: asset=asset channel=channel time=ts value=value; guessed: all" in lines
-    heading = next(line for line in lines if "least" in line)
-    row = next(line for line in lines if line.startswith("! j1"))
+    heading = next(line for line in lines if "least" in line and "most" in line)
+    row = next(line for line in lines if line.startswith("! j1 "))
+    assert lines.index(next(line for line in lines if "to be set" in line)) < lines.index(heading)
     assert len(row) <= len(heading) <= 100
     assert " ".join(row.split()) == "! j1 4,000 1 s 1 0.025 % -1.001 1.001 3,999 - 20"
     said = flat(result)

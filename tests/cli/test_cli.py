@@ -98,6 +98,18 @@ def figures(*words: str | Path) -> dict[str, Any]:
 # Exit codes
 
 
+def test_few_vectors_are_not_ready_unless_that_is_asked_for() -> None:
+    """In a process of its own: tests take any calibration."""
+    source = saved({("R1", "j1"): healthy(798)})  # 398 vectors of calibration
+    for words, verdict, code in (((), "needs_data", 2), (("--least-vectors", "398"), "ready", 0)):
+        result = gam_process("run", source, *SMALL, *words, "--no-out")
+        assert result.returncode == code, result.stdout
+        assert f"verdicts: 1 {verdict}\n" in result.stdout
+        advised = "calibration too short, it takes about 50 more vectors" in result.stdout
+        assert advised == (not words)
+    assert "say a longer healthy part" in gam_process("run", source, *SMALL, "--no-out").stdout
+
+
 def test_a_healthy_machine_is_fine() -> None:
     result = gam("run", saved({("R1", "j1"): healthy()}), *SMALL)
     assert result.exit_code == 0, result.output
@@ -105,8 +117,13 @@ def test_a_healthy_machine_is_fine() -> None:
 
 
 def test_a_worn_machine_needs_attention() -> None:
-    result = gam("run", saved({("R1", "j1"): healthy(), ("R1", "j2"): worn()}), *SMALL)
-    assert result.exit_code == 2
+    short = gam("run", saved({("R1", "j1"): healthy(), ("R1", "j2"): worn()}), *SMALL)
+    assert "of 1 there is more to say: --all" in short.stdout
+    assert "above its limit" not in short.stdout
+    assert "Limit: " not in short.stdout
+    result = gam("run", "plant.parquet", *SMALL, "--all")
+    assert result.exit_code == short.exit_code == 2
+    assert "HI, 0 to 1: all that is scored, from 600 to 1,199\n" in result.stdout
     lines = result.stdout.splitlines()
     first = next(number for number, line in enumerate(lines) if line.startswith("! j2"))
     assert "ready" in lines[first]
@@ -127,7 +144,7 @@ def test_a_constant_channel_never_raises_an_alarm(constant: Any) -> None:
 def test_a_channel_without_calibration_raises_none_beside_others() -> None:
     gone = np.r_[np.full(800, np.nan), healthy(400)]
     source = saved({("R1", "j1"): healthy(), ("R1", "j2"): gone})
-    result = gam("run", source, *SMALL)
+    result = gam("run", source, *SMALL, "--all")
     assert result.exit_code == 0
     assert "no usable sample in calibration" in result.stdout
     alone = gam("run", source, *SMALL, "--where", "channel = 'j2'")

@@ -1,6 +1,7 @@
 """gam status and gam prune: what a user sees of the state, and the exit codes."""
 
 import json
+import re
 import time
 from functools import cache
 from pathlib import Path
@@ -64,10 +65,15 @@ def some_plant(worn: dict[int, int] = WORN) -> Plant:
 
 def test_a_worn_channel_comes_first_and_asks_for_attention() -> None:
     saved(some_plant())
-    result = gam("status", "--database", "plant.duckdb")
+    short = gam("status", "--database", "plant.duckdb").stdout
+    assert "above its limit" not in short
+    assert "of 2 there is more to say: --all" in short
+    result = gam("status", "--database", "plant.duckdb", "--all")
     assert result.exit_code == 2, result.output
     lines = result.stdout.splitlines()
     assert "monitor default: 3 channels of 2 assets, newest data 20" in " ".join(lines[:2])
+    assert " UTC" in " ".join(lines[:2])
+    assert " last, UTC" in result.stdout
     first = next(number for number, line in enumerate(lines) if line.startswith("! R1 j1"))
     assert lines[first].split()[:6] == ["!", "R1", "j1", "ready", "0.010", "1.00"]
     assert "+0.95" in lines[first]
@@ -124,7 +130,7 @@ def test_what_is_wrong_with_the_data_is_summed_up() -> None:
     plant.run(version, [QUIET] * 4, calibration_readings=1001)
     plant.run(version, [QUIET], from_bucket=3, context_rows=5)
     saved(plant)
-    result = gam("status", "--database", "plant.duckdb")
+    result = gam("status", "--database", "plant.duckdb", "--all")
     said = " ".join(result.stdout.split())
     assert "silent: 3.47 d behind the newest data" in said
     assert "silent: 1" in said
@@ -134,6 +140,30 @@ def test_what_is_wrong_with_the_data_is_summed_up() -> None:
     assert "1 with calibration data that changed" in said
     patient = gam("status", "--database", "plant.duckdb", "--park-after", "5 d")
     assert "silent" not in patient.stdout
+
+
+def test_times_are_those_of_the_plant_where_its_zone_is_said() -> None:
+    """Of what is shown; figures for programs stay as they are."""
+    plant = Plant()
+    summer = 1_782_900_000_000_000  # 2026-07-01 10:00 UTC
+    version = plant.version(plant.channel(plant.monitor(), "R1", "j1"), plant.support(), start=summer)
+    plant.run(version, [QUIET] * 3)
+    saved(plant)
+    asked = ("status", "--database", "plant.duckdb")
+    here, there = (
+        " ".join(gam(*asked, *more).stdout.split()) for more in ((), ("--time-zone", "Europe/Berlin"))
+    )
+    found = [re.search(r"newest data 2026-07-01 (\d\d):(\d\d) (\S+)", text) for text in (here, there)]
+    (hour, minute, utc), (later, same, berlin) = (one.groups() for one in found if one is not None)
+    assert (utc, berlin) == ("UTC", "Europe/Berlin")
+    assert (int(later), same) == (int(hour) + 2, minute)
+    assert "last, Europe/Berlin" in there
+    assert f"from 2026-07-01 {later}" in there
+    told = (gam(*asked, "--json", *more).stdout for more in ((), ("--time-zone", "Asia/Tokyo")))
+    (first,), (second,) = (json.loads(text)["channels"] for text in told)
+    assert first == second
+    refused = gam(*asked, "--time-zone", "Mars")
+    assert "There is no time zone 'Mars'" in refused.output
 
 
 def test_silence_of_all_is_told_by_the_clock() -> None:

@@ -342,6 +342,19 @@ def test_what_cannot_be_a_package_is_refused(part: str, changes: dict[str, Any],
     assert not (tmp_path / "package").exists()
 
 
+@pytest.mark.parametrize("engine", ADAPTERS)
+def test_a_profile_to_fill_in_is_that_of_the_project_and_holds_no_password(
+    engine: str,
+) -> None:
+    files = package(engine=engine, prefix="other_").files()
+    said = yaml.safe_load(files["profiles.example.yml"])[
+        yaml.safe_load(files["dbt_project.yml"])["profile"]
+    ]
+    target = said["outputs"][said["target"]]
+    assert target["type"] == ADAPTERS[engine].package.removeprefix("dbt-")
+    assert all("env_var(" in target[secret] for secret in ("password", "token") if secret in target)
+
+
 def test_a_folder_of_something_else_is_left_alone(tmp_path: Path) -> None:
     write(package(), tmp_path)
     (tmp_path / "profiles.yml").write_text("theirs")

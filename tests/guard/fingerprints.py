@@ -10,6 +10,7 @@ in a commit that changes nothing else than what the changed names say.
 
 import hashlib
 from collections.abc import Iterator, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 from unittest.mock import patch
@@ -18,6 +19,7 @@ import gam_db
 from gam_db.engines import NAMES, engine_named
 from gam_db.export import Package
 from gam_db.export.adapters import ADAPTERS
+from gam_db.parameters import LEAST_VECTORS
 from gam_db.script import FORMS
 from gam_db.stored.migrations import rendered
 from gam_db.stored.tables import StateTables
@@ -25,6 +27,9 @@ from gam_db.version import __version__
 
 FILE = Path(__file__).with_name("fingerprints.txt")
 COMMAND = "python -m tests.guard.fingerprints"
+
+#: Parameters with the default that tests do without (tests/tools/tiny.py).
+_ASKED = partial(gam_db.Parameters, least_vectors=LEAST_VECTORS)
 
 _COUNTER = gam_db.Source("telemetry", time_kind="counter")
 _DATED = gam_db.Source(
@@ -36,23 +41,23 @@ _BARE = gam_db.WideSource("wide", ("v",), None)  # time_kind left open
 
 #: name -> arguments of ``gam_db.render`` after the engine
 SCRIPTS: Mapping[str, tuple[Any, ...]] = {
-    "plain": (_COUNTER,),
+    "plain": (_COUNTER, _ASKED()),
     "dated": (
         _DATED,
-        gam_db.Parameters(m=2, tau=4, bins=20, window=500, max_gap="5 s", target_floor=0.1),
+        _ASKED(m=2, tau=4, bins=20, window=500, max_gap="5 s", target_floor=0.1),
         gam_db.Calibration(
             duration="30 d", exclude=[("2026-01-03", "2026-01-04")], score_from="2026-02-01"
         ),
     ),
     "intervals": (
         _COUNTER,
-        gam_db.Parameters(m=2, bins=5, window=12, stride=3),
+        _ASKED(m=2, bins=5, window=12, stride=3),
         gam_db.Calibration(intervals=[(0, 90), (120, 200)], exclude=[(30, 40), (150, 150)]),
     ),
-    "still samples": (_COUNTER, gam_db.Parameters(tau=4, window=500, still_after=25)),
+    "still samples": (_COUNTER, _ASKED(tau=4, window=500, still_after=25)),
     "overrides": (
         _COUNTER,
-        gam_db.Parameters(
+        _ASKED(
             window=200,
             overrides=[
                 gam_db.Override(asset="a_%!*", channel="x?", m=1, max_gap=3),
@@ -65,20 +70,20 @@ SCRIPTS: Mapping[str, tuple[Any, ...]] = {
             overrides={"b*": None, "c?": gam_db.Calibration(intervals=[]), "": gam_db.Calibration()},
         ),
     ),
-    "pooled channels": (_WIDE, gam_db.Parameters(m=1), gam_db.Calibration(pool="channel"), "other_"),
+    "pooled channels": (_WIDE, _ASKED(m=1), gam_db.Calibration(pool="channel"), "other_"),
     "pooled groups": (
         _SINGLE,
-        gam_db.Parameters(m=4, bins=50_000, max_gap=2),
+        _ASKED(m=4, bins=50_000, max_gap=2),
         gam_db.Calibration(fraction=1.0, pool=[["a*", "b"], ["c"]], score_from=0),
     ),
     "no calibration of its own": (
         _BARE,
-        gam_db.Parameters(m=1, bins=2**31 - 3, window=1),
+        _ASKED(m=1, bins=2**31 - 3, window=1),
         gam_db.Calibration(intervals=[], overrides={"*": None}),
     ),
     "one bin": (
         gam_db.Source("telemetry"),
-        gam_db.Parameters(m=5, tau=3, bins=1, target_floor=0.0),
+        _ASKED(m=5, tau=3, bins=1, target_floor=0.0),
         gam_db.Calibration(intervals=[("2026-01-01", "2026-01-08")]),
     ),
 }
@@ -87,12 +92,12 @@ SCRIPTS: Mapping[str, tuple[Any, ...]] = {
 PACKAGES: Mapping[str, Mapping[str, Any]] = {
     "short": {
         "source": _COUNTER,
-        "parameters": gam_db.Parameters(),
+        "parameters": _ASKED(),
         "calibration": gam_db.Calibration(intervals=[(0, 20)]),
     },
     "complete": {
         "source": _WIDE,
-        "parameters": gam_db.Parameters(m=2, tau=5, bins=9, window=40, stride=8, max_gap="1 min"),
+        "parameters": _ASKED(m=2, tau=5, bins=9, window=40, stride=8, max_gap="1 min"),
         "calibration": gam_db.Calibration(
             intervals=[("2026-01-01", "2026-01-08"), ("2026-02-01", "2026-02-02")],
             exclude=[("2026-01-03", "2026-01-04")],

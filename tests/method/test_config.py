@@ -48,6 +48,7 @@ def test_the_documented_example(tmp_path: Path) -> None:
         stride=100,
         max_gap="5 s",
         still_after=25,
+        least_vectors=400,
         overrides=[Override(asset="robot_7", channel="temperature_*", tau=10, bins=20)],
     )
     assert calibration == Calibration(
@@ -286,6 +287,7 @@ GIVEN: dict[str, tuple[tuple[str, ...], Any]] = {
     "max_gap": (("--max-gap", "none"), None),
     "still_after": (("--still-after", "25"), 25),
     "target_floor": (("--target-floor", "0.0"), 0.0),
+    "least_vectors": (("--least-vectors", "250"), 250),
     "fraction": (("--calibration-fraction", "0.3"), 0.3),
     "duration": (("--calibration-duration", "30"), 30),
     "intervals": (("--calibrate", "0/9", "--calibrate", "20/29"), [("0", "9"), ("20", "29")]),

@@ -42,6 +42,7 @@ class Settings:
     max_gap: int | None
     still_after: int | None
     target_floor: float
+    least_vectors: int = 1
     is_open: bool = False
 
 
@@ -343,6 +344,8 @@ def floor_of(cells: Integers, blocks: Integers) -> float:
 
 def finest_bins(pool: Pool, floor: float) -> int | None:
     """Section 5: the finest grid of the halving ladder whose floor is at most the target."""
+    if len(pool.blocks) < pool.settings.least_vectors:
+        return None
     target, divisor, bins = pool.settings.target_floor, 1, pool.settings.bins
     while floor > target:
         divisor *= 2
@@ -355,8 +358,13 @@ def finest_bins(pool: Pool, floor: float) -> int | None:
 
 def vectors_needed(pool: Pool, floor: float) -> int | None:
     """Section 5: calibration still wanted, by a power law through half of the blocks and all."""
-    target, window = pool.settings.target_floor, pool.settings.window
+    settings = pool.settings
+    target, window, least = settings.target_floor, settings.window, settings.least_vectors
     n, count = len(pool.blocks), int(pool.blocks[-1]) + 1
+    if n < least:  # at least what it takes to be judged
+        enough = replace(settings, least_vectors=1)
+        further = vectors_needed(replace(pool, settings=enough), floor)
+        return max(further or 0, window * math.ceil((least - n) / window))
     if floor <= target:
         return 0
     if count < 4 or target <= 0:
@@ -383,7 +391,7 @@ def judgement(pool: Pool) -> dict[str, Any]:
     visits, floor = np.bincount(cells), floor_of(cells, pool.blocks)
     finest = finest_bins(pool, floor)
     verdict = "needs_data" if finest is None else "too_fine"
-    if floor <= pool.settings.target_floor:
+    if floor <= pool.settings.target_floor and finest is not None:
         verdict = "ready"
     return {
         "verdict": "constant" if pool.lo == pool.hi else verdict,

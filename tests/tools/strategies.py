@@ -95,6 +95,7 @@ def parameters(draw: st.DrawFn) -> Arguments:
         "max_gap": st.sampled_from([3, 4, 2, 1]),
         "still_after": often([None], [2, 3]),
         "target_floor": st.sampled_from(TARGETS),
+        "least_vectors": often([1], [4, 12, 40]),
     }
     answer = {name: draw(strategy) for name, strategy in fields.items()}
     answer |= draw(window_and_stride(optional=True))
