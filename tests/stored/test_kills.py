@@ -24,7 +24,7 @@ from gam_db.errors import StateError
 from gam_db.stored.migration_files import files
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.tables import TABLES
-from killed_plant import CALIBRATION, LOOKBACK, METHOD, PARAMETERS, plant
+from killed_plant import ALARMS, CALIBRATION, LOOKBACK, METHOD, PARAMETERS, plant
 from sets import amounts
 from strategies import Row
 from test_migrations import catalog
@@ -34,7 +34,7 @@ from visible import BUCKETS, NOVEL, put, rows_of
 pytestmark = [pytest.mark.thorough, pytest.mark.comments]
 
 #: How many running processes are killed of each command, in the first set and in the full one.
-KILLS = {"migrate": (6, 40), "calibrate": (8, 60), "score": (18, 200)}
+KILLS = {"migrate": (6, 40), "calibrate": (8, 60), "score": (15, 200), "label": (3, 40)}
 
 #: Most rows that a run works on at once, so that it takes several transactions.
 GROUP = 1000
@@ -51,7 +51,22 @@ LEARNT = {
 SIZES = "SELECT table_name, estimated_size FROM duckdb_tables() WHERE NOT temporary ORDER BY ALL"
 
 #: Columns that differ from run to run; what a checksum sums has the time of creation in it.
-STAMPS = ("run_id", "created", "started", "committed", "applied_at", "figures_sum")
+STAMPS = ("run_id", "created", "started", "committed", "applied_at", "figures_sum", "noticed_at")
+
+#: Alarms as they are seen, names in the place of numbers.
+NAMED = "JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)"
+JUDGEMENTS = f"""
+    SELECT asset, channel, judgement_no, known.* EXCLUDE (run_id, version_id)
+    FROM gam_visible_judgement AS known {NAMED} ORDER BY ALL
+"""
+EPISODES = """
+    SELECT asset, channel, what, known.status, merged_into, onset, first_judgement, last_judgement,
+        onset_time, first_time, last_time, evidence, height, is_proving
+    FROM gam_episode AS known
+    JOIN (SELECT version_id, channel_id FROM gam_version) AS made USING (version_id)
+    JOIN gam_channel AS named ON named.channel_id = made.channel_id
+    ORDER BY asset, channel, seq
+"""
 
 State = dict[str, list[tuple[Any, ...]]]
 Look = Callable[[DuckSession], Any]
@@ -78,7 +93,10 @@ def opened(path: Path) -> Iterator[DuckSession]:
 
 def monitor(session: DuckSession) -> Monitor:
     parameters, calibration = harness.made(PARAMETERS, CALIBRATION)
-    return Monitor(session, gam_db.Source("telemetry"), parameters, calibration, lookback=LOOKBACK)
+    asked = gam_db.Alarms(ALARMS)
+    return Monitor(
+        session, gam_db.Source("telemetry"), parameters, calibration, asked, lookback=LOOKBACK
+    )
 
 
 def founded(path: Path, rows: list[Row]) -> Path:
@@ -123,7 +141,10 @@ def results(session: DuckSession) -> list[Any]:
 def by_channel(session: DuckSession) -> dict[tuple[str, str], list[Any]]:
     """Return what is seen of each channel; that nothing else is there is checked."""
     seen: dict[tuple[str, str], list[Any]] = {}
-    for table, query in (("bucket", BUCKETS), ("novel", NOVEL)):
+    for table, query in (
+        *(("bucket", BUCKETS), ("novel", NOVEL)),
+        *(("judgement", JUDGEMENTS), ("episode", EPISODES)),
+    ):
         rows = rows_of(session.connection, query)
         kept = session.connection.execute(f"SELECT COUNT(*) FROM gam_{table}").fetchall()
         assert kept == [(len(rows),)], "rows that are hidden, or of no run, are left"
@@ -257,6 +278,31 @@ def test_killed_while_calibrating(tmp_path: Path, victims: Victims, kills: int) 
             assert stored(session) == passed.states[-1], moment
 
 
+@amounts("kills", *KILLS["label"])
+def test_killed_while_labelling(tmp_path: Path, victims: Victims, kills: int) -> None:
+    chance = random.Random(4)
+    before, path = tmp_path / "before.duckdb", tmp_path / "plant.duckdb"
+    with opened(founded(before, plant().first)) as session:
+        monitor(session).migrate()
+        monitor(session).calibrate()
+        put(session.connection, list(itertools.chain(*plant().batches)))
+        monitor(session).score()
+        numbers = sorted(monitor(session).alarms()["episode"].to_pylist())
+    kinds = itertools.cycle(["true_fault", "false_alarm", "maintenance", "acknowledged"])
+    labels: list[dict[str, Any]] = [{"kind": next(kinds), "episode": number} for number in numbers]
+    labels.append({"kind": "maintenance", "asset": "b", "span": [0, 50]})
+    order: dict[str, Any] = {"command": "label", "options": {"labels": labels}}
+    passed = course(victims, before, stored, **order)
+    assert len(passed.states) == 1 + len(labels) >= 5
+    chosen = moments(chance, passed)
+    while victims.killed < kills:
+        moment, _ = hit(victims, chosen, before, path, **order)
+        with opened(path) as session:
+            assert stored(session) in passed.states, moment
+    with opened(path) as session:
+        assert monitor(session).check_state().num_rows == 0
+
+
 @amounts("kills", *KILLS["score"])
 def test_killed_while_scoring(tmp_path: Path, victims: Victims, kills: int) -> None:
     chance = random.Random(3)
@@ -289,6 +335,9 @@ def test_killed_while_scoring(tmp_path: Path, victims: Victims, kills: int) -> N
                 assert by_channel(session) == end, moment
         shutil.copy(path, before)
     assert transactions >= 2 * len(rounds)
+    with opened(before) as session:
+        assert rows_of(session.connection, "SELECT 1 AS hit FROM gam_alarm WHERE status = 'open'")
+        assert monitor(session).check_state().num_rows == 0
     with opened(before) as session, opened(founded(tmp_path / "fresh.duckdb", plant().first)) as fresh:
         monitor(fresh).migrate()
         monitor(fresh).calibrate()

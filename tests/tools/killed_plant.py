@@ -13,12 +13,14 @@ PARAMETERS: dict[str, Any] = {
     **{"m": 2, "tau": 3, "bins": 4, "window": 20, "stride": 5},
     "overrides": [{"asset": "q*", "channel": "*", "m": 3, "tau": 1, "window": 12, "stride": 4}],
 }
-CALIBRATION: dict[str, Any] = {"fraction": 0.4, "pool": [["p1", "p2", "p3"]]}
+CALIBRATION: dict[str, Any] = {"fraction": 0.75, "pool": [["p1", "p2", "p3"]]}
+ALARMS = "5 per 1000 judgements"
 LOOKBACK = 8
 METHOD: dict[str, Any] = {
     "parameters": PARAMETERS,
     "calibration": CALIBRATION,
     "lookback": LOOKBACK,
+    "alarms": ALARMS,
 }
 
 #: Rows of each channel, and those of them that are there when calibration is frozen.

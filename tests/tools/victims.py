@@ -6,7 +6,7 @@ or lock of DuckDB is ever shared by a fork.
 
 An order and its answer are one line of JSON each. An order says
 
-    database, command ("migrate", "calibrate" or "score")
+    database, command ("migrate", "calibrate", "score" or "label")
     parameters, calibration, options   keyword arguments of the monitor and of the command
     step, delay                        when to kill: so many seconds after the so-manieth step was
                                        announced (1: the file is open); at once if delay is 0
@@ -159,7 +159,8 @@ def live(order: dict[str, Any], said: int) -> None:
         announce("open")
         parameters, calibration = harness.made(order["parameters"], order["calibration"])
         source = gam_db.Source("telemetry")
-        monitor = Monitor(session, source, parameters, calibration, lookback=order["lookback"])
+        asked = gam_db.Alarms(order.get("alarms"))
+        monitor = Monitor(session, source, parameters, calibration, asked, lookback=order["lookback"])
         carry_out(monitor, order["command"], order["options"], announce)
 
 
@@ -167,6 +168,10 @@ def carry_out(monitor: Monitor, command: str, options: dict[str, Any], on_step: 
     """Run a command of a monitor, and listen."""
     if command == "migrate":
         migrations.migrate(monitor.session, monitor.state.tables, on_step)
+    elif command == "label":
+        for one in options["labels"]:
+            on_step(command)
+            monitor.label(**one)
     else:
         getattr(monitor, command)(on_step=on_step, **options)
 
