@@ -29,6 +29,7 @@ from typing import Any
 
 import gam_db
 import harness
+import tiny
 from gam_db import template
 from gam_db.running import Listener
 from gam_db.stored import migrations
@@ -100,7 +101,8 @@ def serve() -> None:
 
 
 def warm() -> None:
-    """Parse what every child would parse."""
+    """Parse what every child would parse, and take what other tests take for granted."""
+    tiny.judge_any_calibration()
     files()
     folder = template.sql_folder()
     for path in folder.glob("*/*.sql"):
