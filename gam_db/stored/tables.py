@@ -36,6 +36,8 @@ TABLES = (
     "judgement",
     "episode",
     "label",
+    "band",
+    "band_visit",
 )
 #: Each after those that it reads.
 VIEWS = (
@@ -55,6 +57,8 @@ VIEWS = (
     "machine",
     "growth",
     "cell",
+    "alarm_band",
+    "alarm_cell",
     "trend",
 )
 
