@@ -318,6 +318,12 @@ def _show_episodes(out: Console, rows: Sequence[Row], shown_in: dt.tzinfo) -> No
         [_MARKS.get(row["status"], "!") if row["needs_attention"] else " " for row in rows],
         ("channel", "status", "basis, per 1,000", "label"),
     )
+    for row in {row["group"]: row for row in rows if row["signals_together"] > 1}.values():
+        page.say(
+            out,
+            f"{printable(row['asset'])}: {row['signals_together']} signals of this machine within 2 "
+            f"judgements, from episode {row['group']} on",
+        )
     if any(row["status"] == "proving" for row in rows):
         page.say(
             out,

@@ -43,8 +43,10 @@ def alarms(state: State, name: str) -> pa.Table:
         One row per episode: episode, asset, channel, status (proving: it opened right after calibration
         and asks for a decision; open, ended, merged, withdrawn, recalibrated), needs_attention, since
         (when evidence left 0), opened, last_time, sure (highest evidence / height), basis, stated_rate
-        (per judgement; NULL where none can be stated), asked, signals_open (of the machine), label,
-        label_until (UTC), note, merged_into, onset, first_judgement, last_judgement, evidence, height,
+        (per judgement; NULL where none can be stated), asked, signals_open (of the machine), group (the
+        smallest number of the episodes of the machine that opened within two judgements of one another),
+        signals_together (how many they are), label, label_until (UTC), note, merged_into, onset,
+        first_judgement, last_judgement, evidence, height,
         seq. Times are as in the source.
 
     Raises:
@@ -383,6 +385,8 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
             "stated_rate": column("stated_rate", pa.float64()),
             "asked": column("asked", word),
             "signals_open": column("signals_open", count),
+            "group": column("group_id", count),
+            "signals_together": column("signals_together", count),
             "label": column("label", word),
             "label_until": column("label_until", count).cast(pa.timestamp("us")),
             "note": column("note", word),
