@@ -39,6 +39,9 @@ SELECT
   known.calibration_readings_now AS calibration_readings_now,
   known.settings_hash AS settings_hash,
   known.method_hash AS method_hash,
+  known.judged_by AS judged_by,
+  known.episode_id AS episode_id,
+  known.onset_tick AS onset_tick,
   CASE WHEN still.hit = 1 THEN still.still_since_tick END AS still_since_tick
 FROM stored_fleet AS known
 LEFT JOIN (
