@@ -1,20 +1,14 @@
 """Why an episode was raised, by hand: bands with their excess, cells beside the nearest healthy one."""
 
-import json
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
-import duckdb
 import pytest
-import typer.testing
 
 import gam_db
 import scripts
-from gam_db.cli import app
 from gam_db.engines.duckdb_session import DuckSession
-from gam_db.stored import alarms
 from gam_db.stored.monitor import Monitor
 from strategies import Row
 from visible import visible
@@ -100,6 +94,7 @@ def test_the_excess_of_a_band_is_what_calibration_does_not_explain(session: Duck
     assert counted == [(5, 0, 5, -5 / 16), (15, 10, 10, 10.0), (20, 5, 5, 5.0)], "of five windows"
 
 
+@pytest.mark.full
 def test_a_band_below_and_vectors_that_lack_a_sample(session: DuckSession) -> None:
     plant = Plant(session)
     gone: Any = None
@@ -109,6 +104,7 @@ def test_a_band_below_and_vectors_that_lack_a_sample(session: DuckSession) -> No
     assert {row[0] for row in plant.bands()} == {-1, 5}
 
 
+@pytest.mark.full
 def test_what_another_member_of_the_pool_visited_is_no_noise_of_calibration(
     session: DuckSession,
 ) -> None:
@@ -130,6 +126,7 @@ def test_cells_stand_beside_the_nearest_healthy_one(session: DuckSession) -> Non
     ]
 
 
+@pytest.mark.full
 def test_a_cell_is_decoded_on_each_axis_from_the_newest_sample_back(
     session: DuckSession,
 ) -> None:
@@ -142,6 +139,7 @@ def test_a_cell_is_decoded_on_each_axis_from_the_newest_sample_back(
     assert rows == [(3 + 3 * 7, 0, 2 + 2 * 7, 1, 1), (3 + 3 * 7, 1, 2 + 2 * 7, 1, 1)]
 
 
+@pytest.mark.full
 def test_ten_cells_are_shown_equal_ones_by_their_keys(session: DuckSession) -> None:
     plant = Plant(session)
     plant.score(*[[float(12 + 4 * n + i) for i in range(W)] for n in range(6)])
@@ -180,6 +178,7 @@ def test_pruning_takes_what_a_later_run_counted_again(session: DuckSession) -> N
     assert plant.bands() == said
 
 
+@pytest.mark.full
 def test_rows_that_went_from_the_source_are_asked_for_no_more(
     session: DuckSession, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -195,24 +194,3 @@ def test_rows_that_went_from_the_source_are_asked_for_no_more(
     plant.monitor.score()
     counted = visible(plant.monitor, "SELECT judgement_no FROM gam_band_visit WHERE judgement_no < 5")
     assert len(counted) == 2, "the fifth was written again, and its rows are there"
-
-
-def test_the_page_of_an_episode_says_where_and_gives_a_query_that_runs(tmp_path: Path) -> None:
-    path = tmp_path / "plant.duckdb"
-    with DuckSession(path, writable=True) as session:
-        plant = Plant(session)
-        plant.score(*[RAISED] * 5)
-        found = plant.monitor.alarms().to_pylist()[0]
-        assert len(alarms.bands(plant.monitor.state, "default", found)) == 2, "none without excess"
-    run = typer.testing.CliRunner().invoke(app, ["alarm", "1", "--database", str(path)])
-    assert run.exit_code == 0, run.output
-    for words in ("30 to 32", "above 40", "-9", "SELECT"):
-        assert words in run.output
-    told = json.loads(
-        typer.testing.CliRunner().invoke(app, ["alarm", "1", "--database", str(path), "--json"]).output
-    )
-    assert [band["excess"] for band in told["bands"]] == [4.0, 2.0]
-    assert [cell["visits"] for cell in told["cells"]] == [4, 2]
-    with duckdb.connect(str(path), read_only=True) as connection:
-        rows = connection.execute(told["raw_rows"]).fetchall()
-    assert [row[-1] for row in rows] == RAISED * 5, "from its onset on"

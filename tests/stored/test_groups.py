@@ -4,6 +4,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+import duckdb
 import pytest
 import typer.testing
 
@@ -66,6 +67,17 @@ def test_openings_of_a_machine_within_two_judgements_are_one_group(tmp_path: Pat
     assert "a: 2 signals of this machine within 2 judgements, from episode 1 on" in words
     told = typer.testing.CliRunner().invoke(app, ["alarms", "--database", str(path), "--json"])
     assert {row["signals_together"] for row in json.loads(told.output)["episodes"]} == {1, 2}
+
+    run = typer.testing.CliRunner().invoke(app, ["alarm", "2", "--database", str(path)])
+    for words in ("30 to 32", "above 40", "-9", "SELECT"):
+        assert words in run.output
+    run = typer.testing.CliRunner().invoke(app, ["alarm", "2", "--database", str(path), "--json"])
+    why = json.loads(run.output)
+    assert [band["excess"] for band in why["bands"]] == [10.0, 5.0], "none without excess"
+    assert [cell["visits"] for cell in why["cells"]] == [14, 7]
+    with duckdb.connect(str(path), read_only=True) as connection:
+        rows = connection.execute(why["raw_rows"]).fetchall()
+    assert [row[-1] for row in rows] == RAISED * 10, "of this signal, from its onset on"
 
 
 @pytest.mark.full
