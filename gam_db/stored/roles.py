@@ -32,12 +32,12 @@ _TOUCHED = {"migration": "applied_at", "monitor": "created"}
 #: The views by which runs, buckets and cells that count are found, and what a run says in the end.
 _COUNTING = (
     *("finished_run", "visible_bucket", "visible_novel", "visible_judgement", "visible_episode"),
-    *("fleet", "stillness", "alarm"),
+    *("fleet", "attention", "stillness", "alarm"),
 )
 
 #: What the status is made of.
 _STATUS = (
-    *("migration", "monitor", "proof", "visible_bucket", "fleet", "stillness"),
+    *("migration", "monitor", "proof", "visible_bucket", "fleet", "attention", "stillness"),
     *("channel", "version", "bounds", "limit", "alarm"),
 )
 

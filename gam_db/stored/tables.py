@@ -52,6 +52,7 @@ VIEWS = (
     "health",
     "stillness",
     "fleet",
+    "attention",
     "quarantine",
     "unplaced_day",
     "machine",
