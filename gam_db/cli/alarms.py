@@ -14,7 +14,7 @@ from rich.console import Console
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
-from gam_db.clock import told_time, zone
+from gam_db.clock import TimeKind, told_time, zone
 from gam_db.config import Settings
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, printable
@@ -93,7 +93,7 @@ def alarm(
     as_json: options.Json = False,
     quiet: options.Quiet = False,
 ) -> None:
-    """Say all that is known of one episode, judgement by judgement."""
+    """Say all that is known of one episode: its judgements, and where the signal went."""
     shown_in = zone(time_zone)
     with options.opened(settings, writable=False) as session:
         state = _state(session, settings)
@@ -105,7 +105,12 @@ def alarm(
                 f"There is no episode {episode}; gam alarms --all shows those that there are."
             )
         judged = stored.judgements(state, found)
-    figures = {"monitor": settings.monitor.name, **found, "judgements": judged}
+        told: Row = {
+            "bands": stored.bands(state, settings.monitor.name, found),
+            "cells": stored.cells(state, settings.monitor.name, found),
+            "raw_rows": stored.raw_rows(state, settings.monitor.name, found),
+        }
+    figures = {"monitor": settings.monitor.name, **found, "judgements": judged, **told}
 
     def show(out: Console) -> None:
         _show_episodes(out, [found], shown_in)
@@ -121,6 +126,11 @@ def alarm(
             },
             ["!" if row["is_open"] else " " for row in judged],
         )
+        _show_bands(out, told["bands"])
+        _show_cells(out, told["cells"], kind, shown_in)
+        if told["raw_rows"] is not None:
+            page.say(out, "its rows in the source:")
+            page.say(out, printable(told["raw_rows"]))
 
     page.tell(Exit.FINE, figures, show, as_json, quiet)
 
@@ -308,12 +318,63 @@ def _show_episodes(out: Console, rows: Sequence[Row], shown_in: dt.tzinfo) -> No
         [_MARKS.get(row["status"], "!") if row["needs_attention"] else " " for row in rows],
         ("channel", "status", "basis, per 1,000", "label"),
     )
+    for row in {row["group"]: row for row in rows if row["signals_together"] > 1}.values():
+        page.say(
+            out,
+            f"{printable(row['asset'])}: {row['signals_together']} signals of this machine within 2 "
+            f"judgements, from episode {row['group']} on",
+        )
     if any(row["status"] == "proving" for row in rows):
         page.say(
             out,
             "proving: either calibration was no fair sample, or something changed right after it; gam "
             "label ID true_fault or false_alarm decides",
         )
+
+
+def _show_bands(out: Console, rows: Sequence[Row]) -> None:
+    if rows:
+        page.say(out, "where it stands out (first five judgements, by the newest sample of a vector):")
+        page.table(
+            out,
+            {
+                "value": [_interval(row) for row in rows],
+                "novel": [f"{row['novel']:,}" for row in rows],
+                "vectors": [f"{row['visits']:,}" for row in rows],
+                "more than in calibration": [f"{row['excess']:,.1f}" for row in rows],
+            },
+            [" "] * len(rows),
+        )
+
+
+def _show_cells(out: Console, rows: Sequence[Row], kind: TimeKind, shown_in: dt.tzinfo) -> None:
+    if rows:
+        times = {
+            name: [told_time(row[f"{name}_tick"], kind) for row in rows] for name in ("first", "last")
+        }
+        before = ", ".join(str(axis["samples_before"]) for axis in rows[0]["axes"])
+        page.say(out, f"where it went instead (values {before} samples before; bins from the healthy):")
+        page.table(
+            out,
+            {
+                "vectors": [f"{row['visits']:,}" for row in rows],
+                **{
+                    page.in_zone(name, ticks, shown_in): [page.time_text(one, shown_in) for one in ticks]
+                    for name, ticks in times.items()
+                },
+                "values": [" | ".join(map(_interval, row["axes"])) for row in rows],
+                "bins": [" ".join(f"{axis['displacement']:+d}" for axis in row["axes"]) for row in rows],
+            },
+            [" "] * len(rows),
+            ("values", "bins"),
+        )
+
+
+def _interval(row: Row) -> str:
+    ends = [row[name] for name in ("value_from", "value_to")]
+    if row["place"] == "within":
+        return " to ".join(f"{end:.4g}" for end in ends)
+    return f"{row['place']} {next(end for end in ends if end is not None):.4g}"
 
 
 def _show_changes(out: Console, rows: Sequence[Row], shown_in: dt.tzinfo) -> None:

@@ -45,6 +45,18 @@ def add_counted(steps: Pipeline) -> None:
     add(steps, "alarms/lengths")
 
 
+def add_bands(steps: Pipeline) -> None:
+    """Add where calibration was, by the newest coordinate, after :func:`add_learnt_limits`."""
+    band = band_of(exp.column("cell_key", table="visit"), exp.column("bins", table="scale"))
+    slots: list[dict[str, template.Slot]] = [{"g": g, "band": band} for g in (NEAR, FAR)]
+    add_stacked(steps, "bands", "alarms/bands", [filled("alarms/bands", one) for one in slots])
+
+
+def band_of(key: exp.Expr, bins: exp.Expr) -> exp.Expr:
+    """Return the band of a cell by its newest coordinate (``sql/alarms/band.sql``)."""
+    return template.fill("alarms/band", {"key": key, "bins": bins})
+
+
 def add_spreads(steps: Pipeline, families: Sequence[str], known: str | None = None) -> None:
     """Add the spreads of *buffered*; the last step is *learnt_limits*.
 

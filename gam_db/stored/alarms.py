@@ -11,14 +11,18 @@ import pyarrow as pa
 
 from gam_db import template
 from gam_db.clock import Instant, TimeKind, instant, shown_instant
-from gam_db.errors import ParameterError, nearest
+from gam_db.errors import ParameterError, UserError, nearest
 from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline
 from gam_db.stored.episodes import Log, records_of
 from gam_db.stored.limits import keep
+from gam_db.stored.reading import Reader
+from gam_db.stored.sources import source_of
 from gam_db.stored.state import State, kind_of, now
 
 Row = dict[str, Any]
+
+_AXIS = ("samples_before", "place", "value_from", "value_to", "displacement")
 
 #: What an episode can be, and what puts it aside for a while.
 DECISIONS = ("true_fault", "false_alarm", "maintenance", "new_program")
@@ -39,8 +43,10 @@ def alarms(state: State, name: str) -> pa.Table:
         One row per episode: episode, asset, channel, status (proving: it opened right after calibration
         and asks for a decision; open, ended, merged, withdrawn, recalibrated), needs_attention, since
         (when evidence left 0), opened, last_time, sure (highest evidence / height), basis, stated_rate
-        (per judgement; NULL where none can be stated), asked, signals_open (of the machine), label,
-        label_until (UTC), note, merged_into, onset, first_judgement, last_judgement, evidence, height,
+        (per judgement; NULL where none can be stated), asked, signals_open (of the machine), group (the
+        smallest number of the episodes of the machine that opened within two judgements of one another),
+        signals_together (how many they are), label, label_until (UTC), note, merged_into, onset,
+        first_judgement, last_judgement, evidence, height,
         seq. Times are as in the source.
 
     Raises:
@@ -78,6 +84,58 @@ def judgements(state: State, episode: Row) -> list[Row]:
     }
     rows: list[Row] = state.fetch("stored/raised_judgements", slots).to_pylist()
     return rows
+
+
+def bands(state: State, name: str, episode: Row, most: int = 3) -> list[Row]:
+    """Return in which parts of its range an episode (a row of :func:`alarms`) stands out.
+
+    Returns:
+        The most striking first, none without excess: place (below, within or above the range of
+        calibration), value_from, value_to (in units of the signal, None where there is none), novel and
+        visits (vectors of its first five judgements), calibration_novel, calibration_visits, excess
+        (novel less what as many visits held in calibration). Nothing before a run counted them.
+    """
+    slots: dict[str, template.Slot] = {**_of(name, episode), "most": most}
+    rows: list[Row] = state.fetch("stored/alarm_bands", slots).to_pylist()
+    return rows
+
+
+def cells(state: State, name: str, episode: Row) -> list[Row]:
+    """Return the ten commonest novel cells of an episode (a row of :func:`alarms`).
+
+    Returns:
+        In order: cell_key, visits, first_tick and last_tick (integer time), steps (to the nearest
+        healthy cell: the largest on any axis, in bins), and axes, from the newest sample back, each with
+        samples_before, place, value_from, value_to and displacement (from that cell, in bins). Nothing
+        where the episode is of an older version, or its cells were pruned.
+    """
+    found: dict[int, Row] = {}
+    shared = ("cell_key", "visits", "first_tick", "last_tick", "steps")
+    for row in state.fetch("stored/alarm_cells", _of(name, episode)).to_pylist():
+        cell = found.setdefault(row["cell_rank"], {key: row[key] for key in shared} | {"axes": []})
+        cell["axes"].append({key: row[key] for key in _AXIS})
+    return list(found.values())
+
+
+def raw_rows(state: State, name: str, episode: Row) -> str | None:
+    """Return the SQL that shows the rows of the source from an episode's onset to its end.
+
+    None where the source cannot be looked at from here.
+    """
+    monitor = state.monitor(name)
+    kind = kind_of(monitor)
+    try:
+        source = source_of(monitor, [episode["channel"]])
+        reader = Reader(state.session, source, kind, name)
+    except UserError:
+        return None
+    ends = (instant(episode[edge], kind, edge) for edge in ("since", "last_time"))
+    return reader.raw(episode["asset"], episode["channel"], *ends)
+
+
+def _of(name: str, episode: Row) -> dict[str, template.Slot]:
+    keys = {"episode_id": episode["episode"], "version_id": episode["version_id"]}
+    return {"monitor": template.text(name), **keys}
 
 
 def events(state: State, name: str, after: int = 0) -> pa.Table:
@@ -327,6 +385,8 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
             "stated_rate": column("stated_rate", pa.float64()),
             "asked": column("asked", word),
             "signals_open": column("signals_open", count),
+            "group": column("group_id", count),
+            "signals_together": column("signals_together", count),
             "label": column("label", word),
             "label_until": column("label_until", count).cast(pa.timestamp("us")),
             "note": column("note", word),

@@ -18,7 +18,7 @@ from gam_db.clock import LONG_AGO, Instant
 from gam_db.errors import CalibrationError
 from gam_db.method import Method
 from gam_db.method.adding import add
-from gam_db.method.alarms import NEAR, add_learnt_limits
+from gam_db.method.alarms import NEAR, add_bands, add_learnt_limits
 from gam_db.method.judgement import add_judged
 from gam_db.parameters import Parameters, pattern_matches
 from gam_db.pipeline import filled, place
@@ -34,7 +34,7 @@ _METHOD = ("source", "calibration", "embedding", "support", "certificate", "scor
 #: What is appended, in this order; a version is committed by its own row.
 _WRITTEN = (
     *("calibration", "bounds", "block", "ladder", "support"),
-    *("buffered", "extent", "checksum", "version"),
+    *("buffered", "band", "extent", "checksum", "version"),
 )
 
 #: What a checksum is made of: of a version that is being written, the steps that its tables are given.
@@ -90,7 +90,8 @@ def calibrate(
     add_judged(steps, "limited", exp.cast(exp.null(), "DOUBLE"), "unscored")
     add(steps, "stored/version_rows", {"long_ago": LONG_AGO, "created": now()})
     add_learnt_limits(steps, study.method, ())
-    for part in ("calibration", "bounds", "block", "ladder", "support", "buffered"):
+    add_bands(steps)
+    for part in ("calibration", "bounds", "block", "ladder", "support", "buffered", "band"):
         add(steps, f"stored/{part}_rows")
     add(steps, "stored/extent_rows", {"g": NEAR})
     add(steps, "stored/checksum_rows", tables=_SUMMED)

@@ -101,7 +101,7 @@ def _conditions(tables: StateTables, monitor_id: int) -> dict[str, exp.Expr]:
         **dict.fromkeys(
             (
                 *("bucket", "novel", "judgement", "run", "horizon", "calibration", "checksum"),
-                *("buffered", "extent", "limit"),
+                *("buffered", "band", "band_visit", "extent", "limit"),
             ),
             of_versions,
         ),

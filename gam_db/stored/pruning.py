@@ -52,6 +52,7 @@ class Retention:
 _STEPS = (
     *("pruned_versions", "recorded", "aged_buckets", "horizons"),
     *("expired_buckets", "expired_novel", "expired_judgements", "expired_runs"),
+    "expired_band_visits",
     *("expired_versions", "expired_supports", "expired_unplaced", "new_horizons"),
     "expired_horizons",
 )
@@ -71,6 +72,8 @@ _EXPIRED = {
     "horizon": "expired_horizons",
     "calibration": "expired_versions",
     "buffered": "expired_versions",
+    "band": "expired_versions",
+    "band_visit": "expired_band_visits",
     "extent": "expired_versions",
     "limit": "expired_versions",
     "checksum": "expired_versions",

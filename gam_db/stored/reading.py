@@ -75,6 +75,20 @@ class Reader:
         probe = exp.select(exp.Literal.number(1)).from_(self._relation.copy()).where(condition).limit(1)
         return not self._session.fetch(probe).num_rows
 
+    def raw(self, asset: str, channel: str, earliest: int, latest: int) -> str:
+        """Return the SQL that shows the rows of a channel in a range of integer time, in order."""
+        source = self._source
+        conditions: list[exp.Expr] = []
+        names = {source.asset: asset, getattr(source, "channel", None): channel}
+        for name in (name for name in names if name is not None):
+            column = exp.cast(template.column(name), "VARCHAR")
+            conditions.append(exp.EQ(this=column, expression=template.text(names[name])))
+        time = template.column(source.time)
+        conditions += self._engine.in_range(self.kind, time, earliest, latest)
+        rows = exp.select("*").from_(self._relation.copy())
+        where = under(source, *conditions).where
+        return self._engine.text(rows.where(where).order_by(time.copy()), pretty=True)
+
     def undated(self) -> exp.Query:
         """Return the readings without a time."""
         return self._under([exp.Is(this=template.column(self._source.time), expression=exp.null())])

@@ -23,7 +23,7 @@ _INSERTED = tuple(name for name in TABLES if name != "migration")
 #: Rows that a later run hides, or that are old, go.
 _DELETED = (
     *("version", "calibration", "bounds", "block", "support", "bucket", "novel", "run", "unplaced"),
-    *("checksum", "horizon", "ladder", "judgement", "buffered", "extent", "limit"),
+    *("checksum", "horizon", "ladder", "judgement", "buffered", "band", "extent", "limit", "band_visit"),
 )
 
 #: Where one writer waits for another: a column of one row is written, and stays what it was.
@@ -32,19 +32,19 @@ _TOUCHED = {"migration": "applied_at", "monitor": "created"}
 #: The views by which runs, buckets and cells that count are found, and what a run says in the end.
 _COUNTING = (
     *("finished_run", "visible_bucket", "visible_novel", "visible_judgement", "visible_episode"),
-    *("fleet", "stillness", "alarm"),
+    *("fleet", "attention", "stillness", "alarm"),
 )
 
 #: What the status is made of.
 _STATUS = (
-    *("migration", "monitor", "proof", "visible_bucket", "fleet", "stillness"),
+    *("migration", "monitor", "proof", "visible_bucket", "fleet", "attention", "stillness"),
     *("channel", "version", "bounds", "limit", "alarm"),
 )
 
 #: The views that are for whoever reads on.
 _SHOWN = (
     *("health", "quarantine", "unplaced_day", "onset", "machine", "growth", "cell", "trend"),
-    *("visible_judgement", "alarm_event"),
+    *("visible_judgement", "alarm_event", "alarm_band", "alarm_cell"),
 )
 
 #: What a script cannot know, as comments of it.

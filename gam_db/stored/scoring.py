@@ -20,6 +20,7 @@ from gam_db.pipeline import Pipeline, filled, place
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
 from gam_db.stored.episodes import follow
+from gam_db.stored.explaining import explain
 from gam_db.stored.judging import judge
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due, planned, portions, resumed
 from gam_db.stored.proving import verify, verify_daily
@@ -180,6 +181,8 @@ class _Run:
         self.report.undated = self._undated()
         if not dry_run:
             self._keep_unplaced()
+            most = wanted.limit or self.session.rows_at_once()
+            explain(self.state, self.reader, self.monitor["monitor_id"], rows, most)
         return self.report
 
     def _plan(self) -> list[Row]:

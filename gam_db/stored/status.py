@@ -61,6 +61,9 @@ def status(
     * ``calibration_rows``: different readings inside calibration when it was learnt (one that comes
       again unchanged counts once); ``calibration_rows_added``: how many more there are since (less than
       0: fewer); NULL if they were not counted again
+    * ``judged_by``: what asks for attention: episode, where calibration gave a limit of judgements, else
+      indicator; ``episode``, ``onset``: its open episode, and since when evidence of it grew; NULL where
+      none is open
     * ``settings_hash``, ``method_hash``: what the version was made under
     * ``remarks``: what is to be known, in plain words
 
@@ -218,6 +221,10 @@ def _remarks(row: Row, kind: TimeKind) -> list[str]:
     if row["still_since_tick"] is not None:
         since = shown_instant(row["still_since_tick"], kind)
         remarks.append(f"stands still since {since}{'' if kind.is_counter else ' UTC'}")
+    if row["episode_id"] is not None:
+        since = shown_instant(row["onset_tick"], kind)
+        zone = "" if kind.is_counter else " UTC"
+        remarks.append(f"episode {row['episode_id']} since {since}{zone}: gam alarm {row['episode_id']}")
     runs = row["differing_contexts"]
     if runs:
         since = shown_instant(row["repair_from_tick"], kind)
@@ -280,6 +287,9 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
             "repair_from": ticks("repair_from_tick"),
             "calibration_rows": stored("calibration_readings", count),
             "calibration_rows_added": pa.array([_added(row) for row in rows], count),
+            "judged_by": stored("judged_by", word),
+            "episode": stored("episode_id", count),
+            "onset": ticks("onset_tick"),
             "settings_hash": stored("settings_hash", word),
             "method_hash": stored("method_hash", word),
             "remarks": stored("remarks", pa.list_(word)),

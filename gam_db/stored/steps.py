@@ -17,7 +17,7 @@ from gam_db.calibration import Calibration
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.method import Method
 from gam_db.method.adding import add, add_of_set
-from gam_db.method.alarms import add_counted, add_held_judgements
+from gam_db.method.alarms import add_counted, add_held_judgements, band_of
 from gam_db.method.calibration import add_breaks, until_calibration_end
 from gam_db.method.certificate import add_judgement
 from gam_db.method.resolved import SMALL_OF_SET
@@ -200,6 +200,16 @@ def comparing_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     add(steps, "stored/reread")
     add(steps, "stored/compared", {"day": FAR_AHEAD if kind.is_counter else DAY})
     add(steps, "stored/compared_novel")
+    return steps
+
+
+@cache
+def explaining_steps(setting: Setting, kind: TimeKind) -> Pipeline:
+    """Return the steps from *identified* to *banded*, where the signal was in windows read again."""
+    steps = _frozen()
+    add_counting(steps, setting, kind, has_past=False)
+    band = band_of(exp.column("cell_key", table="visit"), template.node_of(setting.bins))
+    add(steps, "stored/banded", {"window": setting.window_length, "band": band})
     return steps
 
 

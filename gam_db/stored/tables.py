@@ -36,6 +36,8 @@ TABLES = (
     "judgement",
     "episode",
     "label",
+    "band",
+    "band_visit",
 )
 #: Each after those that it reads.
 VIEWS = (
@@ -50,11 +52,14 @@ VIEWS = (
     "health",
     "stillness",
     "fleet",
+    "attention",
     "quarantine",
     "unplaced_day",
     "machine",
     "growth",
     "cell",
+    "alarm_band",
+    "alarm_cell",
     "trend",
 )
 

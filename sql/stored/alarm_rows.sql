@@ -23,6 +23,8 @@ SELECT
   asked,
   stated_rate,
   signals_open,
+  group_id,
+  signals_together,
   merged_into,
   seq,
   version_id,

@@ -84,6 +84,14 @@ _ABOUT = {
             "certified_extents",
         )
     },
+    **{
+        f"stored/{name}": "test_explained"
+        for name in (
+            *("band_rows", "banded", "uncounted", "alarm_bands", "alarm_cells", "expired_band_visits"),
+        )
+    },
+    "alarms/band": "test_explained",
+    "alarms/bands": "test_explained",
     "alarms/within": "test_backtest",
     "alarms/backtested": "test_backtest",
     "alarms/*": "test_alarms",

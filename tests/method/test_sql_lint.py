@@ -37,6 +37,7 @@ from gam_db.stored.publishing import withdraw
 from gam_db.stored.steps import (
     Setting,
     comparing_steps,
+    explaining_steps,
     relearning_steps,
     scoring_steps,
     soundness_steps,
@@ -666,6 +667,8 @@ def alarm_once() -> None:
         (episode,) = alarms.alarms(monitor.state, "default").to_pylist()
         row = {**episode, "episode_id": 1}
         assert len(alarms.judgements(monitor.state, row)) == 5
+        assert len(alarms.bands(monitor.state, "default", row)) == 1
+        assert len(alarms.cells(monitor.state, "default", row)) == 1
         assert monitor.label("false_alarm", 1) == [1]
         assert alarms.events(monitor.state, "default").num_rows == 3
         assert monitor.limits()["reason"].to_pylist() == ["unrepresentative"]
@@ -759,7 +762,7 @@ def test_every_file_is_used() -> None:
         for form, engine in (("exact", "sqlite"), ("view", "duckdb")):
             gam_db.render(form, engine, source, gam_db.Parameters(), CALIBRATIONS[1])
         rendered(ENGINE, StateTables())
-        cached = (scoring_steps, comparing_steps, relearning_steps, soundness_steps)
+        cached = (scoring_steps, comparing_steps, relearning_steps, soundness_steps, explaining_steps)
         for made in (*cached, matching_steps, first_rows):
             made.cache_clear()
         scoring_steps(Setting(3, 1, 100, 5000, 100, None, False), TimeKind.COUNTER, trusting=True)

@@ -40,6 +40,9 @@ def filled(session: DuckSession, tables: StateTables = TABLES) -> DuckSession:
     plant.add("unplaced", monitor_id=monitor, started=0, **counts)
     of = {"version_id": version.version_id}
     plant.add("buffered", **of, block=0, g=1, vectors=10, novel_buffered=1)
+    plant.add("band", **of, g=1, band=0, visits=10, novel_buffered=1)
+    seen = {"judgement_no": 0, "run_id": version.buckets[0][1]}
+    plant.add("band_visit", **of, **seen, band=0, visits=10, novel=1)
     plant.add("extent", **of, vectors=80, calibration_length=80)
     made = {
         "asked": "1 per month",

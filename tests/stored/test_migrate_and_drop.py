@@ -19,7 +19,7 @@ from gam_db.stored.tables import StateTables
 
 STATE = StateTables()
 FILE = "plant.duckdb"
-TABLES_OF_A_MONITOR = 21
+TABLES_OF_A_MONITOR = 23
 
 
 @pytest.fixture(autouse=True)
@@ -76,6 +76,8 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
                 "horizon": f"{key + 100}, 0, 1",
                 "proof": f"{monitor}, {key}, 'state', 2, 2, 2, 0",
                 "buffered": f"{key + 100}, 0, 1, 10, 1",
+                "band": f"{key + 100}, 1, 0, 10, 1",
+                "band_visit": f"{key + 100}, 0, 1, 0, 10, 1",
                 "extent": f"{key + 100}, 80, 80, 1000",
                 "limit": f"{key + 100}, 1, 0, 0, 'calibrated', '1 per month', 0, 8, 1, 1, 1, 2, 3, "
                 "2, 12, 'table', NULL, NULL, 0.001, 0.001, NULL",

@@ -1,0 +1,92 @@
+"""Explaining episodes: where the signal was in their first judgements (alarms, section 5).
+
+This module owns what of the source is read again for that. Nothing else hangs on it: what a run did not
+come to is done by the next one.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+
+import pyarrow as pa
+
+from gam_db.running import Running
+from gam_db.stored.planning import Row, assets_of, portions
+from gam_db.stored.reading import Reader, cohort_of
+from gam_db.stored.state import State
+from gam_db.stored.steps import explaining_steps, reading_steps, setting_of
+
+
+def explain(state: State, reader: Reader, monitor_id: int, plan: Iterable[Row], limit: int) -> None:
+    """Count where signals were in the first five judgements of episodes, where that is not known yet.
+
+    Args:
+        state: the state tables, in a session that can write.
+        reader: of the source.
+        monitor_id: of the monitor.
+        plan: rows of the plan; only their channels are read.
+        limit: most readings to work on at once.
+    """
+    known = {row["version_id"]: row for row in plan}
+    wanted = state.fetch("stored/uncounted", {"monitor_id": monitor_id}).to_pylist()
+    rounds: list[list[Row]] = []
+    for number, row in _runs([row for row in wanted if row["version_id"] in known], known):
+        rounds += [[]] * (number == len(rounds))
+        rounds[number] = [*rounds[number], row]
+    for channels in rounds:  # of one channel at most
+        counts = {(row["asset"], row["channel"]): 6 * row["window_length"] for row in channels}
+        for group in portions(channels, counts, limit):
+            _count(state, reader, group)
+
+
+def _runs(wanted: Sequence[Row], known: Mapping[int, Row]) -> Iterable[tuple[int, Row]]:
+    """Yield a row per run of judgements that follow one another, and its number in its version."""
+    number, found = 0, list[Row]()
+    for row in wanted:
+        last: Row = found[-1] if found else {"version_id": None}
+        is_next = row["version_id"] == last["version_id"]
+        if is_next and row["judgement_no"] == last["judgement_no"] + 1:
+            found.append(row)
+            continue
+        if found:
+            yield number, _asked(found, known)
+        number, found = (number + 1 if is_next else 0), [row]
+    if found:
+        yield number, _asked(found, known)
+
+
+def _asked(found: Sequence[Row], known: Mapping[int, Row]) -> Row:
+    """Return what a run reads for some judgements, as a row of the plan."""
+    first = found[0]
+    edges = {name: first[name] for name in ("first_scored", "read_from")}
+    runs = {row["judgement_no"]: row["run_id"] for row in found}
+    return known[first["version_id"]] | edges | {"until": found[-1]["last_time"], "runs": runs}
+
+
+def _count(state: State, reader: Reader, group: Sequence[Row]) -> None:
+    steps = explaining_steps(setting_of(group[0]), reader.kind)
+    running = Running(state.session, steps, state.tables.placed())
+    until = [row["until"] for row in group]
+    earliest = min(row["read_from"] for row in group)
+    try:
+        running.load("cohort", cohort_of(group, read_until=until, planned_from=0))
+        rows = reading_steps(reader.readings(assets_of(group), earliest, max(until)))
+        running.put("identified", rows.query("identified", running.placed))
+        found = running.table("banded").to_pylist()
+    finally:
+        running.forget()
+    made = []
+    for channel in group:
+        version, runs = channel["version_id"], list(channel["runs"].items())
+        mine = [row for row in found if row["version_id"] == version]
+        if sum(row["visits"] for row in mine) != len(runs) * channel["window_length"]:
+            # Rows went, or came late, since it was scored: it is asked for no more.
+            nothing = {"version_id": version, "band": -1, "visits": 0, "novel": 0}
+            mine = [{**nothing, "window_no": number} for number in range(len(runs))]
+        for row in mine:
+            number, run = runs[row.pop("window_no")]
+            made.append({**row, "judgement_no": number, "run_id": run})
+    state.append_rows("band_visit", pa.Table.from_pylist(made, schema=_BAND_VISIT))
+
+
+_BAND_VISIT = pa.schema(
+    [(name, pa.int64()) for name in ("version_id", "judgement_no", "run_id", "band", "visits", "novel")]
+)
