@@ -19,7 +19,7 @@ from gam_db.errors import ConfigurationError, UserError, nearest
 from gam_db.guess import SourceSettings
 from gam_db.parameters import Override, Parameters
 from gam_db.setting import settings_of
-from gam_db.source import is_file
+from gam_db.source import is_file, slashed
 from gam_db.stored.settings import MonitorSettings
 
 DEFAULT_FILE = "gam.toml"
@@ -258,7 +258,7 @@ def _placed(said: SourceSettings, folder: Path) -> SourceSettings:
         if not is_url(said.database):
             changed["database"] = str(folder / said.database)
     if said.relation is not None and is_file(said.relation) and "://" not in said.relation:
-        changed["relation"] = str(folder / said.relation)
+        changed["relation"] = slashed(folder / said.relation, said.relation)
     return dataclasses.replace(said, **changed)
 
 

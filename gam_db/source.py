@@ -225,6 +225,11 @@ def is_file(relation: object) -> bool:
     return isinstance(relation, str) and relation.lower().endswith((*FILE_ENDINGS, "/"))
 
 
+def slashed(path: str | Path, given: str) -> str:
+    """Return what became of a path, with the slash that says that it is a folder's, if it had one."""
+    return f"{path}/" if given.endswith("/") else str(path)
+
+
 def paths_of(relation: Any) -> list[str]:
     """Return the paths that a relation names."""
     return [str(one) for one in (relation if isinstance(relation, (list, tuple)) else [relation])]

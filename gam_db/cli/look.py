@@ -33,7 +33,7 @@ from gam_db.guess import SourceSettings
 from gam_db.parameters import Parameters
 from gam_db.selection import Search
 from gam_db.setting import settings_of
-from gam_db.source import Source, is_file
+from gam_db.source import Source, is_file, slashed
 
 
 @options.taking(*options.READ, *options.STATE)
@@ -408,7 +408,7 @@ def _from(folder: Path, path: str) -> str:
     """Return a path as seen from the folder of the settings file; an absolute one stays."""
     if Path(path).is_absolute() or "://" in path:
         return path
-    return Path(os.path.relpath(path, folder)).as_posix()
+    return slashed(Path(os.path.relpath(path, folder)).as_posix(), path)
 
 
 def _parameters(seen: Seen, settings: Settings) -> dict[str, tuple[Any, str]]:

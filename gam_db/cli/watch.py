@@ -28,7 +28,7 @@ from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, need_attention, share, shortcomings
 from gam_db.guess import SourceSettings
 from gam_db.parameters import pattern_matches
-from gam_db.source import AnySource, WideSource, is_file
+from gam_db.source import AnySource, WideSource, is_file, slashed
 from gam_db.stored import alarms as stored_alarms
 from gam_db.stored import migrations
 from gam_db.stored import status as stored_status
@@ -161,7 +161,9 @@ def _check_same(source: AnySource, known: Mapping[str, Any]) -> None:
 
 def _absolute(relation: str) -> str:
     """Return a relation as it can be read from any folder, since gam score may run in another one."""
-    return os.path.abspath(relation) if is_file(relation) and "://" not in relation else relation
+    if not is_file(relation) or "://" in relation:
+        return relation
+    return slashed(os.path.abspath(relation), relation)
 
 
 def _show_versions(out: Console, where: str, job: Job, rows: Sequence[Row], everything: bool) -> None:

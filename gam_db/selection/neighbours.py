@@ -104,8 +104,12 @@ def add_dimensions(steps: Pipeline, search: Search, usable: int, waiting: Waitin
                 name, path = f"expansions_{d}", "selection/expansions"
                 growths.append(name)
             add(steps, path, {"d": d}, name, {"followed": followed, "probes": f"probes_{d}"})
-    for name, parts in (("false_neighbours", fates), ("expansions", growths)):
+    for d in range(1, search.m_max + 2):
+        add(steps, "selection/states", {"d": d}, f"states_{d}", {"patterns": f"patterns_{d}"})
+    states = [f"states_{d}" for d in range(1, search.m_max + 2)]
+    for name, parts in (("false_neighbours", fates), ("expansions", growths), ("states", states)):
         steps.add(name, union_of(steps, parts), template.load(f"selection/{name}").comment)
+    add(steps, "selection/ambiguous")
     add(steps, "selection/cao", {"m_max": search.m_max})
     add(steps, "selection/dimensions", {"m_max": search.m_max})
     add(steps, "selection/unfoldings")

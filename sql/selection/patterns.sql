@@ -8,7 +8,8 @@ SELECT
   channel_id,
   :coordinates,
   MIN(place) AS first_place,
-  MAX(place) AS last_place
+  MAX(place) AS last_place,
+  CAST(COUNT(*) AS BIGINT) AS visits
 FROM embedded
 WHERE depth > :d
 GROUP BY channel_id, :coordinates

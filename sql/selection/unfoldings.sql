@@ -1,4 +1,5 @@
--- Unfoldings: m by each rule. False neighbours: the first dimension with at most 1 % of them, or
+-- Unfoldings: m by each rule. False neighbours: the first dimension with at most 1 % of them that exact
+-- repetitions do not say to be too small, or
 -- noise_floor where none has: a jumping or noisy series has neighbours that part, in every dimension.
 -- Cao: the first with E1 >= 0.9 that changes by at most 0.05 to the next; stochastic where every E2 is
 -- within 0.1 of 1.
@@ -22,7 +23,11 @@ SELECT
 FROM (
   SELECT
     channel_id,
-    MIN(CASE WHEN neighbours > 0 AND 100 * false_neighbours <= neighbours THEN m END) AS m_fnn,
+    MIN(
+      CASE
+        WHEN neighbours > 0 AND 100 * false_neighbours <= neighbours AND is_ambiguous = 0 THEN m
+      END
+    ) AS m_fnn,
     CAST(SUM(CASE WHEN neighbours > 0 THEN 1 ELSE 0 END) AS BIGINT) AS tried,
     MIN(
       CASE

@@ -158,6 +158,14 @@ def test_calibrate_leaves_versions_with_the_same_settings_alone() -> None:
     assert {(row["version_no"], row["reason"]) for row in again["new_versions"]} == {(3, "asked for")}
 
 
+def test_a_folder_of_files_is_calibrated_and_scored() -> None:
+    """From any folder, as a path that says that it is one."""
+    Path("days").mkdir()
+    Path(saved(1000)).rename("days/one.parquet")
+    assert gam("calibrate", "days/", *STATE, *SMALL, *HEALTHY).exit_code == 0
+    assert figures("score", *STATE)["totals"]["channels"] == 2
+
+
 def test_a_calibration_that_is_not_good_enough_asks_for_attention() -> None:
     noise = np.random.default_rng(0).standard_normal(1000)
     short = np.exp(np.arange(1000) / 100)  # never where it was

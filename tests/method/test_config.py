@@ -27,6 +27,12 @@ def read(folder: Path, text: str) -> Settings:
     return config.load(path)
 
 
+def test_a_folder_stays_one(tmp_path: Path) -> None:
+    for relation, kept in (("days/", "days/"), ("days/*.parquet", "days/*.parquet")):
+        found = read(tmp_path, f"[source]\nrelation = '{relation}'").source.relation
+        assert found == f"{tmp_path}/{kept}"
+
+
 def documented() -> str:
     """The example of the documentation."""
     return (Path(__file__).parents[2] / "docs" / "gam.toml").read_text(encoding="utf-8")

@@ -360,6 +360,8 @@ def test_a_channel_that_fails_does_not_lose_the_others(
     [
         np.sin(np.arange(3000) * 2 * math.pi / 17.3),
         np.sin(np.arange(3000) * 2 * math.pi / 40),
+        np.sin(np.arange(3000) * 2 * math.pi / 50),
+        np.sin(np.arange(3000) * 2 * math.pi / 100),
         np.sin(np.arange(3000) * 2 * math.pi / 12.5),
         1e6 + np.sin(np.arange(3000) / 5),
         np.sin(np.arange(3000) / 50).astype(np.float32),
