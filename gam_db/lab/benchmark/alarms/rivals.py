@@ -56,28 +56,22 @@ class Windows:
 def today(pool: Pool, windows: Windows, window: int, calm: set[Name], wearing: Wearing) -> Row:
     """Return what the limit of the health indicator does: a window is above it, or is not."""
     limits = {row["channel_id"]: row["hi_limit"] for row in pool.tables["limited"].to_pylist()}
-    high = [
-        (channel, number)
-        for channel, novel in windows.novel.items()
-        if limits[channel] is not None
-        for number, count in enumerate(novel)
-        if count / window > limits[channel]
-    ]
-    merged = pool.merged(high)
-    judged = {
-        windows.names[channel]: len(novel)
-        for channel, novel in windows.novel.items()
-        if limits[channel] is not None
-    }
-    episodes = [windows.names[row["channel_id"]] in calm for row in merged]
+    judged = {one: novel for one, novel in windows.novel.items() if limits[one] is not None}
+    merged = pool.merged(
+        [
+            (channel, number)
+            for channel, novel in judged.items()
+            for number, count in enumerate(novel)
+            if count / window > limits[channel]
+        ]
+    )
     opened: dict[Name, list[int]] = {}
     for row in merged:
         name = windows.names[row["channel_id"]]
         opened.setdefault(name, []).append(windows.ends[name, row["first_judgement"]])
-    return {
-        "rate": rate_of(sum(episodes), sum(judged.get(name, 0) for name in calm)),
-        "wear": shares(opened, wearing),
-    }
+    episodes = sum(len(times) for name, times in opened.items() if name in calm)
+    judgements = sum(len(novel) for one, novel in judged.items() if windows.names[one] in calm)
+    return {"rate": rate_of(episodes, judgements), "wear": shares(opened, wearing)}
 
 
 def control(pool: Pool, windows: Windows, window: int, calm: set[Name], rate: float) -> Row:
