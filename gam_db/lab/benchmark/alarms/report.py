@@ -16,10 +16,10 @@ def lines(figures: Row) -> Iterator[str]:
     """Yield the lines of a report on the figures of :mod:`~gam_db.lab.benchmark.alarms.measure`."""
     seeds = figures["seeds"]
     yield (
-        f"{len(seeds)} fleets of seeds {seeds[0]} to {seeds[-1]}, simulated (hours for months): "
-        f"{figures['samples']:,} samples,\nW = {figures['window']:,}, B = {figures['bins']}, still_after"
-        f" 25, calibration {figures['calibration']:.0%}. Rates per 1,000 judgements,\n"
-        "95 % intervals by Poisson and by drawing the channels again."
+        f"Fleets {seeds[0]} to {seeds[-1]}, simulated, hours for months; {figures['samples']:,} samples,"
+        f" W = {figures['window']:,}, B = {figures['bins']},\nstill_after 25, calibration "
+        f"{figures['calibration']:.0%}; rates per 1,000 judgements, 95 % intervals by Poisson and by "
+        "drawing\nthe channels again"
     )
     if figures["quick"]:
         yield "Quick: all paths run; nothing here says how good anything is."
