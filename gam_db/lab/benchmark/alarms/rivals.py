@@ -18,6 +18,7 @@ from gam_db.lab.estimators import scores_at_buckets
 from gam_db.source import Source
 
 _DRAWN = 50_000  # windows by which the control's limit is found
+_MORE = 1.5  # times the floor, at which the control is to alarm
 _HEIGHTS = range(1, 121)  # quarters of a spread
 _FEWEST = 3  # windows that have a spread
 _FAR = 10**6  # thousandths of a spread
@@ -77,7 +78,7 @@ def today(pool: Pool, windows: Windows, window: int, calm: set[Name], wearing: W
 def control(pool: Pool, windows: Windows, window: int, calm: set[Name], rate: float) -> Row:
     """Return how often a plain Bernoulli CUSUM opens that takes the floor for the truth.
 
-    Each vector is novel with the probability p0 = floor, independently, or 2 p0 when the machine wears;
+    Each vector is novel with the probability p0 = floor, independently, or 1.5 p0 when it is to alarm;
     the limit is the one at which such draws alarm at the stated rate. After an alarm it begins anew;
     alarms with fewer than 10 judgements between them are one episode.
     """
@@ -103,8 +104,8 @@ def control(pool: Pool, windows: Windows, window: int, calm: set[Name], rate: fl
 
 
 def _steps(novel: NDArray[np.int64], window: int, p0: float) -> Floats:
-    """Return the logarithm of how much likelier each count is under twice the floor."""
-    hit, miss = np.log(2.0), np.log((1 - 2 * p0) / (1 - p0))
+    """Return the logarithm of how much likelier each count is under more novelty than the floor."""
+    hit, miss = np.log(_MORE), np.log((1 - _MORE * p0) / (1 - p0))
     return np.asarray(novel * hit + (window - novel) * miss)
 
 
