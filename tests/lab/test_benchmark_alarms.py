@@ -146,18 +146,19 @@ def test_the_control_keeps_its_word_on_independent_vectors_only(
     dispersed: bool, times: tuple[float, float], read: tuple[fleets.Fleets, list[Path]]
 ) -> None:
     chance = np.random.default_rng(5)
-    shares_of_novel = 0.05 * (chance.gamma(10, 0.1, (20, 1000)) if dispersed else np.ones((20, 1000)))
+    varied = chance.gamma(40, 0.025, (20, 1000)) if dispersed else np.ones((20, 1000))
     channels = range(20)
     names = {number: ("a", str(number)) for number in channels}
     limited = [
-        {"channel_id": number, "hi_limit": 0.1, "floor": 0.05, "vectors": 9000} for number in channels
+        {"channel_id": number, "hi_limit": 0.1, "floor": 0.0225, "vectors": 50_000}
+        for number in channels
     ]
-    novel = {number: chance.binomial(500, shares_of_novel[number]).tolist() for number in channels}
+    novel = {number: chance.binomial(2500, 0.0225 * varied[number]).tolist() for number in channels}
     with DuckSession() as session:
         pool = Pool(session, read[0].learnt)
         pool.tables["limited"] = pa.Table.from_pylist(limited)
         windows = SimpleNamespace(names=names, novel=novel)
-        told = rivals.control(pool, windows, 500, set(names.values()), 0.001)  # type: ignore[arg-type]
+        told = rivals.control(pool, windows, 2500, set(names.values()), 0.001)  # type: ignore[arg-type]
     assert told["judgements"] == 20_000
     assert times[0] <= told["seen"] / told["stated"] <= times[1]
 

@@ -1,7 +1,7 @@
 """Fleets: simulated into a file, read by the product, and forgotten but for its tables and the truth."""
 
 import tempfile
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -83,13 +83,3 @@ def _write(path: Path, plan: Plan, fleet: Fleet, wearing: bool, result: Fleets) 
                     result.wearing[name] = joint.truth
                 else:
                     result.calm.add(name)
-
-
-def families_by_fleet(seeds: Sequence[int]) -> list[str]:
-    """Return a pattern for each fleet."""
-    return [f"f{seed}_*" for seed in seeds]
-
-
-def families_by_robot(seeds: Sequence[int], robots: int) -> list[str]:
-    """Return a pattern for each robot, whose few channels are too few to be replayed."""
-    return [f"f{seed}_r{robot}_*" for seed in seeds for robot in range(1, robots + 1)]

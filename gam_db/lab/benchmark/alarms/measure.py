@@ -68,8 +68,9 @@ def _promised(plan: Plan, pool: Pool, found: fleets.Fleets) -> dict[str, Any]:
     windows = Windows(pool)
     forms: dict[str, Sequence[str]] = {
         "one family": ["*"],
-        "a family per fleet": fleets.families_by_fleet(plan.seeds),
-        "by the table": fleets.families_by_robot(plan.seeds, plan.robots),
+        "a family per fleet": [f"f{seed}_*" for seed in plan.seeds],
+        # The few channels of a robot are too few to be replayed.
+        "by the table": [f"f{seed}_r{n}_*" for seed in plan.seeds for n in range(1, plan.robots + 1)],
     }
     promised, worn = [], []
     for form, families in forms.items():

@@ -16,14 +16,11 @@ def lines(figures: Row) -> Iterator[str]:
     """Yield the lines of a report on the figures of :mod:`~gam_db.lab.benchmark.alarms.measure`."""
     seeds = figures["seeds"]
     yield (
-        f"{_fleets(len(seeds))} of seeds {seeds[0]} to {seeds[-1]}, simulated, hours for months: "
-        f"{figures['samples']:,} samples,"
+        f"Fleets {seeds[0]} to {seeds[-1]}, simulated, hours for months; {figures['samples']:,} samples,"
+        f" W = {figures['window']:,}, B = {figures['bins']},\nstill_after 25, calibration "
+        f"{figures['calibration']:.0%}; rates per 1,000 judgements, 95 % intervals by Poisson and by "
+        "drawing\nthe channels again"
     )
-    yield (
-        f"W = {figures['window']:,}, B = {figures['bins']}, still_after 25, calibration "
-        f"{figures['calibration']:.0%}. Rates per 1,000 judgements,"
-    )
-    yield "95 % intervals by Poisson and by drawing the channels again."
     if figures["quick"]:
         yield "Quick: all paths run; nothing here says how good anything is."
     first = figures["promise"][0]
@@ -57,10 +54,6 @@ def lines(figures: Row) -> Iterator[str]:
         for row in figures["drift"]:
             yield f"  drift of {row['windows']:g} windows: {_moved(row)}"
         yield f"  two products in shifts: {_moved(figures['shifts'])}"
-
-
-def _fleets(count: int) -> str:
-    return "1 fleet" if count == 1 else f"{count} fleets"
 
 
 def _thousand(rate: float | None) -> str:

@@ -18,6 +18,7 @@ from gam_db.lab.estimators import scores_at_buckets
 from gam_db.source import Source
 
 _DRAWN = 50_000  # windows by which the control's limit is found
+_MORE = 1.5  # times the floor, at which the control is to alarm
 _HEIGHTS = range(1, 121)  # quarters of a spread
 _FEWEST = 3  # windows that have a spread
 _FAR = 10**6  # thousandths of a spread
@@ -56,34 +57,28 @@ class Windows:
 def today(pool: Pool, windows: Windows, window: int, calm: set[Name], wearing: Wearing) -> Row:
     """Return what the limit of the health indicator does: a window is above it, or is not."""
     limits = {row["channel_id"]: row["hi_limit"] for row in pool.tables["limited"].to_pylist()}
-    high = [
-        (channel, number)
-        for channel, novel in windows.novel.items()
-        if limits[channel] is not None
-        for number, count in enumerate(novel)
-        if count / window > limits[channel]
-    ]
-    merged = pool.merged(high)
-    judged = {
-        windows.names[channel]: len(novel)
-        for channel, novel in windows.novel.items()
-        if limits[channel] is not None
-    }
-    episodes = [windows.names[row["channel_id"]] in calm for row in merged]
+    judged = {one: novel for one, novel in windows.novel.items() if limits[one] is not None}
+    merged = pool.merged(
+        [
+            (channel, number)
+            for channel, novel in judged.items()
+            for number, count in enumerate(novel)
+            if count / window > limits[channel]
+        ]
+    )
     opened: dict[Name, list[int]] = {}
     for row in merged:
         name = windows.names[row["channel_id"]]
         opened.setdefault(name, []).append(windows.ends[name, row["first_judgement"]])
-    return {
-        "rate": rate_of(sum(episodes), sum(judged.get(name, 0) for name in calm)),
-        "wear": shares(opened, wearing),
-    }
+    episodes = sum(len(times) for name, times in opened.items() if name in calm)
+    judgements = sum(len(novel) for one, novel in judged.items() if windows.names[one] in calm)
+    return {"rate": rate_of(episodes, judgements), "wear": shares(opened, wearing)}
 
 
 def control(pool: Pool, windows: Windows, window: int, calm: set[Name], rate: float) -> Row:
     """Return how often a plain Bernoulli CUSUM opens that takes the floor for the truth.
 
-    Each vector is novel with the probability p0 = floor, independently, or 2 p0 when the machine wears;
+    Each vector is novel with the probability p0 = floor, independently, or 1.5 p0 when it is to alarm;
     the limit is the one at which such draws alarm at the stated rate. After an alarm it begins anew;
     alarms with fewer than 10 judgements between them are one episode.
     """
@@ -109,8 +104,8 @@ def control(pool: Pool, windows: Windows, window: int, calm: set[Name], rate: fl
 
 
 def _steps(novel: NDArray[np.int64], window: int, p0: float) -> Floats:
-    """Return the logarithm of how much likelier each count is under twice the floor."""
-    hit, miss = np.log(2.0), np.log((1 - 2 * p0) / (1 - p0))
+    """Return the logarithm of how much likelier each count is under more novelty than the floor."""
+    hit, miss = np.log(_MORE), np.log((1 - _MORE * p0) / (1 - p0))
     return np.asarray(novel * hit + (window - novel) * miss)
 
 
