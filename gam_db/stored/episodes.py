@@ -126,6 +126,8 @@ def _found(
         running.load("followed", pa.Table.from_pylist(followed, schema=_FOLLOWED))
         running.keep("merged")
         onsets = running.table("merged").to_pylist()
+        if not onsets and not any(live.get(row["channel_id"]) for row in followed):
+            return {}, {}
         ranges = {row["channel_id"]: row for row in running.table("judged_ranges").to_pylist()}
         if not onsets:
             return {}, ranges
