@@ -47,13 +47,12 @@ def test_the_first_hour_from_a_clone(tmp_path: Path) -> None:
             words = ["-c", "from gam_db.cli import main; main()", *shlex.split(typed)[1:]]
         done = subprocess.run(
             [python, *words],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
+            capture_output=True,
             encoding="utf-8",
             cwd=folder,
             env=environment,
             check=False,
         )
-        return done.stdout, done.returncode
+        return done.stdout or done.stderr, done.returncode  # a long run says on stderr how it goes
 
     assert first_hour.page(first_hour.walked(run, folder)) == PAGE
