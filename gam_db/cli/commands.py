@@ -33,7 +33,8 @@ COMMANDS = {
         "watch:status": "Say how every channel is: verdict, floor, indicator, trend, and what is "
         "wrong with its data.",
         "alarms:alarms": "Say which signals are raised: since when, how sure, and what to decide.",
-        "alarms:alarm": "Say all that is known of one episode: its judgements, and where the signal went.",
+        "alarms:alarm": "Say all that is known of one episode: its judgements, and where the "
+        "signal went.",
         "alarms:label": "Keep what is known of an episode, or of a machine in an interval of time.",
         "alarms:limits": "Say by what each channel is judged, or why it is not.",
         "report:report": "Write the page for people who look: which machines left health, since when, "
