@@ -1,5 +1,7 @@
--- Alarm: every episode as it is now, for people, with the newest of the labels that it, or its machine at that time, was
--- given, and what its limit promises.
+-- Alarm: every episode as it is now, for people, with the newest of the labels that it, or its machine at
+-- that time, was given, what its limit promises, and which signals of its machine opened with it. Openings that are no
+-- more than two judgements apart belong together, one after the other. A judgement of W vectors lasts W / (n W - 1) of
+-- the time from the first to the last vector of n judgements; two are told from three by two and a half.
 CREATE OR REPLACE VIEW stored_alarm AS
 SELECT
   watching.name AS monitor,
@@ -29,7 +31,9 @@ SELECT
   kept.merged_into AS merged_into,
   kept.seq AS seq,
   kept.version_id AS version_id,
-  kept.channel_id AS channel_id
+  kept.channel_id AS channel_id,
+  CASE WHEN grouped.hit = 1 THEN grouped.group_id END AS group_id,
+  CASE WHEN grouped.hit = 1 THEN grouped.signals ELSE 0 END AS signals_together
 FROM stored_visible_episode AS kept
 JOIN stored_monitor AS watching ON watching.monitor_id = kept.monitor_id
 JOIN stored_channel AS named ON named.channel_id = kept.channel_id
@@ -89,7 +93,62 @@ LEFT JOIN (
   JOIN stored_channel AS owner ON owner.channel_id = raised.channel_id
   WHERE raised.status = 'open'
   GROUP BY raised.monitor_id, owner.asset
-) AS beside ON beside.monitor_id = kept.monitor_id AND beside.asset = named.asset;
+) AS beside ON beside.monitor_id = kept.monitor_id AND beside.asset = named.asset
+LEFT JOIN (
+  SELECT
+    counted.monitor_id AS monitor_id,
+    counted.episode_id AS episode_id,
+    MIN(counted.episode_id) OVER (
+      PARTITION BY counted.monitor_id, counted.asset, counted.group_no
+    ) AS group_id,
+    CAST(COUNT(*) OVER (PARTITION BY counted.monitor_id, counted.asset, counted.group_no) AS BIGINT) AS signals,
+    1 AS hit
+  FROM (
+    SELECT
+      begun.monitor_id AS monitor_id,
+      begun.asset AS asset,
+      begun.episode_id AS episode_id,
+      CAST(
+        SUM(begun.is_first) OVER (
+          PARTITION BY begun.monitor_id, begun.asset
+          ORDER BY begun.first_time, begun.episode_id
+          ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
+        ) AS BIGINT
+      ) AS group_no
+    FROM (
+      SELECT
+        opening.monitor_id AS monitor_id,
+        opening.asset AS asset,
+        opening.episode_id AS episode_id,
+        opening.first_time AS first_time,
+        CASE
+          WHEN CAST(opening.first_time AS DOUBLE)
+            <= LAG(CASE WHEN opening.window_length > 0 THEN opening.until END, 1) OVER (
+              PARTITION BY opening.monitor_id, opening.asset ORDER BY opening.first_time, opening.episode_id
+            ) THEN 0
+          ELSE 1
+        END AS is_first
+      FROM (
+        SELECT
+          raised.monitor_id AS monitor_id,
+          owner.asset AS asset,
+          raised.episode_id AS episode_id,
+          raised.first_time AS first_time,
+          made.window_length AS window_length,
+          CAST(raised.first_time AS DOUBLE)
+          + CAST(5 AS DOUBLE) * CAST(raised.last_time - raised.first_time AS DOUBLE) * CAST(made.window_length AS DOUBLE)
+            / CAST(
+              2 * (raised.last_judgement - raised.first_judgement + 1) * made.window_length
+              - CASE WHEN made.window_length > 1 THEN 2 ELSE 0 END AS DOUBLE
+            ) AS until
+        FROM stored_visible_episode AS raised
+        JOIN stored_channel AS owner ON owner.channel_id = raised.channel_id
+        JOIN stored_version AS made ON made.version_id = raised.version_id
+        WHERE raised.status <> 'merged' AND raised.status <> 'withdrawn'
+      ) AS opening
+    ) AS begun
+  ) AS counted
+) AS grouped ON grouped.monitor_id = kept.monitor_id AND grouped.episode_id = kept.episode_id;
 
 COMMENT ON VIEW stored_alarm IS 'Episodes as they are now, for people; one row per episode';
 COMMENT ON COLUMN stored_alarm.monitor IS 'The monitor';
@@ -131,3 +190,6 @@ COMMENT ON COLUMN stored_alarm.merged_into IS 'The episode that it is a part of;
 COMMENT ON COLUMN stored_alarm.seq IS 'Number of its newest change';
 COMMENT ON COLUMN stored_alarm.version_id IS 'The version whose judgements it is made of';
 COMMENT ON COLUMN stored_alarm.channel_id IS 'The channel';
+COMMENT ON COLUMN stored_alarm.group_id
+  IS 'Smallest number of the episodes of its machine that opened within two judgements of one another; NULL if it is merged or withdrawn';
+COMMENT ON COLUMN stored_alarm.signals_together IS 'How many these are; 1 if it opened alone';
