@@ -1,7 +1,8 @@
 -- Fleet, made again: what is known of every channel now, one row each, under its active version. A channel that would
 -- be ok or waiting and stands still is standing: neither healthy nor alarming. There is a limit
 -- only where something is to be judged, so hi > hi_limit is true of the channels whose status is high, and of no
--- other. limit, reason, urgency, attention and the status of what moves are those of sql/judgement/, word for word. A
+-- other; it is above since the onset of its open episode, or, without one, since its indicator is above the limit.
+-- limit, reason, urgency, attention and the status of what moves are those of sql/judgement/, word for word. A
 -- run whose context differs has read another number of samples before its first bucket than were there when that
 -- bucket was scored: rows came later than lookback allows, or went. A later run that began to read no later speaks in
 -- its place; one that found no row at all says nothing.
@@ -57,10 +58,19 @@ SELECT
   CASE WHEN still.hit = 1 AND judged.status IN ('ok', 'waiting') THEN 'standing' ELSE judged.status END AS status,
   judged.urgency AS urgency,
   judged.needs_attention AS needs_attention,
-  CASE WHEN rising.hit = 1 AND watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(rising.since_tick) END
-    AS since_time,
-  CASE WHEN rising.hit = 1 THEN rising.since_tick END AS since_tick,
-  CASE WHEN rising.hit = 1 THEN rising.at_least END AS at_least,
+  CASE
+    WHEN watching.time_kind = 'counter' THEN NULL
+    WHEN rising.hit = 1 AND rising.since_tick IS NOT NULL AND raised.hit = 1 THEN MAKE_TIMESTAMP(raised.onset_tick)
+    WHEN rising.hit = 1 THEN MAKE_TIMESTAMP(rising.since_tick)
+  END AS since_time,
+  CASE
+    WHEN rising.hit = 1 AND rising.since_tick IS NOT NULL AND raised.hit = 1 THEN raised.onset_tick
+    WHEN rising.hit = 1 THEN rising.since_tick
+  END AS since_tick,
+  CASE
+    WHEN rising.hit = 1 AND rising.since_tick IS NOT NULL AND raised.hit = 1 THEN 0
+    WHEN rising.hit = 1 THEN rising.at_least
+  END AS at_least,
   CASE
     WHEN looked.hit = 1 AND rising.hit = 1 AND heard.hit = 1 AND heard.newest_tick > looked.read_to
       AND CAST(heard.newest_tick - looked.read_to AS DOUBLE) * CAST(rising.buckets AS DOUBLE)
@@ -262,7 +272,13 @@ LEFT JOIN (
 LEFT JOIN (
   SELECT version_id, 1 AS hit
   FROM stored_stillness
-) AS still ON still.version_id = version.version_id;
+) AS still ON still.version_id = version.version_id
+LEFT JOIN (
+  SELECT channel_id, version_id, MIN(going.onset_time) AS onset_tick, 1 AS hit
+  FROM stored_visible_episode AS going
+  WHERE going.status = 'open'
+  GROUP BY channel_id, version_id
+) AS raised ON raised.channel_id = named.channel_id AND raised.version_id = version.version_id;
 
 COMMENT ON VIEW stored_fleet IS 'What is known of every channel now, under its active version';
 COMMENT ON COLUMN stored_fleet.monitor IS 'The monitor';
@@ -333,10 +349,10 @@ COMMENT ON COLUMN stored_fleet.urgency
   IS 'The larger, the sooner to be looked at: 4 high, 3 setup, 2 waiting, 1 ok, 0 not assessed';
 COMMENT ON COLUMN stored_fleet.needs_attention IS '1 if somebody should look at it (high, setup), else 0';
 COMMENT ON COLUMN stored_fleet.since_time
-  IS 'Since when hi is above hi_limit without a break (UTC); NULL if it is not, or where the source counts time';
+  IS 'Of what is above hi_limit: onset of its open episode, else since when it is above without a break (UTC); NULL if it is not, or where the source counts time';
 COMMENT ON COLUMN stored_fleet.since_tick
   IS 'The same in microseconds since 1970 (UTC), or as the counter of the source';
 COMMENT ON COLUMN stored_fleet.at_least
-  IS '1 if older buckets were pruned, so that it may be longer; else 0; NULL if hi is not above hi_limit';
+  IS '1 if older buckets were pruned and no episode is open, so that it may be longer; else 0; NULL if hi is not above hi_limit';
 COMMENT ON COLUMN stored_fleet.silent_for
   IS 'How far its newest data is behind the newest of the monitor, where three of its buckets take less; else NULL';

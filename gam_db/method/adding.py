@@ -38,10 +38,16 @@ def add_of_set(
     steps.fill(method.named(name or path.rpartition("/")[2], number), path, slots, inputs)
 
 
-def add_stacked(steps: Pipeline, name: str, path: str, rows: Sequence[exp.Query]) -> None:
+def add_stacked(
+    steps: Pipeline,
+    name: str,
+    path: str,
+    rows: Sequence[exp.Query],
+    tables: Mapping[str, str] | None = None,
+) -> None:
     """Add a step of literal rows: one file, filled once per row, one under another."""
     query = rows[0] if len(rows) == 1 else exp.union(*rows, distinct=False)
-    steps.add(name, query, template.load(path).comment)
+    steps.add(name, query, template.load(path).comment, tables)
 
 
 def join_sets(steps: Pipeline, method: Method, names: Sequence[str]) -> None:

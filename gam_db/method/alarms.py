@@ -45,11 +45,12 @@ def add_counted(steps: Pipeline) -> None:
     add(steps, "alarms/lengths")
 
 
-def add_bands(steps: Pipeline) -> None:
-    """Add where calibration was, by the newest coordinate, after :func:`add_learnt_limits`."""
+def add_bands(steps: Pipeline, bounds: str = "bounds") -> None:
+    """Add where calibration was, by the newest coordinate, after :func:`add_counted`."""
     band = band_of(exp.column("cell_key", table="visit"), exp.column("bins", table="scale"))
     slots: list[dict[str, template.Slot]] = [{"g": g, "band": band} for g in (NEAR, FAR)]
-    add_stacked(steps, "bands", "alarms/bands", [filled("alarms/bands", one) for one in slots])
+    rows = [filled("alarms/bands", one) for one in slots]
+    add_stacked(steps, "bands", "alarms/bands", rows, {"bounds": bounds})
 
 
 def band_of(key: exp.Expr, bins: exp.Expr) -> exp.Expr:

@@ -57,6 +57,7 @@ _CERTIFICATE = {
     "ladder": "floors of coarser grids",
     "bounds": "figures of the certificate",
     "buffered": "counts of blocks that limits are made of",
+    "band": "counts of bands that alarms are explained by",
     "extent": "the length or the order of calibration",
 }
 

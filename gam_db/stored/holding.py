@@ -85,6 +85,9 @@ def unsound(
         for row in state.fetch("stored/known_channels", slots).to_pylist()
     }
     yield from _episodes(history, judged, channels, versions)
+    for row in state.fetch("stored/unsound_bands", slots).to_pylist():
+        what = "judgements whose bands are not all of their vectors"
+        yield Unsound(row["version_id"], "episodes", what, row["differing"])
     yield from _labels(state.fetch("stored/labels", slots).to_pylist(), history, channels)
 
 

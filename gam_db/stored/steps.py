@@ -17,7 +17,7 @@ from gam_db.calibration import Calibration
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.method import Method
 from gam_db.method.adding import add, add_of_set
-from gam_db.method.alarms import add_counted, add_held_judgements, band_of
+from gam_db.method.alarms import add_bands, add_counted, add_held_judgements, band_of
 from gam_db.method.calibration import add_breaks, until_calibration_end
 from gam_db.method.certificate import add_judgement
 from gam_db.method.resolved import SMALL_OF_SET
@@ -246,6 +246,7 @@ def relearning_steps(
     add(steps, "certificate/verdicts", tables={"bounds": "judged_bounds"})
     add(steps, "stored/certified")
     add_counted(steps)
+    add_bands(steps, "judged_bounds")
     add(steps, "stored/certified_extents")
     return steps
 

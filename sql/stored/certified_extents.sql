@@ -1,6 +1,6 @@
 -- Certified extents: what the frozen intervals of calibration would say now of judgements, beside what is stored.
 -- Versions of before that was kept have none.
--- Reads:  cohort, buffered, block_sizes, order_ratios, lengths, stored_buffered, stored_extent
+-- Reads:  cohort, buffered, bands, block_sizes, order_ratios, lengths, stored_buffered, stored_band, stored_extent
 -- A row:  one version and part of it that differs: how many rows do.
 SELECT
   matched.version_id AS version_id,
@@ -30,6 +30,31 @@ FROM (
     JOIN cohort AS member ON member.version_id = part.version_id
   ) AS both_blocks
   GROUP BY version_id, block, g, vectors, novel_buffered
+  HAVING COUNT(*) <> 2 * SUM(is_stored)
+  UNION ALL
+  SELECT 'band' AS part, version_id, band AS place
+  FROM (
+    SELECT
+      member.version_id AS version_id,
+      part.g AS g,
+      part.band AS band,
+      part.visits AS visits,
+      part.novel_buffered AS novel_buffered,
+      0 AS is_stored
+    FROM bands AS part
+    JOIN cohort AS member ON member.channel_id = part.channel_id
+    UNION ALL
+    SELECT
+      part.version_id AS version_id,
+      part.g AS g,
+      part.band AS band,
+      part.visits AS visits,
+      part.novel_buffered AS novel_buffered,
+      1 AS is_stored
+    FROM stored_band AS part
+    JOIN cohort AS member ON member.version_id = part.version_id
+  ) AS both_bands
+  GROUP BY version_id, g, band, visits, novel_buffered
   HAVING COUNT(*) <> 2 * SUM(is_stored)
   UNION ALL
   SELECT 'extent' AS part, version_id, 0 AS place
@@ -68,10 +93,19 @@ FROM (
   HAVING COUNT(*) <> 2 * SUM(is_stored)
 ) AS matched
 JOIN (
-  SELECT version_id
+  SELECT version_id, 'buffered' AS part
   FROM stored_buffered
   UNION
-  SELECT version_id
+  SELECT version_id, 'buffered' AS part
   FROM stored_extent
-) AS kept ON kept.version_id = matched.version_id
+  UNION
+  SELECT version_id, 'extent' AS part
+  FROM stored_buffered
+  UNION
+  SELECT version_id, 'extent' AS part
+  FROM stored_extent
+  UNION
+  SELECT version_id, 'band' AS part
+  FROM stored_band
+) AS kept ON kept.version_id = matched.version_id AND kept.part = matched.part
 GROUP BY matched.version_id, matched.part

@@ -74,6 +74,7 @@ _ABOUT = {
     "certificate/*": "test_spec[certificate",
     "judgement/*": "test_judged",
     "report/*": "test_report",
+    "stored/unsound_bands": "test_falsified",
     **{
         f"stored/{name}": "test_stored_alarms"
         for name in (

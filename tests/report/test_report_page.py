@@ -77,7 +77,7 @@ def telemetry() -> pa.Table:
         "lately": lambda i: 9.0 if i > 1320 else 0.0,
         "back": lambda i: 9.0 if 700 < i < 900 else 0.0,
         "some": lambda i: 9.0 if i > 1000 and i % 37 == 0 else 0.0,
-        "night": lambda i: 9.0 if i > 1014 else 0.0,  # the clocks are put forward
+        "night": lambda i: 9.0 if i > 1060 else 0.0,  # hours after the clocks were put forward
         **{f"edge {last}": functools.partial(once, COUNT - last) for last in EDGES},
     }
     rows: list[tuple[str, str, dt.datetime, float | None]] = []

@@ -62,14 +62,15 @@ MAY_DIFFER = {
     ("episode", "noticed_at"): "a clock",
     ("label", "created"): "a clock",
     ("label", "note"): "what somebody said",
+    (
+        "band_visit",
+        "band",
+    ): "told for people; vectors and novel ones of all bands are held to the judgement",
     **{
         ("proof", column): "a record of what was found then; nothing is computed from it"
         for column in ("proved_at", "extent", "channels", "versions", "buckets", "differences")
     },
 }
-
-#: Tables that explain episodes: no number is computed from them, and no check holds them to anything.
-EXPLAINING = ("band", "band_visit")
 
 #: Of a table: which row of a channel is falsified, of those in the order of their first columns.
 Rows = list[dict[str, Any]]
@@ -79,6 +80,8 @@ CHOSEN: dict[str, dict[str, Callable[[Rows], dict[str, Any]]]] = {
         for table in ("version", "calibration", "bounds", "checksum", "horizon", "extent", "limit")
     },
     "buffered": {"": lambda rows: rows[len(rows) // 2]},
+    "band": {"": lambda rows: rows[0]},
+    "band_visit": {"": lambda rows: rows[-1]},
     "judgement": {"settled": lambda rows: rows[6], "newest": lambda rows: rows[-1]},
     "block": {"": lambda rows: rows[1]},
     "ladder": {"": lambda rows: rows[1]},
@@ -89,7 +92,7 @@ CHOSEN: dict[str, dict[str, Callable[[Rows], dict[str, Any]]]] = {
 }
 
 #: Tables of which a row that is there twice is harmless: the largest counts, or each speaks for itself.
-MAY_DOUBLE = ("horizon",)
+MAY_DOUBLE = ("horizon", "band_visit")
 
 #: Tables whose rows are not of one channel; each of their columns is falsified alone.
 SHARED = ("migration", "monitor", "channel", "proof", "unplaced", "episode", "label")
@@ -166,7 +169,7 @@ def cases() -> list[Case]:
     changed = [
         Case(table, which, done, column)
         for table, column, may_be_null in columns()
-        if table not in (*SHARED, *EXPLAINING)
+        if table not in SHARED
         for which in CHOSEN[table]
         for done in ((CHANGED, EMPTIED) if may_be_null else (CHANGED,))
     ]

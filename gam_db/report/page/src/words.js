@@ -85,6 +85,6 @@ export function brief(signal) {
 
 export function sentence(signal) {
   if (!signal.judged) { const [why, what] = unjudged(signal); return `${why}; ${what}.`; }
-  if (signal.above) return `goes where it never went in health, above its limit ${since(signal)}; its new states lie ${side(signal.outside) || 'in range'}.`;
+  if (signal.above) return `goes where it never went in health ${since(signal)}, and is above its limit; its new states lie ${side(signal.outside) || 'in range'}.`;
   return signal.rising ? 'below its limit, and rising.' : 'moves as it did in calibration.';
 }
