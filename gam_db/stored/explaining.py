@@ -7,7 +7,9 @@ come to is done by the next one.
 from collections.abc import Iterable, Mapping, Sequence
 
 import pyarrow as pa
+from sqlglot import exp
 
+from gam_db import template
 from gam_db.running import Running
 from gam_db.stored.planning import Row, assets_of, portions
 from gam_db.stored.reading import Reader, cohort_of
@@ -26,9 +28,16 @@ def explain(state: State, reader: Reader, monitor_id: int, plan: Iterable[Row], 
         limit: most readings to work on at once.
     """
     known = {row["version_id"]: row for row in plan}
-    wanted = state.fetch("stored/uncounted", {"monitor_id": monitor_id}).to_pylist()
+    slots: dict[str, template.Slot] = {"monitor_id": monitor_id}
+    raised = state.fetch("stored/raised_versions", slots)["version_id"].to_pylist()
+    asked = [exp.Literal.number(version) for version in raised if version in known]
+    if not asked:
+        return
+    # In a calm fleet nothing is read; and of others the engine skips what is not of these versions.
+    for name, table in (("judged_versions", "judged"), ("earlier_versions", "full_bucket")):
+        slots[name] = exp.column("version_id", table=table).isin(*asked)
     rounds: list[list[Row]] = []
-    for number, row in _runs([row for row in wanted if row["version_id"] in known], known):
+    for number, row in _runs(state.fetch("stored/uncounted", slots).to_pylist(), known):
         rounds += [[]] * (number == len(rounds))
         rounds[number] = [*rounds[number], row]
     for channels in rounds:  # of one channel at most

@@ -3,6 +3,7 @@
 -- Reads:  stored_visible_episode, stored_visible_judgement, stored_visible_bucket, stored_version, stored_band_visit
 -- A row:  one judgement, in order; of one whose bucket before was pruned there is none.
 -- Slots:  :monitor_id
+--         :judged_versions, :earlier_versions  conditions on *judged* and *full_bucket*: versions that have episodes
 SELECT
   wanted.version_id AS version_id,
   wanted.judgement_no AS judgement_no,
@@ -30,12 +31,13 @@ FROM (
     AND judged.judgement_no >= raised.first_judgement
     AND judged.judgement_no <= raised.last_judgement
     AND judged.judgement_no < raised.first_judgement + 5
-  WHERE raised.monitor_id = :monitor_id AND raised.status IN ('open', 'ended')
+  WHERE raised.monitor_id = :monitor_id AND raised.status IN ('open', 'ended') AND :judged_versions
   GROUP BY judged.version_id, judged.judgement_no, judged.run_id
 ) AS wanted
 LEFT JOIN (
   SELECT version_id, bucket_no, last_time, context_time, 1 AS hit
-  FROM stored_visible_bucket
+  FROM stored_visible_bucket AS full_bucket
+  WHERE :earlier_versions
 ) AS earlier ON earlier.version_id = wanted.version_id AND earlier.bucket_no = wanted.bucket_before
 LEFT JOIN (
   SELECT DISTINCT version_id, judgement_no, run_id, 1 AS hit

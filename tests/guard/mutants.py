@@ -88,7 +88,15 @@ _ABOUT = {
     **{
         f"stored/{name}": "test_explained"
         for name in (
-            *("band_rows", "banded", "uncounted", "alarm_bands", "alarm_cells", "expired_band_visits"),
+            *(
+                "band_rows",
+                "banded",
+                "uncounted",
+                "raised_versions",
+                "alarm_bands",
+                "alarm_cells",
+                "expired_band_visits",
+            ),
         )
     },
     "alarms/band": "test_explained",
