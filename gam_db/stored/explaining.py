@@ -30,20 +30,44 @@ def explain(state: State, reader: Reader, monitor_id: int, plan: Iterable[Row], 
     known = {row["version_id"]: row for row in plan}
     slots: dict[str, template.Slot] = {"monitor_id": monitor_id}
     raised = state.fetch("stored/raised_versions", slots)["version_id"].to_pylist()
-    asked = [exp.Literal.number(version) for version in raised if version in known]
+    asked = [version for version in raised if version in known]
     if not asked:
         return
-    # In a calm fleet nothing is read; and of others the engine skips what is not of these versions.
-    for name, table in (("judged_versions", "judged"), ("earlier_versions", "full_bucket")):
-        slots[name] = exp.column("version_id", table=table).isin(*asked)
+    slots["raised_versions"] = _among("version_id", "judged", asked)
+    wanted = _placed(state, state.fetch("stored/uncounted", slots).to_pylist())
     rounds: list[list[Row]] = []
-    for number, row in _runs(state.fetch("stored/uncounted", slots).to_pylist(), known):
+    for number, row in _runs(wanted, known):
         rounds += [[]] * (number == len(rounds))
         rounds[number] = [*rounds[number], row]
     for channels in rounds:  # of one channel at most
         counts = {(row["asset"], row["channel"]): 6 * row["window_length"] for row in channels}
         for group in portions(channels, counts, limit):
             _count(state, reader, group)
+
+
+def _among(column: str, table: str, numbers: Iterable[int]) -> exp.Expr:
+    """Return the condition by which an engine skips what is of no use: all but some numbers."""
+    return exp.column(column, table=table).isin(*map(exp.Literal.number, sorted(set(numbers))))
+
+
+def _placed(state: State, wanted: Sequence[Row]) -> list[Row]:
+    """Return those of the judgements whose bucket before is kept, with where to begin to read."""
+    if not wanted:
+        return []
+    conditions = (
+        _among("version_id", "full_bucket", (row["version_id"] for row in wanted)),
+        _among("bucket_no", "full_bucket", (row["bucket_before"] for row in wanted)),
+    )
+    found = state.fetch("stored/buckets_before", {"wanted": exp.and_(*conditions)}).to_pylist()
+    ends = {(row["version_id"], row["bucket_no"]): row for row in found}
+    made = []
+    for row in wanted:
+        end = ends.get((row["version_id"], row["bucket_before"]))
+        if end is not None:
+            made.append({**row, "first_scored": end["last_time"] + 1, "read_from": end["context_time"]})
+        elif row["judgement_no"] == 0:
+            made.append(row)
+    return made
 
 
 def _runs(wanted: Sequence[Row], known: Mapping[int, Row]) -> Iterable[tuple[int, Row]]:
