@@ -75,6 +75,7 @@ def test_counts(row: dict[str, str]) -> None:
         still_after=None,
         max_gap=int(row["gap"]) * unit,
         target_floor=0.05,
+        least_vectors=1,
         overrides=(),
     )
     calibration = SimpleNamespace(
