@@ -75,8 +75,8 @@ def test_filled_steps_break_no_rule(setting: Setting) -> None:
         assert broken(reading_steps(rows), known) == []
         for steps in (scoring_steps, comparing_steps):
             assert broken(steps(setting, kind), dict(known)) == []
-        # The last bits of logarithms are allowed for, as in the certificate itself; outlook takes the larger
-        # of two figures, so that they decide nothing.
+        # The last bits of logarithms are allowed for, as in the certificate itself; outlook takes the
+        # larger of two figures, so that they decide nothing.
         rough = [
             found.split(":")[:2]
             for found in broken(relearning_steps(setting, kind, 0.05, 1), dict(known))
