@@ -311,13 +311,13 @@ def test_what_a_run_reads_does_not_grow_with_what_is_stored(session: WarehouseSe
     source, prefix = gam_db.Source(table), engines.fresh_name("state")
     monitor = Monitor(session, source, parameters, calibration, lookback=20, prefix=prefix)
     monitor.migrate()
-    arrive_from(0, 40_000)
+    arrive_from(0, 80_000)
     monitor.calibrate()
     monitor.score()
-    arrive_from(40_000, 40_100)
+    arrive_from(80_000, 80_100)
     before = counted(session, "SelectedRows")
     report = monitor.score()
-    there = 8 * (40_000 // 5)
+    there = 8 * (80_000 // 5)
     assert 0 < sum(row["rows_read"] for row in report.channels) < 8 * 150
     assert counted(session, "SelectedRows") - before < there / 2
 

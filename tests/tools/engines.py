@@ -116,7 +116,7 @@ OMITTED = {
         "mariadb-a",
         "mariadb-s",
     ),
-    "test_many_columns_are_read_as_few_are": ("spark", "clickhouse", "postgres-None"),
+    "test_many_columns_are_read_as_few_are": ("clickhouse", "postgres-None"),
     "test_an_instant_that_occurs_twice_is_found": ("spark", "clickhouse-0"),
     "test_a_state_of_the_first_migrations_goes_up_and_is_scored_on": ("spark",),
     "test_filling_may_be_cut_short_anywhere": ("26-spark", "26-mariadb", "spark", "mariadb"),
