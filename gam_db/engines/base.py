@@ -97,6 +97,7 @@ class Engine:
         oldest: the oldest version that is accepted; None where gam-db does not connect.
         extra: of this package, that installs its driver; None for none.
         transactions: whether statements can be undone together.
+        undoes_definitions: whether that holds of tables and views that were made, too.
         limits: what it cannot promise, and what a user has to know.
         bits: for one whose tables give their rows in the order in which they were stored, and whose
             windows without an order follow it (:mod:`gam_db.streaming`); None for all others.
@@ -134,6 +135,7 @@ class Engine:
     oldest: str | None = None
     extra: str | None = None
     transactions: bool = True
+    undoes_definitions: bool = True
     limits: str = ""
     bits: Bits | None = None
     delays: str | None = None

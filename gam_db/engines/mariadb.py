@@ -75,6 +75,7 @@ ENGINE = Engine(
     types=Types("mysql"),
     micros_of=micros_of,
     instant_of=instant_of,
+    undoes_definitions=False,
     define=define,
     extend=added_with_notes,
     rewrites=(compared_by(exp.var(COLLATION)), escape_by_backslash, quote_names, floor_to_double),

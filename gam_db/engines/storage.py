@@ -113,8 +113,8 @@ def overwritten(filling: Filling) -> list[exp.Expr]:
 
 
 def with_statements(definition: Definition) -> list[exp.Expr]:
-    """Return the definition with a COMMENT ON for itself and each of its columns."""
-    create = definition.create.copy()
+    """Return the definition, the caller's own tree, with a COMMENT ON for it and for each column."""
+    create = definition.create
     target = create.this.this if isinstance(create.this, exp.Schema) else create.this
     whole = exp.Comment(this=target.copy(), kind=create.kind, expression=definition.comment.copy())
     return [create, whole, *_about(target, definition.columns)]
@@ -141,12 +141,12 @@ def with_notes(
     """Return the definition with its comments inside.
 
     Args:
-        definition: what is defined.
+        definition: what is defined; its tree is the caller's own, and changed.
         properties: what the engine wants to know of the storage of a table.
         column_note: how the comment of a column is written.
         note: how the comment of the whole is written.
     """
-    create = definition.create.copy()
+    create = definition.create
     if definition.is_view:
         named = [exp.ColumnDef(this=exp.to_identifier(name)) for name in definition.columns]
         create.set("this", exp.Schema(this=create.this, expressions=named))

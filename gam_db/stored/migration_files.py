@@ -91,23 +91,28 @@ class Migration:
         place(update, tables.placed())
         return Filling(Definition(create, whole.comment, whole.columns), update)
 
-    def record(self, tables: StateTables, applied_at: int) -> exp.Expr:
-        """Return the statement that records the migration, unless it is recorded already."""
-        values = filled(
+
+def record(migrations: Sequence[Migration], tables: StateTables, applied_at: int) -> exp.Expr:
+    """Return the statement that records migrations, unless they are recorded already."""
+    rows = [
+        filled(
             "stored/migration_record",
             {
-                "number": self.number,
-                "name": template.text(self.name),
-                "checksum": template.text(self.checksum),
+                "number": migration.number,
+                "name": template.text(migration.name),
+                "checksum": template.text(migration.checksum),
                 "applied_at": applied_at,
                 "gam_version": template.text(__version__),
             },
         )
-        place(values, tables.placed())
-        columns = [exp.to_identifier(name) for name in RECORD]
-        return exp.Insert(
-            this=exp.Schema(this=tables.table("migration"), expressions=columns), expression=values
-        )
+        for migration in migrations
+    ]
+    values = rows[0] if len(rows) == 1 else exp.union(*rows, distinct=False, copy=False)
+    place(values, tables.placed())
+    columns = [exp.to_identifier(name) for name in RECORD]
+    return exp.Insert(
+        this=exp.Schema(this=tables.table("migration"), expressions=columns), expression=values
+    )
 
 
 @cache

@@ -1,7 +1,8 @@
 """Applying migrations: what was applied to a database, what is pending, and the record of it.
 
-The record of a migration is written last: a run that is cut short applies it again. Nothing is ever
-undone, and a state that a newer gam-db made is refused.
+Where an engine undoes definitions, all that is pending is one transaction with its record; else the
+record of each migration is written after it, and a run that is cut short applies it again. A state that
+a newer gam-db made is refused.
 """
 
 import time
@@ -14,10 +15,10 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.engines.base import Engine
 from gam_db.engines.session import CONFLICT, Session
-from gam_db.engines.storage import Addition, Definition
+from gam_db.engines.storage import Definition
 from gam_db.errors import ConflictError, EngineError, StateError
 from gam_db.stored import roles
-from gam_db.stored.migration_files import RECORD, Migration, files
+from gam_db.stored.migration_files import RECORD, Migration, files, record
 from gam_db.stored.roles import Roles
 from gam_db.stored.tables import VIEWS, StateTables
 from gam_db.version import __version__
@@ -76,7 +77,10 @@ def status(session: Session, tables: StateTables) -> Status:
     Raises:
         StateError: the state is of a newer gam-db, was changed by hand, or its names are taken.
     """
-    there = session.relations(tables.schema)
+    return _status(session, tables, session.relations(tables.schema))
+
+
+def _status(session: Session, tables: StateTables, there: Relations) -> Status:
     applied = recorded(session, tables, there)
     _check_record(applied, tables)
     known = files()
@@ -101,7 +105,7 @@ def status(session: Session, tables: StateTables) -> Status:
 def migrate(
     session: Session, tables: StateTables, on_step: Callable[[str], None] | None = None
 ) -> tuple[Migration, ...]:
-    """Apply what is pending and return it; each migration is one transaction with its record.
+    """Apply what is pending and return it: all as one with its record where definitions can be undone.
 
     Args:
         session: on a database that can be written.
@@ -112,28 +116,39 @@ def migrate(
         StateError: see :func:`status`.
         EngineError: the database cannot be written, or another connection migrates it now.
     """
-    pending = status(session, tables).pending
-    for migration in pending:
+    there = session.relations(tables.schema)
+    pending = _status(session, tables, there).pending
+    as_one = session.transactions and session.engine.undoes_definitions
+    for group in [pending] if as_one and pending else [(migration,) for migration in pending]:
+        with session.transaction():
+            _apply(session, tables, group, there, on_step)
+    return pending
+
+
+def _apply(
+    session: Session,
+    tables: StateTables,
+    group: Sequence[Migration],
+    there: Relations,
+    on_step: Callable[[str], None] | None,
+) -> None:
+    """Apply migrations and record them; *there* is what was there before the first of all."""
+    first = group[0].number
+    # After the first one the record is there, and need not be looked for.
+    now_there = session.relations(tables.schema) if first == 1 else {tables.folded("migration"): RECORD}
+    if len(recorded(session, tables, now_there)) >= first:
+        raise ConflictError(CONFLICT)
+    now = time.time_ns() // 1000
+    for migration in group:
         if on_step is not None:
             on_step(migration.name)
-        with session.transaction():
-            # After the first one the record is there, and need not be looked for.
-            record = {tables.folded("migration"): RECORD}
-            there = session.relations(tables.schema) if migration.number == 1 else record
-            if len(recorded(session, tables, there)) >= migration.number:
-                raise ConflictError(CONFLICT)
-            present: tuple[str, ...] = ()
-            if isinstance(migration.definition, Addition):  # some may be there, if it was cut short
-                present = session.relations(tables.schema)[tables.folded(migration.name)]
-            now = time.time_ns() // 1000
-            statements = _complete(migration, session.engine, tables, now, present)
-            if _gets_more(migration):
-                found = session.relations(tables.schema).get(tables.folded(migration.name), ())
-                if len(found) > len(migration.definition.columns):
-                    statements = statements[-1:]
+        # Some columns may be there, of a run that was cut short or of a script that was printed.
+        present = there.get(tables.folded(migration.name), ())
+        statements = _complete(migration, session.engine, tables, present)
+        if not (_gets_more(migration) and len(present) > len(migration.definition.columns)):
             for statement in statements:
                 session.execute(statement)
-    return pending
+    session.execute(record(group, tables, now))
 
 
 def require(session: Session, tables: StateTables) -> None:
@@ -173,9 +188,8 @@ def rendered(engine: Engine, tables: StateTables, who: Roles | None = None) -> s
         parts.append(_part("-- Who may do what.", roles.before(engine, tables, who), engine))
     for migration in files():
         title = f"-- Migration {migration.number}: {tables.shown(migration.name)}."
-        statements = _complete(migration, engine, tables, now, makes_schema=who is None)
-        if _gets_more(migration):
-            statements = statements[-1:]
+        statements = _complete(migration, engine, tables, makes_schema=who is None)
+        statements = [*(() if _gets_more(migration) else statements), record([migration], tables, now)]
         if any(_adds_once(statement) for statement in statements):
             title += f" Only where it is pending: {engine.title} cannot be told to add a column once."
         if migration.filling is not None:
@@ -194,13 +208,11 @@ def _complete(
     migration: Migration,
     engine: Engine,
     tables: StateTables,
-    applied_at: int,
     present: Collection[str] = (),
     makes_schema: bool = True,
 ) -> Sequence[exp.Expr]:
-    """Return all statements of a migration; the first makes the schema, the last is the record."""
-    changes = migration.statements(engine, tables, present)
-    statements = [*changes, migration.record(tables, applied_at)]
+    """Return all statements of a migration but the record; the very first makes the schema."""
+    statements = migration.statements(engine, tables, present)
     if tables.schema is None:
         return statements
     if not engine.schemas:

@@ -22,7 +22,7 @@ from gam_db.cli import app
 from gam_db.engines import NAMES, engine_named
 from gam_db.errors import StateError, TemplateError
 from gam_db.stored import migration_files, migrations
-from gam_db.stored.migration_files import Migration, files
+from gam_db.stored.migration_files import Migration, files, record
 from gam_db.stored.tables import StateTables
 from states import Before
 from visible import visible
@@ -191,7 +191,7 @@ def test_a_newer_state_is_refused_by_every_command(
     session = newest.session
     newest.monitor().migrate()
     one = dataclasses.replace(files()[-1], number=len(files()) + 1)
-    session.execute(one.record(StateTables(), 1))
+    session.execute(record([one], StateTables(), 1))
     there = visible(newest.monitor(), "SELECT * FROM gam_migration ORDER BY number")
     session.close()
     told = CliRunner().invoke(app, [*command, "--database", "plant.duckdb"])
