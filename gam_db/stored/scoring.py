@@ -189,11 +189,14 @@ class _Run:
         monitor_id = self.monitor["monitor_id"]
         # Before the plan: what changes between the two is noticed then.
         self.planned = standings(self.state)
-        if self.wanted.full or self.wanted.repair_from is not None:
-            lookback = None if self.wanted.full else self.wanted.lookback
-            rows = searched_plan_rows(self.state, monitor_id, lookback, self.wanted.repair_from)
-        else:
-            rows = plan_rows(self.state, monitor_id, self.wanted.lookback)
+        lookback = None if self.wanted.full else self.wanted.lookback
+        begin, until = self.wanted.repair_from, self.wanted.until
+        rows = [] if lookback is None else plan_rows(self.state, monitor_id, lookback)
+        if until is not None and any(row["first_scored"] > until for row in rows):
+            # What lies after the end does not stay.
+            begin = until + 1 if begin is None else min(begin, until + 1)
+        if lookback is None or begin is not None:
+            rows = searched_plan_rows(self.state, monitor_id, lookback, begin)
         chosen = [row for row in rows if self.wanted.chosen(row["asset"], row["channel"])]
         if self.wanted.repair_from is not None:
             ends = last_times(self.state, monitor_id)

@@ -209,3 +209,19 @@ def test_sqlite_finds_what_is_stored_by_its_key() -> None:
                 plan = [row[3] for row in connection.execute(text)]
                 assert any("gam_bucket_key (version_id=? AND bucket_no>?)" in step for step in plan)
                 assert not [step for step in plan if step in ("SCAN written", "SCAN gam_bucket")]
+
+
+def test_what_was_scored_after_an_end_is_hidden_until_the_next_run(
+    plant: duckdb.DuckDBPyConnection,
+) -> None:
+    """Also where it lies before what late rows may still change."""
+    mine, end = monitor(plant), FIRST - 3 * LOOKBACK
+    mine.score()
+    before = seen(plant)
+    mine.score(until=end)
+    newest = plant.execute("SELECT MAX(last_time) FROM gam_visible_bucket").fetchone()
+    assert newest is not None
+    assert end - 5 <= newest[0] <= end
+    assert mine.check_state().num_rows == 0
+    mine.score()
+    assert seen(plant) == before

@@ -39,11 +39,17 @@ def server() -> str:
     made.append("--auth-root-authentication-method=normal")
     port = free_port()
     (folder / "begin.sql").write_text("CREATE DATABASE plant;\n")
+    # A server that starts removes the temporary tables of all others in its folder of temporary files.
+    scratch = folder / "scratch"
+    scratch.mkdir()
+    if user:
+        shutil.chown(scratch, "mysql")
     words = [
         *(program, "--no-defaults", *user, f"--datadir={folder}/data", f"--socket={folder}/socket"),
         *(f"--port={port}", "--bind-address=127.0.0.1", f"--init-file={folder}/begin.sql"),
         *("--innodb-flush-log-at-trx-commit=0", "--innodb-flush-method=nosync"),
-        *("--skip-name-resolve", "--innodb-buffer-pool-size=64M", "--innodb-log-file-size=16M"),
+        *(f"--tmpdir={scratch}", "--skip-name-resolve"),
+        *("--innodb-buffer-pool-size=64M", "--innodb-log-file-size=16M"),
     ]
     with (folder / "log").open("wb") as log:
         subprocess.run(made, stdout=log, stderr=log, check=True)
