@@ -12,7 +12,6 @@ from typing import Any
 from gam_db.address import check
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.engines.session import Session
-from gam_db.engines.warehouse import WarehouseSession
 from gam_db.errors import EngineError, nearest
 
 _IN_MEMORY = ("duckdb://", "duckdb:///:memory:", ":memory:")
@@ -73,7 +72,7 @@ def connect(
         EngineError: there is no such engine, its driver is not installed (the message names the
             extra), or the database cannot be opened.
     """
-    if isinstance(target, (DuckSession, WarehouseSession)):
+    if isinstance(target, Session):
         raise EngineError("This session is open already; use it as it is.")
     if type(target).__module__.startswith("sqlalchemy."):  # an engine or its URL
         target = getattr(target, "url", target).render_as_string(hide_password=False)
@@ -117,13 +116,13 @@ def borrowed(engine: Any, threads: int | None = None) -> Iterator[Session]:
     Raises:
         EngineError: see there.
     """
-    if isinstance(engine, (DuckSession, WarehouseSession)):
+    if isinstance(engine, Session):
         yield engine
         return
     with connect(engine, threads, writable=False) as session:
         yield session
 
 
-def _opened(module: str, target: Any, writable: bool) -> WarehouseSession:
+def _opened(module: str, target: Any, writable: bool) -> Session:
     driver = importlib.import_module(f"gam_db.engines.{module}").connected(target, writable)
-    return WarehouseSession(driver)
+    return Session(driver)

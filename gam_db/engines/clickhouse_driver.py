@@ -20,6 +20,7 @@ from gam_db.engines.base import deletion
 from gam_db.engines.clickhouse import ENGINE, create_table, temporary_table
 from gam_db.engines.clickhouse_address import EXTRA, folder, is_locked, server
 from gam_db.engines.clickhouse_errors import MARK, problem
+from gam_db.engines.driver import Driver, by_table
 from gam_db.errors import EngineError, LockedError, SourceError, UserError
 from gam_db.extras import needed
 
@@ -119,8 +120,8 @@ def connected(target: Any, writable: bool) -> "ClickHouseDriver":
         ) from error
 
 
-class ClickHouseDriver:
-    """A client of clickhouse-connect; see :class:`gam_db.engines.warehouse.Driver`.
+class ClickHouseDriver(Driver):
+    """A client of clickhouse-connect; see :class:`gam_db.engines.driver.Driver`.
 
     Args:
         client: open.
@@ -132,7 +133,10 @@ class ClickHouseDriver:
     """
 
     engine = ENGINE
-    transactions = False
+    no_files = (
+        "{path} is a file, and ClickHouse reads tables here; make a view over its table function "
+        "file(), or insert it into a table."
+    )
 
     def __init__(self, client: Any, address: str, owned: bool) -> None:
         self._client, self._address, self._owned = client, address, owned
@@ -188,19 +192,6 @@ class ClickHouseDriver:
             with contextlib.suppress(Exception):
                 self._client.query_arrow("SELECT 1")
             raise
-
-    def begin(self) -> None:
-        """Do nothing: there are no transactions."""
-
-    def commit(self) -> None:
-        """Do nothing."""
-
-    def rollback(self) -> None:
-        """Do nothing."""
-
-    def in_transaction(self) -> bool:
-        """Tell that none is open."""
-        return False
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
         """Make a temporary table of the rows of a query, in memory."""
@@ -289,10 +280,6 @@ class ClickHouseDriver:
             left = exp.Table(this=template.name(name), db=template.name(database))
             self.execute(self.engine.text(exp.Drop(tables=[left], kind="TABLE", exists=True)))
 
-    def located(self, table: exp.Expr) -> exp.Expr:
-        """Return the node as it is."""
-        return table
-
     def tables(self) -> list[tuple[str, ...]]:
         """Return what can be read: (database, name), and the name of a temporary table."""
         rows = self._rows("SELECT database, name FROM system.tables")
@@ -322,21 +309,7 @@ class ClickHouseDriver:
             "SELECT table, name FROM system.columns WHERE database = {database:String} "
             "ORDER BY table, position"
         )
-        there: dict[str, tuple[str, ...]] = {}
-        for table, column in self._rows(query, database=schema or self._database):
-            there[table.casefold()] = (*there.get(table.casefold(), ()), column)
-        return there
-
-    def file(self, path: str) -> exp.Expr:
-        """Refuse: a server reads only files in a folder of its own.
-
-        Raises:
-            SourceError: always.
-        """
-        raise SourceError(
-            f"{path} is a file, and ClickHouse reads tables here; make a view over its table function "
-            "file(), or insert it into a table."
-        )
+        return by_table(self._rows(query, database=schema or self._database))
 
     def rows_at_once(self) -> int:
         """Return how many readings can be worked on at once within half of the memory allowed."""

@@ -3,22 +3,22 @@
 A driver of one of them says what differs: its catalogue, what its types mean, how rows come out.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import pyarrow as pa
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.engines.base import Engine, deletion
+from gam_db.engines.driver import Driver
 from gam_db.errors import UserError
 
 #: What a library says -> what the user can do about it. The first that is found in a message counts.
 Refusals = Sequence[tuple[str, UserError]]
 
 
-class DbapiDriver:
-    """A connection of such a library; see :class:`gam_db.engines.warehouse.Driver`.
+class DbapiDriver(Driver):
+    """A connection of such a library; see :class:`gam_db.engines.driver.Driver`.
 
     Attributes:
         begins: the statement that begins a transaction.
@@ -31,8 +31,6 @@ class DbapiDriver:
         owned: whether closing the driver closes it.
     """
 
-    engine: Engine
-    errors: tuple[type[Exception], ...]
     transactions = True
     begins = "BEGIN"
     place = "?"
@@ -107,18 +105,6 @@ class DbapiDriver:
         """Return a value of an Arrow table as the library takes it."""
         return value
 
-    def drop(self, table: exp.Table) -> None:
-        """Drop a table made by :meth:`keep` or :meth:`ingest`."""
-        self.execute(self.engine.text(exp.Drop(tables=[table.copy()], kind="TABLE", exists=True)))
-
-    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
-        """Delete the rows of a table whose keys are among the rows of a query."""
-        self.execute(self.engine.text(deletion(table, keys, found)))
-
-    def located(self, table: exp.Expr) -> exp.Expr:
-        """Return the node as it is."""
-        return table
-
     def problem(self, error: Exception) -> UserError | None:
         """Return what the user can do about an error; None if it is none of the user's."""
         said = str(error)
@@ -139,15 +125,3 @@ class DbapiDriver:
         cursor = self._connection.cursor()
         cursor.execute(statement, *([values] if values else []))  # without values no sign stands for one
         return list(cursor.fetchall()) if cursor.description else []
-
-
-def by_table(rows: Iterable[tuple[str, str]]) -> dict[str, tuple[str, ...]]:
-    """Return the columns of tables; names of tables in lower case.
-
-    Args:
-        rows: (table, column), in order.
-    """
-    found: dict[str, tuple[str, ...]] = {}
-    for table, column in rows:
-        found[table.casefold()] = (*found.get(table.casefold(), ()), column)
-    return found

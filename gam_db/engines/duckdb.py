@@ -1,4 +1,4 @@
-"""DuckDB, the embedded default, as an engine; its session is in duckdb_session.py."""
+"""DuckDB, the embedded default, as an engine; at work it is in duckdb_session.py."""
 
 from sqlglot import exp
 

@@ -13,7 +13,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.duckdb import ENGINE
-from gam_db.engines.duckdb_reading import all_as_text, is_csv_reader
+from gam_db.engines.duckdb_reading import all_as_text
 from gam_db.errors import SourceError
 from gam_db.form import options_for_null, options_for_numbers, shortened
 from gam_db.source import FILE_ENDINGS
@@ -118,11 +118,10 @@ _LATE = re.compile(
 _NOT_THERE = re.compile(r"install the required extension '(\w+)")
 
 
-def late_word(connection: duckdb.DuckDBPyConnection, error: duckdb.Error, tree: exp.Expr) -> str:
+def late_word(connection: duckdb.DuckDBPyConnection, error: duckdb.Error, reader: exp.Expr) -> str:
     """Return what is said of a word far down a CSV file that its column cannot hold, if there is one."""
     found = _LATE.search(str(error))
-    reader = next(filter(is_csv_reader, tree.find_all(exp.Table)), None)
-    if found is None or reader is None:
+    if found is None:
         return ""
     line, column, word, kind = found.groups()
     like = exp.EQ(this=template.column(column), expression=template.text(word))

@@ -199,13 +199,3 @@ def check_settings(connection: duckdb.DuckDBPyConnection) -> None:
             f"The DuckDB connection has default_collation = {collation}, under which different names "
             "can be equal; RESET default_collation, or give another connection."
         )
-
-
-def is_among(table: exp.Expr, known: list[tuple[str, str, str]]) -> bool:
-    """Tell whether the last parts of some known name are those of the table, case aside."""
-    parts = tuple(part.name.casefold() for part in table.parts)  # type: ignore[attr-defined]
-    return any(
-        parts == tuple(part.casefold() for part in name[-len(parts) :])
-        or parts == (name[0].casefold(), name[2].casefold())
-        for name in known
-    )

@@ -13,10 +13,11 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.address import shown
-from gam_db.engines.dbapi import DbapiDriver, by_table
+from gam_db.engines.dbapi import DbapiDriver
+from gam_db.engines.driver import by_table
 from gam_db.engines.mariadb import COLLATION, ENGINE
 from gam_db.engines.session import CONFLICT, OPEN, READ_ONLY, check_columns
-from gam_db.errors import ConflictError, EngineError, LostConnectionError, SourceError
+from gam_db.errors import ConflictError, EngineError, LostConnectionError
 from gam_db.extras import needed
 
 OLDEST = (10, 11)
@@ -46,9 +47,6 @@ _SET = (
     "join_cache_level = %s, join_buffer_size = %s, join_buffer_space_limit = %s, "
     "optimizer_search_depth = %s, optimizer_switch = %s"
 )
-
-#: Readings worked on at once: MariaDB sorts on its disk.
-ROWS_AT_ONCE = 4_000_000
 
 
 def connected(target: Any, writable: bool) -> "MariaDriver":
@@ -97,6 +95,7 @@ class MariaDriver(DbapiDriver):
 
     engine = ENGINE
     begins = "START TRANSACTION"
+    no_files = "MariaDB does not read the file {path}; load it into a table and name that."
     place = "%s"
     storage = (exp.CollateProperty(this=exp.var(COLLATION)),)  # the database's own may hold few signs
     refusals = (
@@ -195,18 +194,6 @@ class MariaDriver(DbapiDriver):
                 (schema,),
             )
         )
-
-    def file(self, path: str) -> exp.Expr:
-        """Refuse a file.
-
-        Raises:
-            SourceError: the server reads none of its users'.
-        """
-        raise SourceError(f"MariaDB does not read the file {path}; load it into a table and name that.")
-
-    def rows_at_once(self) -> int:
-        """Return how many readings can be worked on at once."""
-        return ROWS_AT_ONCE
 
 
 def _texts(types: Any) -> tuple[int, ...]:

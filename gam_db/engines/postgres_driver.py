@@ -119,11 +119,16 @@ def connected(target: Any, writable: bool) -> "PostgresDriver":
 
 
 class PostgresDriver(DbapiDriver):
-    """A psycopg connection; see :class:`gam_db.engines.warehouse.Driver`.
+    """A psycopg connection; see :class:`gam_db.engines.driver.Driver`.
 
     What search_path says is read once: which schema tables are in that name none. A connection of ours
     then keeps to :data:`gam_db.engines.postgres.PATH`, a lent one while a statement of ours runs.
     """
+
+    no_files = (
+        "PostgreSQL does not read the file {path}; load it into a table (\\copy), or leave the database "
+        "out: DuckDB reads files."
+    )
 
     def __init__(self, psycopg: Any, connection: Any, owned: bool) -> None:
         super().__init__(connection, owned)
@@ -301,13 +306,6 @@ class PostgresDriver(DbapiDriver):
             (schema,),
         )
         return {name: tuple(columns) for name, columns in rows}
-
-    def file(self, path: str) -> exp.Expr:
-        """Refuse: files of a server are not those of its users."""
-        raise SourceError(
-            f"PostgreSQL does not read the file {path}; load it into a table (\\copy), or leave the "
-            "database out: DuckDB reads files."
-        )
 
     def rows_at_once(self) -> int:
         """Return how many readings can be worked on at once."""

@@ -1,20 +1,34 @@
-"""What the rest of gam-db asks of an engine at work.
+"""An engine at work: what the rest of gam-db asks of it. Trees go in, Arrow tables come out.
 
-A session lies on one connection. DuckDB has a session of its own; other engines share one
-(:mod:`gam_db.engines.warehouse`) on a small driver each. Trees go in, Arrow tables come out.
+A session lies on one connection, by a small driver (:mod:`gam_db.engines.driver`). That of DuckDB has
+more to it (:mod:`gam_db.engines.duckdb_session`): it reads files and Arrow tables where they lie.
 """
 
 import contextlib
-from collections.abc import Sequence
+import functools
+import itertools
+import secrets
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import Any, Protocol, runtime_checkable
+from typing import Any, Self, TypeVar
 
 import pyarrow as pa
+import pyarrow.parquet as pq
 from sqlglot import exp
 
-from gam_db.engines.base import Engine
-from gam_db.errors import SourceError
+from gam_db import template
+from gam_db.engines.driver import Driver
+from gam_db.errors import (
+    EngineError,
+    LostConnectionError,
+    SourceError,
+    StatementError,
+    nearest,
+)
 from gam_db.form import Form
+from gam_db.source import is_file, table_names
+
+T = TypeVar("T")
 
 #: What is said of a connection that refuses to write.
 READ_ONLY = "The database is open for reading only; it cannot be changed."
@@ -40,47 +54,84 @@ def unwritable(path: Path, error: BaseException) -> SourceError:
     return SourceError(f"{path} cannot be written; is its folder there, and may you write there?")
 
 
-@runtime_checkable
-class Session(Protocol):
+class Session:
     """An engine at work: describes relations, keeps steps as tables, runs trees.
 
     Attributes:
+        driver: an open connection.
         engine: how trees become its text.
         transactions: whether :meth:`transaction` can undo what was executed inside.
     """
 
-    engine: Engine
-    transactions: bool
+    def __init__(self, driver: Driver) -> None:
+        self.driver = driver
+        self.engine = driver.engine
+        self.transactions = driver.transactions
+        self._mark = f"gam_{secrets.token_hex(4)}"
+        self._made: dict[str, exp.Table] = {}
 
-    def __enter__(self) -> "Session": ...
+    def __enter__(self) -> Self:
+        return self
 
-    def __exit__(self, *_: object) -> None: ...
+    def __exit__(self, *_: object) -> None:
+        self.close()
 
     def close(self) -> None:
         """Drop what was made on the way; close the connection if it is ours."""
+        with contextlib.suppress(*self.driver.errors):
+            for made in list(self._made.values()):
+                self.driver.drop(made)
+        self._made.clear()
+        self.driver.close()
 
     def relation(self, relation: Any, form: Form | None = None) -> exp.Expr:
-        """Return the node that reads a relation: a table, files, or an Arrow table.
+        """Return the node that reads a relation.
+
+        That is a table, a file where the engine reads files, or an Arrow table.
 
         Args:
             relation: see :class:`gam_db.Source`.
-            form: how text files are written.
+            form: how text files are written; an engine that reads no texts takes columns as they are.
 
         Raises:
             SourceError: there is no such relation, or the engine cannot read it.
         """
+        said = form is not None and self.engine.texts is None and form
+        if said and (said.reads_words or said.delimiter or said.skip_rows or said.time_format):
+            raise SourceError(
+                "How numbers and times are written is said of files that DuckDB reads; "
+                f"{self.engine.title} reads columns as they are: cast them in a view."
+            )
+        if not isinstance(relation, (str, Path, tuple, list)):
+            return self.load(arrow_table(relation))
+        if is_file(relation):
+            return self._asked(lambda: self.driver.file(relation, form))
+        shown = relation if isinstance(relation, str) else ".".join(map(str, relation))  # type: ignore[arg-type]
+        known = self._asked(self.driver.tables)
+        for node in table_names(relation):  # type: ignore[arg-type]
+            if self._is_among(node, known):
+                return self._asked(functools.partial(self.driver.located, node))
+        raise SourceError(self._unknown(shown, nearest(shown, sorted({name[-1] for name in known}))))
 
-    def lent(self, table: pa.Table) -> contextlib.AbstractContextManager[exp.Table]:
+    @contextlib.contextmanager
+    def lent(self, table: pa.Table) -> Iterator[exp.Table]:
         """Let an Arrow table be read for a while."""
+        node = self.load(table)
+        try:
+            yield node
+        finally:
+            self.forget(node)
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
         """Return the columns of a relation and their types, in order."""
+        return self._asked(lambda: self.driver.describe(relation))
 
     def relations(self, schema: str | None = None) -> dict[str, tuple[str, ...]]:
         """Return the tables and views of a schema (None: the current one) with their columns, in order.
 
         Names of tables and views are folded to lower case.
         """
+        return self._asked(lambda: self.driver.relations(schema))
 
     def check_condition(self, relation: exp.Expr, condition: exp.Expr, shown: str) -> None:
         """Try a user's condition on no row.
@@ -88,6 +139,14 @@ class Session(Protocol):
         Raises:
             SourceError: the engine refuses it; the message shows it as the user wrote it.
         """
+        probe = exp.select(exp.Literal.number(1).as_("tried")).from_(relation.copy()).where(condition)
+        try:
+            self.fetch(probe.limit(0))
+        except StatementError as error:
+            raise SourceError(
+                f"where is {shown!r}, which {self.engine.title} refuses: {first_line(error.__cause__)}"
+                + self.engine.condition_note
+            ) from error
 
     def execute(self, statement: exp.Expr) -> None:
         """Run a statement that changes the database.
@@ -95,6 +154,8 @@ class Session(Protocol):
         Raises:
             EngineError: the database cannot be written.
         """
+        text = self.engine.text(statement)
+        self._asked(lambda: self.driver.execute(text), text)
 
     def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
         """Delete the rows of a table whose keys are among the rows of a query.
@@ -102,25 +163,61 @@ class Session(Protocol):
         Raises:
             EngineError: the database cannot be written.
         """
+        self._asked(lambda: self.driver.delete(table, keys, found))
 
-    def transaction(self) -> contextlib.AbstractContextManager[None]:
+    def _commit(self) -> None:
+        try:
+            self._asked(self.driver.commit)
+        except LostConnectionError as error:
+            raise LostConnectionError(
+                f"The connection to {self.engine.title} was lost while the work was being committed: "
+                "whether it counts is not known. Run it again: what counts already is not done twice."
+            ) from error
+
+    @contextlib.contextmanager
+    def transaction(self) -> Iterator[None]:
         """Do all that is executed inside as one, where the engine can; else one after another.
 
         Raises:
             EngineError: a transaction is open already, or the end of this one was refused.
         """
+        if not self.transactions:
+            yield
+            return
+        if self._asked(self.driver.in_transaction):
+            raise EngineError(OPEN)
+        self._asked(self.driver.begin)
+        try:
+            yield
+            self._commit()
+        except BaseException:
+            with contextlib.suppress(*self.driver.errors):
+                self.driver.rollback()
+            raise
 
     def fetch(self, query: exp.Expr) -> pa.Table:
         """Run a query and return its rows as an Arrow table."""
+        text = self.engine.text(query)
+        return self._asked(lambda: self.driver.fetch(text), text)
 
     def keep(self, step: str, query: exp.Query) -> exp.Table:
         """Run a query into a temporary table and return the node that reads it."""
+        table = self._new(step)
+        self._asked(lambda: self.driver.keep(table, query), step)
+        self._made[table.name] = table
+        return table.copy()
 
     def load(self, rows: pa.Table) -> exp.Table:
         """Return the node that reads an Arrow table of ours, until it is forgotten."""
+        table = self._new("arrow")
+        self._made[table.name] = table  # also where it is filled in part only: its name is not free then
+        self._asked(lambda: self.driver.ingest(table, rows), "arrow")
+        return table.copy()
 
     def forget(self, kept: exp.Table) -> None:
         """Drop a table made by :meth:`keep`, or let go of one given to :meth:`load`."""
+        table = self._made.pop(kept.name)
+        self._asked(lambda: self.driver.drop(table))
 
     def write(self, query: exp.Query, path: Path, table: str) -> None:
         """Write the rows of a query as Parquet, or as a table of a DuckDB file.
@@ -128,12 +225,75 @@ class Session(Protocol):
         Raises:
             SourceError: the target cannot be written.
         """
+        import duckdb  # only for results beside another engine, and slow to load
+
+        rows = self.fetch(query)
+        try:
+            if path.suffix in (".duckdb", ".db"):
+                _write_table(rows, path, table)
+            else:
+                _write_parquet(rows, path)
+        except (OSError, duckdb.Error) as error:
+            raise unwritable(path, error) from error
 
     def rows_at_once(self) -> int:
         """Return how many readings can be worked on at once within the memory of the engine."""
+        return self.driver.rows_at_once()
 
     def progress(self) -> float:
         """Return how far the running statement is, in percent; negative if it is not known."""
+        return -1.0
+
+    def _is_among(self, node: exp.Expr, known: Sequence[tuple[str, ...]]) -> bool:
+        """Tell whether the last parts of some known name are those of a node."""
+        parts = tuple(part.name for part in node.parts)  # type: ignore[attr-defined]
+        return any(parts == name[-len(parts) :] for name in known)
+
+    def _unknown(self, shown: str, hint: str) -> str:
+        where = f"in this {self.engine.title} database"
+        return f"There is no table or view {shown!r} that can be read {where}{hint or '.'}"
+
+    def _new(self, step: str) -> exp.Table:
+        # A name that is free again comes again, and with it the texts that hold it.
+        names = (f"{self._mark}_{step}_{number}" for number in itertools.count())
+        name = next(name for name in names if name not in self._made)
+        schema = self.engine.temporary
+        return exp.Table(this=template.name(name), db=schema and template.name(schema))
+
+    def _asked(self, question: Callable[[], T], statement: str = "") -> T:
+        try:
+            return question()
+        except self.driver.errors as error:
+            problem = self.driver.problem(error)
+            if problem is not None:
+                raise problem from error
+            raise StatementError(
+                f"{self.engine.title} refused a statement: {first_line(error)}", statement
+            ) from error
+
+
+def _write_parquet(rows: pa.Table, path: Path) -> None:
+    """Write beside the target and rename: what was there stays until all is written."""
+    unfinished = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
+    try:
+        pq.write_table(rows, unfinished, compression="zstd")
+        unfinished.replace(path)
+    finally:
+        unfinished.unlink(missing_ok=True)
+
+
+def _write_table(rows: pa.Table, path: Path, table: str) -> None:
+    from gam_db.engines.duckdb_session import DuckSession
+
+    target = exp.Table(this=template.name(table), db=template.name("main"))
+    with DuckSession(path, writable=True) as session, session.lent(rows) as lent:
+        query = exp.select("*").from_(lent)
+        session.execute(exp.Create(this=target, kind="TABLE", replace=True, expression=query))
+
+
+def first_line(error: BaseException | None) -> str:
+    """Return the first line of what an engine says of an error."""
+    return str(error).strip().partition("\n")[0]
 
 
 def arrow_table(relation: Any) -> pa.Table:

@@ -13,6 +13,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.base import Engine
+from gam_db.engines.driver import Driver
 from gam_db.engines.session import READ_ONLY
 from gam_db.engines.spark import ENGINE, OVER
 from gam_db.engines.spark_folder import Folder
@@ -22,15 +23,13 @@ from gam_db.engines.spark_problems import problem
 from gam_db.engines.spark_tables import FolderTables, Tables
 from gam_db.errors import EngineError
 from gam_db.extras import needed
+from gam_db.form import Form
 
 #: Steps with at most so many rows are handed back to Spark as rows: its plans then end there.
 _FEW = 20_000
 
 #: What Spark estimates to be at most so many bytes is not written to files first.
 _SMALL = 2**20
-
-#: Spark spills what does not fit, and a group of channels costs it a round of jobs: all at once.
-_ALL = 2**40
 
 
 def connected(target: Any, writable: bool) -> "SparkDriver":
@@ -49,8 +48,8 @@ def connected(target: Any, writable: bool) -> "SparkDriver":
     return SparkDriver(session, OVER[form], writable, form)
 
 
-class SparkDriver:
-    """See :class:`gam_db.engines.warehouse.Driver`.
+class SparkDriver(Driver):
+    """See :class:`gam_db.engines.driver.Driver`.
 
     Args:
         session: of Spark, for this driver alone.
@@ -60,8 +59,8 @@ class SparkDriver:
             :func:`gam_db.engines.spark_metastore.format_of`).
     """
 
-    transactions = False
     problem = staticmethod(problem)
+    most_rows = 2**40  # Spark spills what does not fit, and a group of channels costs it a round of jobs
 
     def __init__(self, session: Any, engine: Engine, writable: bool, kept: Folder | str) -> None:
         self.engine = engine
@@ -89,15 +88,6 @@ class SparkDriver:
         """Return the rows of a query."""
         self._tables.ready(query)
         return self._arrow(self._run(query))
-
-    def begin(self) -> None:
-        """Do nothing: there are no transactions."""
-
-    commit = rollback = begin
-
-    def in_transaction(self) -> bool:
-        """Tell that none is open."""
-        return False
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
         """Make a view of the rows of a query, computed once."""
@@ -137,10 +127,6 @@ class SparkDriver:
             raise EngineError(READ_ONLY)
         self._tables.delete(table, keys, found)
 
-    def located(self, table: exp.Expr) -> exp.Expr:
-        """Return the node as it is."""
-        return table
-
     def tables(self) -> list[tuple[str, ...]]:
         """Return what can be read, tables and views."""
         return [*self._tables.names(), *((name,) for name in self._views)]
@@ -155,13 +141,13 @@ class SparkDriver:
         """Return the tables and views of a schema with their columns."""
         return dict(self._tables.relations(schema))
 
-    def file(self, path: str) -> exp.Expr:
+    def file(self, relation: Any, form: Form | None = None) -> exp.Expr:
         """Return the node that reads a file, a folder of files, or what a pattern matches.
 
         Raises:
             SourceError: there is none, or Spark cannot read it.
         """
-        reader = self._session.read
+        path, reader = str(relation), self._session.read
         with quiet():
             if path.lower().endswith((".parquet", ".pq")):
                 frame = reader.parquet(path)
@@ -172,10 +158,6 @@ class SparkDriver:
         view = exp.Table(this=template.name(f"gam_file_{abs(hash(path)):x}"))
         self._name(view, frame)
         return view
-
-    def rows_at_once(self) -> int:
-        """Return how many readings can be worked on at once: Spark takes them in parts itself."""
-        return _ALL
 
     def close(self) -> None:
         """Forget the tables; Spark itself goes on until the process ends."""

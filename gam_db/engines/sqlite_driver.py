@@ -17,16 +17,13 @@ from gam_db.engines.base import called
 from gam_db.engines.dbapi import DbapiDriver
 from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY
 from gam_db.engines.sqlite import ENGINE
-from gam_db.errors import ConflictError, EngineError, SourceError
+from gam_db.errors import ConflictError, EngineError
 
 #: Window functions, hints on WITH entries and mathematical functions are all there.
 OLDEST = (3, 35)
 
 #: How long a writer waits for another one, in seconds.
 PATIENCE = 30
-
-#: Readings worked on at once: SQLite keeps temporary tables on disk, and sorts there.
-ROWS_AT_ONCE = 5_000_000
 
 _DAMAGED = "The SQLite file is damaged; put it back from a copy."
 _SCHEME = "sqlite:///"
@@ -80,6 +77,8 @@ class SqliteDriver(DbapiDriver):
 
     engine = ENGINE
     errors: tuple[type[Exception], ...] = (sqlite3.Error,)
+    no_files = "SQLite reads no files by path; load {path} into a table and name that."
+    most_rows = 5_000_000  # temporary tables are on disk
     begins = "BEGIN IMMEDIATE"  # no other connection can write beside it
     refusals = (
         ("locked", ConflictError(CONFLICT)),
@@ -152,18 +151,6 @@ class SqliteDriver(DbapiDriver):
             rows = self._asked("SELECT name FROM PRAGMA_TABLE_INFO(?)", [name])
             found[name.casefold()] = tuple(column for (column,) in rows)
         return found
-
-    def file(self, path: str) -> exp.Expr:
-        """Refuse a file.
-
-        Raises:
-            SourceError: SQLite reads none.
-        """
-        raise SourceError(f"SQLite reads no files by path; load {path} into a table and name that.")
-
-    def rows_at_once(self) -> int:
-        """Return how many readings can be worked on at once."""
-        return ROWS_AT_ONCE
 
     def close(self) -> None:
         """Close the connection if it is ours, or leave it as it was."""

@@ -164,7 +164,7 @@ def test_a_connection_lost_at_the_end_says_that_it_is_not_known(monkeypatch: pyt
         def lost() -> None:
             raise LostConnectionError("gone")
 
-        monkeypatch.setattr(session.driver, "commit", lost)  # type: ignore[attr-defined]
+        monkeypatch.setattr(session.driver, "commit", lost)
         with pytest.raises(LostConnectionError, match="is not known"), session.transaction():
             pass
 

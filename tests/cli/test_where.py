@@ -155,7 +155,7 @@ def test_remote_sources_are_read_as_before() -> None:
     assert answers[0] == answers[1]
     assert "cannot be read" in answers[0] or "DuckDB's extension httpfs" in answers[0]
     with DuckSession() as session:
-        session._sources.append("s3://bucket/a.parquet")
+        session.driver.sources.append("s3://bucket/a.parquet")
         loaded = session.load(langevin.series()[:9])
         session.check_condition(loaded, parsed_condition("value < 9"), "value < 9")
         shut = "SELECT current_setting('enable_external_access')"

@@ -22,7 +22,7 @@ import harness
 import scripts
 from gam_db.clock import TimeKind
 from gam_db.engines import engine_named
-from gam_db.engines.warehouse import WarehouseSession
+from gam_db.engines.session import Session
 from gam_db.method import Method, pipeline
 from gam_db.source import readings
 from gam_db.stored import dropping, migrations
@@ -155,7 +155,7 @@ def differing(found: pa.Table, expected: pa.Table) -> list[str]:
 def test_the_stored_form_gives_what_duckdb_gives() -> None:
     """Migrated, calibrated, scored twice, looked at, pruned and dropped, with the same rows."""
     made = plant(telemetry(120))
-    there = monitor(WarehouseSession(GoogleSqlDriver(made)))
+    there = monitor(Session(GoogleSqlDriver(made)))
     with duckdb.connect() as connection:
         connection.execute(
             "CREATE TABLE telemetry (asset TEXT, channel TEXT, time BIGINT, value DOUBLE)"

@@ -18,7 +18,7 @@ import harness
 import small_plant
 from gam_db.clock import TimeKind
 from gam_db.engines import clickhouse_driver
-from gam_db.engines.warehouse import WarehouseSession
+from gam_db.engines.session import Session
 from gam_db.errors import EngineError, SourceError
 from gam_db.pipeline import filled, place
 from gam_db.source import readings as reading_query
@@ -30,18 +30,18 @@ from visible import BUCKETS, NOVEL, visible
 
 
 @pytest.fixture
-def session() -> WarehouseSession:
+def session() -> Session:
     found = engines.session("clickhouse")
-    assert isinstance(found, WarehouseSession)
+    assert isinstance(found, Session)
     return found
 
 
-def run(session: WarehouseSession, *statements: str) -> None:
+def run(session: Session, *statements: str) -> None:
     for statement in statements:
         session.driver.execute(statement)
 
 
-def table_of(session: WarehouseSession, columns: str, rows: str) -> str:
+def table_of(session: Session, columns: str, rows: str) -> str:
     """Make a table of these columns and rows, and return its name."""
     name = engines.fresh_name("plant")
     run(session, f"CREATE TABLE {name} ({columns}) ENGINE = MergeTree ORDER BY tuple()")
@@ -49,7 +49,7 @@ def table_of(session: WarehouseSession, columns: str, rows: str) -> str:
     return name
 
 
-def read(session: WarehouseSession, relation: Any, **columns: Any) -> list[tuple[Any, ...]]:
+def read(session: Session, relation: Any, **columns: Any) -> list[tuple[Any, ...]]:
     """Return (asset, channel, integer time, value) as gam-db reads them."""
     source = gam_db.Source(relation, **columns)
     node = session.relation(source.relation)
@@ -78,7 +78,7 @@ def read(session: WarehouseSession, relation: Any, **columns: Any) -> list[tuple
     ],
 )
 def test_instants_are_exact_whatever_the_zone_of_the_server(
-    session: WarehouseSession, type_name: str, text: str, micros: int
+    session: Session, type_name: str, text: str, micros: int
 ) -> None:
     named = table_of(
         session,
@@ -87,7 +87,7 @@ def test_instants_are_exact_whatever_the_zone_of_the_server(
     )
     assert read(session, named) == [("a", "x", micros, 1.5)]
     with gam_db.connect(opened(session_timezone="America/New_York")) as other:
-        assert isinstance(other, WarehouseSession)
+        assert isinstance(other, Session)
         assert read(other, named) == [("a", "x", micros, 1.5)]
 
 
@@ -99,7 +99,7 @@ def opened(**settings: Any) -> Any:
     return client
 
 
-def test_decimals_enums_and_reserved_words(session: WarehouseSession) -> None:
+def test_decimals_enums_and_reserved_words(session: Session) -> None:
     named = table_of(
         session,
         "`select` Enum8('A' = 1, 'a' = 2), `order by` LowCardinality(Nullable(String)), "
@@ -110,7 +110,7 @@ def test_decimals_enums_and_reserved_words(session: WarehouseSession) -> None:
     assert read(session, named, **columns) == [("A", "X", 7, 0.1), ("a", "x", 8, None)]
 
 
-def test_a_counter_beyond_64_bits_is_refused_not_wrapped(session: WarehouseSession) -> None:
+def test_a_counter_beyond_64_bits_is_refused_not_wrapped(session: Session) -> None:
     named = table_of(
         session,
         "asset String, channel String, time UInt64, value Float64",
@@ -120,13 +120,13 @@ def test_a_counter_beyond_64_bits_is_refused_not_wrapped(session: WarehouseSessi
         gam_db.health_indicator(gam_db.Source(named), engine=session)
 
 
-def test_a_refused_query_leaves_nothing_in_the_next_answer(session: WarehouseSession) -> None:
+def test_a_refused_query_leaves_nothing_in_the_next_answer(session: Session) -> None:
     with pytest.raises(Exception, match="safely converted"):
         session.driver.fetch("SELECT accurateCast(materialize(18446744073709551615), 'Int64') AS a")
     assert session.driver.fetch("SELECT 3 AS a").to_pylist() == [{"a": 3}]
 
 
-def test_rows_come_back_as_on_other_engines(session: WarehouseSession) -> None:
+def test_rows_come_back_as_on_other_engines(session: Session) -> None:
     found = session.driver.fetch(
         "SELECT toUInt64(3) AS a, toLowCardinality('x') AS b, toFloat32(0.5) AS c, count() AS d, "
         "toDateTime64('2026-03-01 00:00:00', 6, 'UTC') AS e, NULL AS f"
@@ -135,7 +135,7 @@ def test_rows_come_back_as_on_other_engines(session: WarehouseSession) -> None:
     assert found.schema.types == types
 
 
-def test_arrow_tables_go_in_and_come_out(session: WarehouseSession) -> None:
+def test_arrow_tables_go_in_and_come_out(session: Session) -> None:
     given = pa.table(
         {
             "a": pa.array([1, None], pa.uint16()),
@@ -164,7 +164,7 @@ def test_arrow_tables_go_in_and_come_out(session: WarehouseSession) -> None:
 # Settings
 
 
-def test_other_settings_of_a_client_change_nothing(session: WarehouseSession) -> None:
+def test_other_settings_of_a_client_change_nothing(session: Session) -> None:
     rows = readings(0, FIRST)
     table = engines.fresh_name("telemetry")
     with session.lent(harness.arrow(rows)) as lent:
@@ -192,7 +192,7 @@ def test_other_settings_of_a_client_change_nothing(session: WarehouseSession) ->
     client.close()
 
 
-def test_a_limit_is_an_error_and_not_a_part_of_the_rows(session: WarehouseSession) -> None:
+def test_a_limit_is_an_error_and_not_a_part_of_the_rows(session: Session) -> None:
     client = opened(max_result_rows=3, result_overflow_mode="break", max_block_size=3)
     refused = pytest.raises(EngineError, match="TOO_MANY_ROWS_OR_BYTES")
     with gam_db.connect(client) as other, refused:
@@ -202,7 +202,7 @@ def test_a_limit_is_an_error_and_not_a_part_of_the_rows(session: WarehouseSessio
     client.close()
 
 
-def test_a_user_who_may_only_read(session: WarehouseSession) -> None:
+def test_a_user_who_may_only_read(session: Session) -> None:
     table = table_of(
         session, "asset String, channel String, time Int64, value Float64", "VALUES ('a','x',1,1)"
     )
@@ -224,7 +224,7 @@ def test_a_user_who_may_only_read(session: WarehouseSession) -> None:
 
 
 def test_compacting_survives_what_a_killed_process_left(
-    session: WarehouseSession, monkeypatch: pytest.MonkeyPatch
+    session: Session, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     table = engines.fresh_name("telemetry")
     with session.lent(harness.arrow(readings(0, FIRST))) as lent:
@@ -253,7 +253,7 @@ def test_compacting_survives_what_a_killed_process_left(
     assert session.driver.fetch(stored)["n"][0].as_py() < before
 
 
-def test_an_incremental_run_reads_its_range_only(session: WarehouseSession) -> None:
+def test_an_incremental_run_reads_its_range_only(session: Session) -> None:
     """Of a source and of buckets ordered by channel and time, a part of the marks is read."""
     table = engines.fresh_name("telemetry")
     run(
@@ -291,7 +291,7 @@ def test_an_incremental_run_reads_its_range_only(session: WarehouseSession) -> N
         assert marks(session) - before <= 6, "of 312, and the runs"
 
 
-def test_what_a_run_reads_does_not_grow_with_what_is_stored(session: WarehouseSession) -> None:
+def test_what_a_run_reads_does_not_grow_with_what_is_stored(session: Session) -> None:
     """By the engine's own count of rows: the new ones, and little beside the buckets there are."""
     table = engines.fresh_name("telemetry")
     ordered = "ENGINE = MergeTree ORDER BY time SETTINGS index_granularity = 128"
@@ -322,18 +322,18 @@ def test_what_a_run_reads_does_not_grow_with_what_is_stored(session: WarehouseSe
     assert counted(session, "SelectedRows") - before < there / 2
 
 
-def marks(session: WarehouseSession) -> int:
+def marks(session: Session) -> int:
     """Return how many marks were read since the engine was started."""
     return counted(session, "SelectedMarks")
 
 
-def counted(session: WarehouseSession, event: str) -> int:
+def counted(session: Session, event: str) -> int:
     """Return how often something happened since the engine was started."""
     found = session.driver.fetch(f"SELECT value FROM system.events WHERE event = '{event}'")
     return sum(found["value"].to_pylist())
 
 
-def granules(session: WarehouseSession, query: exp.Expr) -> tuple[int, int]:
+def granules(session: Session, query: exp.Expr) -> tuple[int, int]:
     """Return how many marks of its first table a query reads, and how many there are."""
     explained = session.driver.fetch(f"EXPLAIN indexes = 1 {session.engine.text(query)}")
     plan = "\n".join(explained["explain"].to_pylist())
@@ -341,7 +341,7 @@ def granules(session: WarehouseSession, query: exp.Expr) -> tuple[int, int]:
     return int(counts[-1][0]), int(counts[0][1])
 
 
-def test_a_second_writer_is_noticed(session: WarehouseSession) -> None:
+def test_a_second_writer_is_noticed(session: Session) -> None:
     table = table_of(
         session, "asset String, channel String, time Int64, value Float64", "VALUES ('a','x',1,1)"
     )

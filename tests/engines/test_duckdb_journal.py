@@ -16,7 +16,7 @@ import duckdb
 import pytest
 from sqlglot import exp
 
-from gam_db.engines import duckdb_session
+from gam_db.engines import duckdb_driver
 from gam_db.engines.duckdb_journal import HEADERS, Journal, journal_of, put_back
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import EngineError, SourceError
@@ -180,7 +180,7 @@ def test_a_log_beside_a_file_is_read_by_everybody(path: Path, monkeypatch: pytes
 
 
 def test_a_large_log_goes_into_the_file(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(duckdb_session, "LARGE_LOG", 20_000)
+    monkeypatch.setattr(duckdb_driver, "LARGE_LOG", 20_000)
     sizes = []
     with DuckSession(path, writable=True) as session:
         for _ in range(12):

@@ -43,7 +43,7 @@ def test_executed_is_what_the_tests_run_on() -> None:
 
 @pytest.mark.parametrize("name", engines.OPENERS)
 def test_an_older_version_is_refused_where_the_table_says_so(name: str) -> None:
-    module = {"duckdb": "duckdb_session", "spark": "spark_opening"}.get(name, f"{name}_driver")
+    module = {"spark": "spark_opening"}.get(name, f"{name}_driver")
     oldest = importlib.import_module(f"gam_db.engines.{module}").OLDEST
     assert engine_named(name).oldest == ".".join(map(str, oldest))
 

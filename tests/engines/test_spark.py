@@ -15,10 +15,10 @@ from sqlglot import exp
 import engines
 import gam_db
 import harness
+from gam_db.engines.session import Session
 from gam_db.engines.spark import OVER
 from gam_db.engines.spark_driver import SparkDriver
 from gam_db.engines.spark_rewriting import write_beside
-from gam_db.engines.warehouse import WarehouseSession
 from gam_db.errors import EngineError, GamError, SourceError, UserError
 from gam_db.pipeline import filled, place
 from gam_db.stored.migrations import rendered
@@ -30,14 +30,14 @@ START = 1_709_990_000_000_000  # within a day of a change of the clocks in New Y
 
 
 @pytest.fixture(scope="module", autouse=True)
-def spark() -> WarehouseSession:
+def spark() -> Session:
     session = engines.session("spark")
-    assert isinstance(session, WarehouseSession)
+    assert isinstance(session, Session)
     return session
 
 
 @pytest.fixture
-def theirs(spark: WarehouseSession) -> Any:
+def theirs(spark: Session) -> Any:
     """A session of a user, whose clocks show New York's time."""
     from pyspark.sql import SparkSession
 
@@ -57,12 +57,12 @@ def readings(start: int, end: int) -> pa.Table:
     )
 
 
-def told(session: WarehouseSession, query: str) -> list[dict[str, Any]]:
+def told(session: Session, query: str) -> list[dict[str, Any]]:
     rows: list[dict[str, Any]] = session.fetch(sqlglot.parse_one(query, dialect="duckdb")).to_pylist()
     return rows
 
 
-def do(session: WarehouseSession, statement: str) -> None:
+def do(session: Session, statement: str) -> None:
     session.execute(sqlglot.parse_one(statement, dialect="spark"))
 
 
@@ -72,8 +72,8 @@ def do(session: WarehouseSession, statement: str) -> None:
 def test_a_folder_is_found_again_and_two_sessions_see_one_another(tmp_path: Path) -> None:
     address = f"spark://{tmp_path / 'a plant'}"
     with gam_db.connect(address) as first, gam_db.connect(address) as second:
-        assert isinstance(first, WarehouseSession)
-        assert isinstance(second, WarehouseSession)
+        assert isinstance(first, Session)
+        assert isinstance(second, Session)
         do(first, "CREATE TABLE counts (name STRING, n BIGINT) USING PARQUET")
         do(first, "CREATE OR REPLACE VIEW doubled AS SELECT name, 2 * n AS twice FROM counts")
         assert told(second, "SELECT twice FROM doubled") == []
@@ -89,13 +89,13 @@ def test_a_folder_is_found_again_and_two_sessions_see_one_another(tmp_path: Path
         do(first, "CREATE OR REPLACE VIEW doubled AS SELECT name, 4 * n AS twice FROM counts")
         assert told(second, "SELECT twice FROM doubled") == [{"twice": 4}]
     with gam_db.connect(address, writable=False) as third:
-        assert isinstance(third, WarehouseSession)
+        assert isinstance(third, Session)
         assert third.relations() == {"counts": ("name", "n"), "doubled": ("name", "twice")}
         assert told(third, "SELECT twice FROM doubled") == [{"twice": 4}]
         with pytest.raises(EngineError, match="reading only"):
             do(third, "INSERT INTO counts (name, n) SELECT 'b' AS name, 7 AS n")
     with gam_db.connect(address) as last:
-        assert isinstance(last, WarehouseSession)
+        assert isinstance(last, Session)
         do(last, "DROP VIEW doubled")
         do(last, "DROP TABLE counts")
         assert last.relations() == {}
@@ -106,7 +106,7 @@ def test_what_a_killed_process_left_is_not_seen_and_goes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     with gam_db.connect(f"spark://{tmp_path}") as session:
-        assert isinstance(session, WarehouseSession)
+        assert isinstance(session, Session)
         do(session, "CREATE TABLE counts (n BIGINT) USING PARQUET")
         do(session, "INSERT INTO counts (n) SELECT 1 AS n UNION ALL SELECT 2 AS n")
         gone = sqlglot.parse_one("SELECT 2 AS n")
@@ -133,8 +133,8 @@ def test_rows_that_come_while_a_table_is_rewritten_are_not_lost(
         gam_db.connect(f"spark://{tmp_path}") as session,
         gam_db.connect(f"spark://{tmp_path}") as other,
     ):
-        assert isinstance(session, WarehouseSession)
-        assert isinstance(other, WarehouseSession)
+        assert isinstance(session, Session)
+        assert isinstance(other, Session)
         do(session, "CREATE TABLE counts (n BIGINT) USING PARQUET")
         do(session, "INSERT INTO counts (n) SELECT 1 AS n")
 
@@ -187,7 +187,7 @@ def test_the_users_session_keeps_its_ways_and_its_tables(theirs: Any, tmp_path: 
 
 @pytest.mark.parametrize("zone", [None, "UTC"])
 def test_instants_are_right_in_any_zone(
-    theirs: Any, spark: WarehouseSession, tmp_path: Path, zone: str | None
+    theirs: Any, spark: Session, tmp_path: Path, zone: str | None
 ) -> None:
     """Times around a change of New York's clocks, in a table of Spark and in a file."""
     times = pa.array([START + n * 300_000_000 for n in range(300)], pa.timestamp("us", zone))
@@ -210,7 +210,7 @@ def test_instants_are_right_in_any_zone(
 
 
 @pytest.mark.full
-def test_a_run_reads_its_range_only(spark: WarehouseSession, tmp_path: Path) -> None:
+def test_a_run_reads_its_range_only(spark: Session, tmp_path: Path) -> None:
     for asset in ("007", "8"):
         folder = tmp_path / "telemetry.parquet" / f"asset={asset}"
         folder.mkdir(parents=True)
@@ -246,13 +246,13 @@ def test_a_run_reads_its_range_only(spark: WarehouseSession, tmp_path: Path) -> 
     assert "EqualTo(version_id,3), GreaterThan(last_time,7)" in plan
 
 
-def explained(session: WarehouseSession, query: exp.Query) -> str:
+def explained(session: Session, query: exp.Query) -> str:
     assert isinstance(session.driver, SparkDriver)
     text = session.engine.text(query)
     return str(session.driver.fetch(f"EXPLAIN EXTENDED {text}")["plan"][0])
 
 
-def test_odd_names_and_decimals(spark: WarehouseSession) -> None:
+def test_odd_names_and_decimals(spark: Session) -> None:
     rows = readings(0, 120)
     odd: dict[str, Any] = {
         "asset": "select",
@@ -267,7 +267,7 @@ def test_odd_names_and_decimals(spark: WarehouseSession) -> None:
     assert found.to_pylist() == gam_db.support(gam_db.Source(rows), PARAMETERS).to_pylist()
 
 
-def test_text_files_are_read(spark: WarehouseSession, tmp_path: Path) -> None:
+def test_text_files_are_read(spark: Session, tmp_path: Path) -> None:
     lines = [f"a,x,{dt.datetime(2024, 1, 1) + dt.timedelta(seconds=n)},{n % 5}" for n in range(100)]
     (tmp_path / "rows.csv").write_text("\n".join(["asset,channel,time,value", *lines]))
     source = gam_db.Source(str(tmp_path / "rows.csv"))
@@ -299,7 +299,7 @@ def bad(tmp_path: Path) -> dict[str, tuple[Any, str]]:
 
 
 @pytest.mark.parametrize("case", ["no folder", "no folder on a cluster", "a file", "another master"])
-def test_what_cannot_be_opened(spark: WarehouseSession, tmp_path: Path, case: str) -> None:
+def test_what_cannot_be_opened(spark: Session, tmp_path: Path, case: str) -> None:
     address, message = bad(tmp_path)[case]
     with pytest.raises(EngineError, match=message):
         gam_db.connect(address)
@@ -322,7 +322,7 @@ def test_a_stopped_session_is_refused() -> None:
         gam_db.connect(Stopped())
 
 
-def test_nanoseconds_are_refused(spark: WarehouseSession, tmp_path: Path) -> None:
+def test_nanoseconds_are_refused(spark: Session, tmp_path: Path) -> None:
     times = pa.array([n * 10**9 for n in range(10)], pa.timestamp("ns"))
     pq.write_table(pa.table({"t": times, "value": [1.0] * 10}), tmp_path / "rows.parquet")
     source = gam_db.Source(str(tmp_path / "rows.parquet"), asset=None, channel=None, time="t")
@@ -339,7 +339,7 @@ def test_nanoseconds_are_refused(spark: WarehouseSession, tmp_path: Path) -> Non
     ],
 )
 def test_bad_values_and_conditions_are_said_in_one_line(
-    spark: WarehouseSession, condition: str, message: str
+    spark: Session, condition: str, message: str
 ) -> None:
     with spark.lent(readings(0, 30)) as lent:
         source = gam_db.Source(lent.name, where=condition)
@@ -349,7 +349,7 @@ def test_bad_values_and_conditions_are_said_in_one_line(
     assert "'a'" not in str(refused.value)
 
 
-def test_a_missing_file_or_table_is_named(spark: WarehouseSession, tmp_path: Path) -> None:
+def test_a_missing_file_or_table_is_named(spark: Session, tmp_path: Path) -> None:
     with pytest.raises(SourceError, match="no such file"):
         gam_db.support(gam_db.Source(str(tmp_path / "none.parquet")), engine=spark)
     with pytest.raises(SourceError, match="no table or view 'none'"):
@@ -368,14 +368,14 @@ def test_java_that_has_ended_is_said() -> None:
     assert problem(ValueError("ours")) is None
 
 
-def test_two_sessions_at_once_in_threads(spark: WarehouseSession, tmp_path: Path) -> None:
+def test_two_sessions_at_once_in_threads(spark: Session, tmp_path: Path) -> None:
     """Each has names of its own; neither sees what the other keeps."""
     problems: list[GamError] = []
 
     def work(number: int) -> None:
         try:
             with gam_db.connect(f"spark://{tmp_path / str(number)}") as session:
-                assert isinstance(session, WarehouseSession)
+                assert isinstance(session, Session)
                 do(session, "CREATE TABLE counts (n BIGINT) USING PARQUET")
                 do(session, f"INSERT INTO counts (n) SELECT {number} AS n")
                 assert told(session, "SELECT n FROM counts") == [{"n": number}]

@@ -16,7 +16,7 @@ DATASET = "ur3_cobot"
 def spark() -> Iterator[Session]:
     """The session on Spark, for a while with Spark's own settings, as users run it."""
     session = engines.session("spark")
-    driver = session.driver  # type: ignore[attr-defined]
+    driver = session.driver
     before = [(name, driver.fetch(f"SET {name}")["value"][0].as_py()) for name in engines.QUICK_SPARK]
     own = {"spark.sql.codegen.factoryMode": "FALLBACK"}
     for name, _ in before:

@@ -20,7 +20,7 @@ from typer.testing import CliRunner
 import engines
 import gam_db
 from gam_db.cli import app
-from gam_db.engines.warehouse import WarehouseSession
+from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError
 from gam_db.export import grafana
 from gam_db.stored.tables import StateTables
@@ -107,7 +107,7 @@ def expanded(sql: str, engine: str, span: tuple[dt.datetime, dt.datetime], **cho
 
 
 def rows_of(monitor: gam_db.Monitor, sql: str) -> list[dict[str, Any]]:
-    assert isinstance(monitor.session, WarehouseSession)
+    assert isinstance(monitor.session, Session)
     found: list[dict[str, Any]] = monitor.session.driver.fetch(sql).to_pylist()
     return found
 

@@ -18,7 +18,6 @@ import gam_db
 import small_plant
 import victims
 from gam_db.engines.session import Session
-from gam_db.engines.warehouse import WarehouseSession
 from gam_db.stored import pruning
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.state import State
@@ -74,7 +73,7 @@ def live(order: dict[str, Any], said: int) -> None:
 
 def work(session: Session, order: dict[str, Any], announce: Any) -> None:
     """Do the work of an order."""
-    assert isinstance(session, WarehouseSession)
+    assert isinstance(session, Session)
     for setting in ("max_block_size", "min_insert_block_size_rows", "min_insert_block_size_bytes"):
         session.driver.execute(f"SET {setting} = {BLOCK}")
     session.driver.execute("SET max_threads = 1")

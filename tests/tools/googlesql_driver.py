@@ -3,14 +3,13 @@
 BigQuery has transactions; here their statements run one by one, and nothing is undone.
 """
 
-from collections.abc import Sequence
-
 import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.engines import engine_named
-from gam_db.engines.base import deletion, table_as
-from gam_db.errors import SourceError, UserError
+from gam_db.engines.base import table_as
+from gam_db.engines.driver import Driver
+from gam_db.errors import UserError
 from googlesql import GoogleSqlError, Plant, Table
 
 ARROW = {"INT64": pa.int64(), "FLOAT64": pa.float64(), "STRING": pa.string(), "BOOL": pa.bool_()}
@@ -18,12 +17,13 @@ ARROW["TIMESTAMP"] = pa.timestamp("us", "UTC")
 NAMES = {str(kind): name for name, kind in ARROW.items()}
 
 
-class GoogleSqlDriver:
-    """The tables of a plant, as a driver; see :class:`gam_db.engines.warehouse.Driver`."""
+class GoogleSqlDriver(Driver):
+    """The tables of a plant, as a driver; see :class:`gam_db.engines.driver.Driver`."""
 
     engine = engine_named("bigquery")
     transactions = True
     errors: tuple[type[Exception], ...] = (GoogleSqlError,)
+    most_rows = 1_000_000
 
     def __init__(self, plant: Plant) -> None:
         self.plant = plant
@@ -34,13 +34,8 @@ class GoogleSqlDriver:
     def fetch(self, query: str) -> pa.Table:
         return arrow(self.plant.run(query))
 
-    def begin(self) -> None:
+    def close(self) -> None:
         """Leave the plant as it is."""
-
-    commit = rollback = close = begin
-
-    def in_transaction(self) -> bool:
-        return False
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
         self.plant.execute(self.engine.text(table_as(table, query)))
@@ -53,13 +48,6 @@ class GoogleSqlDriver:
     def drop(self, table: exp.Table) -> None:
         self.plant.execute(self.engine.text(exp.Drop(tables=[table], kind="TABLE")))
 
-    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
-        self.plant.execute(self.engine.text(deletion(table, keys, found)))
-
-    def located(self, table: exp.Expr) -> exp.Expr:
-        """Return the node as it is."""
-        return table
-
     def tables(self) -> list[tuple[str, ...]]:
         return [(name,) for name in self.plant.relations()]
 
@@ -70,12 +58,6 @@ class GoogleSqlDriver:
     def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
         assert schema is None
         return {name: tuple(columns) for name, columns in self.plant.relations().items()}
-
-    def file(self, path: str) -> exp.Expr:
-        raise SourceError(f"{path}: there are no files.")
-
-    def rows_at_once(self) -> int:
-        return 1_000_000
 
     def problem(self, error: Exception) -> UserError | None:
         return None

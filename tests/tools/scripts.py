@@ -12,7 +12,6 @@ import engines
 import gam_db
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.engines.session import Session
-from gam_db.engines.warehouse import WarehouseSession
 from harness import Answer, Row, arrow
 
 #: question -> relation of the view form, and its order
@@ -77,7 +76,7 @@ def fetched(session: Session, script: str) -> Answer:
     if isinstance(session, DuckSession):
         rows = session.connection.sql(script).to_arrow_table()
     else:
-        assert isinstance(session, WarehouseSession)
+        assert isinstance(session, Session)
         *first, query = END.split(script.removesuffix(";\n"))
         run(session, ";\n".join(first))
         rows = session.driver.fetch(query)
@@ -90,7 +89,7 @@ def run(session: Session, script: str) -> None:
     if isinstance(session, DuckSession):
         session.connection.execute(script)
         return
-    assert isinstance(session, WarehouseSession)
+    assert isinstance(session, Session)
     for statement in END.split(script):
         if statement.strip():
             session.driver.execute(statement)

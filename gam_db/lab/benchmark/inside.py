@@ -3,10 +3,10 @@
 import json
 import time
 from collections import defaultdict
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import pyarrow as pa
 from sqlglot import exp
 
 import gam_db
@@ -46,12 +46,26 @@ class ProfiledSession(DuckSession):
         self.profiles: list[tuple[str, dict[str, Any]]] = []
         self._steps = steps
 
-    def _run(self, tree: exp.Expr, how: Callable[[str], Any] | None = None) -> Any:
-        answer = super()._run(tree, how)
-        if isinstance(tree, (exp.Create, exp.Query)):
-            profile = json.loads(self.connection.get_profiling_information(format="json"))
-            self.profiles.append((self._steps.now, profile))
-        return answer
+    def keep(self, step: str, query: exp.Query) -> exp.Table:
+        """Do so, and keep the profile."""
+        kept = super().keep(step, query)
+        self._note()
+        return kept
+
+    def fetch(self, query: exp.Expr) -> pa.Table:
+        """Do so, and keep the profile."""
+        rows = super().fetch(query)
+        self._note()
+        return rows
+
+    def _run(self, tree: exp.Expr) -> None:
+        super()._run(tree)
+        if isinstance(tree, exp.Create):
+            self._note()
+
+    def _note(self) -> None:
+        profile = json.loads(self.connection.get_profiling_information(format="json"))
+        self.profiles.append((self._steps.now, profile))
 
 
 def run(source: Path, result: Path, threads: int) -> dict[str, float]:

@@ -15,7 +15,8 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.duckdb import ENGINE
-from gam_db.engines.duckdb_session import LARGE_LOG, DuckSession
+from gam_db.engines.duckdb_driver import LARGE_LOG
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import ConfigurationError, SourceError
 from gam_db.lab.simulate.fleet import TRUTH, Fleet
 
@@ -139,7 +140,7 @@ def _in_database(path: Path, table: str) -> Iterator[tuple[Writer, Writer]]:
 
         def run(tree: exp.Expr) -> None:
             connection.execute(ENGINE.text(tree))
-            session.checkpoint(LARGE_LOG)
+            session.driver.checkpoint(LARGE_LOG)
 
         def writer_of(target: exp.Table) -> Writer:
             begun = False

@@ -1,0 +1,117 @@
+"""What an engine is asked for: a small driver on its client library; sessions lie on one.
+
+A driver owns what its client library wants; :mod:`gam_db.engines.session` owns what all do alike.
+"""
+
+from collections.abc import Iterable, Sequence
+from typing import Any, Protocol
+
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db.engines.base import Engine, deletion
+from gam_db.errors import SourceError, UserError
+from gam_db.form import Form
+
+
+class Driver(Protocol):
+    """A connection to an engine, as its client library has it.
+
+    What has a body here is what most engines do; one that has no transactions leaves those be.
+
+    Attributes:
+        engine: how trees become its text.
+        transactions: whether begin, commit and rollback mean something.
+        errors: what the client library raises when the engine refuses something.
+        no_files: what is said of the file {path} where the engine reads none.
+        most_rows: how many readings can be worked on at once, where that is fixed: it sorts on its disk.
+    """
+
+    engine: Engine
+    transactions: bool = False
+    errors: tuple[type[Exception], ...]
+    no_files: str = "{path} is a file, which this engine does not read."
+    most_rows: int = 4_000_000
+
+    def execute(self, statement: str) -> None:
+        """Run one statement."""
+
+    def fetch(self, query: str) -> pa.Table:
+        """Return the rows of a query; columns keep their names, integers are int64, doubles float64."""
+
+    def begin(self) -> None:
+        """Begin a transaction, where there are any."""
+        return
+
+    def commit(self) -> None:
+        """End it."""
+        return
+
+    def rollback(self) -> None:
+        """Undo it."""
+        return
+
+    def in_transaction(self) -> bool:
+        """Tell whether a transaction is open that is not ours."""
+        return False
+
+    def keep(self, table: exp.Table, query: exp.Query) -> None:
+        """Make a temporary table of the rows of a query, and let the planner know its size."""
+
+    def ingest(self, table: exp.Table, rows: pa.Table) -> None:
+        """Make a temporary table of the rows of an Arrow table."""
+
+    def drop(self, table: exp.Table) -> None:
+        """Drop a table made by :meth:`keep` or :meth:`ingest`."""
+        self.execute(self.engine.text(exp.Drop(tables=[table.copy()], kind="TABLE", exists=True)))
+
+    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+        """Delete the rows of a table whose keys are among the rows of a query, as one step."""
+        self.execute(self.engine.text(deletion(table, keys, found)))
+
+    def tables(self) -> list[tuple[str, ...]]:
+        """Return what can be read, tables and views: (catalogue, schema, name) as far as there are."""
+
+    def located(self, table: exp.Expr) -> exp.Expr:
+        """Return the node of a table by all the names that it takes to read no other one.
+
+        Raises:
+            SourceError: it is not where it is looked for, or cannot be read.
+        """
+        return table
+
+    def describe(self, relation: exp.Expr) -> dict[str, str]:
+        """Return the columns of a relation and the engine's names of their types."""
+
+    def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
+        """Return the tables and views of a schema with their columns, names of tables in lower case."""
+
+    def file(self, relation: Any, form: Form | None = None) -> exp.Expr:
+        """Return the node that reads a file, or some, written in a form.
+
+        Raises:
+            SourceError: the engine reads none.
+        """
+        raise SourceError(self.no_files.format(path=relation))
+
+    def rows_at_once(self) -> int:
+        """Return how many readings can be worked on at once."""
+        return self.most_rows
+
+    def problem(self, error: Exception) -> UserError | None:
+        """Return what the user can do about an error; None if it is none of the user's."""
+
+    def close(self) -> None:
+        """Close the connection if it is ours."""
+
+
+def by_table(rows: Iterable[tuple[str, str]]) -> dict[str, tuple[str, ...]]:
+    """Return the columns of tables; names of tables in lower case.
+
+    Args:
+        rows: (table, column), in order.
+    """
+    found: dict[str, tuple[str, ...]] = {}
+    for table, column in rows:
+        found[table.casefold()] = (*found.get(table.casefold(), ()), column)
+    return found

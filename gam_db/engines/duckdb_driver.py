@@ -1,0 +1,278 @@
+"""DuckDB at work: a driver on a connection."""
+
+import contextlib
+from typing import Any
+
+import duckdb
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db.engines.driver import Driver
+from gam_db.engines.duckdb import ENGINE
+from gam_db.engines.duckdb_files import late_word, no_table, without_results
+from gam_db.engines.duckdb_journal import Journal
+from gam_db.engines.duckdb_opening import check_settings, opened, rows_at_once
+from gam_db.engines.duckdb_reading import file_reader, is_csv_reader
+from gam_db.engines.session import CONFLICT, FULL, READ_ONLY, first_line
+from gam_db.errors import ConflictError, EngineError, SourceError, UserError
+from gam_db.form import Form
+from gam_db.source import paths_of
+
+OLDEST = (2, 0)
+
+#: The log goes into the file when it has grown beyond so many bytes, and when the file is closed.
+LARGE_LOG = 2**24
+
+
+class DuckDriver(Driver):
+    """A connection to DuckDB; arguments and errors are those of its session.
+
+    Attributes:
+        owned: whether the connection is ours.
+        sources: paths of the files that were read.
+    """
+
+    engine = ENGINE
+    transactions = True
+    errors = (duckdb.Error,)
+
+    def __init__(self, target: Any, threads: int | None, writable: bool) -> None:
+        if tuple(int(part) for part in duckdb.__version__.split(".")[:2]) < OLDEST:
+            raise EngineError(
+                f"DuckDB {duckdb.__version__} is too old; gam-db needs "
+                f"{'.'.join(map(str, OLDEST))} or later."
+            )
+        self.owned = not isinstance(target, duckdb.DuckDBPyConnection)
+        if self.owned:
+            self.connection = opened(target, writable)
+            self._journal = Journal(self.connection) if writable and target is not None else None
+            self.connection.execute("SET TimeZone = 'UTC'")
+            # Progress is counted, for whoever asks, but not painted: standard output is the caller's.
+            self.connection.execute("SET enable_progress_bar = true")
+            self.connection.execute("SET enable_progress_bar_print = false")
+        else:
+            self.connection, self._journal = target, None
+            check_settings(target)
+        if threads is not None:
+            self.connection.execute("SET threads = ?", [threads])
+        self.sources: list[str] = []
+        self._readers: list[exp.Expr] = []
+        self._registered: set[str] = set()
+
+    def execute(self, statement: str) -> None:
+        """Run one statement.
+
+        Raises:
+            EngineError: the database cannot be written: it is only read, its disk is full, or another
+                connection changed the same rows.
+        """
+        try:
+            self.connection.execute(statement)
+        except duckdb.Error as error:
+            if self.problem(error) is not None:
+                raise
+            # Of a commit that the disk had no room for, DuckDB says that the transaction failed.
+            if isinstance(error, duckdb.IOException) or "Could not write file" in str(error):
+                raise EngineError(FULL) from error
+            if isinstance(error, duckdb.TransactionException):
+                raise ConflictError(CONFLICT) from error
+            if "read-only" in str(error):
+                raise EngineError(READ_ONLY) from error
+            raise
+
+    def fetch(self, query: str) -> pa.Table:
+        """Return the rows of a query."""
+        return self.connection.sql(query).to_arrow_table()
+
+    def begin(self) -> None:
+        """Begin a transaction."""
+        self.execute("BEGIN")
+
+    def commit(self) -> None:
+        """End it, and write a log that has grown large into the file."""
+        self.execute("COMMIT")
+        self.checkpoint(LARGE_LOG)
+
+    def rollback(self) -> None:
+        """Undo it; after some errors DuckDB has done so already, and says that there is none."""
+        self.connection.execute("ROLLBACK")
+
+    def in_transaction(self) -> bool:
+        """Tell whether a transaction is open: only then two statements have the same number.
+
+        It is not tried by beginning one: that fails, and takes the user's transaction with it.
+        """
+        try:
+            first, second = (
+                self.connection.execute("SELECT txid_current()").fetchall() for _ in range(2)
+            )
+        except duckdb.TransactionException:  # one that has failed already
+            return True
+        return first == second
+
+    def checkpoint(self, above: int = 0) -> None:
+        """Write the log of the file into it, if it is ours and its log larger than so many bytes.
+
+        Raises:
+            EngineError: the disk is full; what was committed stays in the log.
+        """
+        if self._journal is not None:
+            try:
+                self._journal.checkpoint(above)
+            except (duckdb.TransactionException, OSError):
+                pass  # another connection is at work, or there is no room: it stays in the log
+            except duckdb.Error as error:
+                raise EngineError(FULL) from error
+
+    def keep(self, table: exp.Table, query: exp.Query) -> None:
+        """Make a temporary table of the rows of a query."""
+        properties = exp.Properties(expressions=[exp.TemporaryProperty()])
+        create = exp.Create(this=table, kind="TABLE", expression=query, properties=properties)
+        self.connection.execute(self.engine.text(create))
+
+    def ingest(self, table: exp.Table, rows: pa.Table) -> None:
+        """Let an Arrow table be read where it lies.
+
+        Raises:
+            SourceError: it holds a column of a type that DuckDB has not.
+        """
+        try:
+            self.connection.register(table.name, rows)
+        except duckdb.Error as error:
+            types = ", ".join(sorted({str(field.type) for field in rows.schema}))
+            raise SourceError(
+                f"DuckDB cannot read the Arrow table; it holds columns of the types {types}. Cast the "
+                "odd one, or leave it out."
+            ) from error
+        self._registered.add(table.name)
+
+    def drop(self, table: exp.Table) -> None:
+        """Drop a table made by :meth:`keep`, or let go of one given to :meth:`ingest`."""
+        if table.name in self._registered:
+            self._registered.remove(table.name)
+            self.connection.unregister(table.name)
+        else:
+            super().drop(table)
+
+    def tables(self) -> list[tuple[str, ...]]:
+        """Return the tables and views of all databases."""
+        # Looked up, not tried: a statement that fails would undo the user's open transaction, and
+        # DuckDB would take the name for one of our Python variables.
+        return self.connection.execute(
+            "SELECT table_catalog, table_schema, table_name FROM information_schema.tables"
+        ).fetchall()
+
+    def located(self, table: exp.Expr) -> exp.Expr:
+        """Return the node as it is.
+
+        Raises:
+            SourceError: it is a view of what cannot be read.
+        """
+        try:
+            self.describe(table)
+        except duckdb.Error as error:
+            shown = ".".join(part.name for part in table.parts)  # type: ignore[attr-defined]
+            raise SourceError(
+                f"The table or view {shown!r} is there, but DuckDB cannot read it: {first_line(error)}"
+            ) from error
+        return table
+
+    def describe(self, relation: exp.Expr) -> dict[str, str]:
+        """Return the columns of a relation and their types, in order."""
+        everything = exp.Describe(this=exp.select("*").from_(relation))
+        rows = self.connection.execute(self.engine.text(everything)).fetchall()
+        return {str(row[0]): str(row[1]) for row in rows}
+
+    def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
+        """Return the tables and views of a schema with their columns, names of tables in lower case.
+
+        Raises:
+            EngineError: the schema is called like a database, and DuckDB cannot tell which is meant.
+        """
+        databases = self.connection.execute("SELECT database_name FROM duckdb_databases()").fetchall()
+        if schema is not None and schema.casefold() in {name.casefold() for (name,) in databases}:
+            raise EngineError(
+                f"The schema {schema!r} is called like a database, and DuckDB cannot tell them apart; "
+                "give another name."
+            )
+        rows = self.connection.execute(
+            "SELECT table_name, list(column_name ORDER BY ordinal_position) "
+            "FROM information_schema.columns WHERE table_catalog = current_database() "
+            "AND lower(table_schema) = lower(coalesce(?, current_schema())) GROUP BY table_name",
+            [schema],
+        )
+        return {name.casefold(): tuple(columns) for name, columns in rows.fetchall()}
+
+    def file(self, relation: Any, form: Form | None = None) -> exp.Expr:
+        """Return the node that reads files, written in a form.
+
+        Raises:
+            SourceError: they are not there, or cannot be read.
+        """
+        paths = paths_of(relation)
+        path = paths[0] if len(paths) == 1 else f"{paths[0]} and {len(paths) - 1} more"
+        found = [file for one in paths for file in without_results(self.connection, one)]
+        node = file_reader(found, form)
+        self.sources += found
+        self._readers += [node] * is_csv_reader(node)
+        try:
+            if is_csv_reader(node) and set(self.describe(node).values()) == {"VARCHAR"}:
+                first = exp.select(exp.Literal.number(1)).from_(node.copy()).limit(1)
+                if not self.connection.execute(self.engine.text(first)).fetchall():
+                    raise SourceError(f"{path} has no rows; it is empty, or there is a header only.")
+            else:
+                self.describe(node)
+        except duckdb.IOException as error:
+            raise SourceError(
+                f"{path} cannot be read; is it there, and is it a file of that kind?"
+            ) from error
+        except duckdb.Error as error:
+            raise self.problem(error) or SourceError(no_table(path, str(error))) from error
+        return node
+
+    def rows_at_once(self) -> int:
+        """Return how many readings can be worked on at once within the memory limit."""
+        return rows_at_once(self.connection)
+
+    def problem(self, error: Exception) -> UserError | None:
+        """Return what the user can do about an error; None if it is none of the user's."""
+        if isinstance(error, duckdb.PermissionException) and self.owned:
+            return SourceError(
+                f"{first_line(error).partition(' - ')[0]}: once where was given, a connection of "
+                "gam-db's own opens the source and the results, and no other file."
+            )
+        if isinstance(error, duckdb.InterruptException):
+            return EngineError("The statement was stopped before its end.")
+        if isinstance(error, duckdb.OutOfMemoryException):
+            return EngineError(
+                "DuckDB ran out of memory; give it more (SET memory_limit), a folder to spill to "
+                "(SET temp_directory), or score fewer channels at a time."
+            )
+        if isinstance(error, duckdb.ConversionException):
+            said = late_word(self.connection, error, self._readers[-1]) if self._readers else ""
+            return SourceError(
+                said
+                or "A value of the source cannot be read as what its column must be (a counter needs 64 "
+                "bits; where= may ask for it, too); look at the file, or cast the column in a view."
+            )
+        if "CSV Error" in first_line(error) and not isinstance(error, duckdb.IOException):
+            return SourceError(
+                f"Line {first_line(error).rpartition(' ')[2]} of the CSV file does not fit its columns; "
+                "mend it, or read the file into a table with options of your own."
+            )
+        return None
+
+    def close(self) -> None:
+        """Close the connection if it is ours, with its log written into the file."""
+        if not self.owned:
+            return
+        others = False
+        if self._journal is not None:
+            with contextlib.suppress(EngineError):  # what was committed is in the log
+                self.checkpoint()
+            with contextlib.suppress(duckdb.Error):  # it is closed already
+                count = "SELECT count > 1 FROM duckdb_connection_count()"
+                others = self.connection.execute(count).fetchall()[0][0]
+        self.connection.close()
+        if self._journal is not None:
+            self._journal.close(others)
