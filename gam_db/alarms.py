@@ -14,15 +14,14 @@ import pyarrow as pa
 
 from gam_db.calibration import Calibration
 from gam_db.clock import TimeKind, length
-from gam_db.connecting import borrowed
+from gam_db.columns import COUNT, SHARE, WORD, columns, counts
 from gam_db.errors import ParameterError
-from gam_db.guess import sourced
 from gam_db.heights import LEAST, MOST, STATED_FROM, UNSTATED, Height, Rate, by_replay, by_table
 from gam_db.method.alarms import FAR, NEAR, add_judgements, add_learnt_limits, add_replay
 from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline
 from gam_db.setting import COLUMNS, TEXT, Kind, check, declared, setting
-from gam_db.study import Study
+from gam_db.study import Study, studied
 from gam_db.units import with_units
 
 _JUDGED_BLOCKS = 8
@@ -42,10 +41,10 @@ class Work(Protocol):
     def steps(self) -> Pipeline:
         """The steps."""
 
-    def table(self, step: str) -> pa.Table:
+    def rows(self, step: str) -> list[Row]:
         """Return the rows of a step."""
 
-    def put(self, step: str, rows: pa.Table) -> None:
+    def load(self, step: str, rows: pa.Table) -> None:
         """Let a table be a step that later ones can read."""
 
 
@@ -173,21 +172,20 @@ def _asked(
     alarms: Alarms | None,
     engine: Any,
 ) -> pa.Table:
-    with borrowed(engine) as session:
-        study = Study(
-            session, sourced(source, session), parameters or Parameters(), calibration or Calibration()
-        )
-        try:
-            rows = limits_of(study, alarms or Alarms())
-            if step == "limits":
-                return with_units(pa.Table.from_pylist(rows, schema=_LIMITS), study.method.kind)
-            frozen = [row for row in rows if row["reason"] is None]
-            study.put("frozen_limits", pa.Table.from_pylist(frozen, schema=FROZEN))
-            add_judgements(study.steps, study.method, study.instant_of)
-            return with_units(study.table(step), study.method.kind)
-        finally:
-            if session is engine:  # it stays open, and nobody asks this study again
-                study.forget()
+    with studied(source, parameters, calibration, engine) as study:
+        rows = limits_of(study, alarms or Alarms())
+        if step == "limits":
+            return with_units(pa.Table.from_pylist(rows, schema=_LIMITS), study.method.kind)
+        judge(study, rows)
+        return with_units(study.table(step), study.method.kind)
+
+
+def judge(study: Study, rows: Sequence[Row]) -> list[Row]:
+    """Let a study judge by limits, as :func:`limits_of` returns them; return those that there are."""
+    frozen = [row for row in rows if row["reason"] is None]
+    study.load("frozen_limits", pa.Table.from_pylist(frozen, schema=FROZEN))
+    add_judgements(study.steps, study.method, study.instant_of)
+    return frozen
 
 
 def limits_of(study: Study, alarms: Alarms) -> list[Row]:
@@ -213,7 +211,7 @@ def chosen_limits(work: Work, alarms: Alarms, kind: TimeKind) -> list[Row]:
         ParameterError: as :meth:`Alarms.asked`.
     """
     rate = Rate.of(alarms.asked(kind))
-    found = {(row["channel_id"], row["g"]): row for row in work.table("learnt_limits").to_pylist()}
+    found = {(row["channel_id"], row["g"]): row for row in work.rows("learnt_limits")}
     near = [row for (_, g), row in sorted(found.items()) if g == NEAR]
     for row in near:
         assess(row, day_of(kind))
@@ -308,10 +306,10 @@ def _replayed(work: Work, members: Sequence[Row]) -> tuple[dict[int, int], Mappi
             for family in enough
             for row in families[family]
         ]
-        work.put("members", pa.Table.from_pylist(asked, schema=_MEMBERS))
-        work.put("heights", pa.table({"quarters": pa.array(range(LEAST, MOST + 1), pa.int64())}))
+        work.load("members", pa.Table.from_pylist(asked, schema=_MEMBERS))
+        work.load("heights", pa.table({"quarters": pa.array(range(LEAST, MOST + 1), pa.int64())}))
         add_replay(work.steps)
-        for row in work.table("counted_replay").to_pylist():
+        for row in work.rows("counted_replay"):
             counted[row["family_no"]][row["quarters"]] = row["episodes"]
     return enough, counted
 
@@ -340,18 +338,13 @@ def high(row: Row, height: Height) -> Row:
     }
 
 
-_MEMBERS = pa.schema([(name, pa.int64()) for name in ("channel_id", "family_no", "g")])
-FROZEN = pa.schema(
-    [(name, pa.int64()) for name in ("channel_id", "blocks", "reference", "height", "cap")]
-)
-_LIMITS = pa.schema(
-    [
-        *((name, pa.string()) for name in ("asset", "channel")),
-        *((name, pa.int64()) for name in ("family", "blocks", "g", "centre", "spread")),
-        *((name, pa.int64()) for name in ("reference", "height", "cap", "quarters")),
-        ("basis", pa.string()),
-        ("order_ratio", pa.int64()),
-        *((name, pa.float64()) for name in ("judgements_per_day", "rate", "stated_rate")),
-        ("reason", pa.string()),
-    ]
+_MEMBERS = counts("channel_id family_no g")
+FROZEN = counts("channel_id blocks reference height cap")
+_LIMITS = columns(
+    (WORD, "asset channel"),
+    (COUNT, "family blocks g centre spread reference height cap quarters"),
+    (WORD, "basis"),
+    (COUNT, "order_ratio"),
+    (SHARE, "judgements_per_day rate stated_rate"),
+    (WORD, "reason"),
 )

@@ -8,18 +8,15 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-import pyarrow as pa
 from numpy.typing import NDArray
 
-from gam_db.alarms import FROZEN, Alarms, limits_of
+from gam_db.alarms import Alarms, judge, limits_of
 from gam_db.calibration import Calibration, closed, merge
 from gam_db.clock import Instant
-from gam_db.connecting import borrowed
 from gam_db.errors import ParameterError
-from gam_db.guess import sourced
-from gam_db.method.alarms import add_backtested, add_judgements
+from gam_db.method.alarms import add_backtested
 from gam_db.parameters import Parameters
-from gam_db.study import Study
+from gam_db.study import studied
 
 _LEFT, _RIGHT = 0.025, 0.975
 _DRAWS = 2000
@@ -62,21 +59,12 @@ def backtest(
         UserError: see its subclasses; the message says what to mend.
     """
     alarms = alarms or Alarms()
-    with borrowed(engine) as session:
-        study = Study(
-            session, sourced(source, session), parameters or Parameters(), calibration or Calibration()
-        )
-        try:
-            rows = limits_of(study, alarms)
-            frozen = [row for row in rows if row["reason"] is None]
-            study.put("frozen_limits", pa.Table.from_pylist(frozen, schema=FROZEN))
-            add_judgements(study.steps, study.method, study.instant_of)
-            spans = merge(closed("healthy", healthy or (), study.method.kind))
-            add_backtested(study.steps, spans)
-            found = study.table("backtested").to_pylist()
-        finally:
-            if session is engine:  # it stays open, and nobody asks this study again
-                study.forget()
+    with studied(source, parameters, calibration, engine) as study:
+        rows = limits_of(study, alarms)
+        frozen = judge(study, rows)
+        spans = merge(closed("healthy", healthy or (), study.method.kind))
+        add_backtested(study.steps, spans)
+        found = study.rows("backtested")
     if not frozen:
         why = "; ".join(f"{count:,}: {reason}" for reason, count in sorted(_withheld(rows).items()))
         raise ParameterError(f"There is no judgement to count, since no channel has a limit ({why}).")

@@ -65,11 +65,11 @@ def findings(study: Study) -> list[Row]:
         UserError: the source cannot be used.
     """
     buckets = study.table("bucket_health")  # first: what it proves of the samples serves the rest
-    learnt = study.table("support_summary").to_pylist()
+    learnt = study.rows("support_summary")
     supports = {(row["asset"], row["channel"]): row for row in learnt}
     settings = {
         (row["asset"], row["channel"]): study.method.settings[row["settings_no"]]
-        for row in study.table("channels").to_pylist()
+        for row in study.rows("channels")
     }
     courses = _courses(buckets, settings)
     found = []

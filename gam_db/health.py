@@ -8,10 +8,8 @@ from typing import Any
 import pyarrow as pa
 
 from gam_db.calibration import Calibration
-from gam_db.connecting import borrowed
-from gam_db.guess import sourced
 from gam_db.parameters import Parameters
-from gam_db.study import Study
+from gam_db.study import studied
 from gam_db.units import with_units
 
 
@@ -109,11 +107,5 @@ def _table(
     calibration: Calibration | None,
     engine: Any,
 ) -> pa.Table:
-    with borrowed(engine) as session:
-        asked = (parameters or Parameters(), calibration or Calibration())
-        study = Study(session, sourced(source, session), *asked, short_cuts=True)
-        try:
-            return with_units(study.table(step), study.method.kind)
-        finally:
-            if session is engine:  # it stays open, and nobody asks this study again
-                study.forget()
+    with studied(source, parameters, calibration, engine, short_cuts=True) as study:
+        return with_units(study.table(step), study.method.kind)

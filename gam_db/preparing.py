@@ -178,7 +178,7 @@ def misfits(
     slots: dict[str, template.Slot] = {"words": words, "meant": meant, "condition": condition}
     query = template.fill("source/misfits", slots | {"most": LOOKED_AT})
     read_from(stored, query)
-    return session.fetch(query).to_pylist()  # type: ignore[no-any-return]
+    return session.rows(query)
 
 
 def _check_numbers(
@@ -251,7 +251,7 @@ def _check_order(session: Session, source: AnySource, stored: exp.Expr) -> None:
     texts, asked = session.engine.texts, session.engine.seen_formats(stored)
     if texts is None or asked is None:
         return
-    for way in filter(None, session.fetch(asked).to_pylist()[0].values()):
+    for way in filter(None, session.rows(asked)[0].values()):
         other = way.translate(str.maketrans("dm", "md"))
         if way.startswith("%Y") or "%d" not in way or "%m" not in way:
             continue

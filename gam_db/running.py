@@ -5,11 +5,12 @@ This module owns when a step becomes a table and when that table goes.
 
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
+from typing import Self
 
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db.engines.session import Session
+from gam_db.engines.session import Row, Session
 from gam_db.pipeline import Pipeline
 
 Listener = Callable[[str], None]
@@ -42,6 +43,12 @@ class Running:
         self.on_step = on_step
         self._kept: dict[str, exp.Table] = {}
 
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.forget()
+
     def query(self, step: str) -> exp.Query:
         """Return the query of a step; the small steps before it are kept for the next one."""
         self.prepare(step)
@@ -58,6 +65,11 @@ class Running:
         query = self.query(step)
         self.on_step(step)
         return self.session.fetch(query)
+
+    def rows(self, step: str) -> list[Row]:
+        """Return the same, each row by the names of its columns."""
+        rows: list[Row] = self.table(step).to_pylist()
+        return rows
 
     def write(self, step: str, path: Path, table: str) -> None:
         """Write the rows of a step as Parquet, or as a table of a DuckDB file."""

@@ -15,6 +15,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.bits import Bits
 from gam_db.clock import FAR_AHEAD, LONG_AGO
+from gam_db.columns import counts
 from gam_db.method import Method
 from gam_db.method.scoring import visited_slots
 from gam_db.method.vectors import stream_slots
@@ -86,7 +87,7 @@ class Streams:
 
     def serve(self) -> bool:
         """Tell whether all channels are in order, none lacks a sample, and they are long enough."""
-        names = self.running.table("ordered").to_pylist()
+        names = self.running.rows("ordered")
         return (
             0 < len(names) <= MOST_CHANNELS
             and sum(row["readings"] for row in names) >= STREAMED_FROM * len(names)
@@ -122,7 +123,7 @@ class Streams:
                 if quotas.get(row["channel_id"])
             },
         )
-        names = self.running.session.fetch(running.query("names")).to_pylist()
+        names = self.running.session.rows(running.query("names"))
         earliest = {(row["asset"], row["channel"]): row["earliest"] for row in names}
         timeline = [
             {
@@ -134,7 +135,7 @@ class Streams:
             for row in channels
         ]
         running.load("timeline", pa.Table.from_pylist(timeline, schema=_TIMELINE))
-        pieces = {row["channel_id"]: row for row in running.table("calibration").to_pylist()}
+        pieces = {row["channel_id"]: row for row in running.rows("calibration")}
         for number in range(len(method.settings)):
             bounds = self._bounds(number)
             members = [row for row in channels if row["channel_id"] in bounds.keys() & pieces.keys()]
@@ -208,12 +209,11 @@ class Streams:
         return True
 
     def _channels(self) -> list[Row]:
-        rows: list[Row] = self.running.table("channels").to_pylist()
-        return rows
+        return self.running.rows("channels")
 
     def _bounds(self, number: int) -> dict[int, Row]:
         """Return the bounds of the channels of a set that have a range."""
-        rows = self.running.table(self.method.named("bounds", number)).to_pylist()
+        rows = self.running.rows(self.method.named("bounds", number))
         return {row["channel_id"]: row for row in rows if row["calibrated_lo"] is not None}
 
     def _vectors(
@@ -233,7 +233,7 @@ class Streams:
         steps = self.running.steps.copied()
         steps.add("asked", _stacked(asked), tables={"bounds": self.method.named("bounds", number)})
         query = steps.query("asked", self.running.placed)
-        rows: list[Row] = self.running.session.fetch(query).to_pylist()
+        rows = self.running.session.rows(query)
         return {row["channel_id"]: row for row in rows}
 
     def _replace(self, step: str, query: exp.Query, tables: Mapping[str, str] | None = None) -> None:
@@ -272,7 +272,5 @@ def _stacked(queries: Iterable[exp.Query]) -> exp.Query:
     return exp.union(first, *others, distinct=False, copy=False) if others else first
 
 
-_TIMELINE = pa.schema(
-    [(name, pa.int64()) for name in ("channel_id", "repeats", "first_time", "quota_time")]
-)
-_MISSING = pa.schema([(name, pa.int64()) for name in ("channel_id", "missing_vectors")])
+_TIMELINE = counts("channel_id repeats first_time quota_time")
+_MISSING = counts("channel_id missing_vectors")

@@ -3,10 +3,13 @@
 This module owns the order of work: look at the source, resolve what was asked, make the steps.
 """
 
+import contextlib
 import dataclasses
 from collections import Counter
+from collections.abc import Iterator
 from functools import lru_cache, partial
 from pathlib import Path
+from typing import Any
 
 import pyarrow as pa
 from sqlglot import exp
@@ -14,8 +17,10 @@ from sqlglot import exp
 from gam_db import look, streaming, template, trusting
 from gam_db.bits import Bits
 from gam_db.calibration import Calibration
+from gam_db.connecting import borrowed
 from gam_db.engines.base import Engine
-from gam_db.engines.session import Session
+from gam_db.engines.session import Row, Session
+from gam_db.guess import sourced
 from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
 from gam_db.method.census import Slicing
 from gam_db.method.delays import Ways
@@ -113,12 +118,17 @@ class Study:
         self._prepare(step)
         return self.running.table(step)
 
+    def rows(self, step: str) -> list[Row]:
+        """Return the same, each row by the names of its columns."""
+        self._prepare(step)
+        return self.running.rows(step)
+
     def query(self, step: str) -> exp.Query:
         """Return the query of a step, likewise; it must not be changed."""
         self._prepare(step)
         return self.running.query(step)
 
-    def put(self, step: str, rows: pa.Table) -> None:
+    def load(self, step: str, rows: pa.Table) -> None:
         """Add an Arrow table as a small step that later ones can read."""
         columns = [template.column(name) for name in rows.column_names]
         self.steps.add(step, exp.select(*columns).from_(self.session.relation(rows)))
@@ -188,6 +198,33 @@ class Study:
         return self.session.fetch(self.steps.query("names", self.running.placed))
 
 
+@contextlib.contextmanager
+def studied(
+    source: Any,
+    parameters: Parameters | None,
+    calibration: Calibration | None,
+    engine: Any,
+    short_cuts: bool = False,
+) -> Iterator[Study]:
+    """Give a study of a source, whose columns are guessed where only a relation is given.
+
+    Args:
+        source: see :func:`gam_db.guess.sourced`.
+        parameters: of the method; the default ones for None.
+        calibration: likewise.
+        engine: see :func:`gam_db.connecting.borrowed`.
+        short_cuts: see :class:`Study`.
+    """
+    with borrowed(engine) as session:
+        asked = (parameters or Parameters(), calibration or Calibration())
+        study = Study(session, sourced(source, session), *asked, short_cuts=short_cuts)
+        try:
+            yield study
+        finally:
+            if session is engine:  # it stays open, and nobody asks this study again
+                study.forget()
+
+
 def _found(asked: Parameters, rough: Study) -> Parameters:
     """Return parameters with the bins that were to be found.
 
@@ -199,9 +236,9 @@ def _found(asked: Parameters, rough: Study) -> Parameters:
         One override per pattern. A channel has the finest grid that its support's certificate accepts,
         the coarsest if none, and the commonest if it has no certificate.
     """
-    judged = {row["channel_id"]: row for row in rough.table("verdicts").to_pylist()}
+    judged = {row["channel_id"]: row for row in rough.rows("verdicts")}
     rungs, said = {}, {}
-    for row in rough.table("channels").to_pylist():
+    for row in rough.rows("channels"):
         name, verdict = (row["asset"], row["channel"]), judged[row["channel_id"]]
         said[name] = asked.of(*name)
         if verdict["verdict"] not in ("no_data", "constant"):

@@ -14,6 +14,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.clock import FAR_AHEAD
+from gam_db.columns import counts
 from gam_db.method import Method
 from gam_db.method.census import EDGES, SCORED, TAUGHT, Slicing, serves
 from gam_db.method.delays import PROOFS, Ways
@@ -29,7 +30,7 @@ TRUSTED_FROM = 100_000
 def sliced(running: Running) -> Slicing | None:
     """Return how the times of a source are cut into slices; None where it has few rows, or odd times."""
     running.keep("extent")
-    (extent,) = running.table("extent").to_pylist()
+    (extent,) = running.rows("extent")
     edges = extent["earliest"], extent["latest"]
     if extent["readings"] < TRUSTED_FROM or any(
         edge is None or abs(edge) >= FAR_AHEAD for edge in edges
@@ -137,7 +138,7 @@ class Trust:
         if rows not in self.running.steps.steps:
             return
         self.running.keep(step)
-        said = [row for row in self.running.table(step).to_pylist() if row.get("is_edge", 1)]
+        said = [row for row in self.running.rows(step) if row.get("is_edge", 1)]
         if said:
             latest = FAR_AHEAD if high is None else max(row[high] for row in said)
             self.running.steps.replace(rows, self._between(min(row[low] for row in said), latest))
@@ -150,7 +151,7 @@ class Trust:
 
     def _hand_over(self) -> None:
         """Let the steps that look first go on with all that is proven: no instant occurs twice."""
-        series = self.running.session.fetch(self.running.query("series")).to_pylist()
+        series = self.running.session.rows(self.running.query("series"))
         self.holds = False
         self.running.steps = self._careful()
         self.running.forget(but=self.running.steps.steps)
@@ -164,4 +165,4 @@ class Trust:
 
 
 _OF_SERIES = ("channel_id", "first_time", "quota_time")
-_TIMELINE = pa.schema([(name, pa.int64()) for name in ("repeats", *_OF_SERIES)])
+_TIMELINE = counts("repeats channel_id first_time quota_time")

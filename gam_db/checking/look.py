@@ -106,7 +106,7 @@ def _number_texts(study: Study) -> tuple[str, ...]:
             {"words": template.column(column), "condition": parsed_condition(source.where)},
         )
         read_from(study.relation, query)
-        (row,) = session.fetch(query).to_pylist()
+        (row,) = session.rows(query)
         if row["texts"] and row["texts"] == row["numbers"]:
             found.append(column)
     return tuple(found)

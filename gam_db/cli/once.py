@@ -124,7 +124,7 @@ def run(
                 show = partial(_show, job=job, found=found, everything=everything, shown_in=shown_in)
             else:
                 others.add_estimator(study, estimator)
-                rows, code = study.table("last_scores").to_pylist(), Exit.FINE
+                rows, code = study.rows("last_scores"), Exit.FINE
                 told = {"estimator": estimator, "channels": rows}
                 asked = {"estimator": estimator, "rows": rows, "everything": everything}
                 show = partial(others.show_scores, job=job, **asked)

@@ -29,6 +29,7 @@ from gam_db.form import Form
 from gam_db.source import is_file, table_names
 
 T = TypeVar("T")
+Row = dict[str, Any]
 
 #: What is said of a connection that refuses to write.
 READ_ONLY = "The database is open for reading only; it cannot be changed."
@@ -199,6 +200,11 @@ class Session:
         """Run a query and return its rows as an Arrow table."""
         text = self.engine.text(query)
         return self._asked(lambda: self.driver.fetch(text), text)
+
+    def rows(self, query: exp.Expr) -> list[Row]:
+        """Run a query and return its rows, each by the names of its columns."""
+        rows: list[Row] = self.fetch(query).to_pylist()
+        return rows
 
     def keep(self, step: str, query: exp.Query) -> exp.Table:
         """Run a query into a temporary table and return the node that reads it."""

@@ -108,8 +108,8 @@ def read(
         narrowed = under(source, asked)
     study = Study(session, narrowed, Parameters(), Calibration(), strict=False)
     try:
-        study.put("wanted", pa.Table.from_pylist(wanted))
-        study.put("wanted_pieces", pa.Table.from_pylist(pieces_wanted))
+        study.load("wanted", pa.Table.from_pylist(wanted))
+        study.load("wanted_pieces", pa.Table.from_pylist(pieces_wanted))
         for name, slots in (("envelope", {}), ("pieces", {"most": PIECE})):
             study.steps.add(name, filled(f"report/{name}", slots))
         envelopes = _envelopes(study.table("envelope"), wanted, lengths)

@@ -61,7 +61,7 @@ def selected(study: Study, search: Search) -> Selection:
     """Run a selection on a study whose method is one of :func:`alone`; its steps are added to it."""
     steps = study.steps
     add_samples(steps, search)
-    extents = study.table("extents").to_pylist()
+    extents = study.rows("extents")
     usable = max((one["usable"] for one in extents), default=0)
     add_delays(
         steps,

@@ -53,7 +53,7 @@ def alarms(state: State, name: str) -> pa.Table:
         ConfigurationError: there is no such monitor.
     """
     kind = kind_of(state.monitor(name))
-    rows = state.fetch("stored/alarm_rows", {"monitor": template.text(name)}).to_pylist()
+    rows = state.rows("stored/alarm_rows", {"monitor": template.text(name)})
     this = now()
     for row in rows:
         row["needs_attention"] = _asks(row, this)
@@ -82,8 +82,7 @@ def judgements(state: State, episode: Row) -> list[Row]:
         "first": episode["onset"],
         "last": episode["last_judgement"],
     }
-    rows: list[Row] = state.fetch("stored/raised_judgements", slots).to_pylist()
-    return rows
+    return state.rows("stored/raised_judgements", slots)
 
 
 def bands(state: State, name: str, episode: Row, most: int = 3) -> list[Row]:
@@ -96,8 +95,7 @@ def bands(state: State, name: str, episode: Row, most: int = 3) -> list[Row]:
         (novel less what as many visits held in calibration). Nothing before a run counted them.
     """
     slots: dict[str, template.Slot] = {**_of(name, episode), "most": most}
-    rows: list[Row] = state.fetch("stored/alarm_bands", slots).to_pylist()
-    return rows
+    return state.rows("stored/alarm_bands", slots)
 
 
 def cells(state: State, name: str, episode: Row) -> list[Row]:
@@ -111,7 +109,7 @@ def cells(state: State, name: str, episode: Row) -> list[Row]:
     """
     found: dict[int, Row] = {}
     shared = ("cell_key", "visits", "first_tick", "last_tick", "steps")
-    for row in state.fetch("stored/alarm_cells", _of(name, episode)).to_pylist():
+    for row in state.rows("stored/alarm_cells", _of(name, episode)):
         cell = found.setdefault(row["cell_rank"], {key: row[key] for key in shared} | {"axes": []})
         cell["axes"].append({key: row[key] for key in _AXIS})
     return list(found.values())
@@ -154,8 +152,7 @@ def limits(state: State, name: str) -> list[Row]:
     add(steps, "stored/active", {"monitor_id": state.monitor(name)["monitor_id"]})
     add(steps, "stored/limit_rows")
     query = steps.query("limit_rows", state.tables.placed())
-    rows: list[Row] = state.session.fetch(query).to_pylist()
-    return rows
+    return state.session.rows(query)
 
 
 def label(
@@ -198,7 +195,7 @@ def label(
         records = records_of(state, monitor_id)
         channels = {
             row["channel_id"]: row
-            for row in state.fetch("stored/known_channels", {"monitor_id": monitor_id}).to_pylist()
+            for row in state.rows("stored/known_channels", {"monitor_id": monitor_id})
         }
         if episode is not None:
             about = [_episode(episode, records)]
@@ -220,7 +217,7 @@ def label(
                 and row["first_time"] <= ends[1]
                 and ends[0] <= row["last_time"]
             ]
-        given = state.fetch("stored/labels", {"monitor_id": monitor_id}).to_pylist()
+        given = state.rows("stored/labels", {"monitor_id": monitor_id})
         if kind in DECISIONS and not instead:
             _check_agrees(kind, about, asset, given, channels)
         row = {
@@ -231,7 +228,7 @@ def label(
             **{"episode_id": episode, "asset": asset, "time_from": ends[0], "time_to": ends[1]},
             **{"kind": kind, "note": note, "until": _micros(until), "created": now()},
         }
-        state.append_rows("label", pa.Table.from_pylist([row], schema=_LABEL))
+        state.append_rows("label", [row])
         log = Log(monitor_id, records)
         off = {one["version_id"] for one in about if kind == "false_alarm" and one["is_proving"]}
         for one in about:
@@ -253,7 +250,7 @@ def left_out(state: State, name: str) -> dict[str, list[tuple[Instant, Instant]]
     if monitor is None:
         return {}
     slots, kind = {"monitor_id": monitor["monitor_id"]}, kind_of(monitor)
-    said = [row for row in state.fetch("stored/labels", slots).to_pylist() if row["kind"] in DECISIONS]
+    said = [row for row in state.rows("stored/labels", slots) if row["kind"] in DECISIONS]
     spans: dict[str, list[tuple[Instant, Instant]]] = {}
     if any(row["kind"] in UNHEALTHY for row in said):
         known = {row["episode_id"]: row for row in records_of(state, slots["monitor_id"])}
@@ -399,14 +396,3 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
             },
         }
     )
-
-
-_LABEL = pa.schema(
-    [
-        *((name, pa.int64()) for name in ("monitor_id", "label_id", "episode_id")),
-        ("asset", pa.string()),
-        *((name, pa.int64()) for name in ("time_from", "time_to")),
-        *((name, pa.string()) for name in ("kind", "note")),
-        *((name, pa.int64()) for name in ("until", "created")),
-    ]
-)

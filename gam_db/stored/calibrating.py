@@ -15,6 +15,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.calibration import Calibration, Rule, subtract
 from gam_db.clock import LONG_AGO, Instant
+from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns
 from gam_db.errors import CalibrationError
 from gam_db.method import Method
 from gam_db.method.adding import add
@@ -24,7 +25,7 @@ from gam_db.parameters import Parameters, pattern_matches
 from gam_db.pipeline import filled, place
 from gam_db.stored import sums
 from gam_db.stored.planning import Row, whole_pools
-from gam_db.stored.sources import SOURCE_COLUMNS, described
+from gam_db.stored.sources import described
 from gam_db.stored.state import State, now
 from gam_db.study import Study
 
@@ -97,10 +98,10 @@ def calibrate(
     add(steps, "stored/checksum_rows", tables=_SUMMED)
     versions = {
         (row["asset"], row["channel"]): row
-        for row in state.fetch("stored/active", {"monitor_id": monitor["monitor_id"]}).to_pylist()
+        for row in state.rows("stored/active", {"monitor_id": monitor["monitor_id"]})
     }
     # Keys, and so the numbers of episodes, go by names, whatever order an engine gives rows in.
-    found = sorted(running.table("channels").to_pylist(), key=lambda row: (row["asset"], row["channel"]))
+    found = sorted(running.rows("channels"), key=lambda row: (row["asset"], row["channel"]))
     given = study.method if said is None else dataclasses.replace(study.method, calibration=said)
     for row in found:
         number = number_of(row["asset"], given.assets)
@@ -225,9 +226,8 @@ def _monitor(state: State, study: Study, name: str, keys: dict[str, int]) -> Row
             return row
     number = 1 + max((row["monitor_id"] for row in rows), default=0)
     monitor = {"monitor_id": number, "name": name, **described(study.source), "time_kind": kind}
-    made = pa.Table.from_pylist([{**monitor, "created": now()}], schema=_MONITOR)
     with state.alone(keys):
-        state.append_rows("monitor", made)
+        state.append_rows("monitor", [{**monitor, "created": now()}])
     return monitor
 
 
@@ -264,12 +264,10 @@ def _write(
 ) -> list[Row]:
     """Calibrate a group of channels, and append its versions in one transaction."""
     running = study.running
-    local = {(row["asset"], row["channel"]): row for row in running.table("channels").to_pylist()}
+    local = {(row["asset"], row["channel"]): row for row in running.rows("channels")}
     known = {
         (row["asset"], row["channel"]): row["channel_id"]
-        for row in state.fetch(
-            "stored/known_channels", {"monitor_id": monitor["monitor_id"]}
-        ).to_pylist()
+        for row in state.rows("stored/known_channels", {"monitor_id": monitor["monitor_id"]})
     }
     last, method = dict(keys), method_hash()
     numbering: list[Row] = []
@@ -309,11 +307,11 @@ def _write(
     running.on_step("writing")
     with state.alone(keys):
         if channels:
-            state.append_rows("channel", pa.Table.from_pylist(channels))
+            state.append_rows("channel", channels)
         for part, query in queries.items():
             state.append(part, query)
-    verdicts = {row["channel_id"]: row for row in running.table("unscored").to_pylist()}
-    ranges = {row["channel_id"]: row for row in running.table("bounds").to_pylist()}
+    verdicts = {row["channel_id"]: row for row in running.rows("unscored")}
+    ranges = {row["channel_id"]: row for row in running.rows("bounds")}
     running.forget(but=("names", "readings"))
     del running.placed["numbering"]
     state.session.forget(loaded)
@@ -340,44 +338,23 @@ def _left_out(said: Rule, used: Rule, end: int | None) -> int:
     return sum(end is not None and start <= end for start, _ in gone)
 
 
-_NUMBERING = pa.schema(
-    [
-        *(
-            (name, pa.int64())
-            for name in (
-                *("channel_id", "stored_channel_id", "version_id", "stored_support_id", "parent_id"),
-                *("version_no", "m", "tau", "bins", "window_length", "stride", "max_gap", "still_after"),
-                *("least_vectors", "score_from"),
-            )
-        ),
-        ("target_floor", pa.float64()),
-        *((name, pa.string()) for name in ("reason", "settings_hash", "method_hash")),
-    ]
+_NUMBERING = columns(
+    (COUNT, "channel_id stored_channel_id version_id stored_support_id parent_id version_no m tau bins"),
+    (COUNT, "window_length stride max_gap still_after least_vectors score_from"),
+    (SHARE, "target_floor"),
+    (WORD, "reason settings_hash method_hash"),
 )
-
-_MONITOR = pa.schema(
-    [
-        ("monitor_id", pa.int64()),
-        *((name, pa.string()) for name in ("name", *SOURCE_COLUMNS, "time_kind")),
-        ("created", pa.int64()),
-    ]
-)
-
-_RESULT = pa.schema(
-    [
-        *(("asset", pa.string()), ("channel", pa.string()), ("version_no", pa.int64())),
-        ("reason", pa.string()),
-        *((name, pa.int64()) for name in ("m", "tau", "bins")),
-        *((name, pa.float64()) for name in sums.ENDS),
-        ("verdict", pa.string()),
-        *((name, pa.float64()) for name in ("floor", "floor_sd", "floor_max")),
-        *(
-            (name, pa.int64())
-            for name in ("vectors", "cells", "blocks", "finest_bins", "vectors_needed")
-        ),
-        ("hi_limit", pa.float64()),
-        *((name, pa.string()) for name in ("limit_reason", "status")),
-        ("needs_attention", pa.bool_()),
-        ("left_out", pa.int64()),
-    ]
+_RESULT = columns(
+    (WORD, "asset channel"),
+    (COUNT, "version_no"),
+    (WORD, "reason"),
+    (COUNT, "m tau bins"),
+    (SHARE, " ".join(sums.ENDS)),
+    (WORD, "verdict"),
+    (SHARE, "floor floor_sd floor_max"),
+    (COUNT, "vectors cells blocks finest_bins vectors_needed"),
+    (SHARE, "hi_limit"),
+    (WORD, "limit_reason status"),
+    (TRUTH, "needs_attention"),
+    (COUNT, "left_out"),
 )

@@ -17,6 +17,7 @@ from typing import Any
 import pyarrow as pa
 
 from gam_db.clock import FAR_AHEAD, LONG_AGO
+from gam_db.columns import COUNT, WORD, columns
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
 from gam_db.stored.holding import unsound
@@ -146,17 +147,16 @@ class _Check:
 
     def soundness(self, monitor_id: int) -> int:
         """Look at what must hold whatever the source; return how many buckets there are."""
-        running = self._running(soundness_steps(monitor_id, self.session.transactions))
-        try:
-            rows = running.table("checked").to_pylist()
+        with self._running(soundness_steps(monitor_id, self.session.transactions)) as running:
+            rows = running.rows("checked")
             running.load("checked", pa.Table.from_pylist(rows, schema=_CHECKED))
             self.versions = {row["version_id"]: row for row in rows}
             self._frozen()
-            for row in running.table("unsound_versions").to_pylist():
+            for row in running.rows("unsound_versions"):
                 for column, said in _VERSIONS.items():
                     if row[column]:
                         self.note(row["version_id"], "versions", what=said, differing=1)
-            buckets = running.table("unsound_buckets").to_pylist()
+            buckets = running.rows("unsound_buckets")
             for row in buckets:
                 for column, said in _BUCKETS.items():
                     if row[column]:
@@ -164,21 +164,19 @@ class _Check:
                         self.note(
                             row["version_id"], "buckets", what=said, differing=row[column], since=since
                         )
-            for row in running.table("unsound_novel").to_pylist():
+            for row in running.rows("unsound_novel"):
                 what = "buckets whose novel vectors are not those of their cells"
                 since = self._mending(row)
                 self.note(
                     row["version_id"], "novel cells", what=what, differing=row["differing"], since=since
                 )
-            self._runs(running.table("unsound_runs").to_pylist())
-            for row in running.table("orphans").to_pylist():
+            self._runs(running.rows("unsound_runs"))
+            for row in running.rows("orphans"):
                 table = self.state.tables.shown(row["of_table"])
                 what = f"rows of {table} whose {row['lacks']} is not there"
                 if row["lacks"] == "another key":
                     what = f"keys or names that are there twice in {table}"
                 self.note(None, "tables", what=what, differing=row["found"])
-        finally:
-            running.forget()
         return sum(row["buckets"] for row in buckets)
 
     def _frozen(self) -> None:
@@ -212,12 +210,11 @@ class _Check:
 
     def readings(self) -> dict[tuple[str, str], int]:
         steps = reading_steps(self.reader.readings())
-        rows = self.session.fetch(steps.query("names")).to_pylist()
+        rows = self.session.rows(steps.query("names"))
         return {(row["asset"], row["channel"]): row["readings"] for row in rows}
 
     def scored(self, group: Sequence[Row], settled: Sequence[Row]) -> None:
         """Compare the buckets of a group of one setting: the settled ones, and all if no row came."""
-        running = self._running(comparing_steps(setting_of(group[0]), self.reader.kind))
         known = [self.versions[row["version_id"]] for row in group]
         ends = [
             row["first_scored"] - 1 if version["read_to"] is None else version["read_to"]
@@ -225,12 +222,12 @@ class _Check:
         ]
         novel_from = [row["first_novel"] for row in known]
         versions = {row["channel_id"]: row["version_id"] for row in group}
-        try:
+        with self._running(comparing_steps(setting_of(group[0]), self.reader.kind)) as running:
             running.load("cohort", cohort_of(group, read_until=ends))
             earliest = min(row["read_from"] for row in group)
             rows = reading_steps(self.reader.readings(assets_of(group), earliest))
             running.put("identified", rows.query("identified", running.placed))
-            again = {row["channel_id"]: row for row in running.table("reread").to_pylist()}
+            again = {row["channel_id"]: row for row in running.rows("reread")}
             same = [_is_same(again.get(row["channel_id"])) for row in group]
             until = [
                 end if is_same else row["first_scored"] - 1
@@ -242,10 +239,8 @@ class _Check:
             ]
             cohort = cohort_of(group, read_until=until, settled=first, novel_from=novel_from)
             running.load("cohort", cohort)
-            differences = running.table("compared").to_pylist()
-            cells = running.table("compared_novel").to_pylist()
-        finally:
-            running.forget()
+            differences = running.rows("compared")
+            cells = running.rows("compared_novel")
         for row in differences:
             day = None if self.reader.kind.is_counter else row["day_no"]
             said = {name: row[name] for name in _COUNTED}
@@ -267,23 +262,20 @@ class _Check:
         group = sorted(group, key=lambda row: (row["asset"].encode(), row["channel"].encode()))
         group = [{**row, "channel_id": number} for number, row in enumerate(group, start=1)]
         setting = setting_of(group[0])
-        running = self._running(relearning_steps(setting, self.reader.kind, *_asked(group[0])))
         ends = [row["calibration_end"] for row in group]
-        try:
+        with self._running(relearning_steps(setting, self.reader.kind, *_asked(group[0]))) as running:
             cohort = cohort_of(group, read_from=LONG_AGO, read_until=ends, first_bucket=0)
             running.load("cohort", cohort)
-            edges = running.table("calibration_range").to_pylist()[0]
+            edges = running.rows("calibration_range")[0]
             # No sample before an interval decides what is learnt in it, unless by standing still.
             earliest = edges["earliest"] if setting.still_after is None else LONG_AGO
             healthy = self.reader.readings(assets_of(group), earliest, edges["latest"])
             rows = reading_steps(healthy)
             running.put("identified", rows.query("identified", running.placed))
-            counted = self.session.fetch(rows.query("recount", running.placed)).to_pylist()
-            changed = running.table("relearnt").to_pylist()
-            otherwise = running.table("certified").to_pylist()
-            extents = running.table("certified_extents").to_pylist()
-        finally:
-            running.forget()
+            counted = self.session.rows(rows.query("recount", running.placed))
+            changed = running.rows("relearnt")
+            otherwise = running.rows("certified")
+            extents = running.rows("certified_extents")
         cells = {row["support_id"]: row["differing"] for row in changed}
         now_read = {row["channel_id"]: row["calibration_readings"] for row in counted}
         came = set(cells)
@@ -353,24 +345,14 @@ def _place(row: Row) -> tuple[Any, ...]:
 
 _COUNTED = ("samples_then", "samples_now", "differing")
 
-_RESULT = pa.schema(
-    [
-        *(("asset", pa.string()), ("channel", pa.string()), ("version", pa.int64())),
-        *(("part", pa.string()), ("what", pa.string())),
-        *((name, pa.int64()) for name in ("day", *_COUNTED, "since")),
-    ]
+_RESULT = columns(
+    (WORD, "asset channel"),
+    (COUNT, "version"),
+    (WORD, "part what"),
+    (COUNT, "day samples_then samples_now differing since"),
 )
-
-_CHECKED = pa.schema(
-    [
-        *(
-            (name, pa.int64())
-            for name in (
-                *("version_id", "channel_id", "support_id", "parent_id", "version_no"),
-                *("window_length", "stride", "still_after", "context_rows", "run_up_from", "is_active"),
-                *("first_bucket", "first_novel"),
-            )
-        ),
-        *((name, pa.string()) for name in ("status", "reason")),
-    ]
+_CHECKED = columns(
+    (COUNT, "version_id channel_id support_id parent_id version_no window_length stride still_after"),
+    (COUNT, "context_rows run_up_from is_active first_bucket first_novel"),
+    (WORD, "status reason"),
 )

@@ -42,7 +42,7 @@ def differing(
     steps = Pipeline()
     add_source(steps, method)
     loaded = state.session.load(names)
-    chosen = state.session.fetch(steps.query("channels", {"names": loaded})).to_pylist()
+    chosen = state.session.rows(steps.query("channels", {"names": loaded}))
     state.session.forget(loaded)
     wanted = {(row["asset"], row["channel"]): settings_hash(method, row) for row in chosen}
     made = {(row["asset"], row["channel"]): row["settings_hash"] for row in rows}

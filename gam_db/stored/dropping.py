@@ -116,7 +116,7 @@ def _conditions(tables: StateTables, monitor_id: int) -> dict[str, exp.Expr]:
 
 def _monitor_id(session: Session, tables: StateTables, monitor: str) -> int:
     query = exp.select("monitor_id", "name").from_(tables.table("monitor"))
-    known = {row["name"]: row["monitor_id"] for row in session.fetch(query).to_pylist()}
+    known = {row["name"]: row["monitor_id"] for row in session.rows(query)}
     if monitor not in known:
         raise StateError(
             f"There is no monitor {monitor!r} in the state tables {tables}*{nearest(monitor, known)}"

@@ -11,6 +11,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.clock import LONG_AGO
+from gam_db.columns import counts
 from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline
 from gam_db.running import Running
@@ -68,13 +69,12 @@ class Log:
     def keep(self, state: State) -> None:
         """Append the rows."""
         if self.rows:
-            state.append_rows("episode", pa.Table.from_pylist(self.rows, schema=EPISODE))
+            state.append_rows("episode", self.rows)
 
 
 def records_of(state: State, monitor_id: int) -> list[Row]:
     """Return the newest row of each episode of a monitor."""
-    rows: list[Row] = state.fetch("stored/episode_records", {"monitor_id": monitor_id}).to_pylist()
-    return rows
+    return state.rows("stored/episode_records", {"monitor_id": monitor_id})
 
 
 def follow(state: State, monitor_id: int, group: Sequence[Row], judged: Mapping[int, int]) -> None:
@@ -121,22 +121,19 @@ def _found(
     add(steps, "stored/open_judgements", {"near": close}, name="opened")
     add(steps, "alarms/merged")
     add(steps, "stored/judged_ranges", {"near": close})
-    running = Running(state.session, steps, state.tables.placed())
-    try:
+    with Running(state.session, steps, state.tables.placed()) as running:
         running.load("followed", pa.Table.from_pylist(followed, schema=_FOLLOWED))
         running.keep("merged")
-        onsets = running.table("merged").to_pylist()
+        onsets = running.rows("merged")
         if not onsets and not any(live.get(row["channel_id"]) for row in followed):
             return {}, {}
-        ranges = {row["channel_id"]: row for row in running.table("judged_ranges").to_pylist()}
+        ranges = {row["channel_id"]: row for row in running.rows("judged_ranges")}
         if not onsets:
             return {}, ranges
         version = {row["channel_id"]: row for row in followed}
         begun = [{**version[row["channel_id"]], "onset": row["onset"]} for row in onsets]
         add(steps, "stored/found_episodes", {"near": _from(begun, "onset")})
-        return _by_channel(running.table("found_episodes").to_pylist()), ranges
-    finally:
-        running.forget()
+        return _by_channel(running.rows("found_episodes")), ranges
 
 
 def _since(row: Row, live: Mapping[int, list[Row]], first: int) -> int:
@@ -217,12 +214,4 @@ def _match(log: Log, found: list[Row], live: list[Row], judged: Mapping[str, Any
                 log.add("withdrawn", row, status="withdrawn")
 
 
-_FOLLOWED = pa.schema([(name, pa.int64()) for name in ("channel_id", "version_id", "since_judgement")])
-
-EPISODE = pa.schema(
-    [
-        *((name, pa.int64()) for name in ("monitor_id", "episode_id", "seq", "noticed_at")),
-        *((name, pa.string()) for name in ("what", "status")),
-        *((name, pa.int64()) for name in ("merged_into", "channel_id", *_KNOWN)),
-    ]
-)
+_FOLLOWED = counts("channel_id version_id since_judgement")

@@ -6,7 +6,6 @@ come to is done by the next one.
 
 from collections.abc import Iterable, Mapping, Sequence
 
-import pyarrow as pa
 from sqlglot import exp
 
 from gam_db import template
@@ -34,7 +33,7 @@ def explain(state: State, reader: Reader, monitor_id: int, plan: Iterable[Row], 
     if not asked:
         return
     slots["raised_versions"] = _among("version_id", "judged", asked)
-    wanted = _placed(state, state.fetch("stored/uncounted", slots).to_pylist())
+    wanted = _placed(state, state.rows("stored/uncounted", slots))
     rounds: list[list[Row]] = []
     for number, row in _runs(wanted, known):
         rounds += [[]] * (number == len(rounds))
@@ -58,7 +57,7 @@ def _placed(state: State, wanted: Sequence[Row]) -> list[Row]:
         _among("version_id", "full_bucket", (row["version_id"] for row in wanted)),
         _among("bucket_no", "full_bucket", (row["bucket_before"] for row in wanted)),
     )
-    found = state.fetch("stored/buckets_before", {"wanted": exp.and_(*conditions)}).to_pylist()
+    found = state.rows("stored/buckets_before", {"wanted": exp.and_(*conditions)})
     ends = {(row["version_id"], row["bucket_no"]): row for row in found}
     made = []
     for row in wanted:
@@ -96,16 +95,13 @@ def _asked(found: Sequence[Row], known: Mapping[int, Row]) -> Row:
 
 def _count(state: State, reader: Reader, group: Sequence[Row]) -> None:
     steps = explaining_steps(setting_of(group[0]), reader.kind)
-    running = Running(state.session, steps, state.tables.placed())
     until = [row["until"] for row in group]
     earliest = min(row["read_from"] for row in group)
-    try:
+    with Running(state.session, steps, state.tables.placed()) as running:
         running.load("cohort", cohort_of(group, read_until=until, planned_from=0))
         rows = reading_steps(reader.readings(assets_of(group), earliest, max(until)))
         running.put("identified", rows.query("identified", running.placed))
-        found = running.table("banded").to_pylist()
-    finally:
-        running.forget()
+        found = running.rows("banded")
     made = []
     for channel in group:
         version, runs = channel["version_id"], list(channel["runs"].items())
@@ -117,9 +113,4 @@ def _count(state: State, reader: Reader, group: Sequence[Row]) -> None:
         for row in mine:
             number, run = runs[row.pop("window_no")]
             made.append({**row, "judgement_no": number, "run_id": run})
-    state.append_rows("band_visit", pa.Table.from_pylist(made, schema=_BAND_VISIT))
-
-
-_BAND_VISIT = pa.schema(
-    [(name, pa.int64()) for name in ("version_id", "judgement_no", "run_id", "band", "visits", "novel")]
-)
+    state.append_rows("band_visit", made)

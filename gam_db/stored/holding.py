@@ -15,6 +15,7 @@ import pyarrow as pa
 
 from gam_db.alarms import assess, day_of, high
 from gam_db.clock import FAR_AHEAD, TimeKind
+from gam_db.columns import counts
 from gam_db.errors import ParameterError
 from gam_db.heights import UNSTATED, Height, Rate, by_table
 from gam_db.method.alarms import FAR, NEAR
@@ -79,16 +80,13 @@ def unsound(
     for buckets, group in groupby(by_length, key=_buckets):
         yield from _judgements(state, buckets, list(group), judged)
     slots = {"monitor_id": monitor_id}
-    history = state.fetch("stored/episode_history", slots).to_pylist()
-    channels = {
-        row["channel_id"]: row["asset"]
-        for row in state.fetch("stored/known_channels", slots).to_pylist()
-    }
+    history = state.rows("stored/episode_history", slots)
+    channels = {row["channel_id"]: row["asset"] for row in state.rows("stored/known_channels", slots)}
     yield from _episodes(history, judged, channels, versions)
-    for row in state.fetch("stored/unsound_bands", slots).to_pylist():
+    for row in state.rows("stored/unsound_bands", slots):
         what = "judgements whose bands are not all of their vectors"
         yield Unsound(row["version_id"], "episodes", what, row["differing"])
-    yield from _labels(state.fetch("stored/labels", slots).to_pylist(), history, channels)
+    yield from _labels(state.rows("stored/labels", slots), history, channels)
 
 
 def _buckets(version: Row) -> int:
@@ -96,10 +94,8 @@ def _buckets(version: Row) -> int:
 
 
 def _held(versions: Iterable[Row]) -> pa.Table:
-    return pa.Table.from_pylist(
-        [{"channel_id": row["version_id"], "version_id": row["version_id"]} for row in versions],
-        schema=pa.schema([(name, pa.int64()) for name in ("channel_id", "version_id")]),
-    )
+    keys = [row["version_id"] for row in versions]
+    return pa.table({"channel_id": keys, "version_id": keys}, schema=counts("channel_id version_id"))
 
 
 # Limits
@@ -109,17 +105,12 @@ def _limits(
     state: State, monitor_id: int, kind: TimeKind, versions: Mapping[int, Row]
 ) -> Iterator[Unsound]:
     """Hold the limits of active versions to what calibration counted."""
-    rows = state.fetch("stored/held_limits", {"monitor_id": monitor_id}).to_pylist()
-    work = learnt(state, monitor_id)
-    try:
-        version_of = {
-            row["channel_id"]: row["version_id"] for row in work.table("limit_channels").to_pylist()
-        }
+    rows = state.rows("stored/held_limits", {"monitor_id": monitor_id})
+    with learnt(state, monitor_id) as work:
+        version_of = {row["channel_id"]: row["version_id"] for row in work.rows("limit_channels")}
         said: dict[int, dict[int, Row]] = defaultdict(dict)
-        for row in work.table("learnt_limits").to_pylist():
+        for row in work.rows("learnt_limits"):
             said[version_of[row["channel_id"]]][row["g"]] = row
-    finally:
-        work.running.forget()
     day = day_of(kind)
     for rows_of in said.values():
         assess(rows_of[NEAR], day)
@@ -184,15 +175,12 @@ def _same(row: Row, wanted: Row) -> bool:
 
 def _judgements(state: State, buckets: int, group: Sequence[Row], judged: Judged) -> Iterator[Unsound]:
     """Judge the versions of one number of buckets anew, and note what that gives."""
-    running = Running(state.session, judging_steps(buckets), state.tables.placed())
-    try:
+    with Running(state.session, judging_steps(buckets), state.tables.placed()) as running:
         running.load("judged_until", _held(group))
-        found = running.table("unsound_judgements").to_pylist()
-        edges = running.table("judged_edges").to_pylist()
+        found = running.rows("unsound_judgements")
+        edges = running.rows("judged_edges")
         judged.oldest.update({row["channel_id"]: row["oldest_no"] for row in edges})
-        judged.episodes.extend(running.table("raised_again").to_pylist())
-    finally:
-        running.forget()
+        judged.episodes.extend(running.rows("raised_again"))
     active = {row["version_id"] for row in group if row["is_active"]}
     for row in found:
         since = row["since"] if row["version_id"] in active else None

@@ -9,6 +9,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db import template
+from gam_db.columns import counts
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_kept_judgements
 from gam_db.pipeline import Pipeline, filled, place
@@ -53,12 +54,9 @@ def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) ->
     add(steps, "stored/limit_spans")
     add_kept_judgements(steps, buckets, since(first - _BEFORE))
     add(steps, "stored/judgement_rows")
-    running = Running(state.session, steps, placed)
-    try:
+    with Running(state.session, steps, placed) as running:
         running.load("judged_until", pa.Table.from_pylist(rows, schema=_UNTIL))
         state.append("judgement", running.query("judgement_rows"))
-    finally:
-        running.forget()
     return {row["version_id"]: row["first_judgement"] for row in rows}
 
 
@@ -71,10 +69,7 @@ def _until(state: State, placed: Mapping[str, exp.Table], close: exp.Expr) -> li
     slots: dict[str, template.Slot] = {"near": close}
     query = filled("stored/judged_until", slots)
     place(query, placed)
-    rows: list[Row] = state.session.fetch(query).to_pylist()
-    return rows
+    return state.session.rows(query)
 
 
-_UNTIL = pa.schema(
-    [(name, pa.int64()) for name in ("channel_id", "version_id", "first_bucket", "first_judgement")]
-)
+_UNTIL = counts("channel_id version_id first_bucket first_judgement")

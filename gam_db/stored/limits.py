@@ -5,11 +5,11 @@ This module owns when limits are made, and of what. How one is chosen is said by
 
 from collections.abc import Callable, Sequence
 
-import pyarrow as pa
 from sqlglot import exp
 
 from gam_db import template
 from gam_db.alarms import Alarms, Row, chosen_limits
+from gam_db.columns import COUNT, SHARE, WORD, columns
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_spreads
 from gam_db.pipeline import Pipeline
@@ -22,25 +22,9 @@ CALIBRATED = "calibrated"
 CHOSEN = ("centre", "spread", "reference", "height", "cap", "quarters", "basis", "rate", "stated_rate")
 
 
-class Kept:
-    """What calibration left in tables, as :class:`gam_db.alarms.Work`."""
-
-    def __init__(self, state: State, steps: Pipeline) -> None:
-        self.steps = steps
-        self.running = Running(state.session, steps, state.tables.placed())
-
-    def table(self, step: str) -> pa.Table:
-        """Return the rows of a step."""
-        return self.running.table(step)
-
-    def put(self, step: str, rows: pa.Table) -> None:
-        """Let a table be a step."""
-        self.running.load(step, rows)
-
-
 def learnt(
     state: State, monitor_id: int, families: Sequence[str] = (), is_heeding: bool = False
-) -> Kept:
+) -> Running:
     """Return the steps *limit_channels* and *learnt_limits*, over the active versions of a monitor.
 
     Args:
@@ -61,7 +45,7 @@ def learnt(
     )
     add(steps, "stored/kept_buffered", name="buffered")
     add_spreads(steps, families, "limit_channels")
-    return Kept(state, steps)
+    return Running(state.session, steps, state.tables.placed())
 
 
 def make(
@@ -90,15 +74,12 @@ def make(
     monitor = state.monitor(name)
     kind = kind_of(monitor)
     asked = alarms.asked(kind)
-    work = learnt(state, monitor["monitor_id"], alarms.family, is_heeding=True)
-    try:
-        known = {row["channel_id"]: row for row in work.table("limit_channels").to_pylist()}
+    with learnt(state, monitor["monitor_id"], alarms.family, is_heeding=True) as work:
+        known = {row["channel_id"]: row for row in work.rows("limit_channels")}
         chosen = {channel for channel, row in known.items() if wanted(row)}
         if not chosen:
             return []
         rows = [row for row in chosen_limits(work, alarms, kind) if row["channel_id"] in chosen]
-    finally:
-        work.running.forget()
     families = sorted({row["family"] for row in rows})
     for row in rows:
         row["family"] = families.index(row["family"])
@@ -109,7 +90,7 @@ def make(
 
 def keep(state: State, rows: list[Row]) -> None:
     """Append rows of limits."""
-    state.append_rows("limit", pa.Table.from_pylist(rows, schema=LIMIT))
+    state.append_rows("limit", rows)
 
 
 def _row(row: Row, known: Row, cause: str, asked: str) -> Row:
@@ -125,28 +106,14 @@ def _row(row: Row, known: Row, cause: str, asked: str) -> Row:
     }
 
 
-LIMIT = pa.schema(
-    [
-        *((name, pa.int64()) for name in ("version_id", "limit_no", "from_judgement", "created")),
-        *((name, pa.string()) for name in ("cause", "asked")),
-        *(
-            (name, pa.int64())
-            for name in (
-                *("family", "blocks", "g", "centre", "spread", "reference", "height", "cap"),
-                "quarters",
-            )
-        ),
-        ("basis", pa.string()),
-        ("order_ratio", pa.int64()),
-        *((name, pa.float64()) for name in ("judgements_per_day", "rate", "stated_rate")),
-        ("reason", pa.string()),
-    ]
-)
-
 #: What is shown of limits: the newest ones, by the names of their channels.
-SHOWN = pa.schema(
-    [
-        *((name, pa.string()) for name in ("asset", "channel")),
-        *(field for field in LIMIT if field.name not in ("version_id", "created")),
-    ]
+SHOWN = columns(
+    (WORD, "asset channel"),
+    (COUNT, "limit_no from_judgement"),
+    (WORD, "cause asked"),
+    (COUNT, "family blocks g centre spread reference height cap quarters"),
+    (WORD, "basis"),
+    (COUNT, "order_ratio"),
+    (SHARE, "judgements_per_day rate stated_rate"),
+    (WORD, "reason"),
 )

@@ -15,12 +15,14 @@ from functools import cache
 from pathlib import Path
 from typing import cast
 
+import pyarrow as pa
 import sqlglot
 from sqlglot import exp
 from sqlglot.errors import SqlglotError
 
 from gam_db import template
 from gam_db.clock import TimeKind
+from gam_db.columns import COUNT, SHARE, WORD
 from gam_db.engines.base import Engine
 from gam_db.engines.storage import Addition, Definition, Filling
 from gam_db.errors import TemplateError
@@ -120,6 +122,14 @@ def definitions() -> dict[str, Definition]:
     """Return what all migrations make together, by name: tables, then views after what they read."""
     made = _made(files())
     return {name: made[name] for name in (*TABLES, *VIEWS)}
+
+
+@cache
+def columns_of(table: str) -> pa.Schema:
+    """Return the columns of a state table, as Arrow has them."""
+    kinds = {"BIGINT": COUNT, "DOUBLE": SHARE, "TEXT": WORD}
+    made = definitions()[table].create.this.expressions
+    return pa.schema([(column.name, kinds[column.kind.sql()]) for column in made])
 
 
 def _made(migrations: Iterable[Migration]) -> dict[str, Definition]:

@@ -61,7 +61,7 @@ def recorded(session: Session, tables: StateTables, there: Relations) -> tuple[A
         return ()
     _check_own(tables, "migration", there, [RECORD])
     query = exp.select(*RECORD).from_(tables.table("migration")).order_by("number")
-    rows = tuple(Applied(**row) for row in session.fetch(query).to_pylist())
+    rows = tuple(Applied(**row) for row in session.rows(query))
     if rows and rows[-1].number > len(files()):
         raise StateError(
             f"The state tables {tables}* were last migrated by gam-db {rows[-1].gam_version} (migration "

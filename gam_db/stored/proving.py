@@ -66,7 +66,7 @@ def mismatched(state: State, wanted: exp.Table) -> list[Row]:
         Rows with version_id; said, what of it differs, in words; is_usable, whether only cells do.
     """
     placed = {**state.tables.placed(), "wanted": wanted}
-    rows = state.session.fetch(sums.matching_steps().query("mismatched", placed)).to_pylist()
+    rows = state.session.rows(sums.matching_steps().query("mismatched", placed))
     return [
         {
             "version_id": row["version_id"],
@@ -117,7 +117,7 @@ def verify_daily(state: State, monitor: Row) -> bool:
     times = [monitor["created"], *(one.proved_at for one in proofs.values() if not one.differences)]
     if any(0 <= began - time < DAY for time in times):
         return False
-    rows = state.fetch("stored/active", {"monitor_id": monitor["monitor_id"]}).to_pylist()
+    rows = state.rows("stored/active", {"monitor_id": monitor["monitor_id"]})
     keys = pa.array([row["version_id"] for row in rows], pa.int64())
     wanted = state.session.load(pa.table({"version_id": keys}))
     try:
@@ -136,13 +136,13 @@ def keep(state: State, monitor_id: int, proof: Proof) -> None:
     """
     row = {"monitor_id": monitor_id, **vars(proof)}
     with state.session.transaction():
-        state.append_rows("proof", pa.Table.from_pylist([row]))
+        state.append_rows("proof", [row])
 
 
 def last_proofs(state: State, monitor_id: int) -> dict[str, Proof]:
     """Return the newest record of each extent."""
     slots = {"monitor_id": monitor_id, "now": now()}
-    return {row["extent"]: Proof(**row) for row in state.fetch("stored/last_proofs", slots).to_pylist()}
+    return {row["extent"]: Proof(**row) for row in state.rows("stored/last_proofs", slots)}
 
 
 def _words(row: Row) -> str:

@@ -61,7 +61,7 @@ def standings(
         near: a condition on *run* that holds for all runs that may matter; None for all.
     """
     slots: dict[str, template.Slot] = {"among": among or exp.true(), "near": near or exp.true()}
-    rows = state.fetch("stored/standing", slots).to_pylist()
+    rows = state.rows("stored/standing", slots)
     return {row["version_id"]: Standing(row["newest_run"], row["run_rows"]) for row in rows}
 
 

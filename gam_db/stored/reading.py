@@ -12,6 +12,7 @@ from sqlglot import exp
 
 from gam_db import look, template
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
+from gam_db.columns import COUNT, SHARE, WORD, columns
 from gam_db.engines.session import Session
 from gam_db.pipeline import Pipeline
 from gam_db.preparing import prepared
@@ -117,14 +118,13 @@ def searched_plan_rows(
 
 
 def _planned(state: State, steps: Pipeline) -> list[Row]:
-    rows: list[Row] = state.session.fetch(steps.query("plan", state.tables.placed())).to_pylist()
-    return rows
+    return state.session.rows(steps.query("plan", state.tables.placed()))
 
 
 def last_times(state: State, monitor_id: int) -> dict[int, int]:
     """Return the end of what is stored of each version that has a bucket."""
     steps = searched_plan_steps(monitor_id, None, None)
-    rows = state.session.fetch(steps.query("newest", state.tables.placed())).to_pylist()
+    rows = state.session.rows(steps.query("newest", state.tables.placed()))
     return {row["version_id"]: row["newest_time"] for row in rows}
 
 
@@ -170,17 +170,9 @@ def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
     return pa.Table.from_pylist(made, schema=_COHORT)
 
 
-_COHORT = pa.schema(
-    [
-        *(
-            (name, pa.int64())
-            for name in (
-                *("channel_id", "version_id", "support_id", "first_bucket", "first_scored"),
-                *("read_from", "read_until", "context_expected", "calibration_end"),
-                *("oldest_bucket", "recounted", "settled", "planned_from", "novel_from"),
-            )
-        ),
-        *((name, pa.string()) for name in ("asset", "channel")),
-        *((name, pa.float64()) for name in ("lo", "hi")),
-    ]
+_COHORT = columns(
+    (COUNT, "channel_id version_id support_id first_bucket first_scored read_from read_until"),
+    (COUNT, "context_expected calibration_end oldest_bucket recounted settled planned_from novel_from"),
+    (WORD, "asset channel"),
+    (SHARE, "lo hi"),
 )

@@ -14,6 +14,7 @@ from sqlglot import exp
 
 from gam_db import look, template
 from gam_db.clock import FAR_AHEAD, shown_instant
+from gam_db.columns import counts
 from gam_db.errors import ConflictError, ParameterError, SourceError
 from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline, filled, place
@@ -220,13 +221,12 @@ class _Run:
 
     def _known(self) -> list[Row]:
         slots: dict[str, template.Slot] = {"monitor_id": self.monitor["monitor_id"]}
-        rows: list[Row] = self.state.fetch("stored/known_channels", slots).to_pylist()
-        return rows
+        return self.state.rows("stored/known_channels", slots)
 
     def _look(self, cohort: Cohort) -> list[Row]:
         self.on_step("looking at the source")
         steps = reading_steps(self.reader.readings(cohort.assets, cohort.earliest))
-        rows: list[Row] = self.session.fetch(steps.query("names")).to_pylist()
+        rows = self.session.rows(steps.query("names"))
         if not rows and self.reader.is_empty():
             raise SourceError(look.NO_ROW)
         return rows
@@ -253,7 +253,7 @@ class _Run:
         }
         if any(found.values()):
             run = {"monitor_id": self.monitor["monitor_id"], "started": self.started}
-            self.state.append_rows("unplaced", pa.Table.from_pylist([{**run, **found}]))
+            self.state.append_rows("unplaced", [{**run, **found}])
 
     def _note_unknown(self, names: Sequence[Row], known: set[tuple[str, str]]) -> None:
         for row in names:
@@ -272,8 +272,7 @@ class _Run:
         if not group:
             return []
         steps = scoring_steps(setting_of(group[0]), self.reader.kind, trusting)
-        running = Running(self.session, steps, self.state.tables.placed(), self.on_step)
-        try:
+        with Running(self.session, steps, self.state.tables.placed(), self.on_step) as running:
             self._read(running, group, cohort)
             doubtful = self._doubtful(running, group) if trusting else []
             left_out = {row["channel_id"] for row in doubtful}
@@ -281,8 +280,6 @@ class _Run:
             if group:
                 self._count(running, group)
                 self._publish(running, group)
-        finally:
-            running.forget()
         return doubtful
 
     def _read(self, running: Running, group: Sequence[Row], cohort: Cohort) -> None:
@@ -291,7 +288,7 @@ class _Run:
         # A part of a cohort is found by name, or each part would read the rows of all.
         assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
         due = any(self._is_due(row) for row in group)
-        edges = running.table("calibration_range").to_pylist()[0] if due else {}
+        edges = running.rows("calibration_range")[0] if due else {}
         if edges.get("earliest") is not None:
             healthy = self.reader.readings(assets, edges["earliest"], edges["latest"])
             counting = reading_steps(healthy, is_ranged=False)
@@ -304,7 +301,7 @@ class _Run:
     def _doubtful(self, running: Running, group: Sequence[Row]) -> list[Row]:
         """Second stage: return the channels that did not deserve trust, and leave them out."""
         running.keep("visited")
-        found = {row["channel_id"] for row in running.table("doubtful").to_pylist()}
+        found = {row["channel_id"] for row in running.rows("doubtful")}
         rest = [row for row in group if row["channel_id"] not in found]
         if found and rest:
             running.load("cohort", self._cohort(rest))
@@ -319,8 +316,8 @@ class _Run:
 
     def _publish(self, running: Running, group: Sequence[Row]) -> None:
         """Last stage: append the rows, and commit them unless the state has changed meanwhile."""
-        made = {row["channel_id"]: row for row in running.table("new_counts").to_pylist()}
-        seen = {row["channel_id"]: row for row in running.table("seen").to_pylist()}
+        made = {row["channel_id"]: row for row in running.rows("new_counts")}
+        seen = {row["channel_id"]: row for row in running.rows("seen")}
         self.on_step("writing")
         run_id = self.state.next_run()
         stamp = {
@@ -368,7 +365,7 @@ class _Run:
 
     def _check_past(self, group: Sequence[Row], running: Running) -> None:
         """Refuse to sum a window of which buckets went since the run was planned."""
-        counts = running.table("past_counts").to_pylist()
+        counts = running.rows("past_counts")
         there = {row["channel_id"]: row["past_buckets"] for row in counts}
         for row in group:
             wanted = min(row["first_bucket"], row["window_length"] // row["stride"])
@@ -400,4 +397,4 @@ class _Run:
             )
 
 
-_NO_RECOUNT = pa.schema([(name, pa.int64()) for name in ("channel_id", "calibration_readings")])
+_NO_RECOUNT = counts("channel_id calibration_readings")

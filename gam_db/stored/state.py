@@ -15,9 +15,10 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import TimeKind
-from gam_db.engines.session import CONFLICT, Session
+from gam_db.engines.session import CONFLICT, Row, Session
 from gam_db.errors import ConfigurationError, ConflictError, EngineError, StateError, nearest
 from gam_db.pipeline import filled, place
+from gam_db.stored.migration_files import columns_of
 from gam_db.stored.tables import StateTables
 
 #: A run id is the time of the run with this many random bits below, so that two writers differ.
@@ -52,6 +53,11 @@ class State:
         place(query, self.tables.placed())
         return self.session.fetch(query)
 
+    def rows(self, path: str, slots: Mapping[str, template.Slot] | None = None) -> list[Row]:
+        """Return the same, each row by the names of its columns."""
+        rows: list[Row] = self.fetch(path, slots).to_pylist()
+        return rows
+
     def append(self, table: str, query: exp.Query, columns: Sequence[str] | None = None) -> None:
         """Append the rows of a query to a state table; columns go by name."""
         names = [exp.to_identifier(name) for name in columns or query.named_selects]
@@ -61,12 +67,12 @@ class State:
             )
         )
 
-    def append_rows(self, table: str, rows: pa.Table) -> None:
-        """Append an Arrow table to a state table; columns go by name."""
-        loaded = self.session.load(rows)
-        columns = [exp.column(exp.to_identifier(name)) for name in rows.column_names]
-        self.append(table, exp.select(*columns).from_(loaded), rows.column_names)
-        self.session.forget(loaded)
+    def append_rows(self, table: str, rows: Sequence[Row]) -> None:
+        """Append rows to a state table: what it has columns for, and NULL for what a row lacks."""
+        schema = columns_of(table)
+        with self.session.lent(pa.Table.from_pylist(rows, schema=schema)) as lent:
+            names = [exp.column(exp.to_identifier(name)) for name in schema.names]
+            self.append(table, exp.select(*names).from_(lent), schema.names)
 
     def delete_hidden(self, table: str, run_id: int, after: int, near: exp.Expr) -> None:
         """Delete the rows of a table that a run has replaced; the slots are those of the file."""
@@ -77,8 +83,7 @@ class State:
 
     def monitors(self) -> list[dict[str, Any]]:
         """Return the monitors of this database."""
-        rows: list[dict[str, Any]] = self.fetch("stored/monitors").to_pylist()
-        return rows
+        return self.rows("stored/monitors")
 
     def monitor(self, name: str) -> dict[str, Any]:
         """Return a monitor by its name.
@@ -97,7 +102,7 @@ class State:
 
     def last_numbers(self) -> dict[str, int]:
         """Return the largest key in use: of monitor, channel, version, support and run."""
-        rows = self.fetch("stored/last_numbers").to_pylist()
+        rows = self.rows("stored/last_numbers")
         return {row["kind"]: row["last_id"] or 0 for row in rows}
 
     def keys(self) -> dict[str, int]:

@@ -353,7 +353,7 @@ def test_a_second_writer_is_noticed(session: Session) -> None:
 
     def calibrate(keys: dict[str, int]) -> None:
         with monitor.state.alone(keys):
-            monitor.state.append_rows("channel", channel)
+            monitor.state.append_rows("channel", channel.to_pylist())
 
     keys = monitor.state.keys()
     with pytest.raises(EngineError, match="some channels are there twice"):

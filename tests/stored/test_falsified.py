@@ -230,7 +230,7 @@ def put_back(monitor: Monitor, table: str, rows: pa.Table) -> None:
     node = monitor.state.tables.table(table)
     key = rows.column_names[0]
     monitor.session.delete(node, [key], exp.select(exp.column(key)).distinct().from_(node))
-    monitor.state.append_rows(table, rows)
+    monitor.state.append_rows(table, rows.to_pylist())
 
 
 def owners(monitor: Monitor) -> dict[str, dict[int, str]]:

@@ -110,7 +110,7 @@ def add_baseline(
             parts.append(own.append_column("score", pa.array(scores)))
         empty = to_score.select(["channel_id", "time"]).slice(0, 0)
         parts.append(empty.append_column("score", pa.array([], pa.float64())))
-        study.put(study.method.named("scores", number), pa.concat_tables(parts))
+        study.load(study.method.named("scores", number), pa.concat_tables(parts))
     add_moving_average(study.steps, study.method, study.instant_of)
 
 

@@ -165,7 +165,7 @@ def _put_fitted(study: Study, fit: Fit, number: int, seed: int, sample: int) -> 
     with needed("threadpoolctl", "benchmark").threadpool_limits(limits=1):
         tables = fit(points, seed)
     for table, rows in tables.items():
-        study.put(study.method.named(table, number), rows)
+        study.load(study.method.named(table, number), rows)
     return True
 
 
@@ -180,7 +180,7 @@ def _drawn(study: Study, number: int, seed: int, sample: int) -> dict[int, Point
             generator = np.random.default_rng([seed, support])
             chosen = generator.choice(points, min(points, sample), replace=False) + 1
             drawn.append(pa.table({"support_id": np.full(len(chosen), support), "number": chosen}))
-    study.put(method.named("drawn", number), pa.concat_tables(drawn))
+    study.load(method.named("drawn", number), pa.concat_tables(drawn))
     point = {"point": point_of(method, number)}
     add_of_set(study.steps, method, number, "lab/estimators/drawn_points", point)
     rows = study.table(method.named("drawn_points", number))

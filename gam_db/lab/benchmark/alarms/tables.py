@@ -69,19 +69,6 @@ class Judged:
     episodes: list[Row]
 
 
-class _Work:
-    """Steps over given tables, as :class:`gam_db.alarms.Work`."""
-
-    def __init__(self, running: Running) -> None:
-        self.running, self.steps = running, running.steps
-
-    def table(self, step: str) -> pa.Table:
-        return self.running.table(step)
-
-    def put(self, step: str, rows: pa.Table) -> None:
-        self.running.load(step, rows)
-
-
 class Pool:
     """Fleets that are judged together.
 
@@ -103,18 +90,15 @@ class Pool:
         """Return what the product says at a rate, with the families that are asked for."""
         steps = Pipeline()
         add_spreads(steps, alarms.family)
-        work = _Work(Running(self._session, steps, self._given.placed))
-        try:
+        with Running(self._session, steps, self._given.placed) as work:
             rows = chosen_limits(work, alarms, self._kind)
             frozen = [row for row in rows if row["reason"] is None]
-            work.put("frozen_limits", pa.Table.from_pylist(frozen, schema=FROZEN))
+            work.load("frozen_limits", pa.Table.from_pylist(frozen, schema=FROZEN))
             add_judged(steps, lambda node: node)
             add_backtested(steps, ())
-            counted, episodes = (work.table(name).to_pylist() for name in ("backtested", "episodes"))
+            counted, episodes = (work.rows(name) for name in ("backtested", "episodes"))
             unknown: Row = dict.fromkeys(("basis", "quarters", "stated_rate"))  # where there is no limit
             return Judged(alarms.asked(self._kind), [unknown | row for row in rows], counted, episodes)
-        finally:
-            work.running.forget()
 
     def replayed(self, roots: pa.Table, quarters: Sequence[int]) -> pa.Table:
         """Return what any series opens under the product's evidence, at several heights.
