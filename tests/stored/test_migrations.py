@@ -8,11 +8,12 @@ import pytest
 from sqlglot import exp
 
 import dictionary
+import migration_lint
 import sql_lint
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.engines.storage import Definition
-from gam_db.errors import ConfigurationError, EngineError, InternalError, StateError, TemplateError
+from gam_db.errors import ConfigurationError, EngineError, InternalError, StateError
 from gam_db.stored import migration_files, migrations
 from gam_db.stored.migration_files import Migration, definitions, files
 from gam_db.stored.migrations import migrate, rendered, require, status
@@ -305,6 +306,11 @@ MORE = (
         ({"0001_run": GOOD, "0002_run": MORE.replace(".b IS", ".c IS")}, "must add columns"),
         ({"0001_run": GOOD, "0002_run": MORE.replace("{0} ADD", "block ADD")}, "must add columns"),
         ({"0001_run": GOOD, "0002_run": MORE + "DROP TABLE stored_run"}, "must add columns"),
+        ({"0001_run": GOOD, "0002_run": MORE + MORE.partition(";\n")[2].replace(".b", ".c")}, "has not"),
+        (
+            {"0001_run": GOOD, "0002_run": MORE + "UPDATE stored_run SET b = 1"},
+            "fills columns in a form",
+        ),
     ],
 )
 def test_a_file_that_breaks_the_form_is_refused(
@@ -312,8 +318,12 @@ def test_a_file_that_breaks_the_form_is_refused(
 ) -> None:
     for name, text in made.items():
         (tmp_path / f"{name}.sql").write_text(text.replace("{0}", name.partition("_")[2]))
-    with pytest.raises(TemplateError, match=message):
-        migration_files.read(tmp_path)
+    with pytest.raises(migration_lint.MigrationError, match=message):
+        migration_lint.check(tmp_path)
+
+
+def test_the_files_keep_to_the_form() -> None:
+    migration_lint.check(Path(__file__).parents[2] / "migrations")
 
 
 def test_a_checksum_is_that_of_the_bytes(tmp_path: Path) -> None:
