@@ -20,7 +20,7 @@ from gam_db.errors import CalibrationError, ParameterError
 from gam_db.export import jinja
 from gam_db.export.adapters import Adapter
 from gam_db.method import Method, pipeline
-from gam_db.method.adding import add
+from gam_db.method.adding import OfSet, add
 from gam_db.method.calibration import add_calibration
 from gam_db.method.certificate import add_certificate
 from gam_db.method.judgement import add_judged, limit_slots
@@ -274,8 +274,9 @@ def _learning(of: Modelled) -> Pipeline:
     for name in ("collapsed", "samples"):
         add(steps, f"source/{name}")
     add(steps, "calibration/calibrated")
-    add_calibration(steps, of.method, 0)
-    add_certificate(steps, of.method, 0)
+    one = OfSet(steps, of.method, 0)
+    add_calibration(one)
+    add_certificate(one)
     add(steps, "certificate/verdicts")
     return steps
 

@@ -1,11 +1,13 @@
 """Adding steps to a pipeline: by file, for one set of parameters, or as literal rows."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 from sqlglot import exp
 
 from gam_db import template
 from gam_db.method.resolved import Method
+from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline, union_of
 
 
@@ -20,22 +22,43 @@ def add(
     steps.fill(name or path.rpartition("/")[2], path, slots, tables)
 
 
-def add_of_set(
-    steps: Pipeline,
-    method: Method,
-    number: int,
-    path: str,
-    slots: Mapping[str, template.Slot] | None = None,
-    name: str | None = None,
-    tables: Mapping[str, str] | None = None,
-) -> None:
-    """Add a step of one set, reading the steps of the same set where there are such."""
-    inputs = {}
-    for table in template.load(path).tables:
-        step = (tables or {}).get(table, table)
-        own = method.named(step, number)
-        inputs[table] = own if own in steps.steps else step
-    steps.fill(method.named(name or path.rpartition("/")[2], number), path, slots, inputs)
+@dataclass(frozen=True)
+class OfSet:
+    """The steps of one set of parameters.
+
+    Attributes:
+        steps: the pipeline that they are in.
+        method: with all sets.
+        number: of this one.
+    """
+
+    steps: Pipeline
+    method: Method
+    number: int
+
+    @property
+    def setting(self) -> Parameters:
+        """The parameters."""
+        return self.method.settings[self.number]
+
+    def named(self, step: str) -> str:
+        """Return what a step of this set is called."""
+        return self.method.named(step, self.number)
+
+    def add(
+        self,
+        path: str,
+        slots: Mapping[str, template.Slot] | None = None,
+        name: str | None = None,
+        tables: Mapping[str, str] | None = None,
+    ) -> None:
+        """Add the step of one file, reading the steps of the same set where there are such."""
+        inputs = {}
+        for table in template.load(path).tables:
+            step = (tables or {}).get(table, table)
+            own = self.named(step)
+            inputs[table] = own if own in self.steps.steps else step
+        self.steps.fill(self.named(name or path.rpartition("/")[2]), path, slots, inputs)
 
 
 def add_stacked(

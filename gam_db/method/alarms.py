@@ -6,7 +6,7 @@ from functools import reduce
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.method.adding import add, add_of_set, add_stacked, join_sets
+from gam_db.method.adding import OfSet, add, add_stacked, join_sets
 from gam_db.method.resolved import Method
 from gam_db.method.source import named_like
 from gam_db.pipeline import Pipeline, filled
@@ -92,7 +92,7 @@ def add_judgements(steps: Pipeline, method: Method, instant_of: TimeNode) -> Non
     """Add what is judged, over *frozen_limits*; the last steps are *judgements* and *episodes*."""
     for number, setting in enumerate(method.settings):
         slots: dict[str, template.Slot] = {"buckets": setting.window // setting.bucket_length}
-        add_of_set(steps, method, number, "alarms/judged_windows", slots)
+        OfSet(steps, method, number).add("alarms/judged_windows", slots)
     join_sets(steps, method, ("judged_windows",))
     add_judged(steps, instant_of)
 

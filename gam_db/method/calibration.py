@@ -3,63 +3,53 @@
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.method.adding import add, add_of_set
-from gam_db.method.resolved import Method
+from gam_db.method.adding import OfSet, add
 from gam_db.method.vectors import add_short_vectors, add_vectors, code_of
-from gam_db.pipeline import Pipeline
 
 
-def add_calibration(steps: Pipeline, method: Method, number: int) -> None:
+def add_calibration(one: OfSet) -> None:
     """Add bounds, calibration vectors and support of one set (section 3, Eq. 1 and Eq. 3)."""
-    setting = method.settings[number]
-    add_bounds(steps, method, number)
-    add_breaks(steps, method, number)
-    if method.is_unbroken(number) and all(len(rule.allowed) <= 1 for rule in method.rules):
+    setting = one.setting
+    add_bounds(one)
+    add_breaks(one)
+    if one.method.is_unbroken(one.number) and all(len(rule.allowed) <= 1 for rule in one.method.rules):
         codes = {"code": code_of(setting)}
-        add_of_set(steps, method, number, "calibration/calibration_codes", codes)
-        add_short_vectors(steps, method, number, "calibration_")
+        one.add("calibration/calibration_codes", codes)
+        add_short_vectors(one, "calibration_")
         vectors, learnable = "vectors", "calibration/learnable_short"
     else:
-        add_vectors(steps, method, number, "calibration_", until_calibration_end())
+        add_vectors(one, "calibration_", until_calibration_end())
         vectors, learnable = "marked_vectors", "calibration/learnable"
-    add_of_set(
-        steps,
-        method,
-        number,
-        learnable,
-        name="learnable",
-        tables={vectors: "calibration_vectors"},
-    )
-    add_of_set(steps, method, number, "support/support")
+    one.add(learnable, name="learnable", tables={vectors: "calibration_vectors"})
+    one.add("support/support")
 
 
-def add_bounds(steps: Pipeline, method: Method, number: int) -> None:
+def add_bounds(one: OfSet) -> None:
     """Add the range of the channels of one set, with what later steps must know of the set."""
-    setting = method.settings[number]
+    setting = one.setting
     said: dict[str, template.Slot] = {
-        **{"settings_no": number, "bins": setting.grid, "window": setting.window},
+        **{"settings_no": one.number, "bins": setting.grid, "window": setting.window},
         "target_floor": float(setting.target_floor),
     }
-    add(steps, "support/bounds", said, name=method.named("bounds", number))
+    add(one.steps, "support/bounds", said, name=one.named("bounds"))
 
 
-def add_breaks(steps: Pipeline, method: Method, number: int) -> None:
+def add_breaks(one: OfSet) -> None:
     """Add where segments begin, for one set."""
-    gap = method.gaps[number]
+    gap = one.method.gaps[one.number]
     if gap is None:
-        add(steps, "source/unbroken", name=method.named("breaks", number))
+        add(one.steps, "source/unbroken", name=one.named("breaks"))
     else:
         add(
-            steps,
+            one.steps,
             "source/breaks",
-            {"settings_no": number, "max_gap": gap},
-            name=method.named("breaks", number),
+            {"settings_no": one.number, "max_gap": gap},
+            name=one.named("breaks"),
         )
 
 
 def until_calibration_end() -> exp.Expr:
     """Return the condition that a sample is not newer than its channel's calibration."""
     return exp.LTE(
-        this=exp.column("time", table="sampled"),
-        expression=exp.column("calibration_end", table="scale"),
+        this=exp.column("time", table="sampled"), expression=exp.column("calibration_end", table="scale")
     )

@@ -11,7 +11,7 @@ from sqlglot import exp
 
 from gam_db.bits import Bits
 from gam_db.clock import FAR_AHEAD, LONG_AGO
-from gam_db.method.adding import add, add_of_set
+from gam_db.method.adding import OfSet, add
 from gam_db.method.calibration import add_bounds
 from gam_db.method.certificate import add_judgement
 from gam_db.method.delays import CALIBRATION, COMPLETE, INCOMPLETE, Ways, add_coded, add_delays
@@ -88,40 +88,40 @@ def add_names(steps: Pipeline, slicing: Slicing) -> None:
     add(steps, "census/names")
 
 
-def add_census_set(steps: Pipeline, method: Method, number: int, bits: Bits | None, ways: Ways) -> None:
+def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
     """Add support, buckets and certificate of one set, after :func:`add_census`."""
-    setting = method.settings[number]
-    add_bounds(steps, method, number)
-    add_run_up(steps, method, number, {"samples": "edge_samples"})
-    add_of_set(steps, method, number, "census/scale")
-    scored = method.named(SCORED, number)
+    setting = one.setting
+    add_bounds(one)
+    add_run_up(one, {"samples": "edge_samples"})
+    one.add("census/scale")
+    scored = one.named(SCORED)
     if ways.delays is not None:
-        add_coded(steps, method, number, ways.delays)
+        add_coded(one, ways.delays)
     else:
-        _add_readings(steps, scored)
-    add_delays(steps, method, number, CALIBRATION, ways.delays, TAUGHT)
+        _add_readings(one.steps, scored)
+    add_delays(one, CALIBRATION, ways.delays, TAUGHT)
     vectors = {"vectors": f"{CALIBRATION}vectors"}
-    add_of_set(steps, method, number, "census/learnable", tables=vectors)
-    add_of_set(steps, method, number, "support/support")
-    add_support_bits(steps, method, number, bits)
-    add_delays(steps, method, number, COMPLETE, ways.delays, scored)
+    one.add("census/learnable", tables=vectors)
+    one.add("support/support")
+    add_support_bits(one, bits)
+    add_delays(one, COMPLETE, ways.delays, scored)
     place = exp.Sub(
         this=exp.column("position", table="vector"), expression=exp.Literal.number(setting.span)
     )
     carried = [exp.alias_(place, "number"), exp.alias_(exp.column("doubled", table="vector"), "doubled")]
-    add_novelty(steps, method, number, carried, bits, COMPLETE, "vectors", ways.by_sets)
+    add_novelty(one, carried, bits, COMPLETE, "vectors", ways.by_sets)
     parts = [f"{COMPLETE}novelty"]
     if ways.has_missing:
-        add_delays(steps, method, number, INCOMPLETE, ways.delays, scored)
-        add_incomplete(steps, method, number, ["doubled"], bits, ways.by_sets)
+        add_delays(one, INCOMPLETE, ways.delays, scored)
+        add_incomplete(one, ["doubled"], bits, ways.by_sets)
         parts.append(f"{INCOMPLETE}numbered")
-    add_placed(steps, method, number, parts, trusting=True)
-    add_bucket_counts(steps, method, number)
-    add_judgement(steps, method, number)
-    add_of_set(steps, method, number, "census/known_codes", {"settings_no": number})
-    add_short_vectors(steps, method, number, "known_")
+    add_placed(one, parts, trusting=True)
+    add_bucket_counts(one)
+    add_judgement(one)
+    one.add("census/known_codes", {"settings_no": one.number})
+    add_short_vectors(one, "known_")
     known = {"marked_vectors": "known_vectors"}
-    add_of_set(steps, method, number, "certificate/missing_vectors", tables=known)
+    one.add("certificate/missing_vectors", tables=known)
 
 
 def kept(method: Method, ways: Ways) -> set[str]:

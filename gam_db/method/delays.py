@@ -18,11 +18,10 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import FAR_AHEAD
-from gam_db.method.adding import add_of_set
-from gam_db.method.resolved import Method
+from gam_db.method.adding import OfSet
 from gam_db.method.vectors import add_short_vectors, cell_slots, code_of
 from gam_db.parameters import Parameters
-from gam_db.pipeline import Pipeline, filled
+from gam_db.pipeline import filled
 
 #: What is kept before vectors are made of it, body by body.
 KEPT = {"rowids": ("coded", "runs"), "arrays": ("coded",)}
@@ -56,40 +55,36 @@ class Ways:
     has_missing: bool = True
 
 
-def add_coded(steps: Pipeline, method: Method, number: int, body: str) -> None:
+def add_coded(one: OfSet, body: str) -> None:
     """Add what vectors of one set are made of, once, where a body keeps it."""
-    setting = method.settings[number]
+    setting = one.setting
     slots: dict[str, dict[str, template.Slot]] = {
         "coded": {"code": code_of(setting)},
         "runs": {"span": setting.span},
     }
     for name in KEPT[body]:
-        add_of_set(steps, method, number, f"{body}/{name}", slots[name])
+        one.add(f"{body}/{name}", slots[name])
 
 
-def add_delays(
-    steps: Pipeline, method: Method, number: int, prefix: str, body: str | None, rows: str
-) -> None:
+def add_delays(one: OfSet, prefix: str, body: str | None, rows: str) -> None:
     """Add the step *vectors* of a prefix, for one set.
 
     Args:
-        steps: with *scale* of the set, and what :func:`add_coded` adds.
-        method: what the user asked for.
-        number: of the set.
+        one: the set, with *scale*, and what :func:`add_coded` adds.
         prefix: one of the three above.
         body: a folder of ``sql/``; None for windows.
         rows: the step that holds the readings of the vectors, for windows.
     """
-    setting = method.settings[number]
+    setting = one.setting
     if body is not None:
         query = _BODIES[body](setting, prefix)
-        tables = {name: method.named(name, number) for name in KEPT[body]}
-        steps.add(method.named(f"{prefix}vectors", number), query, "", tables)
+        tables = {name: one.named(name) for name in KEPT[body]}
+        one.steps.add(one.named(f"{prefix}vectors"), query, "", tables)
         return
     slots: dict[str, template.Slot] = {"code": code_of(setting), "read": _read(prefix)}
     codes = f"{prefix}codes"
-    add_of_set(steps, method, number, "census/codes", slots, codes, {"readings": rows})
-    add_short_vectors(steps, method, number, prefix, trusting=True, carried=("support_id",))
+    one.add("census/codes", slots, codes, {"readings": rows})
+    add_short_vectors(one, prefix, trusting=True, carried=("support_id",))
 
 
 def _by_row(setting: Parameters, prefix: str) -> exp.Query:
@@ -164,7 +159,4 @@ def _is_there(name: str) -> exp.Expr:
     return exp.Not(this=exp.Is(this=exp.column(name), expression=exp.null()))
 
 
-_BODIES: dict[str, Callable[[Parameters, str], exp.Query]] = {
-    "rowids": _by_row,
-    "arrays": _in_arrays,
-}
+_BODIES: dict[str, Callable[[Parameters, str], exp.Query]] = {"rowids": _by_row, "arrays": _in_arrays}

@@ -4,16 +4,9 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.bits import Bits
-from gam_db.method.adding import add, join_sets
+from gam_db.method.adding import OfSet, add, join_sets
 from gam_db.method.calibration import add_calibration
-from gam_db.method.census import (
-    FLOWING,
-    Slicing,
-    add_census,
-    add_census_set,
-    add_names,
-    kept,
-)
+from gam_db.method.census import FLOWING, Slicing, add_census, add_census_set, add_names, kept
 from gam_db.method.certificate import add_certificate
 from gam_db.method.delays import Ways
 from gam_db.method.judgement import add_judged, limit_slots
@@ -47,11 +40,7 @@ _JOINED_CERTIFICATE = (
 
 
 def pipeline(
-    method: Method,
-    readings: exp.Query,
-    instant_of: TimeNode,
-    bits: Bits | None = None,
-    glance: int = 0,
+    method: Method, readings: exp.Query, instant_of: TimeNode, bits: Bits | None = None, glance: int = 0
 ) -> Pipeline:
     """Return all steps of the method over the given readings.
 
@@ -72,13 +61,14 @@ def pipeline(
     add_source(steps, method)
     numbers = range(len(method.settings))
     for number in numbers:
-        add_calibration(steps, method, number)
-        add_support_bits(steps, method, number, bits)
-        add_scoring(steps, method, number, bits)
-        add_run_up(steps, method, number)
-        add_buckets(steps, method, number, bits=bits)
-        add_bucket_counts(steps, method, number)
-        add_certificate(steps, method, number)
+        one = OfSet(steps, method, number)
+        add_calibration(one)
+        add_support_bits(one, bits)
+        add_scoring(one, bits)
+        add_run_up(one)
+        add_buckets(one, bits=bits)
+        add_bucket_counts(one)
+        add_certificate(one)
     join_sets(steps, method, (*_JOINED_HEALTH, *_JOINED_BUCKETS, *_JOINED_CERTIFICATE))
     add_results(steps, instant_of)
     return steps
@@ -117,7 +107,8 @@ def trusting_pipeline(
     _add_readings(steps, readings)
     add_census(steps, method, slicing)
     for number in range(len(method.settings)):
-        add_census_set(steps, method, number, bits, ways)
+        one = OfSet(steps, method, number)
+        add_census_set(one, bits, ways)
     join_sets(steps, method, (*_JOINED_BUCKETS, *_JOINED_CERTIFICATE))
     _add_summaries(steps, instant_of)
     return steps

@@ -6,26 +6,23 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.bits import Bits
-from gam_db.method.adding import add_of_set
+from gam_db.method.adding import OfSet
 from gam_db.method.delays import COMPLETE, INCOMPLETE
-from gam_db.method.resolved import Method
 from gam_db.method.vectors import add_short_vectors, add_vectors, code_of
 from gam_db.parameters import Parameters
-from gam_db.pipeline import Pipeline, union_of
+from gam_db.pipeline import union_of
 
 
-def add_support_bits(steps: Pipeline, method: Method, number: int, bits: Bits | None) -> None:
+def add_support_bits(one: OfSet, bits: Bits | None) -> None:
     """Add the support of one set as bits, where the engine keeps it so and its grid is small enough."""
-    setting = method.settings[number]
+    setting = one.setting
     if bits is not None and bits.serve(setting.radix**setting.m):
         cells = bits.gathered(exp.column("cell_key"), setting.radix**setting.m)
-        add_of_set(steps, method, number, "support/support_bits", {"bits": cells})
+        one.add("support/support_bits", {"bits": cells})
 
 
 def add_novelty(
-    steps: Pipeline,
-    method: Method,
-    number: int,
+    one: OfSet,
     carried: Sequence[exp.Expr],
     bits: Bits | None,
     prefix: str = "",
@@ -38,51 +35,38 @@ def add_novelty(
     that up at less cost, else by a join.
     """
     slots: dict[str, template.Slot] = {"carried": carried}
-    file, setting = "census/novelty_set" if by_sets else "score/novelty", method.settings[number]
+    file, setting = "census/novelty_set" if by_sets else "score/novelty", one.setting
     if bits is not None and bits.serve(setting.radix**setting.m):
         held = (exp.column("bits", table="healthy"), exp.column("cell_key", table="vector"))
         file, slots["is_held"] = "score/novelty_bits", bits.held(*held)
     renamed = {"monitored": f"{prefix}{monitored}"}
-    add_of_set(steps, method, number, file, slots, f"{prefix}novelty", renamed)
+    one.add(file, slots, f"{prefix}novelty", renamed)
 
 
-def add_scoring(steps: Pipeline, method: Method, number: int, bits: Bits | None = None) -> None:
+def add_scoring(one: OfSet, bits: Bits | None = None) -> None:
     """Add Eq. 4 and the running counts of Eq. 2 of one set, a row per scored vector."""
-    add_numbered(steps, method, number, bits)
-    add_of_set(steps, method, number, "health/window_counts", {"window": method.settings[number].window})
+    add_numbered(one, bits)
+    one.add("health/window_counts", {"window": one.setting.window})
 
 
-def add_numbered(
-    steps: Pipeline,
-    method: Method,
-    number: int,
-    bits: Bits | None = None,
-    carried: Sequence[str] = (),
-) -> None:
+def add_numbered(one: OfSet, bits: Bits | None = None, carried: Sequence[str] = ()) -> None:
     """Add Eq. 4 of one set by the complete form of its vectors; see :func:`add_vectors`."""
-    add_vectors(steps, method, number, "", exp.true(), carried)
+    add_vectors(one, "", exp.true(), carried)
     travelling = [_carried(name) for name in carried]
-    add_of_set(steps, method, number, "score/monitored", {"carried": travelling})
-    add_novelty(steps, method, number, [_carried("straddling"), *travelling], bits)
+    one.add("score/monitored", {"carried": travelling})
+    add_novelty(one, [_carried("straddling"), *travelling], bits)
     named: dict[str, template.Slot] = {"carried": [exp.column(name) for name in carried]}
-    add_of_set(steps, method, number, "health/numbered", named)
+    one.add("health/numbered", named)
 
 
-def add_run_up(
-    steps: Pipeline, method: Method, number: int, tables: Mapping[str, str] | None = None
-) -> None:
+def add_run_up(one: OfSet, tables: Mapping[str, str] | None = None) -> None:
     """Add from where on the channels of one set are read to be scored."""
-    slots = {"span": method.settings[number].reach}
-    add_of_set(steps, method, number, "score/run_up", slots, tables=tables)
+    slots = {"span": one.setting.reach}
+    one.add("score/run_up", slots, tables=tables)
 
 
 def add_buckets(
-    steps: Pipeline,
-    method: Method,
-    number: int,
-    ends: Mapping[str, str] | None = None,
-    trusting: bool = False,
-    bits: Bits | None = None,
+    one: OfSet, ends: Mapping[str, str] | None = None, trusting: bool = False, bits: Bits | None = None
 ) -> None:
     """Add Eq. 4 of one set in full buckets, and the novel cells of each.
 
@@ -92,9 +76,7 @@ def add_buckets(
     column ``doubled``, the proof to the contrary.
 
     Args:
-        steps: of the method.
-        method: what the user asked for.
-        number: of the set.
+        one: the set.
         ends: columns of the vector that ends a bucket, and what they are called in *visited*; they
             travel with all vectors and cost time, so there are none unless asked for.
         trusting: see above.
@@ -102,23 +84,18 @@ def add_buckets(
     """
     ends = ends or {}
     marks = ("doubled",) if trusting else ()
-    if method.is_short(number):
-        _add_complete_scoring(steps, method, number, marks, bits)
-        _add_short_vectors(steps, method, number, INCOMPLETE, bool(marks))
-        add_incomplete(steps, method, number, marks, bits)
+    if one.method.is_short(one.number):
+        _add_complete_scoring(one, marks, bits)
+        _add_short_vectors(one, INCOMPLETE, bool(marks))
+        add_incomplete(one, marks, bits)
         parts = ["complete_novelty", "incomplete_numbered"]
     else:
         parts = ["numbered"]
-    add_placed(steps, method, number, parts, ends, trusting)
+    add_placed(one, parts, ends, trusting)
 
 
 def add_placed(
-    steps: Pipeline,
-    method: Method,
-    number: int,
-    parts: Sequence[str],
-    ends: Mapping[str, str] | None = None,
-    trusting: bool = False,
+    one: OfSet, parts: Sequence[str], ends: Mapping[str, str] | None = None, trusting: bool = False
 ) -> None:
     """Add the groups of scored vectors, which lie with their numbers in some steps; see add_buckets."""
     marks = ("doubled",) if trusting else ()
@@ -132,16 +109,14 @@ def add_placed(
         *(ends or {}),
         *marks,
     )
-    steps.add(
-        method.named("placed", number),
-        union_of(steps, [method.named(part, number) for part in parts], columns),
+    one.steps.add(
+        one.named("placed"),
+        union_of(one.steps, [one.named(part) for part in parts], columns),
         "Placed: every scored vector with its number.",
     )
-    add_of_set(
-        steps, method, number, "health/visited", visited_slots(method.settings[number], ends, trusting)
-    )
-    add_of_set(steps, method, number, "health/buckets")
-    add_of_set(steps, method, number, "health/novel_cells")
+    one.add("health/visited", visited_slots(one.setting, ends, trusting))
+    one.add("health/buckets")
+    one.add("health/novel_cells")
 
 
 def visited_slots(
@@ -164,39 +139,28 @@ def visited_slots(
     }
 
 
-def add_bucket_counts(
-    steps: Pipeline, method: Method, number: int, tables: Mapping[str, str] | None = None
-) -> None:
+def add_bucket_counts(one: OfSet, tables: Mapping[str, str] | None = None) -> None:
     """Add Eq. 2 of one set at bucket ends, over the step *buckets* or what stands for it."""
-    setting = method.settings[number]
+    setting = one.setting
     slots = {"buckets": setting.window // setting.bucket_length, "window": setting.window}
-    add_of_set(steps, method, number, "health/bucket_counts", slots, tables=tables)
+    one.add("health/bucket_counts", slots, tables=tables)
 
 
-def _add_complete_scoring(
-    steps: Pipeline, method: Method, number: int, marks: Sequence[str], bits: Bits | None
-) -> None:
+def _add_complete_scoring(one: OfSet, marks: Sequence[str], bits: Bits | None) -> None:
     """Add the short form of Eq. 1 and Eq. 4 for channels without missing samples, with their marks."""
     prefix = COMPLETE
-    _add_short_vectors(steps, method, number, prefix, bool(marks))
+    _add_short_vectors(one, prefix, bool(marks))
     renamed = {"vectors": f"{prefix}vectors"}
     slots: dict[str, template.Slot] = {
-        "span": method.settings[number].span,
+        "span": one.setting.span,
         "carried": [_carried(mark) for mark in marks],
     }
-    add_of_set(steps, method, number, "score/monitored_complete", slots, f"{prefix}monitored", renamed)
+    one.add("score/monitored_complete", slots, f"{prefix}monitored", renamed)
     carried = [_carried(name) for name in ("number", *marks)]
-    add_novelty(steps, method, number, carried, bits, prefix)
+    add_novelty(one, carried, bits, prefix)
 
 
-def add_incomplete(
-    steps: Pipeline,
-    method: Method,
-    number: int,
-    marks: Sequence[str],
-    bits: Bits | None,
-    by_sets: bool = False,
-) -> None:
+def add_incomplete(one: OfSet, marks: Sequence[str], bits: Bits | None, by_sets: bool = False) -> None:
     """Add Eq. 4 of channels with missing samples, whose vectors must be numbered one by one."""
     prefix = INCOMPLETE
     renamed = {name: f"{prefix}{name}" for name in ("vectors", "novelty")}
@@ -206,25 +170,23 @@ def add_incomplete(
         counted = exp.or_(counted, marked)
     carried = [_carried(mark) for mark in marks]
     slots: dict[str, template.Slot] = {"carried": carried, "counted": counted}
-    add_of_set(steps, method, number, "score/monitored_short", slots, f"{prefix}monitored", renamed)
+    one.add("score/monitored_short", slots, f"{prefix}monitored", renamed)
     unasked = exp.alias_(exp.cast(exp.null(), "INT"), "straddling")
-    add_novelty(steps, method, number, [unasked, *carried], bits, prefix, by_sets=by_sets)
+    add_novelty(one, [unasked, *carried], bits, prefix, by_sets=by_sets)
     said: dict[str, template.Slot] = {"carried": [exp.column(mark) for mark in marks]}
-    add_of_set(steps, method, number, "health/numbered", said, f"{prefix}numbered", renamed)
+    one.add("health/numbered", said, f"{prefix}numbered", renamed)
 
 
-def _add_short_vectors(
-    steps: Pipeline, method: Method, number: int, prefix: str, trusting: bool = False
-) -> None:
+def _add_short_vectors(one: OfSet, prefix: str, trusting: bool = False) -> None:
     """Add codes and vectors of the channels with, or without, missing samples."""
     complete = exp.column("complete", table="scale")
     is_complete = exp.Literal.number(int(prefix == COMPLETE))
     slots: dict[str, template.Slot] = {
-        "code": code_of(method.settings[number]),
+        "code": code_of(one.setting),
         "read": exp.EQ(this=complete, expression=is_complete),
     }
-    add_of_set(steps, method, number, "support/codes", slots, f"{prefix}codes")
-    add_short_vectors(steps, method, number, prefix, trusting)
+    one.add("support/codes", slots, f"{prefix}codes")
+    add_short_vectors(one, prefix, trusting)
 
 
 def _gathered(name: str, said: str, where: str | None = None) -> exp.Expr:

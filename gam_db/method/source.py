@@ -79,10 +79,7 @@ def add_rules(steps: Pipeline, method: Method) -> None:
     ]
     add_stacked(steps, "rules", "calibration/rules", rules)
     pieces = [
-        filled(
-            "calibration/declared",
-            {"calibration_no": number, "time_from": start, "time_to": end},
-        )
+        filled("calibration/declared", {"calibration_no": number, "time_from": start, "time_to": end})
         for number, rule in enumerate(method.rules)
         for start, end in rule.allowed
     ]

@@ -6,35 +6,26 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import LONG_AGO
-from gam_db.method.adding import add_of_set
-from gam_db.method.resolved import Method
+from gam_db.method.adding import OfSet
 from gam_db.parameters import Parameters
-from gam_db.pipeline import Pipeline
 
 #: Slots that streams/vectors.sql shares with embedding/vectors.sql.
 _OF_STREAM = ("span", "cell_key", "outside")
 
 
-def add_vectors(
-    steps: Pipeline,
-    method: Method,
-    number: int,
-    prefix: str,
-    read: exp.Expr,
-    carried: Sequence[str] = (),
-) -> None:
+def add_vectors(one: OfSet, prefix: str, read: exp.Expr, carried: Sequence[str] = ()) -> None:
     """Add the complete form of codes and vectors of one set (Eq. 1) over the samples to be read.
 
     The vectors of calibration are called ``calibration_vectors``, the others ``marked_vectors``. Their
     ``still_so_far`` travels with them where it is ``carried``.
     """
-    setting = method.settings[number]
+    setting = one.setting
     codes = f"{prefix or 'marked_'}codes"
     coded: dict[str, template.Slot] = {"code": code_of(setting), "read": read}
     coded["carried"] = [] if setting.still_after is None else [exp.column("value")]
     ks = range(1, setting.m)
     delayed = [_delayed(name, k, setting) for name in ("code", "calibrating") for k in ks]
-    add_of_set(steps, method, number, "support/marked_codes", coded, codes)
+    one.add("support/marked_codes", coded, codes)
     slots = {name: slot for name, slot in cell_slots(setting).items() if name != "next_span"}
     slots |= {"touching": _touching(setting), "long_ago": LONG_AGO}
     slots |= {"carried": [exp.column(name) for name in carried], "context": _context(setting)}
@@ -43,20 +34,15 @@ def add_vectors(
     if setting.still_after is not None:
         moving, marked = f"{prefix or 'marked_'}moving_codes", {"marked_codes": codes}
         after: dict[str, template.Slot] = {"still_after": setting.still_after}
-        add_of_set(steps, method, number, "embedding/moving_codes", after, moving, marked)
+        one.add("embedding/moving_codes", after, moving, marked)
         codes = moving
     made, renamed = f"{prefix or 'marked_'}vectors", {"marked_codes": codes}
     slots["delayed"] = delayed
-    add_of_set(steps, method, number, "embedding/marked_vectors", slots, made, renamed)
+    one.add("embedding/marked_vectors", slots, made, renamed)
 
 
 def add_short_vectors(
-    steps: Pipeline,
-    method: Method,
-    number: int,
-    prefix: str,
-    trusting: bool = False,
-    carried: Sequence[str] = (),
+    one: OfSet, prefix: str, trusting: bool = False, carried: Sequence[str] = ()
 ) -> None:
     """Add the vectors of one set (Eq. 1) over the codes of the same prefix, where no segment ends.
 
@@ -65,7 +51,7 @@ def add_short_vectors(
     Where it is taken on trust that no instant occurs twice, ``doubled`` = 1 marks each sample that shows
     the contrary, be it the newest one of a vector or not.
     """
-    setting = method.settings[number]
+    setting = one.setting
     delayed = [_delayed("code", k, setting) for k in range(1, setting.m)]
     whole = template.fill("embedding/whole", {"span": setting.span})
     travelling: list[exp.Expr] = [exp.column(name) for name in carried]
@@ -80,10 +66,7 @@ def add_short_vectors(
         doubled = template.fill("embedding/doubled", {"previous_time": previous})
         travelling = [*travelling, exp.alias_(_flag(doubled), "doubled")]
         whole = exp.or_(whole, doubled)
-    add_of_set(
-        steps,
-        method,
-        number,
+    one.add(
         "embedding/vectors",
         {
             **{name: slot for name, slot in cell_slots(setting).items() if name != "span"},

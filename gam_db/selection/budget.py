@@ -9,7 +9,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.method import Method
-from gam_db.method.adding import add, add_of_set
+from gam_db.method.adding import OfSet, add
 from gam_db.method.certificate import add_certificate
 from gam_db.parameters import LARGEST_KEY, Override, Parameters
 from gam_db.pipeline import Pipeline, filled
@@ -52,9 +52,10 @@ def add_budget(steps: Pipeline, method: Method, search: Search) -> None:
         exp.select(*_BOUNDS).from_(exp.to_table("learners")),
         "Bounds, as far as the certificate needs them: which support a learner fills.",
     )
-    add_certificate(steps, sets, _OWN)
-    add_of_set(steps, sets, _OWN, "certificate/verdicts")
-    own = {name: sets.named(name, _OWN) for name in ("verdicts", "ladder")}
+    own_set = OfSet(steps, sets, _OWN)
+    add_certificate(own_set)
+    own_set.add("certificate/verdicts")
+    own = {name: own_set.named(name) for name in ("verdicts", "ladder")}
     add(steps, "selection/budget", tables=own)
     add(steps, "selection/joint", {"m": min(general.m, fitting[-1])})
 

@@ -16,7 +16,7 @@ from gam_db import template
 from gam_db.calibration import Calibration
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.method import Method
-from gam_db.method.adding import add, add_of_set
+from gam_db.method.adding import OfSet, add
 from gam_db.method.alarms import add_bands, add_counted, add_held_judgements, band_of
 from gam_db.method.calibration import add_breaks, until_calibration_end
 from gam_db.method.certificate import add_judgement
@@ -156,11 +156,7 @@ def scoring_steps(setting: Setting, kind: TimeKind, trusting: bool = False) -> P
 
 
 def add_counting(
-    steps: Pipeline,
-    setting: Setting,
-    kind: TimeKind,
-    has_past: bool = True,
-    trusting: bool = False,
+    steps: Pipeline, setting: Setting, kind: TimeKind, has_past: bool = True, trusting: bool = False
 ) -> None:
     """Add the steps from *identified* to *new_buckets* and *bucket_counts*.
 
@@ -171,8 +167,8 @@ def add_counting(
         has_past: whether there may be buckets that stay (*stored_visible_bucket*).
         trusting: take it that no instant occurs twice; see :func:`scoring_steps`.
     """
-    method = _add_samples(steps, setting, kind, trusting)
-    _add_new_buckets(steps, method, trusting)
+    of_set = _add_samples(steps, setting, kind, trusting)
+    _add_new_buckets(of_set, trusting)
     buckets = "new_buckets"
     if has_past:
         length = setting.window_length // setting.stride
@@ -185,7 +181,7 @@ def add_counting(
             union_of(steps, ["past_buckets", "new_buckets"], columns),
             "Running buckets: those of this run after the last window of those that stay.",
         )
-    add_bucket_counts(steps, method, 0, {"buckets": buckets})
+    add_bucket_counts(of_set, {"buckets": buckets})
 
 
 @cache
@@ -230,17 +226,11 @@ def relearning_steps(
     """
     steps = _frozen(SMALL_OF_SET)
     asked = {"target_floor": target_floor, "least_vectors": least_vectors}
-    method = _add_samples(steps, setting, kind, asked=asked)
-    add_vectors(steps, method, 0, "calibration_", until_calibration_end())
-    add_of_set(
-        steps,
-        method,
-        0,
-        "calibration/learnable",
-        tables={"marked_vectors": "calibration_vectors"},
-    )
+    of_set = _add_samples(steps, setting, kind, asked=asked)
+    add_vectors(of_set, "calibration_", until_calibration_end())
+    of_set.add("calibration/learnable", tables={"marked_vectors": "calibration_vectors"})
     add(steps, "stored/relearnt")
-    add_judgement(steps, method, 0)
+    add_judgement(of_set)
     slots = {"bins": setting.bins, "window": setting.window_length}
     add(steps, "stored/judged_bounds", slots)
     add(steps, "certificate/verdicts", tables={"bounds": "judged_bounds"})
@@ -317,26 +307,27 @@ def _add_samples(
     kind: TimeKind,
     trusting: bool = False,
     asked: Mapping[str, Any] | None = None,
-) -> Method:
-    """Add the steps from *identified* to the samples, and return the method of the setting."""
-    method = _method(setting, kind, asked)
+) -> OfSet:
+    """Add the steps from *identified* to the samples, and return the one set of the setting."""
+    of_set = OfSet(steps, _method(setting, kind, asked), 0)
     add(steps, "stored/unrepeated" if trusting else "stored/repeats", name="timeline")
     for name in ("collapsed", "samples"):
         add(steps, f"source/{name}")
-    add_breaks(steps, method, 0)
-    return method
+    add_breaks(of_set)
+    return of_set
 
 
-def _add_new_buckets(steps: Pipeline, method: Method, trusting: bool = False) -> None:
+def _add_new_buckets(of_set: OfSet, trusting: bool = False) -> None:
+    steps, setting = of_set.steps, of_set.setting
     add(steps, "stored/seen")
-    add(steps, "stored/run_up", {"span": method.settings[0].span})
+    add(steps, "stored/run_up", {"span": setting.span})
     ends = {"position": "end_position", "context_time": "context_time"}
-    is_told = method.settings[0].still_after is not None
-    if not method.is_short(0):
-        add_numbered(steps, method, 0, carried=["still_so_far"] * is_told)
+    is_told = setting.still_after is not None
+    if not of_set.method.is_short(0):
+        add_numbered(of_set, carried=["still_so_far"] * is_told)
     if is_told:
         ends["still_so_far"] = "end_still"
-    add_buckets(steps, method, 0, ends, trusting)
+    add_buckets(of_set, ends, trusting)
     add(steps, "stored/bucket_ends")
     add(steps, "stored/new_buckets")
 

@@ -13,7 +13,7 @@ from gam_db.errors import ParameterError, nearest
 from gam_db.lab.baselines import nets
 from gam_db.lab.baselines.training import BATCH, LEARNING_RATE, OnEpoch, Rows, scored, trained
 from gam_db.lab.estimators.points import add_moving_average, add_points, names_of, point_of
-from gam_db.method.adding import add_of_set
+from gam_db.method.adding import OfSet
 from gam_db.study import Study
 
 
@@ -126,14 +126,11 @@ def add_forecast_points(study: Study, number: int) -> list[str]:
         for name in names
     ]
     point = point_of(method, number)
-    add_of_set(steps, method, number, "lab/baselines/before", {"point": point, "earlier": lagged})
+    OfSet(steps, method, number).add("lab/baselines/before", {"point": point, "earlier": lagged})
     added = [*earlier.values(), "elapsed"]
     handed_on = [exp.alias_(exp.column(column, table="placed"), column) for column in added]
     for step in ("learnt_points", "scored_points"):
-        add_of_set(
-            steps,
-            method,
-            number,
+        OfSet(steps, method, number).add(
             f"lab/estimators/{step}",
             {"point": [*point, *handed_on]},
             name=f"forecast_{step}",

@@ -5,7 +5,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.lab.estimators.base import Estimator
 from gam_db.lab.estimators.points import names_of, squared_distance
-from gam_db.method.adding import add_of_set
+from gam_db.method.adding import OfSet
 from gam_db.method.resolved import Method
 from gam_db.pipeline import Pipeline
 
@@ -19,9 +19,9 @@ def add_scores(steps: Pipeline, method: Method, number: int) -> None:
         )
         for k, x in enumerate(names_of(method, number))
     ]
-    add_of_set(steps, method, number, "lab/estimators/centroid", {"means": means})
+    OfSet(steps, method, number).add("lab/estimators/centroid", {"means": means})
     distance = {"squared_distance": squared_distance(method, number, "centre")}
-    add_of_set(steps, method, number, "lab/estimators/centroid_scores", distance, name="scores")
+    OfSet(steps, method, number).add("lab/estimators/centroid_scores", distance, name="scores")
     steps.small |= {method.named("centroid", number)}
 
 

@@ -1,14 +1,14 @@
 """Discrete Support Estimation, the default, seen as one estimator among others (paper, Eq. 3 and 4)."""
 
 from gam_db.lab.estimators.base import Estimator
-from gam_db.method.adding import add_of_set
+from gam_db.method.adding import OfSet
 from gam_db.method.resolved import Method
 from gam_db.pipeline import Pipeline
 
 
 def add_scores(steps: Pipeline, method: Method, number: int) -> None:
     """Add novelty, 0 or 1, as the score."""
-    add_of_set(steps, method, number, "lab/estimators/novelty_scores", name="scores")
+    OfSet(steps, method, number).add("lab/estimators/novelty_scores", name="scores")
 
 
 ESTIMATOR = Estimator("dse", add_scores)

@@ -15,7 +15,7 @@ from sqlglot import exp
 from gam_db.extras import needed
 from gam_db.lab.estimators.base import Estimator, Points, stacked
 from gam_db.lab.estimators.points import names_of, point_of
-from gam_db.method.adding import add_of_set
+from gam_db.method.adding import OfSet
 from gam_db.method.resolved import Method
 from gam_db.pipeline import Pipeline
 
@@ -111,7 +111,7 @@ def _nodes(tree: Any, first: int) -> Columns:
 def add_scores(steps: Pipeline, method: Method, number: int) -> None:
     """Add the way from the roots to the leaves, a step per level, and the mean path."""
     point = {"point": point_of(method, number)}
-    add_of_set(steps, method, number, "lab/estimators/forest_start", point, name="forest_level_0")
+    OfSet(steps, method, number).add("lab/estimators/forest_start", point, name="forest_level_0")
     asked = exp.Case(
         ifs=[
             exp.If(
@@ -122,19 +122,13 @@ def add_scores(steps: Pipeline, method: Method, number: int) -> None:
         ]
     )
     for level in range(LEVELS):
-        add_of_set(
-            steps,
-            method,
-            number,
+        OfSet(steps, method, number).add(
             "lab/estimators/forest_step",
             {**point, "coordinate": asked},
             name=f"forest_level_{level + 1}",
             tables={"walk": f"forest_level_{level}"},
         )
-    add_of_set(
-        steps,
-        method,
-        number,
+    OfSet(steps, method, number).add(
         "lab/estimators/forest_scores",
         name="scores",
         tables={"walk": f"forest_level_{LEVELS}"},

@@ -14,7 +14,7 @@ from gam_db import template
 from gam_db.extras import needed
 from gam_db.lab.estimators.base import Estimator, Points, stacked
 from gam_db.lab.estimators.points import names_of
-from gam_db.method.adding import add_of_set
+from gam_db.method.adding import OfSet
 from gam_db.method.resolved import Method
 from gam_db.pipeline import Pipeline
 
@@ -76,10 +76,7 @@ def add_scores(steps: Pipeline, method: Method, number: int) -> None:
         template.fill("lab/estimators/squared", {"difference": exp.column(f"y_{j}")})
         for j in range(len(names))
     ]
-    add_of_set(
-        steps,
-        method,
-        number,
+    OfSet(steps, method, number).add(
         "lab/estimators/mixture_densities",
         {"projections": projections, "squared_length": template.added(squares)},
     )
@@ -91,10 +88,7 @@ def add_scores(steps: Pipeline, method: Method, number: int) -> None:
     shares = [
         template.fill("lab/estimators/mixture_share", {"log_density": exp.column(log)}) for log in logs
     ]
-    add_of_set(
-        steps,
-        method,
-        number,
+    OfSet(steps, method, number).add(
         "lab/estimators/mixture_scores",
         {"log_densities": gathered, "shares": template.added(shares)},
         name="scores",

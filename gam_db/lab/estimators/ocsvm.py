@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from gam_db.extras import needed
 from gam_db.lab.estimators.base import Estimator, Points, stacked
 from gam_db.lab.estimators.points import squared_distance
-from gam_db.method.adding import add_of_set
+from gam_db.method.adding import OfSet
 from gam_db.method.resolved import Method
 from gam_db.pipeline import Pipeline
 
@@ -54,10 +54,7 @@ def _rows(points: Points) -> dict[str, NDArray[np.generic]]:
 
 def add_scores(steps: Pipeline, method: Method, number: int) -> None:
     """Add the sum over the support vectors."""
-    add_of_set(
-        steps,
-        method,
-        number,
+    OfSet(steps, method, number).add(
         "lab/estimators/machine_scores",
         {"squared_distance": squared_distance(method, number, "place")},
         name="scores",

@@ -3,7 +3,7 @@
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.method.adding import add, add_of_set, join_sets
+from gam_db.method.adding import OfSet, add, join_sets
 from gam_db.method.resolved import Method
 from gam_db.pipeline import Pipeline
 from gam_db.source import TimeNode
@@ -33,17 +33,14 @@ def add_points(steps: Pipeline, method: Method, number: int) -> None:
         for k in range(1, setting.m)
     ]
     normalised = template.fill("lab/estimators/normalised")
-    add_of_set(
-        steps,
-        method,
-        number,
+    OfSet(steps, method, number).add(
         "lab/estimators/coordinates",
         {"normalised": normalised, "delayed": delayed},
     )
     point = point_of(method, number)
-    add_of_set(steps, method, number, "lab/estimators/learnt_points", {"point": point})
-    add_of_set(steps, method, number, "lab/estimators/learnt_counts")
-    add_of_set(steps, method, number, "lab/estimators/scored_points", {"point": point})
+    OfSet(steps, method, number).add("lab/estimators/learnt_points", {"point": point})
+    OfSet(steps, method, number).add("lab/estimators/learnt_counts")
+    OfSet(steps, method, number).add("lab/estimators/scored_points", {"point": point})
     # Calibration is read to be counted, drawn from and averaged; scores to be written and shown.
     steps.small |= {method.named(name, number) for name in ("learnt_points", "learnt_counts", "scores")}
 
@@ -53,9 +50,9 @@ def add_moving_average(steps: Pipeline, method: Method, instant_of: TimeNode) ->
     for number, setting in enumerate(method.settings):
         slots: dict[str, template.Slot] = {"window": setting.window}
         units = {**slots, "most": _CAPACITY // setting.window}
-        add_of_set(steps, method, number, "lab/estimators/score_units", units)
+        OfSet(steps, method, number).add("lab/estimators/score_units", units)
         sums = {**slots, "stride": setting.bucket_length}
-        add_of_set(steps, method, number, "lab/estimators/moving_sums", sums)
+        OfSet(steps, method, number).add("lab/estimators/moving_sums", sums)
     join_sets(steps, method, ("moving_sums",))
     time = instant_of(exp.column("time", table="counted"))
     add(steps, "lab/estimators/score_health", {"time": time})

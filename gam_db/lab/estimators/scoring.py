@@ -17,7 +17,7 @@ from gam_db.extras import needed
 from gam_db.lab.estimators import centroid, dse, forest, gmm, ocsvm
 from gam_db.lab.estimators.base import Estimator, Fit, Points
 from gam_db.lab.estimators.points import add_moving_average, add_points, names_of, point_of
-from gam_db.method.adding import add_of_set
+from gam_db.method.adding import OfSet
 from gam_db.parameters import Parameters
 from gam_db.source import AnySource
 from gam_db.study import Study
@@ -152,7 +152,7 @@ def add_estimator(study: Study, name: str, seed: int = 0, sample: int = SAMPLE) 
         if estimator.fit is None or _put_fitted(study, estimator.fit, number, seed, sample):
             estimator.add_scores(steps, method, number)
         else:
-            add_of_set(steps, method, number, "lab/estimators/no_scores", name="scores")
+            OfSet(steps, method, number).add("lab/estimators/no_scores", name="scores")
     add_moving_average(steps, method, study.instant_of)
 
 
@@ -182,7 +182,7 @@ def _drawn(study: Study, number: int, seed: int, sample: int) -> dict[int, Point
             drawn.append(pa.table({"support_id": np.full(len(chosen), support), "number": chosen}))
     study.load(method.named("drawn", number), pa.concat_tables(drawn))
     point = {"point": point_of(method, number)}
-    add_of_set(study.steps, method, number, "lab/estimators/drawn_points", point)
+    OfSet(study.steps, method, number).add("lab/estimators/drawn_points", point)
     rows = study.table(method.named("drawn_points", number))
     of = rows["support_id"].to_numpy()
     stacked = np.column_stack([rows[name].to_numpy() for name in names])
