@@ -95,36 +95,25 @@ class SourceSettings(Form):
 #: role -> names that say it, in two strengths; a weak name counts only where no strong one is there.
 #: Case, spaces, underscores and a trailing id, name, no or nr do not matter.
 KNOWN: Mapping[str, tuple[frozenset[str], frozenset[str]]] = {
-    "asset": (
-        frozenset(("asset", "machine", "robot", "device", "equipment", "maschine", "anlage", "bearing")),
-        frozenset(("unit", "line", "cell", "station", "plant", "object", "run", "serial", "engine")),
-    ),
-    "channel": (
-        frozenset(("channel", "signal", "sensor", "tag", "joint", "variable", "kanal", "metric")),
-        frozenset(("parameter", "measure", "quantity", "series", "axis", "point", "item", "attribute")),
-    ),
-    "time": (
-        frozenset(("time", "ts", "timestamp", "datetime", "zeit", "zeitstempel", "timeutc", "utc")),
-        frozenset(
-            (
-                "t",
-                "date",
-                "datum",
-                "instant",
-                "tick",
-                "ticks",
-                "step",
-                "sample",
-                "seq",
-                "sequence",
-                "index",
-            )
+    role: (frozenset(strong.split()), frozenset(weak.split()))
+    for role, strong, weak in (
+        (
+            "asset",
+            "asset machine robot device equipment maschine anlage bearing",
+            "unit line cell station plant object run serial engine",
         ),
-    ),
-    "value": (
-        frozenset(("value", "reading", "measurement", "wert", "messwert")),
-        frozenset(("val", "x", "y", "v", "data", "amplitude", "level")),
-    ),
+        (
+            "channel",
+            "channel signal sensor tag joint variable kanal metric",
+            "parameter measure quantity series axis point item attribute",
+        ),
+        (
+            "time",
+            "time ts timestamp datetime zeit zeitstempel timeutc utc",
+            "t date datum instant tick ticks step sample seq sequence index",
+        ),
+        ("value", "value reading measurement wert messwert", "val x y v data amplitude level"),
+    )
 }
 _TAIL = re.compile(r"(?<=..)(id|name|number|no|nr)$")
 

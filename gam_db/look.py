@@ -28,21 +28,14 @@ def resolved(source: AnySource, columns: dict[str, str], session: Session) -> An
         SourceError: a column is missing or of the wrong type.
     """
     if isinstance(source, WideSource) and source.channels is None:
-        others = (source.asset, source.time)
-        numeric = tuple(
-            name
-            for name, type_name in columns.items()
-            if name not in others and session.engine.types.is_numeric(type_name)
-        )
-        if not numeric:
-            numeric = tuple(
-                name
-                for name, type_name in columns.items()
-                if name not in others and session.engine.types.is_truth(type_name)
-            )
-        if not numeric:
+        types, others = session.engine.types, (source.asset, source.time)
+        for holds in (types.is_numeric, types.is_truth):
+            found = tuple(name for name, of in columns.items() if name not in others and holds(of))
+            if found:
+                break
+        else:
             raise SourceError("The wide table has no numeric column beside asset and time.")
-        source = dataclasses.replace(source, channels=numeric)
+        source = dataclasses.replace(source, channels=found)
     for role, column in source.columns.items():
         if column not in columns:
             hint = (

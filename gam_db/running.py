@@ -5,7 +5,7 @@ This module owns when a step becomes a table and when that table goes.
 
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import Self
+from typing import Any, Self
 
 import pyarrow as pa
 from sqlglot import exp
@@ -70,6 +70,12 @@ class Running:
         """Return the same, each row by the names of its columns."""
         rows: list[Row] = self.table(step).to_pylist()
         return rows
+
+    def largest(self, step: str, column: str) -> Any:
+        """Return the largest value of a column of a step, which is kept."""
+        self.keep(step)
+        largest = exp.select(exp.Max(this=exp.column(column)).as_("marked"))
+        return self.session.fetch(largest.from_(self.placed[step].copy()))["marked"][0].as_py()
 
     def write(self, step: str, path: Path, table: str) -> None:
         """Write the rows of a step as Parquet, or as a table of a DuckDB file."""

@@ -161,7 +161,7 @@ class Streams:
             self._replace(step, _stacked(learnable))
             running.keep(step)
             running.load(method.named("missing_vectors", number), _MISSING.empty_table())
-            if self._is_astray(step, "astray"):
+            if running.largest(step, "astray"):
                 return False
         return bool(self._sorting)
 
@@ -204,7 +204,7 @@ class Streams:
                 scored.append(_over("health/visited", grouped, "placed", placed))
             self._replace(visited, _stacked(scored), {"support_bits": held})
             running.keep(visited)
-            if self._is_astray(visited, "doubled"):
+            if running.largest(visited, "doubled"):
                 return False
         return True
 
@@ -238,11 +238,6 @@ class Streams:
 
     def _replace(self, step: str, query: exp.Query, tables: Mapping[str, str] | None = None) -> None:
         self._sorting.setdefault(step, self.running.steps.replace(step, query, tables))
-
-    def _is_astray(self, step: str, column: str) -> bool:
-        table = self.running.placed[step]
-        marked = exp.select(exp.Max(this=exp.column(column)).as_("marked")).from_(table.copy())
-        return bool(self.running.session.fetch(marked)["marked"][0].as_py())
 
     def _give_up(self) -> None:
         """Let the study begin anew with the steps that sort."""

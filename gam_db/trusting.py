@@ -106,7 +106,7 @@ class Trust:
             self.running.keep(bounds)
             if self.running.table(bounds)["calibrated_lo"].null_count:
                 return False
-            if any(self._is_doubled(step) for step in marked):
+            if any(self.running.largest(step, "doubled") for step in marked):
                 return False
         if self._ways.by_sets and self._has_large_support():
             self.running.steps = self._made(replace(self._ways, by_sets=False))
@@ -115,7 +115,7 @@ class Trust:
                 self.method.named(step, number) for step in ("run_up", last, SCORED)
             )
             self._bound(scored, run_up, "read_from")
-            if self._is_doubled(final):
+            if self.running.largest(final, "doubled"):
                 return False
         return True
 
@@ -142,12 +142,6 @@ class Trust:
         if said:
             latest = FAR_AHEAD if high is None else max(row[high] for row in said)
             self.running.steps.replace(rows, self._between(min(row[low] for row in said), latest))
-
-    def _is_doubled(self, step: str) -> bool:
-        self.running.keep(step)
-        table = self.running.placed[step]
-        marked = exp.select(exp.Max(this=exp.column("doubled")).as_("marked")).from_(table.copy())
-        return bool(self.running.session.fetch(marked)["marked"][0].as_py())
 
     def _hand_over(self) -> None:
         """Let the steps that look first go on with all that is proven: no instant occurs twice."""

@@ -179,11 +179,9 @@ class ClickHouseDriver(Driver):
         return differing
 
     def execute(self, statement: str) -> None:
-        """Run one statement."""
         self._client.command(statement, settings=self._settings)
 
     def fetch(self, query: str) -> pa.Table:
-        """Return the rows of a query; columns keep their names, integers are int64, doubles float64."""
         try:
             return types.fetched(self._client.query_arrow(query, settings=self._settings))
         except Exception:
@@ -228,7 +226,6 @@ class ClickHouseDriver(Driver):
             raise ConnectionError("rows were sent twice")
 
     def drop(self, table: exp.Table) -> None:
-        """Drop a table made by :meth:`keep` or :meth:`ingest`."""
         drop = exp.Drop(tables=[table.copy()], kind="TABLE", temporary=True, exists=True)
         self.execute(self.engine.text(drop))
 
@@ -304,7 +301,6 @@ class ClickHouseDriver(Driver):
         return {row["name"]: row["type"] for row in rows if row["default_type"] != "EPHEMERAL"}
 
     def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
-        """Return the tables and views of a schema with their columns, names of tables in lower case."""
         query = (
             "SELECT table, name FROM system.columns WHERE database = {database:String} "
             "ORDER BY table, position"
@@ -326,11 +322,9 @@ class ClickHouseDriver(Driver):
         return max(limit // 2 // _PER_READING, 100_000)
 
     def problem(self, error: Exception) -> UserError | None:
-        """Return what the user can do about an error; None if it is none of the user's."""
         return problem(error, self._address)
 
     def close(self) -> None:
-        """Close the connection if it is ours."""
         if self._owned:
             self._client.close()
 

@@ -41,7 +41,6 @@ class DbapiDriver(Driver):
         self._connection, self._owned = connection, owned
 
     def execute(self, statement: str) -> None:
-        """Run one statement."""
         self._asked(statement)
 
     def fetch(self, query: str) -> pa.Table:
@@ -59,28 +58,22 @@ class DbapiDriver(Driver):
         return pa.array(column)
 
     def begin(self) -> None:
-        """Begin a transaction."""
         self._asked(self.begins)
 
     def commit(self) -> None:
-        """End it."""
         self._asked("COMMIT")
 
     def rollback(self) -> None:
-        """Undo it."""
         if self.in_transaction():
             self._asked("ROLLBACK")
 
     def in_transaction(self) -> bool:
-        """Tell whether a transaction is open."""
         return bool(self._connection.in_transaction)
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
-        """Make a temporary table of the rows of a query."""
         self.execute(self.engine.text(self._temporary(table, query)))
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
-        """Make a temporary table of the rows of an Arrow table."""
         columns = [
             exp.ColumnDef(this=template.name(field.name), kind=self.type_of(field.type))
             for field in rows.schema
@@ -106,12 +99,10 @@ class DbapiDriver(Driver):
         return value
 
     def problem(self, error: Exception) -> UserError | None:
-        """Return what the user can do about an error; None if it is none of the user's."""
         said = str(error)
         return next((told for sign, told in self.refusals if sign in said), None)
 
     def close(self) -> None:
-        """Close the connection if it is ours."""
         if self._owned:
             self._connection.close()
 

@@ -81,11 +81,9 @@ class DuckDriver(Driver):
             raise
 
     def fetch(self, query: str) -> pa.Table:
-        """Return the rows of a query."""
         return self.connection.sql(query).to_arrow_table()
 
     def begin(self) -> None:
-        """Begin a transaction."""
         self.execute("BEGIN")
 
     def commit(self) -> None:
@@ -125,7 +123,6 @@ class DuckDriver(Driver):
                 raise EngineError(FULL) from error
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
-        """Make a temporary table of the rows of a query."""
         properties = exp.Properties(expressions=[exp.TemporaryProperty()])
         create = exp.Create(this=table, kind="TABLE", expression=query, properties=properties)
         self.connection.execute(self.engine.text(create))
@@ -155,7 +152,6 @@ class DuckDriver(Driver):
             super().drop(table)
 
     def tables(self) -> list[tuple[str, ...]]:
-        """Return the tables and views of all databases."""
         # Looked up, not tried: a statement that fails would undo the user's open transaction, and
         # DuckDB would take the name for one of our Python variables.
         return self.connection.execute(
@@ -178,7 +174,6 @@ class DuckDriver(Driver):
         return table
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
-        """Return the columns of a relation and their types, in order."""
         everything = exp.Describe(this=exp.select("*").from_(relation))
         rows = self.connection.execute(self.engine.text(everything)).fetchall()
         return {str(row[0]): str(row[1]) for row in rows}
@@ -231,11 +226,9 @@ class DuckDriver(Driver):
         return node
 
     def rows_at_once(self) -> int:
-        """Return how many readings can be worked on at once within the memory limit."""
         return rows_at_once(self.connection)
 
     def problem(self, error: Exception) -> UserError | None:
-        """Return what the user can do about an error; None if it is none of the user's."""
         if isinstance(error, duckdb.PermissionException) and self.owned:
             return SourceError(
                 f"{first_line(error).partition(' - ')[0]}: once where was given, a connection of "

@@ -126,7 +126,6 @@ class MariaDriver(DbapiDriver):
         connection.set_character_set("utf8mb4", COLLATION)
 
     def in_transaction(self) -> bool:
-        """Tell whether a transaction is open."""
         return bool(self._asked("SELECT @@in_transaction")[0][0])
 
     def array(self, described: Sequence[Any], column: Sequence[Any]) -> pa.Array:
@@ -141,13 +140,11 @@ class MariaDriver(DbapiDriver):
         return pa.array(column, pa.string()) if kind in _texts(types) else pa.array(column)
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
-        """Make a temporary table of the rows of an Arrow table."""
         check_columns(rows)
         super().ingest(table, rows)
         self._lent.add(table.name)
 
     def drop(self, table: exp.Table) -> None:
-        """Drop a temporary table."""
         super().drop(table)
         self._lent.discard(table.name)
 
@@ -181,12 +178,10 @@ class MariaDriver(DbapiDriver):
         return [*listed, *((name,) for name in self._lent)]
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
-        """Return the columns of a relation and their types."""
         rows = self._asked(self.engine.text(exp.Describe(this=relation.find(exp.Table))))
         return {name: str(declared) for name, declared, *_ in rows}
 
     def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
-        """Return the tables and views of a database with their columns, in order."""
         return by_table(
             self._asked(
                 "SELECT table_name, column_name FROM information_schema.columns "

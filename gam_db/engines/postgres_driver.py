@@ -160,7 +160,6 @@ class PostgresDriver(DbapiDriver):
             cursor.execute(statement, prepare=False)
 
     def fetch(self, query: str) -> pa.Table:
-        """Return the rows of a query."""
         self._statement = query
         with self._planned(_PLANNED), self._safely(), self._cursor(binary=True) as cursor:
             cursor.execute(query, prepare=False)
@@ -190,19 +189,16 @@ class PostgresDriver(DbapiDriver):
             self._pin(locally=True)
 
     def commit(self) -> None:
-        """End it."""
         transaction, self._transaction = self._transaction, None
         transaction.__exit__(None, None, None)
 
     def rollback(self) -> None:
-        """Undo it."""
         if self._transaction is not None:
             transaction, self._transaction = self._transaction, None
             undone = self._psycopg.Rollback(transaction)
             transaction.__exit__(self._psycopg.Rollback, undone, None)
 
     def in_transaction(self) -> bool:
-        """Tell whether a transaction is open that is not ours."""
         status = self._psycopg.pq.TransactionStatus
         return self._connection.info.transaction_status in (status.INTRANS, status.INERROR)
 
@@ -213,7 +209,6 @@ class PostgresDriver(DbapiDriver):
         self._count(table)
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
-        """Make a temporary table of the rows of an Arrow table."""
         travelling, types = postgres_types.travelling(rows)
         columns = [
             exp.ColumnDef(
@@ -234,7 +229,6 @@ class PostgresDriver(DbapiDriver):
         self._count(table)
 
     def tables(self) -> list[tuple[str, ...]]:
-        """Return the tables and views of all schemas."""
         return self._asked(
             "SELECT current_database(), nspname, relname FROM pg_class "
             "JOIN pg_namespace ON pg_namespace.oid = relnamespace "
@@ -308,14 +302,12 @@ class PostgresDriver(DbapiDriver):
         return {name: tuple(columns) for name, columns in rows}
 
     def rows_at_once(self) -> int:
-        """Return how many readings can be worked on at once."""
         ((memory,),) = self._asked(
             "SELECT setting::bigint * 1024 FROM pg_settings WHERE name = 'work_mem'"
         )
         return max(int(memory) // _PER_READING, _AT_LEAST)
 
     def problem(self, error: Exception) -> UserError | None:
-        """Return what the user can do about an error; None if it is none of the user's."""
         return of_statement(error, self._statement, self._connection.closed)
 
     def close(self) -> None:

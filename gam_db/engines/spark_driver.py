@@ -20,7 +20,7 @@ from gam_db.engines.spark_folder import Folder
 from gam_db.engines.spark_metastore import MetastoreTables, format_of
 from gam_db.engines.spark_opening import address_of, as_before, beside, quiet, scratch, started
 from gam_db.engines.spark_problems import problem
-from gam_db.engines.spark_tables import FolderTables, Tables
+from gam_db.engines.spark_tables import FolderTables
 from gam_db.errors import EngineError
 from gam_db.extras import needed
 from gam_db.form import Form
@@ -70,7 +70,7 @@ class SparkDriver(Driver):
             needed("py4j.protocol", "spark").Py4JError,
             ConnectionError,
         )
-        self._tables: Tables = (
+        self._tables: FolderTables | MetastoreTables = (
             FolderTables(session, self._run, engine, kept)
             if isinstance(kept, Folder)
             else MetastoreTables(session, self._run, engine, kept)
@@ -79,13 +79,11 @@ class SparkDriver(Driver):
         self._views: dict[str, Path | None] = {}
 
     def execute(self, statement: str) -> None:
-        """Run one statement."""
         if not self._writable:
             raise EngineError(READ_ONLY)
         self._tables.execute(statement)
 
     def fetch(self, query: str) -> pa.Table:
-        """Return the rows of a query."""
         self._tables.ready(query)
         return self._arrow(self._run(query))
 
@@ -122,23 +120,19 @@ class SparkDriver(Driver):
             shutil.rmtree(place, ignore_errors=True)
 
     def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
-        """Delete the rows of a table whose keys are among the rows of a query."""
         if not self._writable:
             raise EngineError(READ_ONLY)
         self._tables.delete(table, keys, found)
 
     def tables(self) -> list[tuple[str, ...]]:
-        """Return what can be read, tables and views."""
         return [*self._tables.names(), *((name,) for name in self._views)]
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
-        """Return the columns of a relation and the names of their types."""
         text = self.engine.text(exp.select("*").from_(relation.copy()))
         self._tables.ready(text)
         return dict(self._run(text).dtypes)
 
     def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
-        """Return the tables and views of a schema with their columns."""
         return dict(self._tables.relations(schema))
 
     def file(self, relation: Any, form: Form | None = None) -> exp.Expr:

@@ -9,7 +9,7 @@ import os
 import secrets
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import sqlglot
 from sqlglot import exp
@@ -22,28 +22,6 @@ from gam_db.engines.spark_folder import Entry, Folder
 from gam_db.engines.spark_opening import scratch
 from gam_db.engines.spark_rewriting import Run, staying, write_beside
 from gam_db.errors import ConflictError, EngineError
-
-
-class Tables(Protocol):
-    """Tables and views that outlive a session."""
-
-    def ready(self, text: str) -> None:
-        """Let the session know, as they are now, the tables that a statement may name."""
-
-    def execute(self, text: str) -> None:
-        """Run a statement that changes something."""
-
-    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
-        """Delete the rows of a table whose keys are among the rows of a query, in one step."""
-
-    def names(self) -> list[tuple[str, ...]]:
-        """Return what can be read: (schema, name) or (name,)."""
-
-    def relations(self, schema: str | None) -> Mapping[str, tuple[str, ...]]:
-        """Return the tables and views of a schema with their columns, names in lower case."""
-
-    def close(self) -> None:
-        """Let the session forget them."""
 
 
 class FolderTables:

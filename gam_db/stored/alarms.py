@@ -11,6 +11,7 @@ import pyarrow as pa
 
 from gam_db import template
 from gam_db.clock import Instant, TimeKind, instant, shown_instant
+from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns
 from gam_db.errors import ParameterError, UserError, nearest
 from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline
@@ -364,35 +365,31 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
     time = pa.int64()
     if not kind.is_counter:
         time = pa.timestamp("us", "UTC" if kind.has_zone else None)
-
-    def column(name: str, of: pa.DataType) -> pa.Array:
-        return pa.array([row[name] for row in rows], of)
-
-    count, word = pa.int64(), pa.string()
-    return pa.table(
-        {
-            "episode": column("episode_id", count),
-            **{name: column(name, word) for name in ("asset", "channel", "status")},
-            "needs_attention": column("needs_attention", pa.bool_()),
-            "since": column("since_tick", count).cast(time),
-            "opened": column("first_tick", count).cast(time),
-            "last_time": column("last_tick", count).cast(time),
-            "sure": pa.array([row["evidence"] / row["height"] for row in rows], pa.float64()),
-            "basis": column("basis", word),
-            "stated_rate": column("stated_rate", pa.float64()),
-            "asked": column("asked", word),
-            "signals_open": column("signals_open", count),
-            "group": column("group_id", count),
-            "signals_together": column("signals_together", count),
-            "label": column("label", word),
-            "label_until": column("label_until", count).cast(pa.timestamp("us")),
-            "note": column("note", word),
-            **{
-                name: column(name, count)
-                for name in (
-                    *("merged_into", "onset", "first_judgement", "last_judgement"),
-                    *("evidence", "height", "seq", "channel_id", "version_id"),
-                )
-            },
-        }
+    schema = columns(
+        (COUNT, "episode"),
+        (WORD, "asset channel status"),
+        (TRUTH, "needs_attention"),
+        (time, "since opened last_time"),
+        (SHARE, "sure"),
+        (WORD, "basis"),
+        (SHARE, "stated_rate"),
+        (WORD, "asked"),
+        (COUNT, "signals_open group signals_together"),
+        (WORD, "label"),
+        (pa.timestamp("us"), "label_until"),
+        (WORD, "note"),
+        (COUNT, "merged_into onset first_judgement last_judgement"),
+        (COUNT, "evidence height seq channel_id version_id"),
     )
+    made = [{**row, "sure": row["evidence"] / row["height"]} for row in rows]
+    return pa.table(
+        [pa.array([row[_CALLED.get(of.name, of.name)] for row in made]).cast(of.type) for of in schema],
+        schema=schema,
+    )
+
+
+#: What the table calls otherwise than the state does.
+_CALLED = {
+    **{"episode": "episode_id", "group": "group_id"},
+    **{"since": "since_tick", "opened": "first_tick", "last_time": "last_tick"},
+}

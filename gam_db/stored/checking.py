@@ -181,11 +181,8 @@ class _Check:
 
     def _frozen(self) -> None:
         keys = pa.table({"version_id": pa.array(list(self.versions), pa.int64())})
-        wanted = self.session.load(keys)
-        try:
+        with self.session.lent(keys) as wanted:
             found = mismatched(self.state, wanted)
-        finally:
-            self.session.forget(wanted)
         for row in found:
             if not row["is_usable"]:
                 self.unusable.add(row["version_id"])

@@ -41,9 +41,8 @@ def differing(
     )
     steps = Pipeline()
     add_source(steps, method)
-    loaded = state.session.load(names)
-    chosen = state.session.rows(steps.query("channels", {"names": loaded}))
-    state.session.forget(loaded)
+    with state.session.lent(names) as lent:
+        chosen = state.session.rows(steps.query("channels", {"names": lent}))
     wanted = {(row["asset"], row["channel"]): settings_hash(method, row) for row in chosen}
     made = {(row["asset"], row["channel"]): row["settings_hash"] for row in rows}
     return sorted(channel for channel, hashed in made.items() if wanted[channel] != hashed)

@@ -8,11 +8,10 @@ from collections.abc import Mapping, Sequence
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db import template
 from gam_db.columns import counts
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_kept_judgements
-from gam_db.pipeline import Pipeline, filled, place
+from gam_db.pipeline import Pipeline
 from gam_db.running import Running
 from gam_db.stored.planning import Row
 from gam_db.stored.reading import near
@@ -35,11 +34,12 @@ def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) ->
     """
     buckets = buckets_of(group)
     placed = {**state.tables.placed(), **given}
-    rows = _until(state, placed, near(group, buckets))
+    rows = state.rows("stored/judged_until", {"near": near(group, buckets)}, given)
     lost = [row for row in rows if row["first_judgement"] == 0 and row["first_bucket"] >= buckets]
     if lost:  # nothing was judged of late, or ever
         versions = {row["version_id"] for row in lost}
-        again = _until(state, placed, near([{**row, "first_bucket": 0} for row in lost]))
+        whole = near([{**row, "first_bucket": 0} for row in lost])
+        again = state.rows("stored/judged_until", {"near": whole}, given)
         rows = [row for row in rows if row["version_id"] not in versions]
         rows += [row for row in again if row["version_id"] in versions]
     if not rows:
@@ -63,13 +63,6 @@ def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) ->
 def buckets_of(group: Sequence[Row]) -> int:
     """Return how many buckets a window of a group has."""
     return int(group[0]["window_length"] // group[0]["stride"])
-
-
-def _until(state: State, placed: Mapping[str, exp.Table], close: exp.Expr) -> list[Row]:
-    slots: dict[str, template.Slot] = {"near": close}
-    query = filled("stored/judged_until", slots)
-    place(query, placed)
-    return state.session.rows(query)
 
 
 _UNTIL = counts("channel_id version_id first_bucket first_judgement")

@@ -119,11 +119,8 @@ def verify_daily(state: State, monitor: Row) -> bool:
         return False
     rows = state.rows("stored/active", {"monitor_id": monitor["monitor_id"]})
     keys = pa.array([row["version_id"] for row in rows], pa.int64())
-    wanted = state.session.load(pa.table({"version_id": keys}))
-    try:
+    with state.session.lent(pa.table({"version_id": keys})) as wanted:
         verify(state, wanted, rows)
-    finally:
-        state.session.forget(wanted)
     keep(state, monitor["monitor_id"], Proof(CHECKSUMS, began, len(rows), len(rows), 0, 0))
     return True
 

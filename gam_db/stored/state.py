@@ -47,15 +47,25 @@ class State:
     session: Session
     tables: StateTables
 
-    def fetch(self, path: str, slots: Mapping[str, template.Slot] | None = None) -> pa.Table:
-        """Return the rows of one file of ``sql/`` that reads state tables only."""
+    def fetch(
+        self,
+        path: str,
+        slots: Mapping[str, template.Slot] | None = None,
+        given: Mapping[str, exp.Table] | None = None,
+    ) -> pa.Table:
+        """Return the rows of one file of ``sql/`` that reads state tables, and perhaps some others."""
         query = filled(path, slots)
-        place(query, self.tables.placed())
+        place(query, {**self.tables.placed(), **(given or {})})
         return self.session.fetch(query)
 
-    def rows(self, path: str, slots: Mapping[str, template.Slot] | None = None) -> list[Row]:
+    def rows(
+        self,
+        path: str,
+        slots: Mapping[str, template.Slot] | None = None,
+        given: Mapping[str, exp.Table] | None = None,
+    ) -> list[Row]:
         """Return the same, each row by the names of its columns."""
-        rows: list[Row] = self.fetch(path, slots).to_pylist()
+        rows: list[Row] = self.fetch(path, slots, given).to_pylist()
         return rows
 
     def append(self, table: str, query: exp.Query, columns: Sequence[str] | None = None) -> None:
