@@ -117,12 +117,7 @@ KNOWN: Mapping[str, tuple[frozenset[str], frozenset[str]]] = {
 }
 _TAIL = re.compile(r"(?<=..)(id|name|number|no|nr)$")
 
-_WHAT = {
-    "asset": "the machine",
-    "channel": "the signal",
-    "time": "the time",
-    "value": "the reading",
-}
+_WHAT = {"asset": "the machine", "channel": "the signal", "time": "the time", "value": "the reading"}
 _NONE = {"asset": "--no-asset if it is one machine", "channel": "--no-channel if it is one signal"}
 
 

@@ -153,7 +153,7 @@ class Parameters:
     )
     target_floor: float = setting(0.05, SHARE, "indicator that a healthy machine may show")
     least_vectors: int = setting(
-        *(LEAST_VECTORS, COUNT, "calibration vectors below which the verdict is needs_data"),
+        *(LEAST_VECTORS, COUNT, "calibration vectors below which the verdict is needs_data")
     )
     overrides: Sequence[Override] = ()
 

@@ -68,11 +68,7 @@ class Pipeline:
     _made: dict[tuple[str, bool], tuple[_Key, exp.Query]] = field(default_factory=dict, repr=False)
 
     def add(
-        self,
-        name: str,
-        query: exp.Query,
-        comment: str = "",
-        tables: Mapping[str, str] | None = None,
+        self, name: str, query: exp.Query, comment: str = "", tables: Mapping[str, str] | None = None
     ) -> None:
         """Add a step.
 
@@ -153,10 +149,7 @@ class Pipeline:
         return [step for step in self.steps.values() if step.name in wanted - known]
 
     def query(
-        self,
-        target: str,
-        placed: Mapping[str, exp.Table] | None = None,
-        commented: bool = False,
+        self, target: str, placed: Mapping[str, exp.Table] | None = None, commented: bool = False
     ) -> exp.Query:
         """Return one query for a step: what it needs becomes its WITH list.
 

@@ -22,15 +22,7 @@ from gam_db.method import Method, pipeline
 from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline
 from gam_db.setting import settings_of
-from gam_db.source import (
-    AnySource,
-    Source,
-    WideSource,
-    declared_kind,
-    is_file,
-    paths_of,
-    table_names,
-)
+from gam_db.source import AnySource, Source, WideSource, declared_kind, is_file, paths_of, table_names
 
 FORMS = ("exact", "view")
 HEALTH_OF = ("asset_name", "channel_name")
@@ -161,9 +153,7 @@ def _macro(name: exp.Table, query: exp.Query) -> exp.Create:
     returns = exp.ReturnsProperty(this=exp.Schema(this=exp.var("TABLE")), is_table=True)
     return exp.Create(
         this=exp.UserDefinedFunction(
-            this=name,
-            expressions=[exp.to_identifier(argument) for argument in HEALTH_OF],
-            wrapped=True,
+            this=name, expressions=[exp.to_identifier(argument) for argument in HEALTH_OF], wrapped=True
         ),
         kind="MACRO",
         replace=True,

@@ -59,12 +59,7 @@ class Source(Form):
     @property
     def columns(self) -> dict[str, str]:
         """The columns to be read, by what they say."""
-        said = {
-            "asset": self.asset,
-            "channel": self.channel,
-            "time": self.time,
-            "value": self.value,
-        }
+        said = {"asset": self.asset, "channel": self.channel, "time": self.time, "value": self.value}
         return {role: column for role, column in said.items() if column is not None}
 
     @property

@@ -72,10 +72,7 @@ def add_look(steps: Pipeline, method: Method, instant_of: TimeNode) -> None:
     rungs = [
         filled(
             "check/scales",
-            {
-                "scale": scale,
-                "shortest": _SHORTEST_LAG if scale == 1 else _SHORTEST_LAG_OF_BLOCKS,
-            },
+            {"scale": scale, "shortest": _SHORTEST_LAG if scale == 1 else _SHORTEST_LAG_OF_BLOCKS},
         )
         for scale in SCALES
     ]

@@ -23,10 +23,7 @@ def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
 def define(definition: Definition) -> list[exp.Expr]:
     """Return a table clustered by its key, with comments as OPTIONS."""
     return with_notes(
-        definition,
-        [clustered(definition)],
-        column_note=_described_column,
-        note=_described,
+        definition, [clustered(definition)], column_note=_described_column, note=_described
     )
 
 

@@ -21,12 +21,7 @@ from gam_db import template
 from gam_db.engines import postgres_types
 from gam_db.engines.dbapi import DbapiDriver
 from gam_db.engines.postgres import ENGINE, PATH
-from gam_db.engines.postgres_refusals import (
-    NO_SCHEMA,
-    REFUSED_TRANSACTION,
-    of_connecting,
-    of_statement,
-)
+from gam_db.engines.postgres_refusals import NO_SCHEMA, REFUSED_TRANSACTION, of_connecting, of_statement
 from gam_db.errors import EngineError, SourceError, UserError
 from gam_db.extras import needed
 

@@ -69,10 +69,7 @@ _CONNECTING = (
     (r'database ".*" does not exist', "has no such database."),
     (r'role ".*" does not exist', "has no such user."),
     (r"no pg_hba.conf entry|authentication failed", "does not let this user in (pg_hba.conf)."),
-    (
-        r"permission denied for database",
-        "lets this user into no such database (GRANT CONNECT).",
-    ),
+    (r"permission denied for database", "lets this user into no such database (GRANT CONNECT)."),
     (r"resolve host|translate host", "is not known by that name."),
     (r"SSL|certificate", "and this client do not agree on encryption; see sslmode."),
 )
@@ -82,10 +79,7 @@ _PASSING = (
     (r"too many clients|connection slots", "has no room for another connection; try again in a while."),
     (r"starting up|shutting down|recovery mode", "is starting or stopping; try again in a while."),
     (r"refused|No such file", "does not answer: is it running, and does it listen there?"),
-    (
-        r"timeout|timed out",
-        "does not answer in time: is it running, and is no firewall between?",
-    ),
+    (r"timeout|timed out", "does not answer in time: is it running, and is no firewall between?"),
 )
 
 _DENIED = re.compile(r"permission denied (?:for|to create temporary tables in) (\w+) (.+)")

@@ -18,13 +18,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.driver import Driver
-from gam_db.errors import (
-    EngineError,
-    LostConnectionError,
-    SourceError,
-    StatementError,
-    nearest,
-)
+from gam_db.errors import EngineError, LostConnectionError, SourceError, StatementError, nearest
 from gam_db.form import Form
 from gam_db.source import is_file, table_names
 

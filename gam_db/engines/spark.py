@@ -140,8 +140,4 @@ ENGINE = Engine(
 )
 
 #: The same over another format of tables.
-OVER = {
-    "parquet": ENGINE,
-    "delta": _defined_by(define_delta),
-    "iceberg": _defined_by(define_iceberg),
-}
+OVER = {"parquet": ENGINE, "delta": _defined_by(define_delta), "iceberg": _defined_by(define_iceberg)}

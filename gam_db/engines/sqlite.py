@@ -17,8 +17,7 @@ def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
         return counter(column)
     seconds = exp.cast(called("STRFTIME", template.text("%s"), column), "BIGINT")
     digits = exp.DPipe(
-        this=called("SUBSTR", column.copy(), exp.Literal.number(21)),
-        expression=template.text("000000"),
+        this=called("SUBSTR", column.copy(), exp.Literal.number(21)), expression=template.text("000000")
     )
     fraction = called("SUBSTR", digits, exp.Literal.number(1), exp.Literal.number(6))
     return exp.Add(

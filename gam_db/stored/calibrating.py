@@ -182,11 +182,7 @@ def settings_hash(method: Method, channel: Mapping[str, Any]) -> str:
         del figures["still_after"]
     if setting.least_vectors == Parameters().least_vectors:  # likewise
         del figures["least_vectors"]
-    said = (
-        figures,
-        method.rules[channel["calibration_no"]],
-        pool,
-    )
+    said = (figures, method.rules[channel["calibration_no"]], pool)
     return hashlib.sha256(repr(said).encode()).hexdigest()[:16]
 
 

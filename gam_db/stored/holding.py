@@ -189,10 +189,7 @@ def _judgements(state: State, buckets: int, group: Sequence[Row], judged: Judged
 
 
 def _episodes(
-    history: Sequence[Row],
-    judged: Judged,
-    channels: Mapping[int, str],
-    versions: Mapping[int, Row],
+    history: Sequence[Row], judged: Judged, channels: Mapping[int, str], versions: Mapping[int, Row]
 ) -> Iterator[Unsound]:
     """Hold the history of episodes to itself, and the newest of it to the judgements."""
     opened = [row["episode_id"] for row in history if row["what"] == "opened"]
@@ -244,10 +241,7 @@ def _ended(row: Row) -> tuple[int, int, int, str]:
 
 
 def _is_change(
-    row: Row,
-    changes: Mapping[int, object],
-    channels: Mapping[int, str],
-    versions: Mapping[int, Row],
+    row: Row, changes: Mapping[int, object], channels: Mapping[int, str], versions: Mapping[int, Row]
 ) -> bool:
     """Tell whether a change of an episode may be one."""
     version = versions.get(row["version_id"])

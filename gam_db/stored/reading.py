@@ -46,10 +46,7 @@ class Reader:
         look.check_kind(self.kind, expected, name)
 
     def readings(
-        self,
-        assets: Sequence[str] | None = None,
-        earliest: int = LONG_AGO,
-        latest: int = FAR_AHEAD,
+        self, assets: Sequence[str] | None = None, earliest: int = LONG_AGO, latest: int = FAR_AHEAD
     ) -> exp.Query:
         """Return the step *readings*, with literal bounds where there are any.
 

@@ -26,22 +26,9 @@ from gam_db.stored.judging import judge
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due, planned, portions, resumed
 from gam_db.stored.proving import verify, verify_daily
 from gam_db.stored.publishing import GONE, NOTHING, Standings, publication, standings, withdraw
-from gam_db.stored.reading import (
-    Reader,
-    cohort_of,
-    last_times,
-    near,
-    plan_rows,
-    searched_plan_rows,
-)
+from gam_db.stored.reading import Reader, cohort_of, last_times, near, plan_rows, searched_plan_rows
 from gam_db.stored.state import State, kind_of, now
-from gam_db.stored.steps import (
-    PUBLISHED,
-    can_trust,
-    reading_steps,
-    scoring_steps,
-    setting_of,
-)
+from gam_db.stored.steps import PUBLISHED, can_trust, reading_steps, scoring_steps, setting_of
 
 #: With fewer rows, looking for repeated instants first is cheaper than scoring some channels twice.
 TRUSTED_FROM = 2_000_000
