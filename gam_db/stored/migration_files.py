@@ -8,7 +8,7 @@ its bytes. A table that repeats what others hold is given the rows that it lacks
 
 import dataclasses
 import hashlib
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
