@@ -15,7 +15,7 @@ Four kinds of slot value:
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import takewhile
@@ -204,6 +204,12 @@ def added(terms: Sequence[exp.Expr]) -> exp.Expr:
     for term in terms[1:]:
         total = exp.Add(this=total, expression=term)
     return total
+
+
+def case(cases: Iterable[tuple[exp.Expr, int | None]], default: int | None | exp.Expr) -> exp.Expr:
+    """Return the value of the first case whose condition holds, else the default."""
+    ifs = [exp.If(this=condition, true=node_of(value)) for condition, value in cases]
+    return exp.Case(ifs=ifs, default=node_of(default)) if ifs else node_of(default)
 
 
 def _splice(placeholder: exp.Placeholder, nodes: Sequence[exp.Expr]) -> None:

@@ -89,9 +89,6 @@ def add_look(steps: Pipeline, method: Method, instant_of: TimeNode) -> None:
 
 def _by_setting(figures: Sequence[int | None]) -> exp.Expr:
     """Return the figure of a channel by the number of its settings."""
-    chosen = exp.Case(ifs=[], default=template.node_of(figures[0]))
     number = exp.column("settings_no", table="known")
-    for place, figure in enumerate(figures[1:], start=1):
-        is_it = exp.EQ(this=number.copy(), expression=exp.Literal.number(place))
-        chosen.append("ifs", exp.If(this=is_it, true=template.node_of(figure)))
-    return chosen if chosen.args["ifs"] else chosen.args["default"].copy()
+    others = enumerate(figures[1:], start=1)
+    return template.case(((number.eq(place), figure) for place, figure in others), figures[0])

@@ -181,11 +181,8 @@ def _chance(visited_blocks: int) -> exp.Query:
 
 def _learnt(g: int, families: Sequence[str]) -> exp.Query:
     others = exp.Add(this=exp.column("settings_no"), expression=exp.Literal.number(len(families)))
-    chosen = exp.Case(ifs=[], default=others)
-    for number, pattern in enumerate(families):
-        condition = named_like("channel", pattern) or exp.true()
-        chosen.append("ifs", exp.If(this=condition, true=exp.Literal.number(number)))
-    for column in chosen.find_all(exp.Column):
+    asked = ((named_like("channel", pattern) or exp.true(), n) for n, pattern in enumerate(families))
+    family = template.case(asked, others)
+    for column in family.find_all(exp.Column):
         column.set("table", exp.to_identifier("named"))
-    family = chosen if families else chosen.args["default"]
     return filled("alarms/learnt_limits", {"g": g, "family_no": family})

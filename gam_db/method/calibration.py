@@ -50,6 +50,4 @@ def add_breaks(one: OfSet) -> None:
 
 def until_calibration_end() -> exp.Expr:
     """Return the condition that a sample is not newer than its channel's calibration."""
-    return exp.LTE(
-        this=exp.column("time", table="sampled"), expression=exp.column("calibration_end", table="scale")
-    )
+    return exp.column("time", table="sampled") <= exp.column("calibration_end", table="scale")

@@ -105,9 +105,7 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
     one.add("support/support")
     add_support_bits(one, bits)
     add_delays(one, COMPLETE, ways.delays, scored)
-    place = exp.Sub(
-        this=exp.column("position", table="vector"), expression=exp.Literal.number(setting.span)
-    )
+    place = exp.column("position", table="vector") - setting.span
     carried = [exp.alias_(place, "number"), exp.alias_(exp.column("doubled", table="vector"), "doubled")]
     add_novelty(one, carried, bits, COMPLETE, "vectors", ways.by_sets)
     parts = [f"{COMPLETE}novelty"]

@@ -151,8 +151,7 @@ def _read(prefix: str) -> exp.Expr:
 
 def _is_complete(prefix: str, table: str | None = None) -> exp.Expr:
     """Return the condition that a channel has missing samples, or has none, as the prefix says."""
-    one = exp.Literal.number(int(prefix == COMPLETE))
-    return exp.EQ(this=exp.column("complete", table=table), expression=one)
+    return exp.column("complete", table=table).eq(int(prefix == COMPLETE))
 
 
 def _is_there(name: str) -> exp.Expr:

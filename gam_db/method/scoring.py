@@ -130,7 +130,7 @@ def visited_slots(
     if trusting:
         carried.append("doubled")
         gathered.append(_gathered("doubled", "doubled"))
-        needed = exp.EQ(this=exp.column("doubled"), expression=exp.Literal.number(1))
+        needed = exp.column("doubled").eq(1)
     return {
         "stride": setting.bucket_length,
         "carried": [exp.column(name) for name in carried],
@@ -166,8 +166,7 @@ def add_incomplete(one: OfSet, marks: Sequence[str], bits: Bits | None, by_sets:
     renamed = {name: f"{prefix}{name}" for name in ("vectors", "novelty")}
     counted: exp.Expr = template.fill("score/counted")
     for mark in marks:
-        marked = exp.EQ(this=exp.column(mark, table="vector"), expression=exp.Literal.number(1))
-        counted = exp.or_(counted, marked)
+        counted = exp.or_(counted, exp.column(mark, table="vector").eq(1))
     carried = [_carried(mark) for mark in marks]
     slots: dict[str, template.Slot] = {"carried": carried, "counted": counted}
     one.add("score/monitored_short", slots, f"{prefix}monitored", renamed)
@@ -179,11 +178,9 @@ def add_incomplete(one: OfSet, marks: Sequence[str], bits: Bits | None, by_sets:
 
 def _add_short_vectors(one: OfSet, prefix: str, trusting: bool = False) -> None:
     """Add codes and vectors of the channels with, or without, missing samples."""
-    complete = exp.column("complete", table="scale")
-    is_complete = exp.Literal.number(int(prefix == COMPLETE))
     slots: dict[str, template.Slot] = {
         "code": code_of(one.setting),
-        "read": exp.EQ(this=complete, expression=is_complete),
+        "read": exp.column("complete", table="scale").eq(int(prefix == COMPLETE)),
     }
     one.add("support/codes", slots, f"{prefix}codes")
     add_short_vectors(one, prefix, trusting)
@@ -193,8 +190,7 @@ def _gathered(name: str, said: str, where: str | None = None) -> exp.Expr:
     """Return the largest value of a column, of the rows alone where another one is 1."""
     value: exp.Expr = exp.column(name, table="kept")
     if where is not None:
-        holds = exp.EQ(this=exp.column(where, table="kept"), expression=exp.Literal.number(1))
-        value = exp.Case(ifs=[exp.If(this=holds, true=value)])
+        value = exp.Case(ifs=[exp.If(this=exp.column(where, table="kept").eq(1), true=value)])
     return exp.alias_(exp.Max(this=value), said)
 
 

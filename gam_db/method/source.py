@@ -91,16 +91,13 @@ def add_rules(steps: Pipeline, method: Method) -> None:
 
 def _chosen(cases: Sequence[tuple[exp.Expr | None, exp.Expr | None, int]]) -> exp.Expr:
     """Return the number of the first case whose conditions hold, else 0; None always holds."""
-    chosen = exp.Case(ifs=[], default=exp.Literal.number(0))
+    asked: list[tuple[exp.Expr, int]] = []
     for first, second, number in cases:
         conditions = [condition for condition in (first, second) if condition is not None]
         if not conditions:
-            chosen.set("default", exp.Literal.number(number))
-            break
-        chosen.append("ifs", exp.If(this=exp.and_(*conditions), true=exp.Literal.number(number)))
-    if not chosen.args["ifs"]:
-        return chosen.args["default"].copy()  # type: ignore[no-any-return]
-    return chosen
+            return template.case(asked, number)
+        asked.append((exp.and_(*conditions), number))
+    return template.case(asked, 0)
 
 
 def named_like(column: str, pattern: str) -> exp.Expr | None:

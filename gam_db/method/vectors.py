@@ -116,10 +116,7 @@ def cell_slots(setting: Parameters) -> dict[str, template.Slot]:
 
 
 def _touching(setting: Parameters) -> exp.Expr:
-    one = exp.Literal.number(1)
-    return exp.or_(
-        *(exp.EQ(this=exp.column(f"calibrating_{k}"), expression=one.copy()) for k in range(setting.m))
-    )
+    return exp.or_(*(exp.column(f"calibrating_{k}").eq(1) for k in range(setting.m)))
 
 
 def _context(setting: Parameters) -> exp.Expr:
@@ -132,8 +129,7 @@ def _context(setting: Parameters) -> exp.Expr:
 
 def _flag(condition: exp.Expr) -> exp.Expr:
     """Return 1 where a condition holds, else 0."""
-    one, zero = exp.Literal.number(1), exp.Literal.number(0)
-    return exp.Case(ifs=[exp.If(this=condition.copy(), true=one)], default=zero)
+    return template.case([(condition.copy(), 1)], 0)
 
 
 def _in_stored_order(name: str, k: int, setting: Parameters) -> exp.Expr:
