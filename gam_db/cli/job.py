@@ -43,14 +43,8 @@ class Job:
     @property
     def columns(self) -> dict[str, str]:
         """The columns that are read, but for those of a wide table, by what they say."""
-        source = self.guess.source
-        named = {"asset": source.asset, "time": source.time}
-        if isinstance(source, Source):
-            named = {
-                **{"asset": source.asset, "channel": source.channel},
-                **{"time": source.time, "value": source.value},
-            }
-        return {role: column for role, column in named.items() if column is not None}
+        named = self.guess.source.columns
+        return {role: column for role, column in named.items() if not role.startswith("channel ")}
 
     def lines(self) -> list[str]:
         """Return which columns are read, which of them were guessed, and by what method."""

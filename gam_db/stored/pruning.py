@@ -64,23 +64,12 @@ _UNPLACED = 365 * DAY
 #: long as one is there, what is left of it is found again, should the work be cut short on an engine
 #: without transactions.
 _EXPIRED = {
-    "bucket": "expired_buckets",
-    "novel": "expired_novel",
-    "judgement": "expired_judgements",
-    "run": "expired_runs",
-    "unplaced": "expired_unplaced",
-    "horizon": "expired_horizons",
-    "calibration": "expired_versions",
-    "buffered": "expired_versions",
-    "band": "expired_versions",
-    "band_visit": "expired_band_visits",
-    "extent": "expired_versions",
-    "limit": "expired_versions",
-    "checksum": "expired_versions",
-    "support": "expired_supports",
-    "block": "expired_supports",
-    "ladder": "expired_supports",
-    "bounds": "expired_supports",
+    **{one: f"expired_{one}s" for one in ("bucket", "judgement", "run", "horizon", "band_visit")},
+    **{"novel": "expired_novel", "unplaced": "expired_unplaced"},
+    **dict.fromkeys(
+        ("calibration", "buffered", "band", "extent", "limit", "checksum"), "expired_versions"
+    ),
+    **dict.fromkeys(("support", "block", "ladder", "bounds"), "expired_supports"),
     "version": "expired_versions",
 }
 
