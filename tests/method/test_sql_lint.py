@@ -795,6 +795,7 @@ def check_head(path: Path) -> None:
             break
         comment.append(line.removeprefix("--").strip())
     found = template.load(str(path.relative_to(FOLDER).with_suffix("").as_posix()))
+    assert list(sql_lint.form(found)) == []
     title = comment[0].partition(":")[0].lower().replace("-", " ") if comment else ""
     assert set(path.stem.split("_")) <= set(re.findall(r"[a-z]+", title)), "the title"
     said = " ".join(comment)

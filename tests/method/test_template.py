@@ -12,6 +12,7 @@ import pytest
 from sqlglot import exp
 
 import gam_db
+import sql_lint
 from gam_db import template
 from gam_db.engines.duckdb import ENGINE
 from gam_db.errors import TemplateError
@@ -56,9 +57,12 @@ def answer(source: str, **slots: template.Slot) -> object:
     ],
 )
 def test_a_file_that_breaks_a_rule_is_refused(source: str, message: str) -> None:
-    with pytest.raises(TemplateError, match=message) as caught:
-        template.parse("folder/file", source)
-    assert "sql/folder/file.sql" in str(caught.value)
+    try:
+        (said,) = {*sql_lint.form(template.parse("folder/file", source))}
+    except TemplateError as error:
+        said = str(error)
+    assert "sql/folder/file.sql" in said
+    assert re.search(message, said)
 
 
 def test_counting_rows_is_no_star() -> None:

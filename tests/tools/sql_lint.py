@@ -17,6 +17,8 @@ from typing import TypeVar
 
 from sqlglot import exp
 
+from gam_db.template import Template
+
 
 class Kind(IntEnum):
     """What an expression is; of two operands the larger kind wins."""
@@ -792,3 +794,19 @@ RULES: tuple[Rule, ...] = (
     *(stars, filters, value_lists, generators, recursions, qualifies, groups_by_all),
     *(inner_orders, wide_results),
 )
+
+
+def form(found: Template) -> Iterator[str]:
+    """Yield in what a file of ``sql/`` breaks the form that lets it be filled, and read anywhere."""
+    file = f"sql/{found.name}.sql"
+    for node in found.tree.walk():
+        if isinstance(node, exp.Anonymous) and not found.dialect:
+            yield f"{file} uses the unknown function {node.name}."
+        if isinstance(node, exp.Star) and not isinstance(node.parent, exp.Count):
+            yield f"{file} selects *; name every column."
+        if isinstance(node, exp.Select) and node.args.get("windows"):
+            yield f"{file} names a window; write OVER (...) in full."
+        if isinstance(node, exp.Placeholder) and not node.this:
+            yield f"{file} has a parameter (?); slots have names (:name)."
+        if isinstance(node, exp.Command):
+            yield f"{file} holds a statement that is not a query."
