@@ -1,6 +1,6 @@
 """What is known of each engine at work: the table ``evidence.csv``, a row per engine.
 
-This module owns what may be said. ``tests/engines/test_engines.py`` holds the table to what the tests
+``tests/engines/test_engines.py`` holds the table to what the tests
 run, and ``python tests/tools/evidence.py`` writes version and date anew after running them.
 """
 
@@ -9,24 +9,6 @@ from dataclasses import dataclass
 from functools import cache
 from importlib import resources
 
-#: What may be said of an engine, from the strongest to the weakest, and what it means.
-CLASSES = {
-    "executed": "the tests run gam-db's SQL on it and compare every integer with a NumPy reference",
-    "executed, reads only (reference implementation)": (
-        "the same, not on the service but on its maker's reference implementation of the language; "
-        "storage and transactions were not seen"
-    ),
-    "rendered, run on a relative": (
-        "the SQL made for it was run on an engine whose language it extends, with the same integers; "
-        "what only it has was parsed or left out"
-    ),
-    "rendered, checked by a grammar": (
-        "the SQL made for it was parsed by a grammar that is not ours; names, types and functions were "
-        "seen by nobody"
-    ),
-    "rendered": "the SQL was made, and parsed again by what made it",
-}
-
 
 @dataclass(frozen=True)
 class Evidence:
@@ -34,7 +16,7 @@ class Evidence:
 
     Attributes:
         engine: its name.
-        evidence: one of :data:`CLASSES`.
+        evidence: how much is known, in words; docs/engines.md says what each kind means.
         by: what ran or parsed the SQL.
         version: of that, in the last run.
         date: of the last run, as YYYY-MM-DD.

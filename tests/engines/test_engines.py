@@ -13,7 +13,7 @@ import engines
 from evidence import version_of
 from gam_db.cli import app
 from gam_db.engines import NAMES, engine_named
-from gam_db.engines.evidence import CLASSES, evidence
+from gam_db.engines.evidence import evidence
 
 ROOT = Path(__file__).parents[2]
 
@@ -21,7 +21,7 @@ ROOT = Path(__file__).parents[2]
 def test_every_engine_has_its_row() -> None:
     assert tuple(evidence()) == NAMES
     for row in evidence().values():
-        assert row.evidence in CLASSES
+        assert row.evidence in engine_page.CLASSES
         assert (ROOT / row.tests).is_file()
         assert dt.date(2026, 11, 1) <= dt.date.fromisoformat(row.date) <= dt.date.today()
 

@@ -1,7 +1,25 @@
 """The page on engines, from the code: ``python tests/tools/engine_page.py > docs/engines.md``."""
 
 from gam_db.engines import NAMES, engine_named
-from gam_db.engines.evidence import CLASSES, evidence
+from gam_db.engines.evidence import evidence
+
+#: What may be said of an engine, from the strongest to the weakest, and what it means.
+CLASSES = {
+    "executed": "the tests run gam-db's SQL on it and compare every integer with a NumPy reference",
+    "executed, reads only (reference implementation)": (
+        "the same, not on the service but on its maker's reference implementation of the language; "
+        "storage and transactions were not seen"
+    ),
+    "rendered, run on a relative": (
+        "the SQL made for it was run on an engine whose language it extends, with the same integers; "
+        "what only it has was parsed or left out"
+    ),
+    "rendered, checked by a grammar": (
+        "the SQL made for it was parsed by a grammar that is not ours; names, types and functions were "
+        "seen by nobody"
+    ),
+    "rendered": "the SQL was made, and parsed again by what made it",
+}
 
 HEAD = """\
 # Engines
