@@ -8,7 +8,6 @@ import sqlglot
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.engines import spark_statements
 from gam_db.engines.base import Engine
 from gam_db.engines.spark_rewriting import Run, same_keys, staying, write_beside
 
@@ -64,7 +63,8 @@ class MetastoreTables:
         before = self._place(table)
         after = f"{before.rstrip('/')}-{secrets.token_hex(4)}"
         write_beside(self._run, self._engine, table, columns, rows, after)
-        self._run(spark_statements.move(table, after))
+        moved = exp.AlterSet(location=template.text(after))
+        self._run(self._engine.text(exp.Alter(this=table.copy(), kind="TABLE", actions=[moved])))
         self._remove(before)
 
     def names(self) -> list[tuple[str, ...]]:
@@ -89,7 +89,7 @@ class MetastoreTables:
         for row in self._session.catalog.listTables(shown):
             if not row.isTemporary:
                 table = exp.Table(this=template.name(row.name), db=template.name(name))
-                self._run(spark_statements.refresh(table))
+                self._run(self._engine.text(exp.Refresh(this=table.copy(), kind="TABLE")))
                 columns = self._session.table(table.sql(dialect="spark")).columns
                 found[row.name.casefold()] = tuple(columns)
         return found
@@ -98,7 +98,8 @@ class MetastoreTables:
         """Do nothing: the session is the user's."""
 
     def _place(self, table: exp.Table) -> str:
-        rows = self._run(spark_statements.describe(table)).collect()
+        asked = exp.Describe(this=table.copy(), style="EXTENDED", kind="TABLE")
+        rows = self._run(self._engine.text(asked)).collect()
         return next(str(row[1]) for row in reversed(rows) if row[0] == "Location")
 
     def _remove(self, place: str) -> None:

@@ -15,7 +15,6 @@ import sqlglot
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.engines import spark_statements
 from gam_db.engines.base import Engine
 from gam_db.engines.session import CONFLICT
 from gam_db.engines.spark_folder import Entry, Folder
@@ -117,7 +116,9 @@ class FolderTables:
         for key in list(self._known):
             self._forget(key)
         for schema in self._schemas:
-            self._run(spark_statements.drop_schema(schema))
+            gone = exp.Table(db=template.name(schema))
+            drop = exp.Drop(tables=[gone], kind="SCHEMA", exists=True, cascade=True)
+            self._run(self._engine.text(drop))
 
     def _tell_named(self, text: str, entries: Mapping[str, Entry], told: set[str]) -> None:
         """Let Spark know what a statement names, and before a view all that it reads."""
@@ -134,7 +135,8 @@ class FolderTables:
         changed = _changed(self._folder.place(entry)) if entry.data else 0
         if known and known[0] == entry:
             if known[1] != changed:
-                self._run(spark_statements.refresh(_table(entry.name, entry.schema)))
+                refresh = exp.Refresh(this=_table(entry.name, entry.schema), kind="TABLE")
+                self._run(self._engine.text(refresh))
                 self._known[key] = entry, changed
             return
         if known:
@@ -147,7 +149,8 @@ class FolderTables:
     def _forget(self, key: str) -> None:
         entry, _ = self._known.pop(key)
         kind = "VIEW" if entry.data is None else "TABLE"
-        self._run(spark_statements.drop(kind, _table(entry.name, entry.schema)))
+        drop = exp.Drop(tables=[_table(entry.name, entry.schema)], kind=kind, exists=True)
+        self._run(self._engine.text(drop))
 
     def _note(self, tree: exp.Expr) -> None:
         """Remember how a table is after rows of ours were written: Spark has looked at it again."""
@@ -213,7 +216,10 @@ class FolderTables:
     def _make_schema(self, schema: str) -> None:
         """Make a schema known to Spark; its own place is never used, and is removed with it."""
         place = scratch() / f"{self._database}_{len(self._schemas)}"
-        self._run(spark_statements.make_schema(schema, str(place)))
+        where = exp.Properties(expressions=[exp.LocationProperty(this=template.text(str(place)))])
+        made = exp.Table(db=template.name(schema))
+        make = exp.Create(this=made, kind="SCHEMA", exists=True, properties=where)
+        self._run(self._engine.text(make))
         self._schemas.add(schema)
 
     def _placed(self, entry: Entry) -> str:
