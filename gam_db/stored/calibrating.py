@@ -24,7 +24,7 @@ from gam_db.method.judgement import add_judged
 from gam_db.parameters import Parameters, pattern_matches
 from gam_db.pipeline import filled, place
 from gam_db.stored import sums
-from gam_db.stored.planning import Row, whole_pools
+from gam_db.stored.planning import Row, by, whole_pools
 from gam_db.stored.sources import described
 from gam_db.stored.state import State, now
 from gam_db.study import Study
@@ -229,11 +229,8 @@ def _monitor(state: State, study: Study, name: str, keys: dict[str, int]) -> Row
 
 def _due(found: Sequence[Row], versions: Mapping[tuple[str, str], Row], again: bool) -> list[Row]:
     """Return the channels of pools (a channel alone is one) that need versions, with the reason."""
-    pools: dict[int, list[Row]] = {}
-    for row in found:
-        pools.setdefault(row["support_id"], []).append(row)
     due: list[Row] = []
-    for pool in pools.values():
+    for pool in by("support_id", found).values():
         for row in pool:
             version = versions.get((row["asset"], row["channel"]))
             row["reason"] = (

@@ -21,7 +21,7 @@ from gam_db.columns import COUNT, WORD, columns
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
 from gam_db.stored.holding import unsound
-from gam_db.stored.planning import Row, assets_of, portions, whole_pools
+from gam_db.stored.planning import Row, assets_of, by, portions, whole_pools
 from gam_db.stored.proving import STATE, Proof, mismatched
 from gam_db.stored.reading import Reader, cohort_of, plan_rows, searched_plan_rows
 from gam_db.stored.state import State, kind_of, now
@@ -194,7 +194,7 @@ class _Check:
             (0, "records of runs that do not agree with the buckets"),
             (1, "runs that found other samples before their first bucket than were scored"),
         ):
-            for key, told in _by_version(row for row in rows if row["strays"] == strays).items():
+            for key, told in by("version_id", (row for row in rows if row["strays"] == strays)).items():
                 since = min(row["since"] for row in told) if strays and self._is_active(key) else None
                 self.note(key, "runs", what=what, differing=len(told), since=since)
 
@@ -317,13 +317,6 @@ def _taught(versions: Iterable[Row]) -> list[Row]:
     rows = [row for row in versions if row["calibration_end"] is not None and row["lo"] is not None]
     used = {row["support_id"] for row in rows if row["is_active"]}
     return [row for row in rows if row["support_id"] in used]
-
-
-def _by_version(rows: Iterable[Row]) -> dict[int, list[Row]]:
-    found: dict[int, list[Row]] = {}
-    for row in rows:
-        found.setdefault(row["version_id"], []).append(row)
-    return found
 
 
 def _learning(row: Row) -> str:

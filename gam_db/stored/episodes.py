@@ -4,7 +4,7 @@ This module owns which recomputed episode has which number, and what became of t
 the stored judgements: where nothing changed, nothing is written.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import pyarrow as pa
@@ -16,7 +16,7 @@ from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline
 from gam_db.running import Running
 from gam_db.stored.judging import buckets_of
-from gam_db.stored.planning import Row
+from gam_db.stored.planning import Row, by
 from gam_db.stored.reading import near
 from gam_db.stored.state import State, now
 
@@ -90,7 +90,7 @@ def follow(state: State, monitor_id: int, group: Sequence[Row], judged: Mapping[
         judged: the first judgement written anew, of each version that has, or had, a limit.
     """
     records = records_of(state, monitor_id)
-    live = _by_channel(row for row in records if row["status"] in _LIVE)
+    live = by("channel_id", (row for row in records if row["status"] in _LIVE))
     found, ranges = _found(state, group, live, judged)
     log = Log(monitor_id, records)
     for row in sorted(group, key=lambda row: row["channel_id"]):
@@ -133,7 +133,7 @@ def _found(
         version = {row["channel_id"]: row for row in followed}
         begun = [{**version[row["channel_id"]], "onset": row["onset"]} for row in onsets]
         add(steps, "stored/found_episodes", {"near": _from(begun, "onset")})
-        return _by_channel(running.rows("found_episodes")), ranges
+        return by("channel_id", running.rows("found_episodes")), ranges
 
 
 def _since(row: Row, live: Mapping[int, list[Row]], first: int) -> int:
@@ -149,13 +149,6 @@ def _since(row: Row, live: Mapping[int, list[Row]], first: int) -> int:
 def _from(rows: Sequence[Row], judgement: str) -> exp.Expr:
     """Return a condition on *bucket* that holds for the judgements from a column of rows on."""
     return near([{**row, "first_bucket": row[judgement] * buckets_of(rows)} for row in rows])
-
-
-def _by_channel(rows: Iterable[Row]) -> dict[int, list[Row]]:
-    found: dict[int, list[Row]] = {}
-    for row in rows:
-        found.setdefault(row["channel_id"], []).append(row)
-    return found
 
 
 def _match(log: Log, found: list[Row], live: list[Row], judged: Mapping[str, Any]) -> None:

@@ -22,7 +22,7 @@ from gam_db.method.alarms import FAR, NEAR
 from gam_db.running import Running
 from gam_db.stored.alarms import DECISIONS, KINDS, UNREPRESENTATIVE
 from gam_db.stored.limits import CHOSEN, learnt
-from gam_db.stored.planning import Row
+from gam_db.stored.planning import Row, by
 from gam_db.stored.state import State
 from gam_db.stored.steps import judging_steps
 
@@ -197,9 +197,7 @@ def _episodes(
         yield Unsound(None, "episodes", "numbers of changes are missing or there twice")
     if opened != list(range(1, len(opened) + 1)):
         yield Unsound(None, "episodes", "numbers of episodes that were not given once, in order")
-    changes: dict[int, list[Row]] = defaultdict(list)
-    for row in history:
-        changes[row["episode_id"]].append(row)
+    changes = by("episode_id", history)
     newest = [rows[-1] for rows in changes.values()]
     for rows in changes.values():
         if not all(_is_change(row, changes, channels, versions) for row in rows) or not all(
@@ -284,13 +282,10 @@ def _labels(
                 None, "labels", f"label {row['label_id']} is of nothing, or contradicts itself"
             )
     known = {row["episode_id"] for row in labels}
-    beside = defaultdict(list)
-    for row in labels:
-        if row["episode_id"] is None:
-            beside[row["asset"]].append(row)
+    beside = by("asset", (row for row in labels if row["episode_id"] is None))
     for row in marked:
         if row["episode_id"] not in known and not any(
             one["time_from"] <= row["last_time"] and row["first_time"] <= one["time_to"]
-            for one in beside[channels.get(row["channel_id"], "")]
+            for one in beside.get(channels.get(row["channel_id"], ""), ())
         ):
             yield Unsound(row["version_id"], "labels", "an episode was labelled, and no label says how")

@@ -8,6 +8,7 @@ parked: looked at once a day, on request, or when the newest cohort's look finds
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import groupby
 from typing import Any
 
 from gam_db.clock import LONG_AGO
@@ -136,17 +137,8 @@ def portions(
         limit: most readings at once; a channel with more is a group of its own.
     """
     ordered = sorted(channels, key=lambda row: (repr(setting_of(row)), row["channel_id"]))
-    group: list[Row] = []
-    total = 0
-    for row in ordered:
-        count = readings.get((row["asset"], row["channel"]), 0)
-        if group and (total + count > limit or setting_of(row) != setting_of(group[0])):
-            yield group
-            group, total = [], 0
-        group.append(row)
-        total += count
-    if group:
-        yield group
+    for _, alike in groupby(ordered, key=setting_of):
+        yield from _below(limit, ([row] for row in alike), readings)
 
 
 def whole_pools(
@@ -159,17 +151,29 @@ def whole_pools(
         readings: (asset, channel) -> rows to be read.
         limit: most readings at once; a pool with more is a group of its own.
     """
-    pools: dict[int, list[Row]] = {}
-    for row in channels:
-        pools.setdefault(row["support_id"], []).append(row)
+    return _below(limit, by("support_id", channels).values(), readings)
+
+
+def by(column: str, rows: Iterable[Row]) -> dict[Any, list[Row]]:
+    """Return rows by the value of a column, in the order of the first of each."""
+    found: dict[Any, list[Row]] = {}
+    for row in rows:
+        found.setdefault(row[column], []).append(row)
+    return found
+
+
+def _below(
+    limit: int, units: Iterable[Sequence[Row]], readings: Mapping[tuple[str, str], int]
+) -> Iterator[list[Row]]:
+    """Put units together, none of which is cut, as long as their readings stay below the limit."""
     group: list[Row] = []
     total = 0
-    for pool in pools.values():
-        count = sum(readings.get((row["asset"], row["channel"]), 0) for row in pool)
+    for unit in units:
+        count = sum(readings.get((row["asset"], row["channel"]), 0) for row in unit)
         if group and total + count > limit:
             yield group
             group, total = [], 0
-        group += pool
+        group += unit
         total += count
     if group:
         yield group
