@@ -76,6 +76,11 @@ def pytest_collection_finish() -> None:
     gc.set_threshold(20_000, 20, 50)
 
 
+def pytest_unconfigure() -> None:
+    """Let the process end as usual: DuckDB's binding tells at its end of what nobody collected."""
+    gc.unfreeze()
+
+
 @pytest.fixture(scope="session")
 def recordings() -> Path:
     """The folder of the real recordings; without it the test says that it was left out."""
