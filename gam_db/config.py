@@ -19,7 +19,7 @@ from gam_db.errors import ConfigurationError, UserError, nearest
 from gam_db.guess import SourceSettings
 from gam_db.parameters import Override, Parameters
 from gam_db.setting import settings_of
-from gam_db.source import is_file, slashed
+from gam_db.source import is_file, paths_of, slashed
 from gam_db.stored.settings import MonitorSettings
 
 DEFAULT_FILE = "gam.toml"
@@ -61,7 +61,7 @@ class Settings:
     file: Path | None = None
     is_of_another: bool = False
 
-    def for_source(self, relation: str | None) -> "Settings":
+    def for_source(self, relation: str | tuple[str, ...] | None) -> "Settings":
         """Return these settings for a source that was named beside the file.
 
         Columns and conditions that were said of another one are left out; its database stays, in which
@@ -140,8 +140,9 @@ def load(path: Path | None = None, folder: Path | None = None) -> Settings:
         raise ConfigurationError(f"{path}: {error}") from error
 
 
-def _same_path(one: str, other: str) -> bool:
-    return is_file(one) and os.path.abspath(one) == os.path.abspath(other)
+def _same_path(*relations: str | tuple[str, ...]) -> bool:
+    one, other = (list(map(os.path.abspath, paths_of(relation))) for relation in relations)
+    return is_file(relations[0]) and one == other
 
 
 def _check_where(source: SourceSettings) -> None:
@@ -257,8 +258,9 @@ def _placed(said: SourceSettings, folder: Path) -> SourceSettings:
             )
         if not is_url(said.database):
             changed["database"] = str(folder / said.database)
-    if said.relation is not None and is_file(said.relation) and "://" not in said.relation:
-        changed["relation"] = slashed(folder / said.relation, said.relation)
+    if is_file(said.relation):
+        placed = [one if "://" in one else slashed(folder / one, one) for one in paths_of(said.relation)]
+        changed["relation"] = placed[0] if isinstance(said.relation, str) else tuple(placed)
     return dataclasses.replace(said, **changed)
 
 

@@ -15,7 +15,7 @@ from gam_db.address import shown
 from gam_db.engines.session import Session, arrow_table
 from gam_db.errors import SourceError, nearest
 from gam_db.form import Form
-from gam_db.setting import COLUMN, COLUMNS, FLAG, TEXT, declared, one_of, setting
+from gam_db.setting import COLUMN, COLUMNS, FLAG, TEXT, TEXT_OR_TEXTS, declared, one_of, setting
 from gam_db.source import AnySource, Source, WideSource, is_file
 
 #: A column that was named, False for "there is none", None for "not said".
@@ -30,10 +30,10 @@ LAYOUT = dataclasses.replace(one_of("long", "wide"), option=bool, read=lambda *_
 class SourceSettings(Form):
     """What was said of the source; None is "not said", and what is not said is guessed."""
 
-    relation: str | None = setting(
+    relation: str | tuple[str, ...] | None = setting(
         None,
-        TEXT,
-        "a file, relative to this one, or a table of the database",
+        TEXT_OR_TEXTS,
+        "a file, relative to this one, a list of such, or a table of the database",
         example="telemetry.parquet",
     )
     database: str | None = setting(

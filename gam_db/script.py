@@ -22,7 +22,16 @@ from gam_db.method import Method, pipeline
 from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline
 from gam_db.setting import settings_of
-from gam_db.source import AnySource, Source, WideSource, declared_kind, is_file, paths_of, table_names
+from gam_db.source import (
+    AnySource,
+    Source,
+    WideSource,
+    declared_kind,
+    is_file,
+    paths_of,
+    shown_relation,
+    table_names,
+)
 
 FORMS = ("exact", "view")
 HEALTH_OF = ("asset_name", "channel_name")
@@ -198,7 +207,8 @@ def _relation(source: AnySource, engine: Engine) -> exp.Expr:
         return table_names(relation)[0]
     if not engine.reads_files:
         raise EngineError(
-            f"{engine.name} reads no files by path; load {relation} into a table and name that."
+            f"{engine.name} reads no files by path; load {shown_relation(relation)} into a table and "
+            "name that."
         )
     from gam_db.engines.duckdb_reading import file_reader
 

@@ -222,6 +222,10 @@ def _names(_: Setting, name: str, value: Any) -> tuple[str, ...]:
     return tuple(cast(Iterable[str], value))
 
 
+def _text_or_texts(of: Setting, name: str, value: Any) -> Any:
+    return tuple(value) if value and texts(value) else _text(of, name, value)
+
+
 FLAG = Kind(_flag, bool)
 COUNT = Kind(_count, int)
 SHARE = Kind(_share, float)
@@ -232,6 +236,7 @@ LENGTH = Kind(
     how=": seconds or a text like {example!r}, or steps of a counter",
 )
 TEXT = Kind(_text)
+TEXT_OR_TEXTS = Kind(_text_or_texts)
 COLUMN = Kind(_text, none=True)
 COLUMNS = Kind(_names)
 INSTANT = Kind(lambda _, __, value: value, metavar="TIME")

@@ -230,6 +230,13 @@ def paths_of(relation: Any) -> list[str]:
     return [str(one) for one in (relation if isinstance(relation, (list, tuple)) else [relation])]
 
 
+def shown_relation(relation: Any) -> str:
+    """Return a relation as a page or a message shows it: the first of a list, and how many more."""
+    is_list = isinstance(relation, list) or is_file(relation)
+    first, *more = paths_of(relation) if is_list else [relation]
+    return f"{first} and {len(more)} more" if more else str(first)
+
+
 def table_names(relation: str | Sequence[str]) -> list[exp.Expr]:
     """Return what a table name can mean, the likeliest first.
 

@@ -15,7 +15,7 @@ from gam_db.errors import printable
 from gam_db.guess import Guess, guess
 from gam_db.parameters import Parameters
 from gam_db.setting import settings_of
-from gam_db.source import Source
+from gam_db.source import Source, shown_relation
 
 
 @dataclass(frozen=True)
@@ -123,7 +123,7 @@ def job_of(session: Session, settings: Settings, relation: Any, name: str | None
     file = None if settings.file is None else str(settings.file)
     if settings.is_of_another:
         file = f"{file}, but for [source], which is of another"
-    return Job(name or str(relation), guessed, parameters, calibration, file)
+    return Job(name or shown_relation(relation), guessed, parameters, calibration, file)
 
 
 def healthy_part(calibration: Calibration) -> str:

@@ -33,13 +33,13 @@ from gam_db.guess import SourceSettings
 from gam_db.parameters import Parameters
 from gam_db.selection import Search
 from gam_db.setting import settings_of
-from gam_db.source import Source, is_file, slashed
+from gam_db.source import Source, is_file, paths_of, slashed
 
 
 @options.taking(*options.READ, *options.STATE)
 def check(
     settings: Settings,
-    relation: str | None,
+    relation: str | tuple[str, ...] | None,
     state: Annotated[
         bool,
         typer.Option(
@@ -380,9 +380,10 @@ def _settled(seen: Seen, settings: Settings) -> Seen:
 def _source(seen: Seen, settings: Settings, folder: Path) -> dict[str, tuple[Any, str]]:
     guess, known = seen.job.guess, settings_of(SourceSettings)
     source = guess.source
-    relation, database = seen.job.name, settings.source.database
+    relation, database = source.relation, settings.source.database
+    placed = [_from(folder, one) for one in paths_of(relation)] if is_file(relation) else [relation]
     said: dict[str, tuple[Any, str]] = {
-        "relation": (_from(folder, relation) if is_file(relation) else relation, "the telemetry")
+        "relation": (placed[0] if len(placed) == 1 else placed, "the telemetry")
     }
     if database is not None and not is_file(relation):
         address = _from(folder, shown(database))

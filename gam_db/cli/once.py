@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from importlib.metadata import entry_points
+from itertools import takewhile
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -35,7 +36,7 @@ from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, findings, need_attention
 from gam_db.guess import SourceSettings
 from gam_db.report import Wishes, plant
-from gam_db.source import FILE_ENDINGS, Source, is_file
+from gam_db.source import FILE_ENDINGS, Source, is_file, paths_of
 from gam_db.study import Study
 
 #: The estimator that is the method itself; others come by the entry points ``gam_db.estimators``.
@@ -134,7 +135,7 @@ def run(
                 progress.on_step(f"writing {result}")
                 study.write(result.step, result.path, result.table)
             if report is not None:
-                wishes = Wishes(title=Path(relation).name)
+                wishes = Wishes(title=Path(job.name).name)
                 method = (job.parameters, job.calibration)
                 page_of(job.guess.source, *method, report, wishes, progress.on_step)
     page.tell(
@@ -150,7 +151,7 @@ def _pages(report: Path | None) -> list[Path]:
     return [] if report is None else [report]
 
 
-def _check_report(report: Path, relation: str, estimator: str) -> None:
+def _check_report(report: Path, relation: Any, estimator: str) -> None:
     checked(report, "--report")
     if not is_file(relation):
         raise ConfigurationError(
@@ -268,7 +269,7 @@ def _written(out: Console, results: Sequence[_Result], report: Path | None) -> N
 
 
 def _results(
-    relation: str, database: str | None, out: Path | None, every: Every, estimator: str
+    relation: Any, database: str | None, out: Path | None, every: Every, estimator: str
 ) -> list[_Result]:
     """Return what is written where; refuse, before any work, what cannot be written."""
     health = ("bucket_health", "health_at_buckets") if every == "stride" else ("health_indicator",) * 2
@@ -296,9 +297,9 @@ def _results(
             raise ConfigurationError(f"--out is {path}; you may not write {one}.")
     if out is None and not _is_database(path):
         _check_theirs(path, relation)
-    read = {Path(read).resolve() for read in (relation, database) if read is not None}
+    read = {Path(one).resolve() for one in (*paths_of(relation), database) if one is not None}
     for one in paths:
-        if one.resolve() in read:
+        if one.resolve() in read and not (isinstance(relation, tuple) and _made_from(one)):
             raise ConfigurationError(f"{one} would be overwritten while it is read; give another --out.")
     return [
         _Result(step, one, f"gam_{table}")
@@ -306,28 +307,46 @@ def _results(
     ]
 
 
-def _check_theirs(path: Path, relation: str) -> None:
+def _check_theirs(path: Path, relation: Any) -> None:
     """Refuse to write over the results of another source that is called alike.
+
+    Results may be replaced where all that they were made from is read again.
 
     Raises:
         ConfigurationError: the file holds such.
     """
-    try:
-        said = parquet.read_metadata(path).metadata or {}
-    except (OSError, ArrowInvalid):  # there is none, or it is no file of ours
-        return
-    of = said.get(SOURCE_MARK.encode(), b"").decode()
-    here = os.path.abspath(relation)
-    folder = str(Path(here).parent) if "*" in relation else here
-    if of and is_file(relation) and not of.startswith(folder):
+    of = _made_from(path)
+    read = [Path(os.path.abspath(one)) for one in paths_of(relation)]
+    read = [one.parent if "*" in one.name else one for one in read]
+    if (
+        of
+        and is_file(relation)
+        and not all(any(map(Path(one).is_relative_to, read)) for one in of.split(";"))
+    ):
         raise ConfigurationError(
             f"{path} holds the results of {of}, a source of the same name; say --out, or remove it."
         )
 
 
-def _stem(relation: str) -> str:
-    """Return a file name for the results of a source, whatever the source is called."""
-    name = Path(relation).name if is_file(relation) else relation
+def _made_from(path: Path) -> str:
+    """Return what a file of results was made from; empty where there is none, or it is none of ours."""
+    try:
+        said = parquet.read_metadata(path).metadata or {}
+    except (OSError, ArrowInvalid):
+        return ""
+    return str(said.get(SOURCE_MARK.encode(), b"").decode())
+
+
+def _stem(relation: Any) -> str:
+    """Return a file name for the results of a source, whatever the source is called.
+
+    Of several files it is what their names begin with, as it is that of a pattern: then results among
+    them, where a shell wrote a pattern out, change nothing.
+    """
+    name = relation
+    if is_file(relation):
+        signs = zip(*(Path(one).name for one in paths_of(relation)), strict=False)
+        name = "".join(first for first, *others in takewhile(lambda at: len({*at}) == 1, signs))
     for ending in sorted(FILE_ENDINGS, key=len, reverse=True):
         if name.lower().endswith(ending):
             name = name[: -len(ending)]

@@ -79,8 +79,8 @@ Quiet = Annotated[
 ]
 
 _SOURCE = typer.Argument(
-    metavar="SOURCE",
-    help="A Parquet or CSV file (wildcards allowed), a folder of such, or a table of --database. "
+    metavar="SOURCE...",
+    help="Parquet or CSV files (wildcards allowed), folders of such, or a table of --database. "
     "Default: what gam.toml says.",
     show_default=False,
 )
@@ -117,7 +117,7 @@ def taking(
 
     def decorated(command: Callable[..., Any]) -> Callable[..., None]:
         where = [
-            *([_parameter("relation", str | None, _SOURCE)] if source else []),
+            *([_parameter("relation", list[str] | None, _SOURCE)] if source else []),
             _parameter("database", str | None, _OF_STATE if state else _READ_ONLY),
             *([] if fresh else [_parameter("config", Path | None, _CONFIG)]),
         ]
@@ -136,7 +136,7 @@ def taking(
         def called(**given: Any) -> None:
             said = {one.name: given.pop(one.name) for one in (*where, *options)}
             if passed:
-                given["relation"] = said["relation"]
+                given["relation"] = one_or_more(said["relation"])
             command(settings=_laid(said, state or given.get("state", False), fresh), **given)
 
         parameters = [*(one.replace(kind=inspect.Parameter.KEYWORD_ONLY) for one in needed), *among]
@@ -186,7 +186,7 @@ def _laid(given: dict[str, Any], state: bool, fresh: bool) -> Settings:
     Raises:
         ConfigurationError: the file or an option cannot be used.
     """
-    file, relation = given.pop("config", None), given.pop("relation", None)
+    file, relation = given.pop("config", None), one_or_more(given.pop("relation", None))
     database = given.pop("database")
     said: dict[str, dict[str, Any]] = {section: {} for section in SECTIONS}
     given["intervals"], own = _by_asset(given.get("intervals") or [])
@@ -213,6 +213,11 @@ def _laid(given: dict[str, Any], state: bool, fresh: bool) -> Settings:
     if own:
         said["calibration"]["overrides"] = {**own, **settings.calibration.get("overrides", {})}
     return settings.under(**said)
+
+
+def one_or_more(given: Sequence[str] | None) -> str | tuple[str, ...] | None:
+    """Return the SOURCE that was given: None, one, or the files of a list."""
+    return given[0] if given and len(given) == 1 else tuple(given or ()) or None
 
 
 def _by_asset(given: Sequence[str]) -> tuple[list[str], dict[str, Calibration]]:
@@ -242,8 +247,8 @@ def _check_layout(columns: dict[str, Any]) -> None:
         columns |= {"channels": tuple(signals)} if wide else {"channel": signals[0]}
 
 
-def named_relation(settings: Settings) -> str:
-    """Return the relation that was named: a file, or a table of the database.
+def named_relation(settings: Settings) -> str | tuple[str, ...]:
+    """Return the relation that was named: a file, some, or a table of the database.
 
     Raises:
         ConfigurationError: none was named, or it is neither.
@@ -254,6 +259,15 @@ def named_relation(settings: Settings) -> str:
             "Name a SOURCE: a Parquet or CSV file, or a table with --database FILE.duckdb; or put "
             "relation under [source] into gam.toml. `gam demo` needs none."
         )
+    if not isinstance(relation, str):
+        paths = tuple(f"{one.rstrip('/')}/" if Path(one).is_dir() else one for one in relation)
+        for one in paths:
+            if not is_file(one):
+                raise ConfigurationError(
+                    f"{one!r} is no Parquet or CSV file ({', '.join(FILE_ENDINGS)}); several SOURCE are "
+                    "files or folders, and a table is named alone."
+                )
+        return paths
     if database is None and Path(relation).is_dir():
         return f"{relation.rstrip('/')}/"
     if database is None and not is_file(relation):

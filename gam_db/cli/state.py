@@ -127,7 +127,7 @@ _MENDED = ("scored", "calibration")
 
 def check_state(
     settings: Settings,
-    relation: str | None,
+    relation: str | tuple[str, ...] | None,
     threads: int | None,
     everything: bool,
     as_json: bool,

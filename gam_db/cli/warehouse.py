@@ -79,7 +79,7 @@ def described(settings: Settings) -> AnySource:
     return dataclasses.replace(source, time_kind="counter" if kind.is_counter else "timestamp")
 
 
-def _as_named(relation: str, said: SourceSettings) -> AnySource:
+def _as_named(relation: Any, said: SourceSettings) -> AnySource:
     asset = None if said.asset is False else said.asset or "asset"
     time = said.time or "time"
     if said.layout == "wide" or said.channels is not None:

@@ -28,7 +28,7 @@ from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, need_attention, share, shortcomings
 from gam_db.guess import SourceSettings
 from gam_db.parameters import pattern_matches
-from gam_db.source import AnySource, WideSource, is_file, slashed
+from gam_db.source import AnySource, WideSource, is_file, shown_relation, slashed
 from gam_db.stored import alarms as stored_alarms
 from gam_db.stored import migrations
 from gam_db.stored import status as stored_status
@@ -37,11 +37,13 @@ from gam_db.stored.differing import differing
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.proving import Proof
 from gam_db.stored.scoring import Report
-from gam_db.stored.sources import SOURCE_COLUMNS, described, source_of
+from gam_db.stored.sources import SOURCE_COLUMNS, described, relation_of, source_of
 from gam_db.stored.state import State, kind_of
 
 
-def watched(session: Session, settings: Settings, relation: str | None) -> tuple[Monitor, Row]:
+def watched(
+    session: Session, settings: Settings, relation: str | tuple[str, ...] | None
+) -> tuple[Monitor, Row]:
     """Return the monitor that is meant, and its row.
 
     Args:
@@ -94,6 +96,12 @@ def calibrate(
         if applied:
             page.say(out, f"state tables {tables}* were made in {place}")
         _show_versions(out, f"{place}, monitor {settings.monitor.name}", job, rows, everything)
+        if isinstance(relation, tuple):
+            page.say(
+                out,
+                "Later runs read these files only; a pattern in quotes ('part-*.parquet') or a folder "
+                "as SOURCE reads those to come, too.",
+            )
 
     figures = {
         **job.figures(),
@@ -124,7 +132,7 @@ def _job(session: Session, settings: Settings, is_new: bool) -> Job:
             "[source] into gam.toml."
         )
     settings = dataclasses.replace(settings, source=said)
-    job = job_of(session, settings, _absolute(said.relation), said.relation)
+    job = job_of(session, settings, _absolute(said.relation), shown_relation(said.relation))
     if known is not None:
         _check_same(job.guess.source, known)
     return job
@@ -159,8 +167,10 @@ def _check_same(source: AnySource, known: Mapping[str, Any]) -> None:
         )
 
 
-def _absolute(relation: str) -> str:
+def _absolute(relation: str | tuple[str, ...]) -> str | tuple[str, ...]:
     """Return a relation as it can be read from any folder, since gam score may run in another one."""
+    if not isinstance(relation, str):
+        return tuple(str(_absolute(one)) for one in relation)
     if not is_file(relation) or "://" in relation:
         return relation
     return slashed(os.path.abspath(relation), relation)
@@ -223,11 +233,11 @@ _WHAT = "What is scored"
 def score(
     settings: Settings,
     source: Annotated[
-        str | None,
+        list[str] | None,
         typer.Argument(
-            metavar="SOURCE",
-            help="Read this file or table instead, which has the same columns. Default: the source that "
-            "gam calibrate was given.",
+            metavar="SOURCE...",
+            help="Read this file, these or this table instead, of the same columns. Default: the source "
+            "that gam calibrate was given.",
             show_default=False,
         ),
     ] = None,
@@ -297,7 +307,8 @@ def score(
         raise ConfigurationError("--dry-run writes nothing; leave out --copy.")
     session = options.opened(settings, threads, files=[] if copy_to is None else [copy_to])
     with working(session, quiet) as on_step:
-        monitor, known = watched(session, settings, source)
+        relation = options.one_or_more(source)
+        monitor, known = watched(session, settings, relation)
         kind = kind_of(known)
         run = monitor.score(
             since=_instant("--from", since, kind),
@@ -316,7 +327,8 @@ def score(
             copy(session, monitor.tables, copy_to)
         others = _differing(monitor.state, settings)
     urgent = status is not None and raised is not None and raised.is_urgent(status)
-    outcome = _Outcome(settings, source or known["source"], kind, run, status, others, copy_to)
+    shown = shown_relation(relation or relation_of(known))
+    outcome = _Outcome(settings, shown, kind, run, status, others, copy_to)
     figures = {**outcome.figures(), **(raised.figures() if raised else {}), "needs_attention": urgent}
 
     def show(out: Console) -> None:

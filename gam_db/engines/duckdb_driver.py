@@ -9,14 +9,14 @@ from sqlglot import exp
 
 from gam_db.engines.driver import Driver
 from gam_db.engines.duckdb import ENGINE
-from gam_db.engines.duckdb_files import late_word, no_table, without_results
+from gam_db.engines.duckdb_files import late_word, no_table, unalike, without_results
 from gam_db.engines.duckdb_journal import Journal
 from gam_db.engines.duckdb_opening import check_settings, opened, rows_at_once
-from gam_db.engines.duckdb_reading import file_reader, is_csv_reader
+from gam_db.engines.duckdb_reading import file_reader, is_csv_reader, is_text_file
 from gam_db.engines.session import CONFLICT, FULL, READ_ONLY, first_line
 from gam_db.errors import ConflictError, EngineError, SourceError, UserError
 from gam_db.form import Form
-from gam_db.source import paths_of
+from gam_db.source import paths_of, shown_relation
 
 OLDEST = (2, 0)
 
@@ -205,25 +205,44 @@ class DuckDriver(Driver):
             SourceError: they are not there, or cannot be read.
         """
         paths = paths_of(relation)
-        path = paths[0] if len(paths) == 1 else f"{paths[0]} and {len(paths) - 1} more"
-        found = [file for one in paths for file in without_results(self.connection, one)]
+        found = without_results(self.connection, paths)
         node = file_reader(found, form)
         self.sources += found
-        self._readers += [node] * is_csv_reader(node)
+        self._readers.append(node)
+        texts = [one for one in found if is_text_file(one)]
+        if 0 < len(texts) < len(found):
+            other = next(one for one in found if one not in texts)
+            raise SourceError(f"{texts[0]} is CSV, and {other} is Parquet; give files of one kind.")
+        if len(paths) > 1:
+            first, *others = {one: self._columns(file_reader([one], form), one) for one in found}.items()
+            for path, columns in others:
+                if {*columns} != {*first[1]}:
+                    raise SourceError(
+                        f"{path} has the columns {', '.join(columns)}, and {first[0]} has "
+                        f"{', '.join(first[1])}; several SOURCE have the same."
+                    )
+        self._columns(node, shown_relation(paths))
+        return node
+
+    def _columns(self, node: exp.Expr, path: str) -> dict[str, str]:
+        """Return the columns of files, which are shown as a path, and their types.
+
+        Raises:
+            SourceError: they cannot be read, or have no rows.
+        """
         try:
-            if is_csv_reader(node) and set(self.describe(node).values()) == {"VARCHAR"}:
+            columns = self.describe(node)
+            if is_csv_reader(node) and set(columns.values()) == {"VARCHAR"}:
                 first = exp.select(exp.Literal.number(1)).from_(node.copy()).limit(1)
                 if not self.connection.execute(self.engine.text(first)).fetchall():
                     raise SourceError(f"{path} has no rows; it is empty, or there is a header only.")
-            else:
-                self.describe(node)
         except duckdb.IOException as error:
             raise SourceError(
                 f"{path} cannot be read; is it there, and is it a file of that kind?"
             ) from error
         except duckdb.Error as error:
             raise self.problem(error) or SourceError(no_table(path, str(error))) from error
-        return node
+        return columns
 
     def rows_at_once(self) -> int:
         return rows_at_once(self.connection)
@@ -248,6 +267,8 @@ class DuckDriver(Driver):
                 or "A value of the source cannot be read as what its column must be (a counter needs 64 "
                 "bits; where= may ask for it, too); look at the file, or cast the column in a view."
             )
+        if isinstance(error, duckdb.Error) and (differing := unalike(error)):
+            return SourceError(differing)
         if "CSV Error" in first_line(error) and not isinstance(error, duckdb.IOException):
             return SourceError(
                 f"Line {first_line(error).rpartition(' ')[2]} of the CSV file does not fit its columns; "

@@ -16,7 +16,7 @@ from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_reading import all_as_text
 from gam_db.errors import SourceError
 from gam_db.form import options_for_null, options_for_numbers, shortened
-from gam_db.source import FILE_ENDINGS
+from gam_db.source import FILE_ENDINGS, shown_relation
 from gam_db.version import __version__
 
 #: Keys of the metadata of a Parquet file of results: the version that wrote it, and from what.
@@ -41,11 +41,45 @@ def source_mark(sources: Iterable[str]) -> str:
     return ";".join(one if "://" in one else os.path.abspath(one) for one in dict.fromkeys(sources))
 
 
-def without_results(connection: duckdb.DuckDBPyConnection, path: str) -> list[str]:
-    """Return the files of a pattern or a folder but for those that gam-db wrote; a path as it is.
+def without_results(connection: duckdb.DuckDBPyConnection, paths: Sequence[str]) -> list[str]:
+    """Return the files of patterns, folders and lists but for those that gam-db wrote; a path as it is.
 
     Raises:
         SourceError: there are none but such.
+    """
+    paths = [_inside(connection, path) for path in paths]
+    files: list[str] = []
+    for path in paths:
+        is_pattern = bool(set(path) & {*"*?["}) and "://" not in path
+        files += (_matching(connection, path) or [path]) if is_pattern else [path]
+    parquet = [file for file in files if file.lower().endswith((".parquet", ".pq"))]
+    if not parquet or files == paths[:1]:
+        return paths
+    try:
+        results = connection.execute(
+            "SELECT file_name FROM parquet_schema($1) WHERE list_contains($2, name) "
+            "UNION SELECT file_name FROM parquet_kv_metadata($1) WHERE CAST(key AS VARCHAR) = $3",
+            [parquet, list(_OF_RESULTS), MARK],
+        ).fetchall()
+    except duckdb.Error:  # a file is not there or damaged, which is said where it is read
+        return paths
+    ours = {file for (file,) in results}
+    if not ours:
+        return paths
+    kept = [file for file in files if file not in ours]
+    if not kept:
+        raise SourceError(
+            f"{shown_relation(paths)} matches nothing but results of gam-db; name what they were made "
+            "from."
+        )
+    return kept
+
+
+def _inside(connection: duckdb.DuckDBPyConnection, path: str) -> str:
+    """Return the pattern of the files in a folder; a path as it is.
+
+    Raises:
+        SourceError: there are none, or they are a table of another format.
     """
     if path.endswith("/"):
         for table, (log, through) in _TABLES.items():
@@ -58,27 +92,8 @@ def without_results(connection: duckdb.DuckDBPyConnection, path: str) -> list[st
         found = [one for one in inside if _matching(connection, one)]
         if not found:
             raise SourceError(f"The folder {path} holds no Parquet or CSV file; is it there?")
-        path = found[0]
-    files = _matching(connection, path) if set(path) & {*"*?["} and "://" not in path else []
-    if not files or not path.lower().endswith((".parquet", ".pq")):
-        return [path]
-    try:
-        results = connection.execute(
-            "SELECT file_name FROM parquet_schema($1) WHERE list_contains($2, name) "
-            "UNION SELECT file_name FROM parquet_kv_metadata($1) WHERE CAST(key AS VARCHAR) = $3",
-            [files, list(_OF_RESULTS), MARK],
-        ).fetchall()
-    except duckdb.Error:  # a file is damaged, which is said where it is read
-        return [path]
-    ours = {file for (file,) in results}
-    if not ours:
-        return [path]
-    kept = [file for file in files if file not in ours]
-    if not kept:
-        raise SourceError(
-            f"{path} matches nothing but results of gam-db; name what they were made from."
-        )
-    return kept
+        return found[0]
+    return path
 
 
 def _matching(connection: duckdb.DuckDBPyConnection, pattern: str) -> list[str]:
@@ -114,6 +129,30 @@ _LATE = re.compile(
     r"CSV Error on Line: (\d+).*column \"(.*?)\"\. Could not convert string \"(.*?)\" to '(.*?)'",
     re.DOTALL,
 )
+
+_UNALIKE = (
+    re.compile(
+        r"Main file schema: (?P<first>.*)\nCurrent file: (?P<file>.*)\n"
+        r"Column with name: \"(?P<column>.*)\" is"
+    ),
+    re.compile(
+        r"column \"(?P<column>.*?)\" was read from the original file \"(?P<first>.*?)\", "
+        r".* file \"(?P<file>.*?)\""
+    ),
+    re.compile(r"(?P<file>)(?P<first>)COLUMN_TYPES error: Columns with names: \"(?P<column>.*?)\""),
+)
+
+
+def unalike(error: duckdb.Error) -> str:
+    """Return what is said of files of one source that do not have the same columns, if it is that."""
+    found = next(filter(None, (pattern.search(str(error)) for pattern in _UNALIKE)), None)
+    if found is None:
+        return ""
+    return (
+        f"{found['file'] or 'One file'} has no column {found['column']!r}, and "
+        f"{found['first'] or 'another'} has one; the files of a source have the same columns."
+    )
+
 
 _NOT_THERE = re.compile(r"install the required extension '(\w+)")
 

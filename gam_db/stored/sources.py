@@ -14,7 +14,7 @@ from gam_db import template
 from gam_db.errors import ConfigurationError, StateError
 from gam_db.form import Form
 from gam_db.setting import settings_of
-from gam_db.source import AnySource, Source, WideSource, is_file
+from gam_db.source import AnySource, Source, WideSource, is_file, paths_of
 
 #: The columns of ``gam_monitor`` that tell of the source.
 SOURCE_COLUMNS = (
@@ -23,6 +23,9 @@ SOURCE_COLUMNS = (
 )
 
 _OBJECT = "an Arrow table"
+
+#: Of several files the first is the source, and the others stand in its fragment under this name.
+_MORE = "and"
 
 
 def described(source: AnySource) -> dict[str, str | None]:
@@ -75,17 +78,26 @@ def source_of(monitor: Mapping[str, Any], channels: Sequence[str], relation: Any
     return Source(relation, channel=monitor["channel_column"], value=monitor["value_column"], **said)
 
 
+def relation_of(monitor: Mapping[str, Any]) -> str | list[str]:
+    """Return the relation that a monitor was made from, as its row keeps it."""
+    return _parted(monitor["source"])[0]
+
+
 def _written(source: AnySource) -> str:
-    """Return how numbers and times are written, as the fragment of an address; empty where not said."""
-    return f"#{urlencode(source.written, doseq=True)}" if source.written else ""
+    """Return further files, and how numbers and times are written, as the fragment of an address."""
+    more = paths_of(source.relation)[1:] if is_file(source.relation) else []
+    said = {**({_MORE: more} if more else {}), **source.written}
+    return f"#{urlencode(said, doseq=True)}" if said else ""
 
 
-def _parted(kept: str) -> tuple[str, dict[str, Any]]:
+def _parted(kept: str) -> tuple[str | list[str], dict[str, Any]]:
     """Return a relation and how things are written there, as it was kept."""
-    relation, mark, fragment = kept.rpartition("#")
+    first, mark, fragment = kept.rpartition("#")
     said, known = parse_qs(fragment), settings_of(Form)
-    if not mark or not said or not said.keys() <= known.keys():
+    if not mark or not said or not said.keys() <= {_MORE, *known}:
         return kept, {}
+    more = said.pop(_MORE, [])
+    relation = [first, *more] if more else first
     many = {"null": tuple(said["null"])} if "null" in said else {}
     skipped = {"skip_rows": int(said["skip_rows"][0])} if "skip_rows" in said else {}
     return relation, {name: values[0] for name, values in said.items()} | many | skipped
@@ -95,9 +107,7 @@ def _shown(relation: Any) -> str:
     if isinstance(relation, (str, Path)):
         return str(relation)
     if is_file(relation):
-        raise ConfigurationError(
-            "A monitor keeps one path; give a pattern or a folder that holds the files, not a list."
-        )
+        return paths_of(relation)[0]
     if isinstance(relation, (tuple, list)):
         parts = [template.name(part).sql("duckdb") for part in relation]
         return ".".join(parts)

@@ -57,12 +57,21 @@ def english(number: int) -> str:
     return f'12/{1 + number // 24:02d}/2026 {number % 24:02d}:00,"{number % 7},000.5"'
 
 
+def each(*makers: Callable[[], object]) -> Callable[[], object]:
+    return lambda: [make() for make in makers]
+
+
+def tables(*paths: str) -> None:
+    for path in paths:
+        lines(path, "t,x", row=lambda n: f"{n},{n % 7}")
+
+
 MANY = "1 channel of 1 asset, 300 samples"
 GERMAN = ("--decimal", ",", "--thousands", ".", "--time-format", "%d.%m.%Y %H:%M")
 ENGLISH = ("--thousands", ",", "--time-format", "%m/%d/%Y %H:%M")
 
 #: What is made, what is asked, and the first line of the answer.
-FILES: dict[str, tuple[Callable[[], None], tuple[str, ...], str]] = {
+FILES: dict[str, tuple[Callable[[], object], tuple[str, ...], str]] = {
     "german, nothing said": (
         lambda: lines("de.csv", "Zeit;Wert", row=german),
         ("de.csv",),
@@ -130,6 +139,54 @@ FILES: dict[str, tuple[Callable[[], None], tuple[str, ...], str]] = {
         ("in/**/*.parquet", "--asset", "machine"),
         "in/**/*.parquet: 2 channels of 2 assets, 600 samples",
     ),
+    "several files": (
+        lambda: waves("a/x.parquet", "b/x.parquet"),
+        ("a/x.parquet", "b/x.parquet"),
+        "a/x.parquet and 1 more: 1 channel of 1 asset, 600 samples",
+    ),
+    "several hive partitions": (
+        lambda: waves("in/machine=A/p.parquet", "in/machine=B/p.parquet"),
+        ("in/machine=A/p.parquet", "in/machine=B/p.parquet", "--asset", "machine"),
+        "in/machine=A/p.parquet and 1 more: 2 channels of 2 assets, 600 samples",
+    ),
+    "several kinds": (
+        each(lambda: waves("a.parquet"), lambda: tables("b.csv")),
+        ("a.parquet", "b.csv"),
+        "gam: b.csv is CSV, and a.parquet is Parquet; give files of one kind.",
+    ),
+    "several, one of which is not there": (
+        lambda: waves("a.parquet"),
+        ("a.parquet", "b.parquet"),
+        "gam: b.parquet cannot be read; is it there, and is it a file of that kind?",
+    ),
+    "several, one of which is empty": (
+        each(lambda: tables("a.csv"), Path("b.csv").touch),
+        ("a.csv", "b.csv"),
+        "gam: b.csv has no rows; it is empty, or there is a header only.",
+    ),
+    "several of different columns": (
+        each(lambda: tables("a.csv"), lambda: lines("b.csv", "t,x,y", row=lambda n: f"{n},{n},{n}")),
+        ("a.csv", "b.csv"),
+        "gam: b.csv has the columns t, x, y, and a.csv has t, x; several SOURCE have the same.",
+    ),
+    "a pattern of different columns, CSV": (
+        each(lambda: tables("a.csv"), lambda: lines("b.csv", "time,y", row=lambda n: f"{n},{n}")),
+        ("*.csv",),
+        "gam: One file has no column 'x', and another has one; the files of a source have the same "
+        "columns.",
+    ),
+    "a pattern of different columns, Parquet": (
+        each(lambda: waves("a.parquet"), lambda: parquet.write_table(pa.table({"t": [1]}), "b.parquet")),
+        ("*.parquet",),
+        "gam: b.parquet has no column 'time', and a.parquet has one; the files of a source have the "
+        "same columns.",
+    ),
+    "several, one of which is no file": (
+        lambda: waves("a.parquet"),
+        ("a.parquet", "telemetry"),
+        "gam: 'telemetry' is no Parquet or CSV file (.parquet, .pq, .csv, .tsv, .csv.gz, .tsv.gz, "
+        ".csv.zst); several SOURCE are files or folders, and a table is named alone.",
+    ),
     "an empty folder": (
         lambda: Path("in").mkdir(),
         ("in",),
@@ -195,6 +252,42 @@ def test_a_wildcard_reads_no_results() -> None:
         said
         == "gam: part-.*.parquet matches nothing but results of gam-db; name what they were made from."
     )
+
+
+def test_what_a_shell_makes_of_a_wildcard_reads_no_results() -> None:
+    """The second time the shell names our results, too."""
+    wave("part-1.parquet")
+    wave("part-2.parquet", 300)
+    for _ in range(2):
+        named = sorted(map(str, Path().glob("part-*.parquet")))
+        assert gam("run", *named).exit_code in (0, 2)
+        learnt = parquet.read_table("part-.support.parquet")
+        assert learnt["samples"].to_pylist() == [600]
+    wave("part-3.parquet", 600)
+    result = gam("run", "part-2.parquet", "part-3.parquet")
+    assert result.exit_code == 1
+    assert "part-.health.parquet holds the results of" in result.stderr
+    assert (
+        "nothing but results"
+        in gam("run", "part-.health.parquet", "part-.support.parquet", "--no-out").stderr
+    )
+
+
+def test_a_monitor_and_a_settings_file_keep_several_files(folder: Path) -> None:
+    wave("a.parquet")
+    wave("b,& c.parquet", 300)
+    named = ("a.parquet", "b,& c.parquet")
+    assert gam("init", *named, "--out", "gam.toml").exit_code in (0, 2)
+    assert 'relation = ["a.parquet", "b,& c.parquet"]' in Path("gam.toml").read_text()
+    result = gam("calibrate", "--window", "20", "--database", "m.duckdb")
+    assert "a pattern in quotes ('part-*.parquet') or a folder" in result.stdout
+    Path("gam.toml").unlink()
+    result = gam("score", "--database", "m.duckdb")
+    assert f"{folder}/a.parquet and 1 more" in result.stdout
+    assert "read 1 channel" in result.stdout
+    assert "newest data 599" in gam("status", "--database", "m.duckdb").stdout
+    assert gam("score", *named, "--database", "m.duckdb").exit_code in (0, 2)
+    assert "watches another source" in gam("calibrate", "a.parquet", "--database", "m.duckdb").stderr
 
 
 def test_results_of_another_source_of_the_name_are_not_written_over() -> None:
