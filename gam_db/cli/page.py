@@ -254,20 +254,24 @@ def channels(
     if known:
         edges = min(row["course_from"] for row in known), max(row["last_time"] for row in known)
         say(out, f"HI, 0 to 1: {spanned}, {_span(*edges, zone)}")
-    if _tells(rows, everything):
-        remarks(out, zip(names, (row["remarks"] for row in rows), strict=True))
-    elif any(row["remarks"] for row in rows):
-        say(out, f"of {sum(bool(row['remarks']) for row in rows):,} there is more to say: --all")
+    remarks(out, zip(names, (row["remarks"] for row in rows), strict=True), everything)
 
 
-def _tells(rows: Sequence[Row], everything: bool) -> bool:
+def _tells(rows: Sequence[Any], everything: bool) -> bool:
     """Tell whether remarks are printed: one line for each channel is enough where there are several."""
     return everything or len(rows) == 1
 
 
-def remarks(out: Console, said: Iterable[tuple[str, Iterable[str]]]) -> None:
-    """Print what is said of some channels, each remark once, with the channels it is said of."""
+def remarks(out: Console, said: Iterable[tuple[str, Iterable[str]]], everything: bool) -> None:
+    """Print what is said of some channels, each remark once, with the channels it is said of.
+
+    Of several channels it is only said of how many there is more to say, unless everything is asked for.
+    """
     told = [(name, list(words)) for name, words in said]
+    if not _tells(told, everything):
+        if more := sum(bool(words) for _, words in told):
+            say(out, f"of {more:,} there is more to say: --all")
+        return
     found: dict[str, list[str]] = {}
     for name, words in told:
         for remark in words:

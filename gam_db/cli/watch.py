@@ -205,7 +205,7 @@ def _show_versions(out: Console, where: str, job: Job, rows: Sequence[Row], ever
     marks = ["?" if row["status"] == "setup" else " " for row in shown]
     page.table(out, columns, marks, ("reason", "verdict"), ("cells", "vectors"))
     short = (shortcomings(row, (row["m"] - 1) * row["tau"]) for row in shown)
-    page.remarks(out, zip(names, short, strict=True))
+    page.remarks(out, zip(names, short, strict=True), everything)
     page.cut(out, ordered, everything, page.verdicts(ordered[len(shown) :]))
     out.print()
     page.say(out, f"verdicts: {page.verdicts(rows)}")

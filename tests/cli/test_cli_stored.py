@@ -171,7 +171,11 @@ def test_a_calibration_that_is_not_good_enough_asks_for_attention() -> None:
     short = np.exp(np.arange(1000) / 100)  # never where it was
     gone = np.full(1000, np.nan)
     source = saved(1000, {("R2", "fine"): noise, ("R2", "short"): short, ("R2", "gone"): gone})
-    result = gam("calibrate", source, *STATE, *SMALL, *HEALTHY, "--bins", "60")
+    asked = ("calibrate", source, *STATE, *SMALL, *HEALTHY, "--bins", "60", "--again")
+    brief = said(gam(*asked))
+    assert "there is more to say: --all" in brief
+    assert "grid too fine for its calibration" not in brief
+    result = gam(*asked, "--all")
     assert result.exit_code == 2
     lines = result.stdout.splitlines()
     first = next(number for number, line in enumerate(lines) if line.startswith("? R2 fine"))

@@ -69,11 +69,16 @@ def test_a_remark_is_said_once_with_its_channels() -> None:
     out = console()
     names = [f"j{number}" for number in range(8)]
     said = [("too short", "odd") if number < 7 else ("odd",) for number in range(8)]
-    page.remarks(out, zip(names, said, strict=True))
+    page.remarks(out, zip(names, said, strict=True), everything=True)
     assert lines(out) == ["", "- j0, j1, j2, j3, j4 and 2 more: too short", "- all channels: odd"]
     silent = console()
-    page.remarks(silent, [("j1", ())])
+    page.remarks(silent, [("j1", ())], everything=False)
     assert lines(silent) == []
+    short = console()
+    page.remarks(short, zip(names, said, strict=True), everything=False)
+    assert lines(short) == ["of 8 there is more to say: --all"]
+    page.remarks(short, [("j1", ("odd",))], everything=False)
+    assert lines(short)[-1] == "- j1: odd", "of one channel all is said"
 
 
 def test_figures_are_json_whatever_they_hold(capsys: pytest.CaptureFixture[str]) -> None:

@@ -63,7 +63,7 @@ def gam(*words: str | Path) -> Result:
 
 
 def test_the_table_can_be_read() -> None:
-    result = gam("evaluate", "health.parquet", "--outcomes", "outcomes.csv")
+    result = gam("evaluate", "health.parquet", "--outcomes", "outcomes.csv", "--all")
     assert result.exit_code == 0, result.output
     lines = result.stdout.splitlines()
     assert max(map(cell_len, lines)) <= 80
@@ -84,6 +84,7 @@ def test_the_table_can_be_read() -> None:
 def test_without_outcomes_it_says_what_is_missing() -> None:
     result = gam("evaluate", "health.parquet", "--surrogates", "0")
     assert result.exit_code == 0, result.output
+    assert "there is more to say: --all" in result.stdout
     assert result.stdout.count("needs --outcomes") == 3
     assert "chance" not in result.stdout.casefold()
     assert "outcome " not in result.stdout

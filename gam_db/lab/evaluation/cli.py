@@ -183,7 +183,7 @@ def show(
     names = page.names_of(shown)
     marks = ["~" if _is_chance(row) else " " for row in shown]
     page.table(out, {"channel": names, **_columns(shown)}, marks)
-    page.remarks(out, zip(names, map(_remarks, shown), strict=True))
+    page.remarks(out, zip(names, map(_remarks, shown), strict=True), everything)
     page.cut(out, rows, everything)
     out.print()
     page.table(out, _summary(found.summary.to_pylist(), conventions), left=("over",))
