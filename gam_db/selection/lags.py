@@ -10,6 +10,8 @@ from gam_db.selection.search import TAU_RULES, Search
 
 LAGS_OF_SCALE = 100
 """Lags of the autocorrelation at each scale, for the cycle: its length is known to about 1 %."""
+MOST_ROWS = 2**17
+"""Of more samples, or rows of a scale, about so many take part in what is estimated by lag."""
 _LEAST_ROWS = 3 * LAGS_OF_SCALE
 """A scale with fewer rows adds no lag that the finer one has not."""
 
@@ -31,7 +33,7 @@ def add_delays(steps: Pipeline, search: Search, samples: int) -> None:
         samples: those of the longest channel; the series is halved until little is left of it.
     """
     add(steps, "selection/lags", {"least": LAGS_OF_SCALE})
-    add(steps, "selection/pairs", {"bins": search.ami_bins})
+    add(steps, "selection/pairs", {"bins": search.ami_bins, "most": MOST_ROWS})
     finer, scale, echoes = "selected", 1, []
     while scale == 1 or samples // scale >= _LEAST_ROWS:
         if scale > 1:
@@ -40,7 +42,7 @@ def add_delays(steps: Pipeline, search: Search, samples: int) -> None:
             finer = coarser
         name = f"echoes_{scale}"
         least = scale * _LEAST_ROWS if scale > 1 else 1
-        slots: dict[str, template.Slot] = {"scale": scale, "least": least}
+        slots: dict[str, template.Slot] = {"scale": scale, "least": least, "most": MOST_ROWS * scale}
         add(steps, "selection/echoes", slots, name, {"selected": finer})
         steps.small |= {finer, name}
         echoes.append(name)

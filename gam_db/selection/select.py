@@ -30,7 +30,8 @@ class Selection:
             certificate's verdict and floor at the bins asked for, recommended_floor at the
             recommended ones, and vectors_needed for those asked for.
         lags: one row per delay from 0: n_pairs, occupied (pairs of bins), ami and ami_corrected in
-            nats, acf, informative (1 if the information is more than chance).
+            nats, acf, informative (1 if the information is more than chance). Beyond 2^17 samples
+            about so many, spread evenly, are paired with those a delay later, here and in cycles.
         dimensions: one row per embedding dimension m: reference_vectors, neighbours, skipped (found
             beyond others at distance zero), false_neighbours, false_share, Cao's e1 and e2.
         cycles: one row per delay of each scale of the autocorrelation: scale and delay in

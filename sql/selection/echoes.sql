@@ -1,9 +1,11 @@
 -- Echoes: what the autocorrelation at each lag is made of, in exact integers: levels about the middle of
--- their range, multiplied and summed. Repeated by Python, once per scale.
+-- their range, multiplied and summed. Of a long channel the earlier samples are those of pairs.sql.
+-- Repeated by Python, once per scale.
 -- Reads:  selected, lags, extents
 -- A row:  one lag of one channel that has a pair.
 -- Slots:  :scale        samples that one row stands for
 --         :least        samples of a channel for which this scale is of use
+--         :most         samples of a channel up to which all rows of this scale are taken
 SELECT
   channel_id,
   CAST(:scale AS BIGINT) AS scale,
@@ -27,10 +29,18 @@ FROM (
       CAST(taken.level AS BIGINT) - 8192 AS centred_level,
       back.delay AS delay,
       taken.place + back.delay AS place_later
-    FROM selected AS taken
+    FROM (
+      SELECT
+        sampled.channel_id AS channel_id,
+        sampled.run_no AS run_no,
+        sampled.place AS place,
+        sampled.level AS level
+      FROM selected AS sampled
+      JOIN extents AS extent ON extent.channel_id = sampled.channel_id
+      WHERE sampled.level > 0 AND extent.samples >= :least
+        AND ((sampled.place * 40503) % 65536) * extent.samples < 65536 * CAST(:most AS BIGINT)
+    ) AS taken
     JOIN lags AS back ON back.channel_id = taken.channel_id
-    JOIN extents AS extent ON extent.channel_id = taken.channel_id
-    WHERE taken.level > 0 AND extent.samples >= :least
   ) AS earlier
   JOIN (
     SELECT channel_id, run_no, place, CAST(level AS BIGINT) - 8192 AS centred_level

@@ -28,6 +28,7 @@ class Asked:
     theiler: int | None = None
     references: int = 2000
     seed: int = 0
+    most: int = 2**17
 
 
 def runs_of(times: list[int], calibrating: list[bool], max_gap: int | None) -> list[int]:
@@ -71,7 +72,12 @@ class Channel:
             (levels[i], levels[i - lag])
             for i in range(lag, len(levels))
             if levels[i] > 0 and levels[i - lag] > 0 and runs[i] == runs[i - lag]
+            if self._is_taken(i - lag + 1)
         ]
+
+    def _is_taken(self, place: int, scale: int = 1) -> bool:
+        """Of a long channel about so many places, spread by the golden section."""
+        return place * 40503 % 65536 / 65536 < self.asked.most * scale / self.samples
 
     def _lag(self, lag: int) -> Row:
         pairs = self._pairs(self.levels, self.runs, lag)
@@ -122,7 +128,7 @@ class Channel:
             pairs = [
                 (found[run, place + lag], level)
                 for (run, place), level in found.items()
-                if (run, place + lag) in found
+                if (run, place + lag) in found and self._is_taken(place, scale)
             ]
             if pairs:
                 acf = _correlation(pairs)
