@@ -12,6 +12,7 @@ from sqlglot import exp
 from gam_db.engines.base import Engine, deletion
 from gam_db.errors import SourceError, UserError
 from gam_db.form import Form
+from gam_db.source import shown_relation
 
 
 class Driver(Protocol):
@@ -92,7 +93,7 @@ class Driver(Protocol):
         Raises:
             SourceError: the engine reads none.
         """
-        raise SourceError(self.no_files.format(path=relation))
+        raise SourceError(self.no_files.format(path=shown_relation(relation)))
 
     def rows_at_once(self) -> int:
         """Return how many readings can be worked on at once."""

@@ -208,7 +208,7 @@ class DuckDriver(Driver):
         found = without_results(self.connection, paths)
         node = file_reader(found, form)
         self.sources += found
-        self._readers.append(node)
+        self._readers += [node] * is_csv_reader(node)
         texts = [one for one in found if is_text_file(one)]
         if 0 < len(texts) < len(found):
             other = next(one for one in found if one not in texts)
