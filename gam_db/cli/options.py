@@ -216,8 +216,13 @@ def _laid(given: dict[str, Any], state: bool, fresh: bool) -> Settings:
 
 
 def one_or_more(given: Sequence[str] | None) -> str | tuple[str, ...] | None:
-    """Return the SOURCE that was given: None, one, or the files of a list."""
-    return given[0] if given and len(given) == 1 else tuple(given or ()) or None
+    """Return the SOURCE that was given: None, one, or the files and folders of a list."""
+    return given[0] if given and len(given) == 1 else tuple(map(as_folder, given or ())) or None
+
+
+def as_folder(path: str) -> str:
+    """Return a path with the slash that says that it is a folder's, if it is one."""
+    return f"{path.rstrip('/')}/" if Path(path).is_dir() else path
 
 
 def _by_asset(given: Sequence[str]) -> tuple[list[str], dict[str, Calibration]]:
@@ -260,16 +265,15 @@ def named_relation(settings: Settings) -> str | tuple[str, ...]:
             "relation under [source] into gam.toml. `gam demo` needs none."
         )
     if not isinstance(relation, str):
-        paths = tuple(f"{one.rstrip('/')}/" if Path(one).is_dir() else one for one in relation)
-        for one in paths:
+        for one in relation:
             if not is_file(one):
                 raise ConfigurationError(
                     f"{one!r} is no Parquet or CSV file ({', '.join(FILE_ENDINGS)}); several SOURCE are "
                     "files or folders, and a table is named alone."
                 )
-        return paths
+        return relation
     if database is None and Path(relation).is_dir():
-        return f"{relation.rstrip('/')}/"
+        return as_folder(relation)
     if database is None and not is_file(relation):
         if Path(relation).suffix in DATABASE_ENDINGS:
             raise ConfigurationError(

@@ -82,8 +82,12 @@ def calibrate(
     """
     place, tables = settings.source.shown_database, settings.monitor.tables
     relation = settings.source.relation
-    session = options.opened(settings, threads, must_exist=not is_file(relation))
+    is_path = is_file(relation) or (relation is not None and Path(str(relation)).is_dir())
+    session = options.opened(settings, threads, must_exist=not is_path)
     with working(session, quiet) as on_step:
+        if isinstance(relation, str) and relation.casefold() not in session.relations():
+            named = dataclasses.replace(settings.source, relation=options.as_folder(relation))
+            settings = dataclasses.replace(settings, source=named)
         is_new = not migrations.status(session, tables).applied
         job = _job(session, settings, is_new)
         asked = (job.guess.source, job.parameters, job.calibration, settings.alarms)

@@ -162,7 +162,7 @@ def test_a_folder_of_files_is_calibrated_and_scored() -> None:
     """From any folder, as a path that says that it is one."""
     Path("days").mkdir()
     Path(saved(1000)).rename("days/one.parquet")
-    assert gam("calibrate", "days/", *STATE, *SMALL, *HEALTHY).exit_code == 0
+    assert gam("calibrate", "days", *STATE, *SMALL, *HEALTHY).exit_code == 0
     assert figures("score", *STATE)["totals"]["channels"] == 2
 
 
