@@ -4,6 +4,7 @@ import os
 import shlex
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import pytest
@@ -37,9 +38,6 @@ def test_the_first_hour_from_a_clone(tmp_path: Path) -> None:
         ):
             subprocess.run(command, check=True)
         environment.pop("PYTHONPATH", None)
-    folder = tmp_path / "plant"
-    folder.mkdir()
-    first_hour.prepare(folder)
 
     def run(typed: str) -> tuple[str, int]:
         words = ["-c", typed]
@@ -55,4 +53,7 @@ def test_the_first_hour_from_a_clone(tmp_path: Path) -> None:
         )
         return done.stdout or done.stderr, done.returncode  # a long run says on stderr how it goes
 
-    assert first_hour.page(first_hour.walked(run, folder)) == PAGE
+    with tempfile.TemporaryDirectory() as named:  # as long as that of the page: lines are folded
+        folder = Path(named)
+        first_hour.prepare(folder)
+        assert first_hour.page(first_hour.walked(run, folder)) == PAGE
