@@ -158,8 +158,10 @@ def _remarks(row: Row, span: int, window: int, course: Course | None) -> list[st
         if course is None or hi is None:
             scored = 0 if course is None else course.vectors
             remarks.append(f"HI not yet available: {scored:,} of {window:,} vectors scored")
-        elif row["status"] == "high":
-            remarks.append(f"above its limit of {share(limit)}{_out_of_range(course)}")
+        elif limit is not None and hi > limit:
+            alone = row["judged_by"] == "episode" and row["is_above"] == 0
+            so_far = ", without an episode so far" if alone else ""
+            remarks.append(f"above its limit of {share(limit)}{_out_of_range(course)}{so_far}")
         elif limit is not None and course.highest is not None and course.highest > limit:
             remarks.append(f"below its limit of {share(limit)} now, was up to {share(course.highest)}")
     if row.get("missing_vectors"):
@@ -178,6 +180,8 @@ def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
         has_moved: a vector was novel since.
     """
     verdict = row["verdict"]
+    if row.get("limit_reason") == "unrepresentative":
+        return ["calibration is no fair sample of what followed: calibrate longer, or later"]
     if verdict == "constant":
         return [f"was constant in calibration{' and has moved since' * has_moved}: not assessable"]
     if verdict == "no_data" and row["calibrated_lo"] is None:

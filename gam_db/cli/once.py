@@ -221,7 +221,7 @@ def _show(
     page.cut(out, found, everything, page.counted(found[len(shown) :]))
     out.print()
     page.say(out, f"verdicts: {page.verdicts(found)}")
-    page.say(out, f"channels: {page.counted(found)}")
+    page.say(out, f"channels: {page.counted(found)}; judged by the health indicator and its limit")
     if job.parameters.is_open:
         taken = sorted(Counter(row["bins"] for row in found).items(), reverse=True)
         page.say(out, f"bins taken: {', '.join(f'{bins} for {count:,}' for bins, count in taken)}")

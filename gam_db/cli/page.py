@@ -30,9 +30,11 @@ BLOCKS = "▁▂▃▄▅▆▇█"
 PLAIN_BLOCKS = "_.,-=+*#"
 """The same scale, for a terminal that has no block characters."""
 
-MARKS = {"high": "!", "setup": "?", "waiting": "~"}
+MARKS = {"proving": "!", "open": "!", "high": "!", "setup": "?", "waiting": "~"}
 _STYLES = {"!": "bold red", "?": "yellow", "~": "cyan"}
 _MEANINGS = {
+    "proving": "in an episode since calibration, to be decided",
+    "open": "in an open episode",
     "high": "above the limit",
     "setup": "without a good enough calibration",
     "waiting": "less than a window scored yet",

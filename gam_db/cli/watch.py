@@ -29,7 +29,6 @@ from gam_db.findings import Row, need_attention, share, shortcomings
 from gam_db.guess import SourceSettings
 from gam_db.parameters import pattern_matches
 from gam_db.source import AnySource, WideSource, is_file, shown_relation, slashed
-from gam_db.stored import alarms as stored_alarms
 from gam_db.stored import migrations
 from gam_db.stored import status as stored_status
 from gam_db.stored.copying import copy
@@ -325,71 +324,38 @@ def score(
             on_step=on_step,
         )
         status = None if dry_run else monitor.status()
-        raised = None if dry_run else Raised.of(monitor.state, monitor.name)
         if copy_to is not None:
             on_step(f"copying to {copy_to}")
             copy(session, monitor.tables, copy_to)
         others = _differing(monitor.state, settings)
-    urgent = status is not None and raised is not None and raised.is_urgent(status)
+    urgent = status is not None and need_attention(status.to_pylist())
     shown = shown_relation(relation or relation_of(known))
     outcome = _Outcome(settings, shown, kind, run, status, others, copy_to)
-    figures = {**outcome.figures(), **(raised.figures() if raised else {}), "needs_attention": urgent}
+    figures = {**outcome.figures(), "needs_attention": urgent}
 
-    def show(out: Console) -> None:
-        outcome.show(out)
-        for line in raised.lines() if raised is not None else ():
-            page.say(out, line)
-
-    page.tell(Exit.ATTENTION if urgent else Exit.FINE, figures, show, as_json, quiet)
+    page.tell(Exit.ATTENTION if urgent else Exit.FINE, figures, outcome.show, as_json, quiet)
 
 
-@dataclasses.dataclass(frozen=True)
-class Raised:
-    """What episodes say of a monitor: of its channels that have a limit, they decide and not ``hi``.
+def _raised(status: pa.Table) -> Row:
+    """Return how many channels are judged by episodes, and the episodes that ask for attention."""
+    rows = status.select(["judged_by", "asking", "episode"]).to_pylist()
+    return {
+        "judged_by_episode": sum(row["judged_by"] == "episode" for row in rows),
+        "episodes": [row["episode"] for row in rows if row["asking"]],
+    }
 
-    Attributes:
-        judged: asset and channel of those that have one.
-        asking: of those an episode of which needs attention.
-        episodes: that do.
-    """
 
-    judged: frozenset[tuple[str, str]]
-    asking: frozenset[tuple[str, str]]
-    episodes: tuple[int, ...]
-
-    @classmethod
-    def of(cls, state: State, name: str) -> "Raised":
-        """Return what the state says."""
-        judged = [row for row in stored_alarms.limits(state, name) if row["reason"] is None]
-        rows = [row for row in stored_alarms.alarms(state, name).to_pylist() if row["needs_attention"]]
-        return cls(
-            frozenset((row["asset"], row["channel"]) for row in judged),
-            frozenset((row["asset"], row["channel"]) for row in rows),
-            tuple(row["episode"] for row in rows),
+def _judging(status: pa.Table) -> Iterator[str]:
+    """Yield by what channels are judged, and what is to be looked at."""
+    by_episode = _raised(status)["judged_by_episode"]
+    if by_episode:
+        yield (
+            f"{number_of(by_episode, 'channel')} judged by episodes (gam limits), others by the health "
+            "indicator and its limit"
         )
-
-    def is_urgent(self, status: pa.Table) -> bool:
-        """Tell whether a channel of a status needs attention: exit code 2."""
-        rows = status.select(["asset", "channel", "status", "needs_attention", "verdict"]).to_pylist()
-        names = [(row["asset"], row["channel"]) for row in rows]
-        for name, row in zip(names, rows, strict=True):
-            if name in self.judged and row["status"] == "high":
-                row["needs_attention"] = False
-        return need_attention(rows) or not self.asking.isdisjoint(names)
-
-    def figures(self) -> Row:
-        """Return what --json prints of it."""
-        return {"judged_by_episode": len(self.judged), "episodes": list(self.episodes)}
-
-    def lines(self) -> Iterator[str]:
-        """Yield what is to be said of it."""
-        if self.judged:
-            yield (
-                f"attention is asked for by episodes of {number_of(len(self.judged), 'channel')} that "
-                "have a limit (gam limits), of others by the health indicator"
-            )
-        if self.episodes:
-            yield f"{number_of(len(self.episodes), 'episode')} to look at; gam alarms shows them"
+    asking = pc.sum(status["asking"]).as_py()
+    if asking:
+        yield f"{number_of(asking, 'episode')} to look at; gam alarms shows them"
 
 
 def _instant(option: str, text: str | None, kind: TimeKind) -> str | None:
@@ -471,6 +437,7 @@ class _Outcome:
                 {"asset": asset, "channel": channel} for asset, channel in self.differing
             ],
             "status": [] if self.status is None else self.status.select(told_of),
+            **({} if self.status is None else _raised(self.status)),
             "copy": self.copy,
         }
 
@@ -535,6 +502,7 @@ class _Outcome:
             yield "no channel has a calibration, so nothing is watched; run gam calibrate"
         else:
             yield f"channels: {page.counted(self.status.to_pylist())}; gam status shows them"
+        yield from _judging(self.status)
 
 
 def _named(channels: Any) -> str:
@@ -568,11 +536,10 @@ def status(
     with options.opened(settings, writable=False) as session:
         channels = stored_status.status(session, settings.monitor.tables, monitor, silence)
         proof = stored_status.proved(session, settings.monitor.tables, monitor)
-        raised = Raised.of(State(session, settings.monitor.tables), monitor)
     unheard = stored_status.unheard_for(channels, silence, dt.datetime.now(dt.UTC))
     if asset is not None:
         channels = _of_assets(channels, asset)
-    urgent = raised.is_urgent(channels)
+    urgent = need_attention(channels.to_pylist())
     figures = {
         "database": settings.source.shown_database,
         "monitor": monitor,
@@ -580,7 +547,7 @@ def status(
         "proved": None if proof is None else _proved(proof),
         "channels": channels,
         "assets": stored_status.by_asset(channels),
-        **raised.figures(),
+        **_raised(channels),
         "needs_attention": urgent,
     }
 
@@ -592,8 +559,6 @@ def status(
         page.say(out, _proof(proof, dt.datetime.now(dt.UTC)))
         out.print()
         _show_status(out, channels, everything, shown_in)
-        for line in raised.lines():
-            page.say(out, line)
 
     page.tell(Exit.ATTENTION if urgent else Exit.FINE, figures, show, as_json, quiet)
 
@@ -688,3 +653,4 @@ def _summary(channels: pa.Table, everything: bool) -> Iterator[str]:
         yield f"{changed:,} with calibration data that changed; gam calibrate --again learns it anew"
     rows = channels.select(["remarks"]).to_pylist()
     yield f"{page.legend(rows, everything)} Trend: HI now less HI a window earlier."
+    yield from _judging(channels)

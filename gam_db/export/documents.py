@@ -144,8 +144,9 @@ It needs no Python but dbt's own.
 | {taught} | what calibration taught |
 
 `hi` is the share of the last {of.setting.window_length} scored vectors whose cell healthy operation
-never visited. In {prefix}fleet, a channel whose `status` is `high` is
-above its limit, which is to say `hi > hi_limit`; where nothing is to be judged there is no limit, and
+never visited. There are no episodes in a package: all are judged by the indicator (`judged_by`). In
+{prefix}fleet, a channel whose `status` is `high` is above its limit, which is to say `hi > hi_limit`;
+where nothing is to be judged there is no limit, and
 `limit_reason` says why.
 
 ## What holds

@@ -144,9 +144,10 @@ def dashboard(engine: str, asked: Mapping[str, str]) -> str:
     steps = [models.Threshold(value=None, color="green"), models.Threshold(value=1, color="orange")]
     above = builders.ThresholdsConfig().mode(models.ThresholdsMode.ABSOLUTE).steps(steps)
     coloured = builders.FieldColor().mode(models.FieldColorModeId.THRESHOLDS)
-    over = panel("statetimeline", "machines", "Machines over time", "signals above their limit", 24, 9)
+    about = "signals whose health indicator was above hi_limit, whatever their episodes said"
+    over = panel("statetimeline", "machines", "Machines over time", about, 24, 9)
     panels = (
-        panel("stat", "counts", "Now", "of the machines that are chosen", 24, 4),
+        panel("stat", "counts", "Now", "above: by episodes, or hi_limit where there are none", 24, 4),
         over.min(0).thresholds(above).color_scheme(coloured),
         panel("timeseries", "indicator", "Health indicator", "with its limit", 14, 10).min(0).max(1),
         panel("table", "signals", "Signals", "the most urgent first", 10, 10),
@@ -179,7 +180,7 @@ class _Target:
 
 
 def alert(engine: str, sql: str, uid: str) -> str:
-    """Return the alert rule as YAML of Grafana's provisioning: one alert per signal above its limit."""
+    """Return the alert rule as YAML of Grafana's provisioning: one alert per signal that is above."""
     span = {"from": 600, "to": 0}
     rule = {
         "uid": "gam-db-above",

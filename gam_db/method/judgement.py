@@ -24,17 +24,23 @@ def limit_slots(learnt: str, target_floor: exp.Expr) -> dict[str, template.Slot]
     }
 
 
-def add_judged(
-    steps: Pipeline, assessed: str = "assessed", hi: exp.Expr | None = None, name: str = "judged"
-) -> None:
+#: What a channel is judged by beside its verdict, where it is known.
+_KNOWN = {"hi": "DOUBLE", "has_limit": "BIGINT", "raised": "VARCHAR", "asks": "BIGINT"}
+
+
+def add_judged(steps: Pipeline, assessed: str = "assessed", name: str = "judged") -> None:
     """Add the step that judges channels.
 
     Args:
         steps: with the step *assessed*.
-        assessed: its name; it has a row per channel, with verdict and hi_limit.
-        hi: the health indicator; by default its column of that name.
+        assessed: its name; it has a row per channel, with verdict and hi_limit. Without hi nothing is
+            scored yet; without has_limit, raised and asks there are no episodes.
         name: of the step.
     """
-    columns = [exp.column(column) for column in steps.steps[assessed].query.named_selects]
-    slots: dict[str, template.Slot] = {"columns": columns, "hi": hi or exp.column("hi")}
+    columns = steps.steps[assessed].query.named_selects
+    slots: dict[str, template.Slot] = {
+        known: exp.column(known) if known in columns else exp.cast(exp.null(), of)
+        for known, of in _KNOWN.items()
+    }
+    slots["columns"] = [exp.column(column) for column in columns]
     add(steps, "judgement/judged", slots, name, {"assessed": assessed})

@@ -65,12 +65,12 @@ def chosen(signals: Sequence[Row], number: int, named: Iterable[str]) -> list[Ro
     for row in rest:
         if len(first) + len(picked) >= number:
             break
-        if row["bucket_count"] and row["status"] in ("high", "ok") and taken[row["asset"]] < share:
+        if row["bucket_count"] and row["is_above"] is not None and taken[row["asset"]] < share:
             taken[row["asset"]] += 1
             picked.append(row)
     others: dict[str, Row] = {}
     for row in rest:
-        if row["status"] not in ("high", "ok"):
+        if row["is_above"] is None:
             others.setdefault(row["verdict"], row)
     return first + picked + list(others.values())
 
@@ -304,6 +304,9 @@ def summary(row: Mapping[str, Any], raw: bool) -> Row:
         "name": row["channel"],
         "verdict": row["verdict"],
         "status": row["status"],
+        "isAbove": row["is_above"],
+        "by": row["judged_by"],
+        "episode": row["episode_id"],
         "hi": row["hi"],
         "limit": row["hi_limit"],
         "before": None if before is None else before / window,

@@ -30,7 +30,8 @@ from gam_db.running import Listener, unheard
 from gam_db.source import AnySource
 from gam_db.version import __version__
 
-#: New is what left health within a day of the newest data; within its last window if time is counted.
+#: New is what left health within a day of the newest data; where time is counted within its last window,
+#: or its last three if episodes judge it.
 DAY = 86_400 * SECOND
 
 #: Above so many signals a page gets fewer columns, and above the last one it is refused.
@@ -181,7 +182,7 @@ def write(
         "machines": len(machines),
         "signals": len(signals),
         "details": len(shown),
-        "above": sum(row["status"] == "high" for row in signals),
+        "above": sum(row["is_above"] == 1 for row in signals),
         "new": sum(row["is_new"] for row in signals),
         "raw": why,
     }
@@ -240,15 +241,11 @@ def _ranked(
     newest = max((row["data_tick"] for row in signals if row["data_tick"] is not None), default=None)
     for row in signals:
         limit, hi = row["hi_limit"], row["hi"]
-        is_above = row["status"] == "high"
-        far = (hi - limit) / max(1 - limit, 1e-9) if is_above else 0.0
+        is_above = row["is_above"] == 1
+        far = max((hi or 0.0) - limit, 0.0) / max(1 - limit, 1e-9) if is_above else 0.0
         row["is_new"] = is_above and _is_new(row, courses[row["place"]], kind, newest)
         row["urgency"] = (
-            3 * row["is_new"]
-            + is_above
-            + far
-            + 0.5 * row["is_rising"]
-            - (row["status"] not in ("high", "ok"))
+            3 * row["is_new"] + is_above + far + 0.5 * row["is_rising"] - (row["is_above"] is None)
         )
     signals.sort(key=lambda row: (-row["urgency"], -(row["hi"] or 0.0), row["asset"], row["channel"]))
     ordered = [courses[row["place"]] for row in signals]
@@ -262,7 +259,8 @@ def _is_new(row: Row, course: dict[str, NDArray[Any]], kind: TimeKind, newest: i
         return False
     if not kind.is_counter:
         return bool(row["since_tick"] > newest - DAY)
-    window = max(1, row["window_length"] // row["stride"])
+    windows = 3 if row["judged_by"] == "episode" else 1  # no episode opens sooner
+    window = max(1, windows * row["window_length"] // row["stride"])
     return bool(row["since_tick"] >= course["first"][-window:][0])
 
 

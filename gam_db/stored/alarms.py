@@ -1,6 +1,7 @@
 """Alarms for people: which episodes there are, what was said of them, and what follows from that.
 
-This module owns which episode needs attention, and what a label may be.
+Which episode needs attention is said by the view ``gam_labelled_episode``; this module owns what a label
+may be.
 """
 
 import datetime as dt
@@ -42,38 +43,22 @@ def alarms(state: State, name: str) -> pa.Table:
 
     Returns:
         One row per episode: episode, asset, channel, status (proving: it opened right after calibration
-        and asks for a decision; open, ended, merged, withdrawn, recalibrated), needs_attention, since
-        (when evidence left 0), opened, last_time, sure (highest evidence / height), basis, stated_rate
-        (per judgement; NULL where none can be stated), asked, signals_open (of the machine), group (the
-        smallest number of the episodes of the machine that opened within two judgements of one another),
-        signals_together (how many they are), label, label_until (UTC), note, merged_into, onset,
-        first_judgement, last_judgement, evidence, height,
-        seq. Times are as in the source.
+        and asks for a decision; open, ended, merged, withdrawn, recalibrated), needs_attention (as of
+        the newest run), since (when evidence left 0), opened, last_time, sure (highest evidence /
+        height), basis, stated_rate (per judgement; NULL where none can be stated), asked, signals_open
+        (of the machine), group (the smallest number of the episodes of the machine that opened within
+        two judgements of one another), signals_together (how many they are), label, label_until (UTC),
+        note, merged_into, onset, first_judgement, last_judgement, evidence, height, seq. Times are as in
+        the source.
 
     Raises:
         ConfigurationError: there is no such monitor.
     """
     kind = kind_of(state.monitor(name))
     rows = state.rows("stored/alarm_rows", {"monitor": template.text(name)})
-    this = now()
-    for row in rows:
-        row["needs_attention"] = _asks(row, this)
-        if row["is_proving"] and row["status"] in ("open", "ended") and row["label"] not in DECISIONS:
-            row["status"] = "proving"
     order = {"proving": 0, "open": 1}
-    rows.sort(key=lambda row: (not row["needs_attention"], order.get(row["status"], 2)))
+    rows.sort(key=lambda row: (not row["needs_attention"], order.get(row["told_as"], 2)))
     return _table(rows, kind)
-
-
-def _asks(row: Row, this: int) -> bool:
-    """Tell whether somebody should look at an episode."""
-    if row["status"] not in ("open", "ended"):
-        return False
-    if row["label"] in PAUSES and (row["label_until"] is None or row["label_until"] > this):
-        return False
-    if row["label"] in DECISIONS:
-        return bool(row["label"] == "true_fault" and row["status"] == "open")
-    return bool(row["status"] == "open" or row["is_proving"])
 
 
 def judgements(state: State, episode: Row) -> list[Row]:
@@ -390,6 +375,6 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
 
 #: What the table calls otherwise than the state does.
 _CALLED = {
-    **{"episode": "episode_id", "group": "group_id"},
+    **{"episode": "episode_id", "status": "told_as", "group": "group_id"},
     **{"since": "since_tick", "opened": "first_tick", "last_time": "last_tick"},
 }

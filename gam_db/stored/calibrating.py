@@ -10,7 +10,6 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import pyarrow as pa
-from sqlglot import exp
 
 from gam_db import template
 from gam_db.calibration import Calibration, Rule, subtract
@@ -88,7 +87,7 @@ def calibrate(
     keys = state.keys()
     monitor = _monitor(state, study, name, keys)
     add(steps, "stored/recount")
-    add_judged(steps, "limited", exp.cast(exp.null(), "DOUBLE"), "unscored")
+    add_judged(steps, "limited", "unscored")
     add(steps, "stored/version_rows", {"long_ago": LONG_AGO, "created": now()})
     add_learnt_limits(steps, study.method, ())
     add_bands(steps)

@@ -32,19 +32,19 @@ _TOUCHED = {"migration": "applied_at", "monitor": "created"}
 #: The views by which runs, buckets and cells that count are found, and what a run says in the end.
 _COUNTING = (
     *("finished_run", "visible_bucket", "visible_novel", "visible_judgement", "visible_episode"),
-    *("fleet", "attention", "stillness", "alarm"),
+    *("fleet", "stillness"),
 )
 
 #: What the status is made of.
 _STATUS = (
-    *("migration", "monitor", "proof", "visible_bucket", "fleet", "attention", "stillness"),
+    *("migration", "monitor", "proof", "visible_bucket", "fleet", "stillness"),
     *("channel", "version", "bounds", "limit", "alarm"),
 )
 
 #: The views that are for whoever reads on.
 _SHOWN = (
     *("health", "quarantine", "unplaced_day", "onset", "machine", "growth", "cell", "trend"),
-    *("visible_judgement", "alarm_event", "alarm_band", "alarm_cell"),
+    *("visible_judgement", "labelled_episode", "alarm_event", "alarm_band", "alarm_cell"),
 )
 
 #: What a script cannot know, as comments of it.

@@ -37,12 +37,13 @@ def status(
     A row is one channel under its active version:
 
     * ``asset``, ``channel``, ``version``: its names, and which calibration it is (1, 2, ...)
-    * ``status``: high (``hi`` is above ``hi_limit``), setup (the calibration is not good enough to be
-      watched), waiting (less than a window is scored), ok, standing (it would be one of these two, and
-      the signal stands still) or not assessed (constant in calibration, or without one: never an
-      alarm); ``needs_attention``: high or setup
-    * ``verdict``, ``floor``: of the certificate; ``hi_limit``, NULL where nothing is to be judged, for
-      ``limit_reason``
+    * ``status``: proving or open (as its episode is), high (judged by its indicator, which is above
+      ``hi_limit``), setup (the calibration is not good enough to be watched, or unrepresentative),
+      waiting (less than a window is scored), ok, standing (it would be one of these two, and the signal
+      stands still) or not assessed (constant in calibration, or without one: never an alarm);
+      ``needs_attention``: high, setup, or an episode of it asks for it
+    * ``verdict``, ``floor``: of the certificate; ``hi_limit``, NULL where the verdict is not ready;
+      ``limit_reason``: why nothing judges the channel
     * ``hi``: the latest health indicator, ``novel_in_window`` / ``window``; NULL before a full window
     * ``bins``: per axis of its grid, as found where they were left to be
     * ``trend``: ``hi`` less the one a window earlier, (``novel_in_window`` - ``novel_window_before``) /
@@ -61,9 +62,9 @@ def status(
     * ``calibration_rows``: different readings inside calibration when it was learnt (one that comes
       again unchanged counts once); ``calibration_rows_added``: how many more there are since (less than
       0: fewer); NULL if they were not counted again
-    * ``judged_by``: what asks for attention: episode, where calibration gave a limit of judgements, else
-      indicator; ``episode``, ``onset``: its open episode, and since when evidence of it grew; NULL where
-      none is open
+    * ``judged_by``: episode, where calibration gave a limit of judgements, else indicator; NULL where
+      nothing judges it; ``episode``: its open one, or that which asks; ``asking``: how many do;
+      ``onset``: since when it is proving, open or high; NULL where it is none of these
     * ``settings_hash``, ``method_hash``: what the version was made under
     * ``remarks``: what is to be known, in plain words
 
@@ -222,9 +223,10 @@ def _remarks(row: Row, kind: TimeKind) -> list[str]:
         since = shown_instant(row["still_since_tick"], kind)
         remarks.append(f"stands still since {since}{'' if kind.is_counter else ' UTC'}")
     if row["episode_id"] is not None:
-        since = shown_instant(row["onset_tick"], kind)
         zone = "" if kind.is_counter else " UTC"
-        remarks.append(f"episode {row['episode_id']} since {since}{zone}: gam alarm {row['episode_id']}")
+        onset = row["since_tick"] if row["status"] in ("proving", "open") else None
+        since = "" if onset is None else f" since {shown_instant(onset, kind)}{zone}"
+        remarks.append(f"episode {row['episode_id']}{since}: gam alarm {row['episode_id']}")
     runs = row["differing_contexts"]
     if runs:
         since = shown_instant(row["repair_from_tick"], kind)
@@ -289,7 +291,8 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
             "calibration_rows_added": pa.array([_added(row) for row in rows], count),
             "judged_by": stored("judged_by", word),
             "episode": stored("episode_id", count),
-            "onset": ticks("onset_tick"),
+            "asking": stored("asking", count),
+            "onset": ticks("since_tick"),
             "settings_hash": stored("settings_hash", word),
             "method_hash": stored("method_hash", word),
             "remarks": stored("remarks", pa.list_(word)),

@@ -1,5 +1,5 @@
--- Fleet: what is known of every channel now, one row each. There is a limit only where something is to be judged,
--- so hi > hi_limit is true of the channels whose status is high, and of no other.
+-- Fleet: what is known of every channel now, one row each. There are no episodes here, so all are judged by their
+-- indicator: hi > hi_limit is true of the channels whose status is high, and of no other.
 -- Reads:  stored_channel, stored_bounds, judged
 -- A row:  one channel.
 -- Slots:  :times   last_time and since_time as the source tells time; nothing where it counts
@@ -11,6 +11,8 @@ SELECT
   made.status AS status,
   made.urgency AS urgency,
   made.needs_attention AS needs_attention,
+  made.is_above AS is_above,
+  made.judged_by AS judged_by,
   learnt.floor AS floor,
   learnt.floor_sd AS floor_sd,
   learnt.floor_max AS floor_max,

@@ -1,4 +1,4 @@
--- Grafana machines: how many signals of each machine were above their limit at once, by stretches of time.
+-- Grafana machines: how many signals of each machine had an indicator above hi_limit at once, by stretches of time.
 -- Reads:  stored_health
 -- A row:  one stretch of one machine in which a bucket ended.
 -- Slots:  :monitor  its name

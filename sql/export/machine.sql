@@ -17,16 +17,16 @@ FROM (
   SELECT
     one.asset AS asset,
     CAST(COUNT(*) AS BIGINT) AS signals,
-    CAST(SUM(CASE WHEN one.status IN ('high', 'ok') THEN 1 ELSE 0 END) AS BIGINT) AS judged,
-    CAST(SUM(CASE WHEN one.status = 'high' THEN 1 ELSE 0 END) AS BIGINT) AS above,
-    CAST(SUM(CASE WHEN one.status IN ('high', 'ok') THEN 0 ELSE 1 END) AS BIGINT) AS not_judged,
+    CAST(SUM(CASE WHEN one.is_above IS NULL THEN 0 ELSE 1 END) AS BIGINT) AS judged,
+    CAST(SUM(CASE WHEN one.is_above = 1 THEN 1 ELSE 0 END) AS BIGINT) AS above,
+    CAST(SUM(CASE WHEN one.is_above IS NULL THEN 1 ELSE 0 END) AS BIGINT) AS not_judged,
     MIN(one.since_tick) AS since_tick,
     MAX(one.left_together) AS together,
     MAX(one.last_tick) AS last_tick
   FROM (
     SELECT
       known.asset AS asset,
-      own.status AS status,
+      own.is_above AS is_above,
       own.since_tick AS since_tick,
       own.last_tick AS last_tick,
       CAST(SUM(CASE WHEN other.since_tick >= own.window_from_tick AND other.since_tick <= own.since_tick
@@ -35,7 +35,7 @@ FROM (
     JOIN stored_channel AS known ON known.channel_id = own.channel_id
     JOIN stored_channel AS mate ON mate.asset = known.asset
     JOIN judged AS other ON other.channel_id = mate.channel_id
-    GROUP BY known.asset, own.channel_id, own.status, own.since_tick, own.last_tick
+    GROUP BY known.asset, own.channel_id, own.is_above, own.since_tick, own.last_tick
   ) AS one
   GROUP BY one.asset
 ) AS made

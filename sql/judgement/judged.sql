@@ -1,30 +1,52 @@
--- Judged: is a channel high, and who should be looked at first? This is the one place that says it.
+-- Judged: is a channel above its limit, and who should be looked at first? This is the one place that says it.
 -- Reads:  assessed
--- A row:  one channel. status: high (its indicator is above its limit), setup (its calibration is not good enough
---         to be watched), waiting (less than a window is scored), ok, or not assessed (constant in calibration, or
---         none: no alarm, ever). The larger urgency, the sooner; needs_attention is 1 for high and setup, else 0.
--- Slots:  :columns  what is known of a channel, all of which goes on
---         :hi       its health indicator
+-- A row:  one channel. judged_by: episode (its calibration gave a limit of judgements), indicator (it gave none; the
+--         indicator has hi_limit all the same), or NULL where nothing judges it. status: proving or open (as its episode
+--         is), high (judged by its indicator, which is above hi_limit), setup (its calibration is not good enough to be
+--         watched, or no fair sample of what followed), waiting (less than a window is scored), ok, or not assessed
+--         (constant in calibration, or none: no alarm, ever). is_above is 1 for proving, open and high, 0 for ok, NULL
+--         where nothing is judged. The larger urgency, the sooner; needs_attention is 1 for high and setup, and where an
+--         episode asks for it, else 0.
+-- Slots:  :columns    what is known of a channel, all of which goes on
+--         :hi         its health indicator
+--         :has_limit  1 where its judgements have a limit, 0 where calibration is unrepresentative; else NULL
+--         :raised     proving or open, as its episode is; NULL without one
+--         :asks       1 where an episode of it asks for attention
 SELECT
   status,
-  CASE status
-    WHEN 'high' THEN 4
-    WHEN 'setup' THEN 3
-    WHEN 'waiting' THEN 2
-    WHEN 'ok' THEN 1
+  CASE
+    WHEN :asks = 1 AND status = 'proving' THEN 6
+    WHEN :asks = 1 THEN 5
+    WHEN status = 'high' THEN 4
+    WHEN status = 'setup' THEN 3
+    WHEN status IN ('proving', 'open', 'waiting') THEN 2
+    WHEN status = 'ok' THEN 1
     ELSE 0
   END AS urgency,
-  CASE WHEN status IN ('high', 'setup') THEN 1 ELSE 0 END AS needs_attention,
+  CASE WHEN :asks = 1 OR status IN ('high', 'setup') THEN 1 ELSE 0 END AS needs_attention,
+  CASE WHEN status IN ('proving', 'open', 'high') THEN 1 WHEN status = 'ok' THEN 0 END AS is_above,
+  judged_by,
   :columns
 FROM (
   SELECT
     CASE
       WHEN verdict IN ('no_data', 'constant') THEN 'not assessed'
-      WHEN verdict <> 'ready' THEN 'setup'
+      WHEN judged_by IS NULL THEN 'setup'
+      WHEN judged_by = 'episode' AND :raised IS NOT NULL THEN :raised
       WHEN :hi IS NULL THEN 'waiting'
-      WHEN :hi > hi_limit THEN 'high'
+      WHEN judged_by = 'indicator' AND :hi > hi_limit THEN 'high'
       ELSE 'ok'
     END AS status,
+    judged_by,
     :columns
-  FROM assessed
+  FROM (
+    SELECT
+      CASE
+        WHEN verdict <> 'ready' OR :has_limit = 0 THEN NULL
+        WHEN :has_limit = 1 THEN 'episode'
+        ELSE 'indicator'
+      END AS judged_by,
+      :columns
+    FROM assessed
+  ) AS weighed
 ) AS told

@@ -1,5 +1,5 @@
 -- Status rows: what the state says of the channels of one monitor, for gam status.
--- Reads:  stored_fleet, stored_attention, stored_stillness
+-- Reads:  stored_fleet, stored_stillness
 -- A row:  one channel under its active version; times are integers.
 -- Slots:  :monitor  its name
 SELECT
@@ -39,12 +39,13 @@ SELECT
   known.calibration_readings_now AS calibration_readings_now,
   known.settings_hash AS settings_hash,
   known.method_hash AS method_hash,
-  asking.judged_by AS judged_by,
-  asking.episode_id AS episode_id,
-  asking.onset_tick AS onset_tick,
+  known.is_above AS is_above,
+  known.judged_by AS judged_by,
+  known.episode_id AS episode_id,
+  known.asking AS asking,
+  known.since_tick AS since_tick,
   CASE WHEN still.hit = 1 THEN still.still_since_tick END AS still_since_tick
 FROM stored_fleet AS known
-JOIN stored_attention AS asking ON asking.version_id = known.version_id
 LEFT JOIN (
   SELECT version_id, still_since_tick, 1 AS hit
   FROM stored_stillness

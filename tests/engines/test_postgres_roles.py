@@ -28,13 +28,13 @@ SETTINGS = ("--m", "2", "--bins", "4", "--window", "20", "--stride", "5", "--cal
 
 #: What the status takes, and what there is to look at.
 STATUS = {"migration", "monitor", "proof", "visible_bucket", "fleet", "stillness"}
-STATUS |= {"channel", "version", "bounds", "limit", "alarm", "attention"}
+STATUS |= {"channel", "version", "bounds", "limit", "alarm"}
 SHOWN = {"health", "quarantine", "unplaced_day", "onset", "machine", "growth", "cell", "trend"}
-SHOWN |= {"visible_judgement", "alarm_event", "alarm_band", "alarm_cell"}
+SHOWN |= {"visible_judgement", "labelled_episode", "alarm_event", "alarm_band", "alarm_cell"}
 
 #: The views that a writer takes, and the tables whose rows stay.
 COUNTING = {"finished_run", "visible_bucket", "visible_novel", "fleet"}
-COUNTING |= {"visible_judgement", "visible_episode", "alarm", "stillness", "attention"}
+COUNTING |= {"visible_judgement", "visible_episode", "stillness"}
 KEPT = {"migration", "monitor", "channel", "proof", "episode", "label"}
 
 #: What a writer does.

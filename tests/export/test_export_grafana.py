@@ -49,6 +49,7 @@ HOSTILE = (
     "calm",
 )
 SOURCES = ("postgres", "clickhouse")
+JUDGED = ("proving", "open", "high", "ok")
 
 
 @pytest.fixture(scope="module", params=SOURCES)
@@ -159,17 +160,17 @@ def test_every_query_runs_and_says_what_the_views_say(plant: gam_db.Monitor, tmp
         (counts,) = rows_of(plant, expanded(sql["stat"], engine, EVER, **chosen))
         assert counts == {
             "machines": len(names),
-            "machines_above": len({row["asset"] for row in mine if row["status"] == "high"}),
+            "machines_above": len({row["asset"] for row in mine if row["onset"] is not None}),
             "signals": len(mine),
-            "signals_above": sum(row["status"] == "high" for row in mine),
-            "signals_not_judged": sum(row["status"] not in ("high", "ok") for row in mine),
+            "signals_above": sum(row["onset"] is not None for row in mine),
+            "signals_not_judged": sum(row["status"] not in JUDGED for row in mine),
         }
         table = rows_of(plant, expanded(sql["table"], engine, EVER, **chosen))
         shown = [row for row in mine if row["channel"] != "it's"]
         assert {(row["asset"], row["channel"]): (row["status"], row["hi"]) for row in table} == {
             (row["asset"], row["channel"]): (row["status"], row["hi"]) for row in shown
         }
-        rank = ["high", "setup", "waiting", "ok", "not assessed"]
+        rank = ["proving", "open", "high", "setup", "waiting", "ok", "not assessed"]
         order = [rank.index(row["status"]) for row in table]
         assert order == sorted(order)
 
@@ -217,9 +218,9 @@ def test_the_alert_rule_asks_for_what_is_above(plant: gam_db.Monitor, tmp_path: 
     assert (query["datasourceUid"], threshold["datasourceUid"]) == ("plant-db", "__expr__")
     assert threshold["model"]["conditions"] == [{"evaluator": {"type": "gt", "params": [0]}}]
     rows = rows_of(plant, query["model"]["rawSql"])
-    fleet = [row for row in plant.status().to_pylist() if row["status"] in ("high", "ok")]
+    fleet = [row for row in plant.status().to_pylist() if row["status"] in JUDGED]
     assert {(row["asset"], row["channel"]): row["value"] for row in rows} == {
-        (row["asset"], row["channel"]): float(row["status"] == "high") for row in fleet
+        (row["asset"], row["channel"]): float(row["onset"] is not None) for row in fleet
     }
     assert {row["value"] for row in rows} == {0.0, 1.0}
 

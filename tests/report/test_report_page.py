@@ -226,22 +226,22 @@ def compare_list(seen: browser.Seen, plant: Plant) -> None:
     for row in plant.fleet:
         value, words = found[row["asset"], row["channel"]]
         assert value == share(row["hi"])
-        is_new = row["status"] == "high" and row["since_tick"] > newest - 86_400_000_000
+        is_new = row["is_above"] == 1 and row["since_tick"] > newest - 86_400_000_000
         assert words.startswith("new") == is_new
         assert ("silent for" in words) == (row["silent_for"] is not None)
-        if row["status"] == "high":
+        if row["is_above"] == 1:
             assert f"since {clock(row['since_tick'])}, " in words
-        elif row["status"] == "ok":
-            assert words.startswith(("as in calibration", "below its limit, and rising"))
+        elif row["is_above"] == 0:
+            assert words.startswith(("as in calibration", "not above its limit, but rising"))
         else:
             assert words.startswith("not judged: ")
     told = seen.ask(
         "Object.fromEntries([...document.querySelectorAll('.tile')].map(t => [t.dataset.count, t.querySelector('b').textContent]))"
     )
-    status = [row["status"] for row in plant.fleet]
-    assert int(told["above"]) == status.count("high")
-    assert int(told["rising"]) + int(told["calm"]) == status.count("ok")
-    assert int(told["unjudged"]) == len(status) - status.count("high") - status.count("ok")
+    above = [row["is_above"] for row in plant.fleet]
+    assert int(told["above"]) == above.count(1)
+    assert int(told["rising"]) + int(told["calm"]) == above.count(0)
+    assert int(told["unjudged"]) == above.count(None)
     assert int(told["silent"]) == sum(row["silent_for"] is not None for row in plant.fleet)
     assert int(told["fresh"]) == sum(words.startswith("new") for _, words in found.values()) > 0
     said = seen.ask("document.querySelector('h1').textContent")
@@ -571,7 +571,7 @@ def test_a_source_that_counts_has_no_clock(chrome: Any, tmp_path: Path) -> None:
     parameters = gam_db.Parameters(m=2, bins=6, window=40, stride=10)
     session = DuckSession()
     monitor = gam_db.Monitor(
-        session, gam_db.Source(source), parameters, gam_db.Calibration(intervals=[(0, 999)])
+        session, gam_db.Source(source), parameters, gam_db.Calibration(intervals=[(0, 299)])
     )
     monitor.migrate()
     monitor.calibrate()
@@ -584,9 +584,9 @@ def test_a_source_that_counts_has_no_clock(chrome: Any, tmp_path: Path) -> None:
         for name, row in fleet.items():
             value, words = found["A", name]
             assert value == share(row["hi"])
-            assert (row["status"] == "high") == (f"since {since[name] or 0:,}," in words)
+            assert (row["onset"] is not None) == (f"since {since[name] or 0:,}," in words)
             assert words.startswith("new") == (name == "last")
-        assert "the last window" in seen.ask("document.querySelector('h1').parentElement.textContent")
+        assert "the last windows" in seen.ask("document.querySelector('h1').parentElement.textContent")
         assert ZONE not in seen.ask("document.body.innerText")
         seen.ask("() => { location.hash = '#/A/left'; }")
         seen.wait("signal")

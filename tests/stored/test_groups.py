@@ -1,4 +1,4 @@
-"""Signals of a machine that open together, and what is told of each: in gam_alarm and gam_attention."""
+"""Signals of a machine that open together, and what is told of each: in gam_alarm and gam_fleet."""
 
 import json
 from pathlib import Path
@@ -46,15 +46,16 @@ def assert_told(monitor: Monitor) -> None:
     }
     assert found == {("a", "x"): (1, 2), ("a", "y"): (1, 2), ("a", "z"): (3, 1), ("b", "x"): (4, 1)}
     begun = {(n, (8 + windows) * W) for n, windows in enumerate(BEGINS.values(), start=1)}
-    fleet = visible(monitor, "SELECT judged_by, episode_id, onset_tick FROM gam_attention")
+    fleet = visible(monitor, "SELECT judged_by, episode_id, since_tick FROM gam_fleet")
     assert {row["judged_by"] for row in fleet} == {"episode"}
-    assert {(row["episode_id"], row["onset_tick"]) for row in fleet} == begun
+    assert {(row["episode_id"], row["since_tick"]) for row in fleet} == begun
     said = monitor.status().select(["episode", "onset", "remarks"]).to_pylist()
     assert {(row["episode"], row["onset"]) for row in said} == begun
     assert f"episode 2 since {10 * W}: gam alarm 2" in [one for row in said for one in row["remarks"]]
     monitor.label("false_alarm", 1)  # right after calibration: judged by episodes no more
-    query = "SELECT judged_by, episode_id FROM gam_attention WHERE asset = 'a' AND channel = 'x'"
-    assert visible(monitor, query) == [{"judged_by": "indicator", "episode_id": None}]
+    query = "SELECT status, judged_by, limit_reason FROM gam_fleet WHERE asset = 'a' AND channel = 'x'"
+    said = {"status": "setup", "judged_by": None, "limit_reason": "unrepresentative"}
+    assert visible(monitor, query) == [said]
 
 
 def test_openings_of_a_machine_within_two_judgements_are_one_group(tmp_path: Path) -> None:

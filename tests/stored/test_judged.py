@@ -1,5 +1,6 @@
 """One judgement in every form: status, limit, and why there is none, of a fleet with each of them."""
 
+import dataclasses
 import json
 import random
 from pathlib import Path
@@ -25,21 +26,43 @@ from gam_db.stored.monitor import Monitor
 from gam_db.study import Study
 from visible import visible
 
-PARAMETERS = gam_db.Parameters(m=2, tau=1, bins=8, window=20, stride=5)
+PARAMETERS = gam_db.Parameters(
+    **{"m": 2, "tau": 1, "bins": 8, "window": 20, "stride": 5},
+    overrides=[gam_db.Override(asset="above", window=40)],  # its calibration is shorter than 8 windows
+)
 CALIBRATION = gam_db.Calibration(intervals=[(0, 199)])
 
-#: asset -> verdict, status, limit, why there is none, urgency; each verdict and status is there
-EXPECTED = {
-    "high": ("ready", "high", 0.05, None, 4),
-    "fine": ("too_fine", "setup", None, "grid too fine for its calibration", 3),
-    "short": ("needs_data", "setup", None, "calibration too short", 3),
-    "waiting": ("ready", "waiting", 0.05, None, 2),
-    "ok": ("ready", "ok", 0.05, None, 1),
-    "constant": ("constant", "not assessed", None, "constant in calibration", 0),
-    "no data": ("no_data", "not assessed", None, "no calibration", 0),
+#: asset -> verdict, status, limit, why there is none, urgency, judged by; each verdict and status of the
+#: forms without episodes is there
+INDICATED = {
+    "raised": ("ready", "high", 0.05, None, 4, "indicator"),
+    "late": ("ready", "high", 0.05, None, 4, "indicator"),
+    "above": ("ready", "high", 0.05, None, 4, "indicator"),
+    "fine": ("too_fine", "setup", None, "grid too fine for its calibration", 3, None),
+    "short": ("needs_data", "setup", None, "calibration too short", 3, None),
+    "waiting": ("ready", "waiting", 0.05, None, 2, "indicator"),
+    "ok": ("ready", "ok", 0.05, None, 1, "indicator"),
+    "constant": ("constant", "not assessed", None, "constant in calibration", 0, None),
+    "no data": ("no_data", "not assessed", None, "no calibration", 0, None),
 }
 
-JUDGED = "asset, verdict, status, hi_limit, limit_reason, urgency, needs_attention, hi"
+#: The same where there are episodes: of windows of 20, calibration gives a limit of judgements.
+EXPECTED = INDICATED | {
+    "raised": ("ready", "proving", 0.05, None, 6, "episode"),
+    "late": ("ready", "open", 0.05, None, 5, "episode"),
+    "waiting": ("ready", "waiting", 0.05, None, 2, "episode"),
+    "ok": ("ready", "ok", 0.05, None, 1, "episode"),
+}
+
+#: What is said of those two once people said what they are.
+DECIDED = EXPECTED | {
+    "raised": ("ready", "setup", 0.05, "unrepresentative", 3, None),
+    "late": ("ready", "open", 0.05, None, 2, "episode"),
+}
+
+JUDGED = (
+    "asset, verdict, status, hi_limit, limit_reason, urgency, judged_by, needs_attention, is_above, hi"
+)
 
 
 def fleet() -> list[Any]:
@@ -48,7 +71,9 @@ def fleet() -> list[Any]:
     noise = [chance.random() for _ in range(200)]
     values: dict[str, dict[int, float]] = {
         "ok": {time: time % 5 for time in range(400)},
-        "high": {time: time % 5 if time < 300 else time % 7 * 3 for time in range(400)},
+        "raised": {time: time % 5 if time < 300 else time % 7 * 3 for time in range(400)},
+        "above": {time: time % 5 if time < 300 else time % 7 * 3 for time in range(400)},
+        "late": {time: time % 5 if time < 460 else time % 7 * 3 for time in range(560)},
         "waiting": {time: time % 5 for time in range(210)},
         "constant": {time: 0 if time < 250 else time % 3 for time in range(400)},
         "no data": {time: time % 5 for time in range(300, 400)},
@@ -66,8 +91,11 @@ def told(rows: Any) -> dict[str, tuple[Any, ...]]:
     """What is said of each asset; the two words for attention must agree with one another."""
     found = {}
     for row in rows:
-        assert bool(row["needs_attention"]) == (row["status"] in ("high", "setup"))
-        columns = ("verdict", "status", "hi_limit", "limit_reason", "urgency")
+        if "urgency" in row:
+            assert bool(row["needs_attention"]) == (row["urgency"] > 2)
+            judged = {"proving": 1, "open": 1, "high": 1, "ok": 0}
+            assert row["is_above"] == judged.get(row["status"])
+        columns = ("verdict", "status", "hi_limit", "limit_reason", "urgency", "judged_by")
         found[row["asset"]] = tuple(row[name] for name in columns if name in row)
     return found
 
@@ -77,25 +105,52 @@ def test_every_form_says_the_same_of_every_channel(engine: str) -> None:
     table = scripts.telemetry(session, fleet())
     source, prefix = gam_db.Source(table.name), engines.fresh_name("state")
     exact = findings(Study(session, source, PARAMETERS, CALIBRATION))
-    assert told(exact) == EXPECTED
+    assert told(exact) == INDICATED
     monitor = Monitor(session, source, PARAMETERS, CALIBRATION, prefix=prefix)
     monitor.migrate()
     new = monitor.calibrate().to_pylist()
     unscored = {"high": "waiting", "ok": "waiting"}
     assert told(new) == {
-        asset: (said[0], unscored.get(said[1], said[1]), *said[2:4]) for asset, said in EXPECTED.items()
+        asset: (said[0], unscored.get(said[1], said[1]), *said[2:4]) for asset, said in INDICATED.items()
     }
     monitor.score()
     stored = visible(monitor, f"SELECT {JUDGED} FROM gam_fleet")
     assert told(stored) == EXPECTED
     assert {row["asset"]: row["hi"] for row in stored} == {row["asset"]: row["hi"] for row in exact}
-    assert [row["asset"] for row in stored if row["hi"] == 1.0 and row["status"] != "high"]
+    assert [row["asset"] for row in stored if row["hi"] == 1.0 and row["is_above"] is None]
     above = visible(monitor, "SELECT asset FROM gam_fleet WHERE hi > hi_limit")
+    assert status_of(monitor) == without_urgency(EXPECTED)
     status = monitor.status().to_pylist()
-    assert told(status) == {asset: said[:4] for asset, said in EXPECTED.items()}
-    assert [row["asset"] for row in status] == [row["asset"] for row in exact]
-    named = [row["asset"] for row in status if any("above its limit" in one for one in row["remarks"])]
-    assert [row["asset"] for row in above] == named == ["high"]
+    assert [row["asset"] for row in status][:3] == ["raised", "late", "above"]
+    named = {row["asset"] for row in status if any("above its limit" in one for one in row["remarks"])}
+    assert {row["asset"] for row in above} == named == {"raised", "late", "above"}
+    onsets = {row["asset"]: row["since_tick"] for row in visible(monitor, SINCE)}
+    assert {row["asset"]: row["onset"] for row in status} == onsets
+    alarms = visible(monitor, "SELECT asset, since_tick FROM gam_alarm ORDER BY asset")
+    assert [(row["asset"], row["since_tick"]) for row in alarms] == [
+        (asset, onsets[asset]) for asset in ("late", "raised")
+    ]
+    machines = visible(monitor, "SELECT asset, judged, above, not_judged, together FROM gam_machine")
+    assert {row.pop("asset"): tuple(row.values()) for row in machines} == {
+        asset: {"ok": (1, 0, 0, 0)}.get(said[1], (0, 0, 1, 0)) if said[4] < 4 else (1, 1, 0, 1)
+        for asset, said in EXPECTED.items()
+    }
+    episodes = {row["asset"]: row["episode"] for row in status}
+    monitor.label("acknowledged", episodes["late"])
+    monitor.label("false_alarm", episodes["raised"])
+    assert told(visible(monitor, f"SELECT {JUDGED} FROM gam_fleet")) == DECIDED
+    assert status_of(monitor) == without_urgency(DECIDED)
+
+
+SINCE = "SELECT asset, since_tick FROM gam_fleet"
+
+
+def status_of(monitor: Monitor) -> dict[str, tuple[Any, ...]]:
+    return told(monitor.status().to_pylist())
+
+
+def without_urgency(said: dict[str, tuple[Any, ...]]) -> dict[str, tuple[Any, ...]]:
+    return {asset: (*one[:4], one[5]) for asset, one in said.items()}
 
 
 def test_so_do_the_commands_the_files_and_a_dbt_package(
@@ -108,14 +163,15 @@ def test_so_do_the_commands_the_files_and_a_dbt_package(
         connection.unregister("rows")
         package = Package(
             source=gam_db.Source("telemetry", time_kind="counter"),
-            parameters=PARAMETERS,
+            parameters=dataclasses.replace(PARAMETERS, overrides=[]),  # a package has one set
             calibration=CALIBRATION,
             prefix="built_",
         )
         builder = Builder(package.files(), connection)
         builder.build()
         built = builder.rows(f"SELECT {JUDGED} FROM built_fleet")
-    assert told(built) == EXPECTED
+    assert told(built) == INDICATED
+    Path("gam.toml").write_text('[[override]]\nasset = "above"\nwindow = 40\n')
     method = ["--m=2", "--bins=8", "--window=20", "--stride=5", "--calibrate=0/199"]
     where = ["--database", "plant.duckdb"]
 
@@ -127,10 +183,10 @@ def test_so_do_the_commands_the_files_and_a_dbt_package(
         rows: list[dict[str, Any]] = figures.get("channels", [])
         return rows
 
-    assert told(said("run", "telemetry", *method, "--out", "found.parquet")) == EXPECTED
+    assert told(said("run", "telemetry", *method, "--out", "found.parquet")) == INDICATED
     said("calibrate", "telemetry", *method)
     said("score")
-    assert told(said("status")) == {asset: one[:4] for asset, one in EXPECTED.items()}
+    assert told(said("status")) == without_urgency(EXPECTED)
     files = "SELECT asset, verdict, hi_limit, limit_reason FROM 'found.support.parquet'"
     found = {asset: tuple(words) for asset, *words in duckdb.execute(files).fetchall()}
     assert found == {asset: (one[0], *one[2:4]) for asset, one in EXPECTED.items()}
@@ -139,7 +195,7 @@ def test_so_do_the_commands_the_files_and_a_dbt_package(
         FROM 'found.parquet' AS scored JOIN 'found.support.parquet' AS learnt USING (asset, channel)
         WHERE hi > hi_limit
     """
-    assert duckdb.execute(above).fetchall() == [("high",)]
+    assert set(duckdb.execute(above).fetchall()) == {("raised",), ("late",), ("above",)}
 
 
 def test_the_view_of_the_state_judges_by_the_same_file() -> None:
@@ -160,7 +216,8 @@ def test_the_view_of_the_state_judges_by_the_same_file() -> None:
         "judgement/limit_reason", {"verdict": learnt["verdict"]}
     )
     columns = [exp.column(name) for name in rows]
-    expected = filled("judgement/judged", {"columns": columns, "hi": exp.column("hi")})
+    known = {name: exp.column(name) for name in ("hi", "has_limit", "raised", "asks")}
+    expected = filled("judgement/judged", {"columns": columns, **known})
     (table,) = expected.find_all(exp.Table)
     table.replace(assessed.copy())
     assert judged.this == expected

@@ -28,7 +28,7 @@ ROOMS = {
     "score": "Which vectors are scored, and which of them are novel.",
     "health": "The health indicator, by vector and by bucket.",
     "certificate": "What calibration says about itself (section 5).",
-    "judgement": "When a channel is high, its status, and what needs attention: the same in every form.",
+    "judgement": "When a channel is above its limit, and its status: the same in every form.",
     "alarms": "Judgements, the limits they are judged by, and episodes (alarms, sections 2 to 4).",
     "stored": "The stored form: restart, rows that are appended, checks, pruning.",
     "report": "What the page for people who look is made of.",

@@ -28,8 +28,8 @@ export const machines = D.machines.asset.map((name, number) => ({
 export const signals = D.machine.map((number, place) => {
   const signal = {place, machine: machines[number], alarms: []};
   for (const [name, column] of Object.entries(D.signals)) signal[name] = column[place];
-  signal.judged = signal.status === 'high' || signal.status === 'ok';
-  signal.above = signal.status === 'high';
+  signal.judged = signal.isAbove != null;
+  signal.above = signal.isAbove === 1;
   machines[number].signals.push(signal);
   return signal;
 });
@@ -52,7 +52,7 @@ export const STATES = {
   fresh: signal => signal.fresh === 1,
   above: signal => signal.above,
   rising: signal => signal.rising === 1,
-  calm: signal => signal.status === 'ok' && signal.rising === 0,
+  calm: signal => signal.isAbove === 0 && signal.rising === 0,
   unjudged: signal => !signal.judged,
   silent: signal => signal.silent != null,
 };

@@ -18,14 +18,14 @@ export async function drawSignal(app, signal, isStill) {
   const main = el('main', {id: 'main', tabindex: '-1'},
     el('nav', {class: 'crumb', 'aria-label': 'Signals'}, el('a', {href: '#/'}, '← all machines'), el('span', {}, step(signal.place - 1, '← more urgent'), ' ', step(signal.place + 1, 'less urgent →'))),
     el('h1', {}, named(signal.machine.name), ' · ', named(signal.name)),
-    el('p', {class: 'state'}, el('span', {class: `chip ${signal.above ? 'hot' : signal.judged ? '' : 'hatch'}`, 'data-hi': String(signal.hi), 'data-limit': String(signal.limit)}, signal.above ? 'above its limit' : signal.judged ? 'below its limit' : 'cannot be judged'), ' ', el('span', {}, sentence(signal))),
+    el('p', {class: 'state'}, el('span', {class: `chip ${signal.above ? 'hot' : signal.judged ? '' : 'hatch'}`, 'data-hi': String(signal.hi), 'data-limit': String(signal.limit)}, signal.above ? 'above its limit' : signal.judged ? 'not above its limit' : 'cannot be judged'), ' ', el('span', {}, sentence(signal))),
     facts(signal));
   app.replaceChildren(heading(), main, foot());
   if (!known) {
     const canvas = el('canvas', {class: 'alone', role: 'img', 'aria-label': 'The course of the indicator'});
     stripInto(canvas, [signal], false, 24);
     markStrip(canvas, [signal]);
-    main.append(titled('Its course', 'grey: below the limit; colour: above it'), el('div', {class: 'strip tall'}, canvas), ...alarmList(signal, titled),
+    main.append(titled('Its course', 'by its indicator; grey: below the limit of that; colour: above it'), el('div', {class: 'strip tall'}, canvas), ...alarmList(signal, titled),
       el('p', {class: 'lead'}, 'This page shows the most urgent signals in detail, and this is none of them. To see it: ', el('code', {}, `gam report --signal ${shell(`${signal.machine.name}/${signal.name}`)}`)));
     return;
   }
@@ -59,7 +59,7 @@ function facts(signal) {
   const fact = (value, text) => el('div', {}, el('b', {}, value), el('span', {}, text));
   return el('div', {class: 'facts'},
     fact(share(signal.hi), `indicator now: share of new states in the last ${whole.format(signal.window)} scored`),
-    fact(share(signal.limit), signal.limit == null ? 'no limit: nothing to judge by' : 'limit: the most that healthy data lets expect'),
+    fact(share(signal.limit), signal.limit == null ? 'no limit: nothing to judge by' : `limit of the indicator: the most that healthy data lets expect${signal.by === 'episode' ? '; this signal is judged by its episodes' : ''}`),
     fact(share(signal.floor), 'floor: what a healthy machine would show'),
     fact(percent(signal.outside), 'of the new states lie outside the calibrated range'),
     fact(signal.low == null ? '–' : `${reading(signal.low)} … ${reading(signal.high)}`, 'calibrated range'),

@@ -66,6 +66,8 @@ export const since = (signal, as = when) => `${signal.atLeast ? 'at least since'
 
 /** Why a signal cannot be judged, and what to do; two short sentences. */
 export function unjudged(signal) {
+  if (signal.status === 'setup' && signal.verdict === 'ready') return ['its calibration was no fair sample of what followed', 'calibrate longer, or later'];
+  if (signal.status === 'standing') return ['it stands still', 'it is judged again once it moves'];
   switch (signal.verdict) {
     case 'constant': return ['it did not move while it was calibrated', 'it never raises an alarm; calibrate it over a time in which it moves'];
     case 'no_data': return ['no usable reading in calibration', 'look at the calibration interval and at missing values'];
@@ -75,16 +77,19 @@ export function unjudged(signal) {
   }
 }
 
+/** What a signal that is above its limit is judged by, in words. */
+export const judgedBy = signal => signal.by === 'episode' ? `episode ${signal.episode}${signal.status === 'proving' ? ', proving' : ''}` : 'by its indicator';
+
 /** What is to be said of a signal in a line. */
 export function brief(signal) {
   const silent = signal.silent == null ? '' : ` · silent for ${lasting(signal.silent)}`;
   if (!signal.judged) return `not judged: ${unjudged(signal)[0]}${silent}`;
-  if (signal.above) return `${since(signal, shortly)}${sideShort(signal.outside)}${silent}`;
-  return (signal.rising ? 'below its limit, and rising' : 'as in calibration') + silent;
+  if (signal.above) return `${since(signal, shortly)}, ${judgedBy(signal)}${sideShort(signal.outside)}${silent}`;
+  return (signal.rising ? 'not above its limit, but rising' : 'as in calibration') + silent;
 }
 
 export function sentence(signal) {
   if (!signal.judged) { const [why, what] = unjudged(signal); return `${why}; ${what}.`; }
-  if (signal.above) return `goes where it never went in health ${since(signal)}, and is above its limit; its new states lie ${side(signal.outside) || 'in range'}.`;
-  return signal.rising ? 'below its limit, and rising.' : 'moves as it did in calibration.';
+  if (signal.above) return `goes where it never went in health ${since(signal)}, and is above its limit (${judgedBy(signal)}); its new states lie ${side(signal.outside) || 'in range'}.`;
+  return signal.rising ? 'not above its limit, but rising.' : 'moves as it did in calibration.';
 }

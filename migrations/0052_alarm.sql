@@ -1,7 +1,7 @@
--- Alarm: every episode as it is now, for people, with the newest of the labels that it, or its machine at
--- that time, was given, what its limit promises, and which signals of its machine opened with it. Openings that are no
--- more than two judgements apart belong together, one after the other. A judgement of W vectors lasts W / (n W - 1) of
--- the time from the first to the last vector of n judgements; two are told from three by two and a half.
+-- Alarm: every episode as it is now, for people, with what was said of it, what its limit promises, and which signals of
+-- its machine opened with it. Openings that are no more than two judgements apart belong together, one after the other.
+-- A judgement of W vectors lasts W / (n W - 1) of the time from the first to the last vector of n judgements; two are
+-- told from three by two and a half.
 CREATE OR REPLACE VIEW stored_alarm AS
 SELECT
   watching.name AS monitor,
@@ -10,9 +10,11 @@ SELECT
   named.channel AS channel,
   kept.status AS status,
   kept.is_proving AS is_proving,
-  CASE WHEN given.hit = 1 THEN given.kind END AS label,
-  CASE WHEN given.hit = 1 THEN given.until END AS label_until,
-  CASE WHEN given.hit = 1 THEN given.note END AS note,
+  kept.told_as AS told_as,
+  kept.needs_attention AS needs_attention,
+  kept.label AS label,
+  kept.label_until AS label_until,
+  kept.note AS note,
   CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(kept.onset_time) END AS since_time,
   kept.onset_time AS since_tick,
   CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(kept.first_time) END AS first_time,
@@ -34,7 +36,7 @@ SELECT
   kept.channel_id AS channel_id,
   CASE WHEN grouped.hit = 1 THEN grouped.group_id END AS group_id,
   CASE WHEN grouped.hit = 1 THEN grouped.signals ELSE 0 END AS signals_together
-FROM stored_visible_episode AS kept
+FROM stored_labelled_episode AS kept
 JOIN stored_monitor AS watching ON watching.monitor_id = kept.monitor_id
 JOIN stored_channel AS named ON named.channel_id = kept.channel_id
 LEFT JOIN (
@@ -57,32 +59,6 @@ LEFT JOIN (
   ON promised.monitor_id = kept.monitor_id
   AND promised.episode_id = kept.episode_id
   AND promised.limits_back = 1
-LEFT JOIN (
-  SELECT
-    raised.monitor_id AS monitor_id,
-    raised.episode_id AS episode_id,
-    word.kind AS kind,
-    word.until AS until,
-    word.note AS note,
-    CAST(
-      ROW_NUMBER() OVER (
-        PARTITION BY raised.monitor_id, raised.episode_id ORDER BY word.label_id DESC
-      ) AS BIGINT
-    ) AS labels_back,
-    1 AS hit
-  FROM stored_visible_episode AS raised
-  JOIN stored_channel AS owner ON owner.channel_id = raised.channel_id
-  JOIN stored_label AS word ON word.monitor_id = raised.monitor_id AND word.asset = owner.asset
-  WHERE word.episode_id = raised.episode_id
-    OR (
-      word.episode_id IS NULL
-      AND word.time_from <= raised.last_time
-      AND word.time_to >= raised.first_time
-    )
-) AS given
-  ON given.monitor_id = kept.monitor_id
-  AND given.episode_id = kept.episode_id
-  AND given.labels_back = 1
 LEFT JOIN (
   SELECT
     raised.monitor_id AS monitor_id,
@@ -159,6 +135,9 @@ COMMENT ON COLUMN stored_alarm.status
   IS 'open: it goes on; ended; merged: a part of merged_into; withdrawn: data that came later took it back; recalibrated: ended by a new calibration';
 COMMENT ON COLUMN stored_alarm.is_proving
   IS '1 if it opened within as many judgements as calibration has blocks: it asks for a decision; else 0';
+COMMENT ON COLUMN stored_alarm.told_as IS 'proving while it asks for that decision, else its status';
+COMMENT ON COLUMN stored_alarm.needs_attention
+  IS '1 if somebody should look at it, as of the newest run; else 0';
 COMMENT ON COLUMN stored_alarm.label
   IS 'What people said last of it: true_fault, false_alarm, maintenance, new_program, acknowledged or snoozed; NULL if nothing';
 COMMENT ON COLUMN stored_alarm.label_until IS 'When that ends, in microseconds since 1970 (UTC); NULL if it does not';
