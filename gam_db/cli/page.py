@@ -33,8 +33,8 @@ PLAIN_BLOCKS = "_.,-=+*#"
 MARKS = {"proving": "!", "open": "!", "high": "!", "setup": "?", "waiting": "~"}
 _STYLES = {"!": "bold red", "?": "yellow", "~": "cyan"}
 _MEANINGS = {
-    "proving": "in an episode since calibration, to be decided",
-    "open": "in an open episode",
+    "proving": "with a proving episode",
+    "open": "with an open episode",
     "high": "above the limit",
     "setup": "without a good enough calibration",
     "waiting": "less than a window scored yet",

@@ -353,6 +353,8 @@ def _judging(status: pa.Table) -> Iterator[str]:
             f"{number_of(by_episode, 'channel')} judged by episodes (gam limits), others by the health "
             "indicator and its limit"
         )
+    elif len(status) > status["judged_by"].null_count:
+        yield "judged by the health indicator and its limit; gam limits says why"
     asking = pc.sum(status["asking"]).as_py()
     if asking:
         yield f"{number_of(asking, 'episode')} to look at; gam alarms shows them"

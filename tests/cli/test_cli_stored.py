@@ -128,7 +128,7 @@ def test_the_whole_path_from_a_file_to_an_alarm() -> None:
     saved(1200)
     second = gam("score", *STATE)
     assert second.exit_code == 2
-    assert "channels: 1 above the limit, 1 ok; gam status shows them" in said(second)
+    assert "channels: 1 with a proving episode, 1 ok; gam status shows them" in said(second)
     hi = {(asset, channel, time): count for asset, channel, _, time, _, count in buckets()}
     assert hi["R1", "j1", 1199] == 0
     assert hi["R1", "j2", 1199] == 50
@@ -387,7 +387,7 @@ def test_a_monitor_tells_its_status_and_its_health() -> None:
         monitor.migrate()
         monitor.calibrate()
         monitor.score()
-        assert monitor.status()["status"].to_pylist() == ["high", "ok"]
+        assert monitor.status()["status"].to_pylist() == ["proving", "ok"]
         found = monitor.health(asset="R*", channel="j?")
         rows = found.select(["asset", "channel", "bucket"]).to_pylist()
         assert rows == sorted(rows, key=lambda row: tuple(row.values()))

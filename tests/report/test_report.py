@@ -352,7 +352,8 @@ def test_the_simulated_plant_has_every_kind_of_change(tmp_path: Path) -> None:
     data = data_of(tmp_path / "demo.html")
     signals = data["signals"]
     assert {"ready", "too_fine", "constant"} <= set(signals["verdict"])
-    assert {"high", "ok", "setup", "not assessed"} <= set(signals["status"])
+    assert {"ok", "setup", "not assessed"} <= set(signals["status"])
+    assert {"proving", "open"} & set(signals["status"])
     assert sum(signals["fresh"]) == 3
     assert sum(signals["rising"]) >= 1
     assert sum(one is not None for one in signals["silent"]) == 10
@@ -377,4 +378,4 @@ def test_a_notebook_shows_the_status_and_names_are_text() -> None:
     assert shown.count("<tr>") == 5
     assert "<td>&lt;b&gt;&amp;</td>" in shown
     assert "<b>" not in shown
-    assert shown.count("<td>high</td>") == 3
+    assert shown.count("<td>proving</td>") + shown.count("<td>open</td>") == 3
