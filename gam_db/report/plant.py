@@ -28,7 +28,7 @@ END = START + dt.timedelta(days=DAYS, hours=5)
 #: machine -> signal ("*" all) -> what happens to it, and on which day it begins
 PLANT: dict[str, dict[str, tuple[str, float]]] = {
     "press 1": {"force": ("wear", 15.0), "current": ("wear", 19.0)},
-    "press 2": {"force": ("breaks", 27.3), "position": ("breaks", 27.4), "current": ("breaks", 27.35)},
+    "press 2": {"force": ("breaks", 26.6), "position": ("breaks", 26.7), "current": ("breaks", 26.65)},
     "press 3": {},
     "robot 1": {"*": ("program", 21.5)},
     "robot 2": {"speed": ("wear", 24.5)},

@@ -30,8 +30,8 @@ from gam_db.running import Listener, unheard
 from gam_db.source import AnySource
 from gam_db.version import __version__
 
-#: New is what left health within a day of the newest data; where time is counted within its last window,
-#: or its last three if episodes judge it.
+#: New is what left health within a day of the newest data; where time is counted within its last
+#: window; and if episodes judge it, within its last three.
 DAY = 86_400 * SECOND
 
 #: Above so many signals a page gets fewer columns, and above the last one it is refused.
@@ -257,11 +257,11 @@ def _ranked(
 def _is_new(row: Row, course: dict[str, NDArray[Any]], kind: TimeKind, newest: int | None) -> bool:
     if row["since_tick"] is None or row["at_least"] or newest is None:
         return False
-    if not kind.is_counter:
+    by_episode = row["judged_by"] == "episode"  # none opens within its first window
+    if not kind.is_counter and (row["since_tick"] > newest - DAY or not by_episode):
         return bool(row["since_tick"] > newest - DAY)
-    windows = 3 if row["judged_by"] == "episode" else 1  # no episode opens sooner
-    window = max(1, windows * row["window_length"] // row["stride"])
-    return bool(row["since_tick"] >= course["first"][-window:][0])
+    buckets = max(1, (3 if by_episode else 1) * row["window_length"] // row["stride"])
+    return bool(row["since_tick"] >= course["first"][-buckets:][0])
 
 
 def _machines(state: Reads, monitor: str, signals: Sequence[Row]) -> list[Row]:

@@ -354,7 +354,7 @@ def test_the_simulated_plant_has_every_kind_of_change(tmp_path: Path) -> None:
     assert {"ready", "too_fine", "constant"} <= set(signals["verdict"])
     assert {"ok", "setup", "not assessed"} <= set(signals["status"])
     assert {"proving", "open"} & set(signals["status"])
-    assert sum(signals["fresh"]) == 3
+    assert sum(signals["fresh"]) == 1
     assert sum(signals["rising"]) >= 1
     assert sum(one is not None for one in signals["silent"]) == 10
     assert max(data["machines"]["together"]) == 5

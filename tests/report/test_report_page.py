@@ -232,7 +232,9 @@ def compare_list(seen: browser.Seen, plant: Plant) -> None:
         if row["is_above"] == 1:
             assert f"since {clock(row['since_tick'])}, " in words
         elif row["is_above"] == 0:
-            assert words.startswith(("as in calibration", "not above its limit, but rising"))
+            assert words.startswith(
+                ("as in calibration", "below its limit, and rising", "indicator above its limit, no epi")
+            )
         else:
             assert words.startswith("not judged: ")
     told = seen.ask(

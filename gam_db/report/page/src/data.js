@@ -30,6 +30,7 @@ export const signals = D.machine.map((number, place) => {
   for (const [name, column] of Object.entries(D.signals)) signal[name] = column[place];
   signal.judged = signal.isAbove != null;
   signal.above = signal.isAbove === 1;
+  signal.over = signal.isAbove === 0 && signal.hi > signal.limit;   // judged by episodes, and none is open so far
   machines[number].signals.push(signal);
   return signal;
 });
@@ -51,8 +52,8 @@ export const alarms = D.alarms.id.map((_, number) => {
 export const STATES = {
   fresh: signal => signal.fresh === 1,
   above: signal => signal.above,
-  rising: signal => signal.rising === 1,
-  calm: signal => signal.isAbove === 0 && signal.rising === 0,
+  rising: signal => signal.rising === 1 || signal.over,
+  calm: signal => signal.isAbove === 0 && signal.rising === 0 && !signal.over,
   unjudged: signal => !signal.judged,
   silent: signal => signal.silent != null,
 };

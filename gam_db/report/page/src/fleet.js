@@ -9,7 +9,7 @@ import {list as alarmList, markStrip} from './alarms.js';
 export const chosen = {state: null, text: '', byWorst: false, open: new Set(), scroll: 0};
 
 export const linkOf = signal => `#/${encodeURIComponent(signal.machine.name)}/${encodeURIComponent(signal.name)}`;
-const lately = D.counter ? 'in the last windows' : 'in the last 24 hours';
+const lately = D.counter ? 'in the last windows' : 'in the last day, or three windows';
 
 const headOf = (text, more) => el('div', {class: 'head'}, el('h2', {}, text), el('span', {class: 'note'}, more));
 
@@ -33,7 +33,7 @@ function sentence() {
 }
 
 const TILES = [
-  ['fresh', `new ${lately}`], ['above', 'above their limit'], ['rising', 'not above it, but rising'],
+  ['fresh', `new ${lately}`], ['above', 'above their limit'], ['rising', 'rising, or no episode yet'],
   ['calm', 'as in calibration'], ['unjudged', 'cannot be judged'], ['silent', 'silent'],
 ];
 

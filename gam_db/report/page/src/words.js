@@ -85,11 +85,12 @@ export function brief(signal) {
   const silent = signal.silent == null ? '' : ` · silent for ${lasting(signal.silent)}`;
   if (!signal.judged) return `not judged: ${unjudged(signal)[0]}${silent}`;
   if (signal.above) return `${since(signal, shortly)}, ${judgedBy(signal)}${sideShort(signal.outside)}${silent}`;
-  return (signal.rising ? 'not above its limit, but rising' : 'as in calibration') + silent;
+  return (signal.over ? 'indicator above its limit, no episode so far' : signal.rising ? 'below its limit, and rising' : 'as in calibration') + silent;
 }
 
 export function sentence(signal) {
   if (!signal.judged) { const [why, what] = unjudged(signal); return `${why}; ${what}.`; }
   if (signal.above) return `goes where it never went in health ${since(signal)}, and is above its limit (${judgedBy(signal)}); its new states lie ${side(signal.outside) || 'in range'}.`;
-  return signal.rising ? 'not above its limit, but rising.' : 'moves as it did in calibration.';
+  if (signal.over) return 'its indicator is above its limit, and no episode opened so far.';
+  return signal.rising ? 'below its limit, and rising.' : 'moves as it did in calibration.';
 }
