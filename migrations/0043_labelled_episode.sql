@@ -26,12 +26,12 @@ SELECT
   said.label_until AS label_until,
   said.note AS note,
   CASE
-    WHEN said.status NOT IN ('open', 'ended') OR said.is_proving = 0 THEN said.status
+    WHEN said.status IN ('merged', 'withdrawn', 'recalibrated') OR said.is_proving = 0 THEN said.status
     WHEN said.label IN ('true_fault', 'false_alarm', 'maintenance', 'new_program') THEN said.status
     ELSE 'proving'
   END AS told_as,
   CASE
-    WHEN said.status NOT IN ('open', 'ended') THEN 0
+    WHEN said.status IN ('merged', 'withdrawn', 'recalibrated') THEN 0
     WHEN said.label IN ('acknowledged', 'snoozed') AND (said.label_until IS NULL OR said.label_until > said.now_tick) THEN 0
     WHEN said.label IN ('false_alarm', 'maintenance', 'new_program') THEN 0
     WHEN said.status = 'open' THEN 1

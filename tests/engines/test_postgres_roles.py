@@ -28,8 +28,8 @@ SETTINGS = ("--m", "2", "--bins", "4", "--window", "20", "--stride", "5", "--cal
 
 #: What the status takes, and what there is to look at.
 STATUS = {"migration", "monitor", "proof", "visible_bucket", "fleet", "stillness"}
-STATUS |= {"channel", "version", "bounds", "limit", "alarm"}
 SHOWN = {"health", "quarantine", "unplaced_day", "onset", "machine", "growth", "cell", "trend"}
+SHOWN |= {"channel", "version", "bounds", "limit", "alarm"}
 SHOWN |= {"visible_judgement", "labelled_episode", "alarm_event", "alarm_band", "alarm_cell"}
 
 #: The views that a writer takes, and the tables whose rows stay.
