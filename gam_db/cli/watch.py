@@ -81,11 +81,11 @@ def calibrate(
     """
     place, tables = settings.source.shown_database, settings.monitor.tables
     relation = settings.source.relation
-    is_path = is_file(relation) or (relation is not None and Path(str(relation)).is_dir())
-    session = options.opened(settings, threads, must_exist=not is_path)
+    is_folder = isinstance(relation, str) and Path(relation).is_dir()
+    session = options.opened(settings, threads, must_exist=not (is_folder or is_file(relation)))
     with working(session, quiet) as on_step:
-        if isinstance(relation, str) and relation.casefold() not in session.relations():
-            named = dataclasses.replace(settings.source, relation=options.as_folder(relation))
+        if is_folder and str(relation).casefold() not in session.relations():
+            named = dataclasses.replace(settings.source, relation=options.as_folder(str(relation)))
             settings = dataclasses.replace(settings, source=named)
         is_new = not migrations.status(session, tables).applied
         job = _job(session, settings, is_new)

@@ -17,10 +17,11 @@ from sqlglot import exp
 from typer.testing import CliRunner
 
 import gam_db
+import migration_lint
 import states
 from gam_db.cli import app
 from gam_db.engines import NAMES, engine_named
-from gam_db.errors import StateError, TemplateError
+from gam_db.errors import StateError
 from gam_db.stored import migration_files, migrations
 from gam_db.stored.migration_files import Migration, files, record
 from gam_db.stored.tables import StateTables
@@ -162,10 +163,11 @@ def test_other_forms_of_filling_are_refused(tmp_path: Path, update: str) -> None
     checkout = Path(__file__).parent.parent.parent / "migrations"
     shutil.copy(checkout / "0011_run.sql", tmp_path / made[0])
     (tmp_path / made[1]).write_text(ADDED.format(update=UPDATE))
-    assert len(migration_files.read(tmp_path)) == 2
+    migration_lint.check(tmp_path)
     (tmp_path / made[1]).write_text(ADDED.format(update=update))
-    with pytest.raises(TemplateError, match="fills columns in a form that not every engine has"):
-        migration_files.read(tmp_path)
+    said = "fills columns in a form that not every engine has"
+    with pytest.raises(migration_lint.MigrationError, match=said):
+        migration_lint.check(tmp_path)
 
 
 #: Every command that reads or writes a state.
