@@ -84,7 +84,7 @@ export const judgedBy = signal => signal.by === 'episode' ? `episode ${signal.ep
 export function brief(signal) {
   const silent = signal.silent == null ? '' : ` · silent for ${lasting(signal.silent)}`;
   if (!signal.judged) return `not judged: ${unjudged(signal)[0]}${silent}`;
-  if (signal.above) return `${since(signal, shortly)}, ${judgedBy(signal)}${sideShort(signal.outside)}${silent}`;
+  if (signal.above) return `${since(signal, shortly)}${sideShort(signal.outside)}, ${judgedBy(signal)}${silent}`;
   return (signal.over ? 'indicator above its limit, no episode so far' : signal.rising ? 'below its limit, and rising' : 'as in calibration') + silent;
 }
 
