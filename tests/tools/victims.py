@@ -69,14 +69,14 @@ class Victims:
     def kill(self, moment: Moment, **order: Any) -> bool:
         """Start a command and kill it; return whether it was still running at that moment."""
         code, _ = self._ask({**order, "step": moment.step, "delay": moment.delay})
-        assert code in (0, -signal.SIGKILL), f"{order.get('command', order.get('work'))} ended with {code} by itself"
+        assert code in (0, -signal.SIGKILL), f"{order} ended with {code} by itself"
         self.killed += code != 0
         return bool(code)
 
     def lifetime(self, **order: Any) -> float:
         """Run a command to its end and return how long that takes, from when the file is open."""
         code, seconds = self._ask({**order, "step": 1, "delay": PATIENCE})
-        assert code == 0, f"{order.get('command', order.get('work'))} ended with {code} by itself"
+        assert code == 0, f"{order} ended with {code} by itself"
         return seconds
 
     def _ask(self, order: dict[str, Any]) -> tuple[int, float]:
