@@ -231,10 +231,10 @@ def compare_list(seen: browser.Seen, plant: Plant) -> None:
         assert ("silent for" in words) == (row["silent_for"] is not None)
         if row["is_above"] == 1:
             assert f"since {clock(row['since_tick'])}, " in words
+        elif row["is_above"] == 0 and row["hi"] > row["hi_limit"]:
+            assert words.startswith("indicator above its limit, no episode so far")
         elif row["is_above"] == 0:
-            assert words.startswith(
-                ("as in calibration", "below its limit, and rising", "indicator above its limit, no epi")
-            )
+            assert words.startswith(("as in calibration", "below its limit, and rising"))
         else:
             assert words.startswith("not judged: ")
     told = seen.ask(
