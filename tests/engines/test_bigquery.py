@@ -192,6 +192,8 @@ def test_the_migrations_can_be_run_twice() -> None:
         made.execute(statement)
     assert len(made.tables["gam_migration"].rows) == len(files())
     assert set(made.relations()) == {f"gam_{name}" for name in (*TABLES, *VIEWS)}
+    for view in VIEWS:
+        assert not made.run(f"SELECT * FROM gam_{view}").rows
     schema, *_ = googlesql.statements(migrations.rendered(BIGQUERY, StateTables("plant")))
     assert googlesql.analyzed(schema, {})
 

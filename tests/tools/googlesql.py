@@ -11,7 +11,7 @@ import datetime as dt
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from importlib import resources
 from typing import Any
 
@@ -152,8 +152,15 @@ def analyzed(statement: str, tables: Mapping[str, Table]) -> Any:
     Raises:
         GoogleSqlError: it has none.
     """
+    described = {name: tuple(table.columns.items()) for name, table in tables.items()}
+    return _analyzed(statement, tuple(described.items()))
+
+
+@lru_cache(500)
+def _analyzed(statement: str, tables: tuple[tuple[str, tuple[tuple[str, str], ...]], ...]) -> Any:
+    """What is said of the same columns once more is not analysed once more."""
     request = wire.AnalyzeRequest(sql_statement=statement, options=_options())
-    _catalog(request, tables)
+    _catalog(request, {name: Table(dict(columns)) for name, columns in tables})
     return _service().ask("Analyze", request, wire.AnalyzeResponse).resolved_statement
 
 
@@ -266,6 +273,7 @@ class Plant:
         self.tables = dict(tables)
         self._views: dict[str, str] = {}
         self._columns: dict[str, Mapping[str, str]] = {}
+        self._viewed: dict[str, tuple[dict[str, Table], Table]] = {}
 
     def execute(self, statement: str) -> None:
         """Run a statement that makes, drops or changes a table or view.
@@ -276,14 +284,15 @@ class Plant:
         match = _STATEMENT.match(statement)
         assert match, statement[:200]
         doing, kind, name, rest = match["doing"], match["kind"], match["name"], match["rest"]
-        seen = self._seen(statement)
         if doing == "INSERT INTO":
-            self.tables[name] = inserted(statement, name, seen)
+            self.tables[name] = inserted(statement, name, self._seen(statement))
             return
         if doing == "DELETE FROM":
-            self.tables[name] = deleted(statement, name, seen)
+            self.tables[name] = deleted(statement, name, self._seen(statement))
             return
-        resolved = analyzed(statement, seen)
+        named = set(re.findall(r"\w+", statement))
+        known = {one: Table(columns) for one, columns in self.relations().items() if one in named}
+        resolved = analyzed(statement, known)
         if doing == "UPDATE":
             return
         if doing == "ALTER":
@@ -298,9 +307,11 @@ class Plant:
         if kind == "VIEW":
             assert query
             self._views[name] = query[1]
-            self._columns[name] = run(query[1], seen).columns
+            view = resolved.resolved_create_statement_node.resolved_create_view_base_node
+            columns = view.resolved_create_view_stmt_node.parent.output_column_list
+            self._columns[name] = {one.name: NAMES[one.column.type.type_kind] for one in columns}
         elif query:
-            self.tables[name] = run(query[1], seen)
+            self.tables[name] = run(query[1], self._seen(statement))
         elif name not in self.tables:
             create = resolved.resolved_create_statement_node.resolved_create_table_stmt_base_node
             columns = create.resolved_create_table_stmt_node.parent.column_definition_list
@@ -322,4 +333,15 @@ class Plant:
         """Return the tables that a statement names, views among them."""
         named = set(re.findall(r"\w+", statement))
         found = {name: table for name, table in self.tables.items() if name in named}
-        return found | {name: self.run(query) for name, query in self._views.items() if name in named}
+        return found | {name: self._rows_of(name) for name in self._views.keys() & named}
+
+    def _rows_of(self, view: str) -> Table:
+        """Return the rows of a view; those of before where nothing that it reads has changed."""
+        query = self._views[view]
+        seen = self._seen(query)
+        before = self._viewed.get(view)
+        if before is None or before[0].keys() != seen.keys() or any(
+            table is not before[0][name] for name, table in seen.items()
+        ):
+            self._viewed[view] = seen, run(query, seen)
+        return self._viewed[view][1]
