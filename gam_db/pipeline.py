@@ -49,8 +49,9 @@ class Step:
 _LATELY: dict[Hashable, Step] = {}
 _KEPT = 4000
 
-#: What a query depends on beside its steps: which of them are small, and the tables that it reads.
-_Key = tuple[frozenset[str], frozenset[tuple[str, ...]]]
+#: Queries that were composed lately, by all that they were composed of; and how many of them are kept.
+_COMPOSED: dict[Hashable, exp.Query] = {}
+_QUERIES = 2000
 
 
 @dataclass
@@ -65,7 +66,6 @@ class Pipeline:
 
     steps: dict[str, Step] = field(default_factory=dict)
     small: frozenset[str] = frozenset()
-    _made: dict[tuple[str, bool], tuple[_Key, exp.Query]] = field(default_factory=dict, repr=False)
 
     def add(
         self, name: str, query: exp.Query, comment: str = "", tables: Mapping[str, str] | None = None
@@ -116,7 +116,6 @@ class Pipeline:
     def put(self, step: Step) -> None:
         """Let a step be the one of its name."""
         self.steps[step.name] = step
-        self._made = {}
 
     def _inputs(self, names: Iterable[str], tables: Mapping[str, str]) -> dict[str, str]:
         """Return the steps that a query reads, by the names that it has for them."""
@@ -127,14 +126,10 @@ class Pipeline:
         if step.name in self.steps:
             raise InternalError(f"The step {step.name} is there twice.")
         self.steps[step.name] = step
-        self._made = {}  # not emptied: it may serve another pipeline; see copied
 
     def copied(self) -> "Pipeline":
-        """Return a pipeline of the same steps, to which others can be added.
-
-        Until then both know what was composed of either.
-        """
-        return Pipeline(dict(self.steps), self.small, self._made)
+        """Return a pipeline of the same steps, to which others can be added."""
+        return Pipeline(dict(self.steps), self.small)
 
     def needed(self, targets: Iterable[str], given: Iterable[str] = ()) -> list[Step]:
         """Return the steps that the targets need, in order, without what is given and its inputs."""
@@ -166,17 +161,24 @@ class Pipeline:
         if commented:
             return self._composed(target, placed, True)
         key = self._key(target, placed)
-        asked = target, target in placed  # a step is made first, and read from its table later on
-        if asked not in self._made or self._made[asked][0] != key:
-            self._made[asked] = key, self._composed(target, placed, False)
-        return self._made[asked][1]
+        if key not in _COMPOSED:
+            if len(_COMPOSED) >= _QUERIES:
+                _COMPOSED.clear()
+            _COMPOSED[key] = self._composed(target, placed, False)
+        return _COMPOSED[key]
 
-    def _key(self, target: str, placed: Mapping[str, exp.Table]) -> _Key:
-        """Return all that the query of a step depends on, beside the steps."""
+    def _key(self, target: str, placed: Mapping[str, exp.Table]) -> Hashable:
+        """Return all that the query of a step depends on.
+
+        Trees are equal where their hashes are, by sqlglot's own rule; each keeps its own.
+        """
         steps = self.needed([target], placed)
         read = {target}.union(*(step.tables for step in steps)) & placed.keys()
         places = ((name, *(part.name for part in placed[name].parts)) for name in read)
-        return self.small & {step.name for step in steps}, frozenset(places)
+        made = tuple((step.name, step.name in self.small, hash(step.query)) for step in steps)
+        # A step is made first, and read from its table later on: then its columns are what is asked for.
+        columns = hash(self.steps[target].query) if target in placed else None
+        return target, columns, made, frozenset(places)
 
     def _composed(self, target: str, placed: Mapping[str, exp.Table], commented: bool) -> exp.Query:
         if target in placed:

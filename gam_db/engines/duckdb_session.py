@@ -1,6 +1,7 @@
 """DuckDB at work: what a session on it can do beside what all can."""
 
 import contextlib
+import secrets
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -43,6 +44,7 @@ class DuckSession(Session):
     ) -> None:
         super().__init__(DuckDriver(target, threads, writable))
         self.connection = self.driver.connection
+        self._mark = f"gam_{secrets.token_hex(4)}"
         self._results = [beside for path in map(Path, files) for beside in (path, self.unfinished(path))]
 
     def files(self) -> frozenset[Path]:

@@ -8,6 +8,7 @@ import contextlib
 import functools
 import itertools
 import secrets
+import threading
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, Self, TypeVar
@@ -49,6 +50,13 @@ def unwritable(path: Path, error: BaseException) -> SourceError:
     return SourceError(f"{path} cannot be written; is its folder there, and may you write there?")
 
 
+#: Numbers of the sessions that have tables, or had some that they could not drop. Temporary tables are
+#: seen by one connection only, so the sessions of this process are to be told apart and no others; and a
+#: number that comes again brings the same names, and with them texts that need not be written again.
+_NUMBERS: set[int] = set()
+_TAKING = threading.Lock()
+
+
 class Session:
     """An engine at work: describes relations, keeps steps as tables, runs trees.
 
@@ -62,7 +70,7 @@ class Session:
         self.driver = driver
         self.engine = driver.engine
         self.transactions = driver.transactions
-        self._mark = f"gam_{secrets.token_hex(4)}"
+        self._number: int | None = None
         self._made: dict[str, exp.Table] = {}
 
     def __enter__(self) -> Self:
@@ -76,6 +84,9 @@ class Session:
         with contextlib.suppress(*self.driver.errors):
             for made in list(self._made.values()):
                 self.driver.drop(made)
+            if self._number is not None:
+                _NUMBERS.discard(self._number)
+        self._number = None
         self._made.clear()
         self.driver.close()
 
@@ -255,7 +266,11 @@ class Session:
 
     def _new(self, step: str) -> exp.Table:
         # A name that is free again comes again, and with it the texts that hold it.
-        names = (f"{self._mark}_{step}_{number}" for number in itertools.count())
+        if self._number is None:
+            with _TAKING:
+                self._number = next(one for one in itertools.count() if one not in _NUMBERS)
+                _NUMBERS.add(self._number)
+        names = (f"gam_{self._number}_{step}_{number}" for number in itertools.count())
         name = next(name for name in names if name not in self._made)
         schema = self.engine.temporary
         return exp.Table(this=template.name(name), db=schema and template.name(schema))

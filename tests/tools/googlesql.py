@@ -340,8 +340,10 @@ class Plant:
         query = self._views[view]
         seen = self._seen(query)
         before = self._viewed.get(view)
-        if before is None or before[0].keys() != seen.keys() or any(
-            table is not before[0][name] for name, table in seen.items()
+        if (
+            before is None
+            or before[0].keys() != seen.keys()
+            or any(table is not before[0][name] for name, table in seen.items())
         ):
             self._viewed[view] = seen, run(query, seen)
         return self._viewed[view][1]
