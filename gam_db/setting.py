@@ -81,7 +81,7 @@ class Setting:
         if self.off is not None and self.takes.option is str and not self.takes.none:
             is_default = self.off[0] is self.default and not usual
             parts.append(f"'none' for {self.off[1]}{' (the default)' * is_default}")
-        if not usual and self.default:
+        if not usual and self.default and self.default is not True:
             usual = repr(self.default)
         words = "; ".join(parts) + (f" (default {usual})" if usual else "")
         return f"{words[0].upper()}{words[1:]}."

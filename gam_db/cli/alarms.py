@@ -14,15 +14,15 @@ from rich.console import Console
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
+from gam_db.cli.monitors import heading, place, state_of
+from gam_db.cli.options import option
 from gam_db.clock import TimeKind, told_time, zone
 from gam_db.config import Settings
-from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row
 from gam_db.stored import alarms as stored
 from gam_db.stored import limits as made
-from gam_db.stored import migrations
-from gam_db.stored.state import State, kind_of
+from gam_db.stored.state import kind_of
 
 #: Episodes shown unless all are asked for.
 _SHOWN = 20
@@ -30,114 +30,92 @@ _SHOWN = 20
 _MARKS = {"proving": "?", "open": "!"}
 
 
-@options.taking(*options.STATE, source=False, state=True)
+@options.taking(*options.STATE, *options.PAGE, "time_zone", source=False, state=True)
 def alarms(
     settings: Settings,
+    common: options.Common,
     new: Annotated[
-        bool, typer.Option("--new", help="Print the changes instead, one by one: for a notifier.")
+        bool, option("--new", "Print the changes instead, one by one: for a notifier.")
     ] = False,
-    after: Annotated[
-        int, typer.Option(metavar="SEQ", help="With --new: only those after this one; 0 for all.")
-    ] = 0,
-    everything: options.All = False,
-    time_zone: options.TimeZone = "UTC",
-    as_json: options.Json = False,
-    quiet: options.Quiet = False,
+    after: Annotated[int, option("SEQ", "With --new: only those after this one; 0 for all.")] = 0,
 ) -> None:
     """Say which signals are raised: since when, how sure, and what to decide.
 
     Episodes that opened right after calibration come first, then those that are open. Exit code 2: one
     of them needs attention. With --new it is 0, whatever is printed.
     """
-    shown_in = zone(time_zone)
-    with options.opened(settings, writable=False) as session:
-        state = _state(session, settings)
+    shown_in, name = zone(common.time_zone), settings.monitor.name
+    with state_of(settings) as state:
         if new:
-            changes = stored.events(state, settings.monitor.name, after).to_pylist()
+            changes = stored.events(state, name, after).to_pylist()
             newest = max((row["seq"] for row in changes), default=after)
-            figures = {"monitor": settings.monitor.name, "seq": newest, "changes": changes}
-            page.tell(
-                Exit.FINE, figures, lambda out: _show_changes(out, changes, shown_in), as_json, quiet
-            )
+            figures: Row = {"monitor": name, "seq": newest, "changes": changes}
+            page.tell(Exit.FINE, figures, lambda out: _show_changes(out, changes, shown_in), common)
             return
-        episodes = stored.alarms(state, settings.monitor.name)
-        judged = stored.limits(state, settings.monitor.name)
-    rows = episodes.to_pylist()
+        rows, judged = stored.alarms(state, name).to_pylist(), stored.limits(state, name)
     urgent = any(row["needs_attention"] for row in rows)
     figures = {
-        "database": settings.source.shown_database,
-        "monitor": settings.monitor.name,
-        "episodes": episodes,
-        "limits": dict(promised(judged)),
+        **place(settings),
+        "episodes": rows,
+        "limits": promised(judged),
         "needs_attention": urgent,
     }
 
     def show(out: Console) -> None:
-        where = f"{settings.source.shown_database}, monitor {settings.monitor.name}"
-        told = "nothing was ever raised" if not rows else number_of(len(rows), "episode")
-        page.say(out, f"{printable(where)}: {told}")
-        for line in said_of(judged):
-            page.say(out, line)
-        _show_episodes(out, rows if everything else rows[:_SHOWN], shown_in)
-        if not everything and len(rows) > _SHOWN:
-            page.say(out, f"and {len(rows) - _SHOWN:,} more; --all")
+        told = number_of(len(rows), "episode") if rows else "nothing was ever raised"
+        page.say(out, f"{heading(settings)}: {told}")
+        page.say(out, *said_of(judged))
+        _show_episodes(out, common.of(rows, _SHOWN), shown_in)
+        page.cut(out, rows, common.everything, most=_SHOWN)
 
-    page.tell(Exit.ATTENTION if urgent else Exit.FINE, figures, show, as_json, quiet)
+    page.tell(Exit.ATTENTION if urgent else Exit.FINE, figures, show, common)
 
 
-@options.taking(*options.STATE, source=False, state=True)
+@options.taking(*options.STATE, "time_zone", "as_json", "quiet", source=False, state=True)
 def alarm(
     settings: Settings,
+    common: options.Common,
     episode: Annotated[int, typer.Argument(metavar="ID", help="Number of the episode.")],
-    time_zone: options.TimeZone = "UTC",
-    as_json: options.Json = False,
-    quiet: options.Quiet = False,
 ) -> None:
     """Say all that is known of one episode: its judgements, and where the signal went."""
-    shown_in = zone(time_zone)
-    with options.opened(settings, writable=False) as session:
-        state = _state(session, settings)
-        kind = kind_of(state.monitor(settings.monitor.name))
-        rows = stored.alarms(state, settings.monitor.name).to_pylist()
+    shown_in, name = zone(common.time_zone), settings.monitor.name
+    with state_of(settings) as state:
+        kind = kind_of(state.monitor(name))
+        rows = stored.alarms(state, name).to_pylist()
         found = next((row for row in rows if row["episode"] == episode), None)
         if found is None:
             raise ConfigurationError(
                 f"There is no episode {episode}; gam alarms --all shows those that there are."
             )
-        judged = stored.judgements(state, found)
         told: Row = {
-            "bands": stored.bands(state, settings.monitor.name, found),
-            "cells": stored.cells(state, settings.monitor.name, found),
-            "raw_rows": stored.raw_rows(state, settings.monitor.name, found),
+            "judgements": stored.judgements(state, found),
+            "bands": stored.bands(state, name, found),
+            "cells": stored.cells(state, name, found),
+            "raw_rows": stored.raw_rows(state, name, found),
         }
-    figures = {"monitor": settings.monitor.name, **found, "judgements": judged, **told}
 
     def show(out: Console) -> None:
         _show_episodes(out, [found], shown_in)
-        ends = [told_time(row["last_time"], kind) for row in judged]
-        page.table(
-            out,
-            {
-                "judgement": [f"{row['judgement_no']:,}" for row in judged],
-                page.in_zone("until", ends, shown_in): [page.time_text(end, shown_in) for end in ends],
-                "novel": [f"{row['novel']:,}" for row in judged],
-                "evidence": [f"{row['evidence']:,}" for row in judged],
-                "height": [f"{row['height']:,}" for row in judged],
-            },
-            ["!" if row["is_open"] else " " for row in judged],
-        )
+        judged = [{**row, "until": told_time(row["last_time"], kind)} for row in told["judgements"]]
+        columns: dict[str, page.Cell] = {
+            "judgement": "judgement_no",
+            **page.when("until", "until", judged, shown_in),
+            **{name: name for name in ("novel", "evidence", "height")},
+        }
+        page.table(out, judged, columns, lambda row: "!" if row["is_open"] else " ")
         _show_bands(out, told["bands"])
         _show_cells(out, told["cells"], kind, shown_in)
         if told["raw_rows"] is not None:
             page.say(out, "its rows in the source:")
             page.say(out, printable(told["raw_rows"]))
 
-    page.tell(Exit.FINE, figures, show, as_json, quiet)
+    page.tell(Exit.FINE, {"monitor": name, **found, **told}, show, common)
 
 
-@options.taking(*options.STATE, source=False, state=True)
+@options.taking(*options.STATE, "as_json", "quiet", source=False, state=True)
 def label(
     settings: Settings,
+    common: options.Common,
     words: Annotated[
         list[str],
         typer.Argument(
@@ -145,15 +123,13 @@ def label(
             help=f"An episode, or a machine and a time; and one of {', '.join(stored.KINDS)}.",
         ),
     ],
-    note: Annotated[str | None, typer.Option(help="What else there is to say.")] = None,
+    note: Annotated[str | None, option("", "What else there is to say.")] = None,
     until: Annotated[
-        str | None, typer.Option(metavar="TIME", help="When an acknowledgement or a snooze ends (UTC).")
+        str | None, option("TIME", "When an acknowledgement or a snooze ends (UTC).")
     ] = None,
     instead: Annotated[
-        bool, typer.Option("--instead", help="Replace another decision on the same episode.")
+        bool, option("--instead", "Replace another decision on the same episode.")
     ] = False,
-    as_json: options.Json = False,
-    quiet: options.Quiet = False,
 ) -> None:
     """Keep what is known of an episode, or of a machine in an interval of time.
 
@@ -165,29 +141,29 @@ def label(
             f"gam label takes ID KIND or ASSET, two times and KIND, not {len(words)} words: gam label 3 "
             "true_fault, or gam label robot_7 2026-03-01 2026-03-02 maintenance."
         )
-    episode = _number(words[0]) if len(words) == 2 else None
-    about = (None, None) if len(words) == 2 else (words[0], (words[1], words[2]))
-    with options.opened(settings) as session:
-        state = _state(session, settings)
-        asset, span = about
-        end = None if until is None else _end(until)
-        said = (words[-1], episode, asset, span, note, end, instead)
-        found = stored.label(state, settings.monitor.name, *said)
+    with state_of(settings, writable=True) as state:
+        found = stored.label(
+            state,
+            settings.monitor.name,
+            words[-1],
+            episode=_number(words[0]) if len(words) == 2 else None,
+            asset=words[0] if len(words) == 4 else None,
+            span=(words[1], words[2]) if len(words) == 4 else None,
+            note=note,
+            until=None if until is None else _end(until),
+            instead=instead,
+        )
     figures = {"monitor": settings.monitor.name, "kind": words[-1], "episodes": found}
     told = ", ".join(map(str, found)) or "none yet"
-    page.tell(Exit.FINE, figures, lambda out: page.say(out, f"episodes: {told}"), as_json, quiet)
+    page.tell(Exit.FINE, figures, lambda out: page.say(out, f"episodes: {told}"), common)
 
 
-@options.taking(*options.ALARMS, *options.STATE, source=False, state=True)
+@options.taking(*options.ALARMS, *options.STATE, *options.PAGE, source=False, state=True)
 def limits(
     settings: Settings,
-    again: Annotated[
-        bool, typer.Option("--again", help="Make them anew, for the judgements to come.")
-    ] = False,
-    reason: Annotated[str | None, typer.Option(help="With --again: why; it is kept with them.")] = None,
-    everything: options.All = False,
-    as_json: options.Json = False,
-    quiet: options.Quiet = False,
+    common: options.Common,
+    again: Annotated[bool, option("--again", "Make them anew, for the judgements to come.")] = False,
+    reason: Annotated[str | None, option("", "With --again: why; it is kept with them.")] = None,
 ) -> None:
     """Say by what each channel is judged, or why it is not.
 
@@ -195,34 +171,29 @@ def limits(
     """
     if again != (reason is not None):
         raise ConfigurationError("--again and --reason go together: say why limits are made anew.")
-    with options.opened(settings, writable=again) as session:
-        state = _state(session, settings)
+    with state_of(settings, writable=again) as state:
         if reason is not None:
-            with session.transaction():
+            with state.session.transaction():
                 made.make(state, settings.monitor.name, settings.alarms, reason, lambda _: True)
         rows = stored.limits(state, settings.monitor.name)
-    figures = {"monitor": settings.monitor.name, **promised(rows), "channels": rows}
 
     def show(out: Console) -> None:
-        for line in said_of(rows):
-            page.say(out, line)
-        shown = rows if everything else rows[: options.SHOWN]
-        page.table(
-            out,
-            {
-                "channel": page.names_of(shown),
-                "basis": [row["basis"] or "-" for row in shown],
-                "height": ["-" if row["height"] is None else f"{row['height']:,}" for row in shown],
-                "blocks": [f"{row['blocks'] or 0:,}" for row in shown],
-                "no limit, since": [row["reason"] or "" for row in shown],
-            },
-            [" " if row["reason"] is None else "?" for row in shown],
-            ("basis", "no limit, since"),
-        )
-        if len(shown) < len(rows):
-            page.say(out, f"and {len(rows) - len(shown):,} more; --all")
+        page.say(out, *said_of(rows))
+        shown = common.of(rows)
+        columns: dict[str, page.Cell] = {
+            "channel": page.name_in(shown),
+            "basis": "basis",
+            "height": "height",
+            "blocks": lambda row: row["blocks"] or 0,
+            "no limit, since": lambda row: row["reason"] or "",
+        }
+        marks = {True: " ", False: "?"}
+        left = ("basis", "no limit, since")
+        page.table(out, shown, columns, lambda row: marks[row["reason"] is None], left)
+        page.cut(out, rows, common.everything)
 
-    page.tell(Exit.FINE, figures, show, as_json, quiet)
+    figures = {"monitor": settings.monitor.name, **promised(rows), "channels": rows}
+    page.tell(Exit.FINE, figures, show, common)
 
 
 def promised(rows: Sequence[Row]) -> Row:
@@ -270,11 +241,6 @@ def _often(per_day: float) -> str:
     return f"{per_day:.2g} a day" if per_day >= 1 else f"1 in {1 / per_day:.2g} days"
 
 
-def _state(session: Session, settings: Settings) -> State:
-    migrations.require(session, settings.monitor.tables)
-    return State(session, settings.monitor.tables)
-
-
 def _number(text: str) -> int:
     try:
         return int(text)
@@ -297,27 +263,22 @@ def _show_episodes(out: Console, rows: Sequence[Row], shown_in: dt.tzinfo) -> No
     if not rows:
         return
 
-    def rate(row: Row) -> str:
+    def rate(row: Row) -> str | None:
         stated: Any = row["stated_rate"]
-        return row["basis"] or "-" if stated is None else f"{row['basis']}, {1000 * stated:.3g}"
+        return row["basis"] if stated is None else f"{row['basis']}, {1000 * stated:.3g}"
 
-    page.table(
-        out,
-        {
-            "episode": [f"{row['episode']}" for row in rows],
-            "channel": page.names_of(rows),
-            "status": [row["status"] for row in rows],
-            page.in_zone("since", [row["since"] for row in rows], shown_in): [
-                page.time_text(row["since"], shown_in) for row in rows
-            ],
-            "sure": [f"{row['sure']:.1f}" for row in rows],
-            "basis, per 1,000": [rate(row) for row in rows],
-            "open of machine": [f"{row['signals_open']:,}" for row in rows],
-            "label": [row["label"] or "" for row in rows],
-        },
-        [_MARKS.get(row["status"], "!") if row["needs_attention"] else " " for row in rows],
-        ("channel", "status", "basis, per 1,000", "label"),
-    )
+    columns: dict[str, page.Cell] = {
+        "episode": lambda row: str(row["episode"]),
+        "channel": page.name_in(rows),
+        "status": "status",
+        **page.when("since", "since", rows, shown_in),
+        "sure": lambda row: f"{row['sure']:.1f}",
+        "basis, per 1,000": rate,
+        "open of machine": "signals_open",
+        "label": lambda row: row["label"] or "",
+    }
+    left = ("channel", "status", "basis, per 1,000", "label")
+    page.table(out, rows, columns, _mark, left)
     for row in {row["group"]: row for row in rows if row["signals_together"] > 1}.values():
         page.say(
             out,
@@ -332,42 +293,36 @@ def _show_episodes(out: Console, rows: Sequence[Row], shown_in: dt.tzinfo) -> No
         )
 
 
+def _mark(row: Row) -> str:
+    return _MARKS.get(row["status"], "!") if row["needs_attention"] else " "
+
+
 def _show_bands(out: Console, rows: Sequence[Row]) -> None:
     if rows:
         page.say(out, "where it stands out (first five judgements, by the newest sample of a vector):")
-        page.table(
-            out,
-            {
-                "value": [_interval(row) for row in rows],
-                "novel": [f"{row['novel']:,}" for row in rows],
-                "vectors": [f"{row['visits']:,}" for row in rows],
-                "more than in calibration": [f"{row['excess']:,.1f}" for row in rows],
-            },
-            [" "] * len(rows),
-        )
-
-
-def _show_cells(out: Console, rows: Sequence[Row], kind: TimeKind, shown_in: dt.tzinfo) -> None:
-    if rows:
-        times = {
-            name: [told_time(row[f"{name}_tick"], kind) for row in rows] for name in ("first", "last")
+        columns: dict[str, page.Cell] = {
+            "value": _interval,
+            "novel": "novel",
+            "vectors": "visits",
+            "more than in calibration": lambda row: f"{row['excess']:,.1f}",
         }
-        before = ", ".join(str(axis["samples_before"]) for axis in rows[0]["axes"])
+        page.table(out, rows, columns)
+
+
+def _show_cells(out: Console, cells: Sequence[Row], kind: TimeKind, shown_in: dt.tzinfo) -> None:
+    if cells:
+        before = ", ".join(str(axis["samples_before"]) for axis in cells[0]["axes"])
         page.say(out, f"where it went instead (values {before} samples before; bins from the healthy):")
-        page.table(
-            out,
-            {
-                "vectors": [f"{row['visits']:,}" for row in rows],
-                **{
-                    page.in_zone(name, ticks, shown_in): [page.time_text(one, shown_in) for one in ticks]
-                    for name, ticks in times.items()
-                },
-                "values": [" | ".join(map(_interval, row["axes"])) for row in rows],
-                "bins": [" ".join(f"{axis['displacement']:+d}" for axis in row["axes"]) for row in rows],
-            },
-            [" "] * len(rows),
-            ("values", "bins"),
-        )
+        edges = ("first", "last")
+        rows = [row | {edge: told_time(row[f"{edge}_tick"], kind) for edge in edges} for row in cells]
+        columns: dict[str, page.Cell] = {
+            "vectors": "visits",
+            **page.when("first", "first", rows, shown_in),
+            **page.when("last", "last", rows, shown_in),
+            "values": lambda row: " | ".join(map(_interval, row["axes"])),
+            "bins": lambda row: " ".join(f"{axis['displacement']:+d}" for axis in row["axes"]),
+        }
+        page.table(out, rows, columns, left=("values", "bins"))
 
 
 def _interval(row: Row) -> str:

@@ -6,7 +6,6 @@ This module owns the command and its page. What figures mean is said by :func:`g
 from collections.abc import Sequence
 from typing import Annotated, Any
 
-import typer
 from rich.console import Console
 
 from gam_db.backtesting import backtest as tested
@@ -14,30 +13,26 @@ from gam_db.calibration import Calibration
 from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
 from gam_db.cli.job import job_of
+from gam_db.cli.options import option
 from gam_db.cli.progress import working
 from gam_db.config import Settings
 from gam_db.connecting import connect
 from gam_db.setting import settings_of
 
-_ALARMS = "Alarms"
-
 Row = dict[str, Any]
 
 
-@options.taking(*options.READ, *options.ALARMS)
+@options.taking(*options.READ, *options.ALARMS, "as_json", "quiet", "threads")
 def backtest(
     settings: Settings,
+    common: options.Common,
     healthy: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="FROM/TO",
-            help="When nothing was wrong (repeatable); default all that follows calibration.",
-            rich_help_panel=_ALARMS,
+        option(
+            *("FROM/TO", "When nothing was wrong (repeatable); default all that follows calibration."),
+            "Alarms",
         ),
     ] = None,
-    as_json: options.Json = False,
-    quiet: options.Quiet = False,
-    threads: options.Threads = None,
 ) -> None:
     """Count how often the limits raise what follows calibration, where nothing was wrong.
 
@@ -46,16 +41,15 @@ def backtest(
     """
     spans = settings_of(Calibration)["intervals"].takes.read("--healthy", healthy) if healthy else None
     relation = options.named_relation(settings)
-    with connect(settings.source.database, threads, writable=False) as session, working(session):
+    with connect(settings.source.database, common.threads, writable=False) as session, working(session):
         job = job_of(session, settings, relation)
         method = (job.parameters, job.calibration)
         found = tested(job.guess.source, *method, settings.alarms, spans, session)
-    page.tell(Exit.FINE, {**job.figures(), **found}, lambda out: _show(out, found), as_json, quiet)
+    page.tell(Exit.FINE, {**job.figures(), **found}, lambda out: _show(out, found), common)
 
 
 def _show(out: Console, found: Row) -> None:
-    for line in lines(found):
-        page.say(out, line)
+    page.say(out, *lines(found))
 
 
 def lines(found: Row) -> list[str]:

@@ -9,11 +9,10 @@ import math
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 import numpy as np
 import pyarrow as pa
-import typer
 from rich.console import Console
 from rich.text import Text
 
@@ -22,6 +21,7 @@ from gam_db.cli import options, page
 from gam_db.cli.chosen import TAU, chosen, written
 from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, healthy_part, job_of
+from gam_db.cli.options import option
 from gam_db.cli.progress import working
 from gam_db.config import Settings
 from gam_db.connecting import connect
@@ -30,58 +30,21 @@ from gam_db.selection import Search, Selection, alone
 
 Row = dict[str, Any]
 
-_SEARCH = "The search"
 
-TauRule = Literal["first_minimum", "acf_1e", "acf_zero"]
-
-
-@options.taking(*options.READ, but=("tau", "stride", "score_from", "pool"))
+@options.taking(
+    *(*options.READ, "everything", "as_json", "threads"), but=("tau", "stride", "score_from", "pool")
+)
 def select(
     settings: Settings,
-    everything: options.All = False,
-    as_json: options.Json = False,
-    threads: options.Threads = None,
-    tau: Annotated[
-        int | None,
-        typer.Option(
-            "--tau", help="Take this delay, in samples; default chosen.", rich_help_panel=_SEARCH
-        ),
-    ] = None,
-    tau_by: Annotated[
-        TauRule,
-        typer.Option("--tau-by", help="First rule to try for the delay.", rich_help_panel=_SEARCH),
-    ] = "first_minimum",
-    tau_max: Annotated[
-        int,
-        typer.Option("--tau-max", help="Largest delay looked at, in samples.", rich_help_panel=_SEARCH),
-    ] = 100,
-    m_max: Annotated[
-        int,
-        typer.Option("--m-max", help="Largest embedding dimension looked at.", rich_help_panel=_SEARCH),
-    ] = 6,
-    theiler: Annotated[
-        int | None,
-        typer.Option(
-            "--theiler",
-            help="Samples within which vectors are no neighbours; default from the data.",
-            rich_help_panel=_SEARCH,
-        ),
-    ] = None,
-    references: Annotated[
-        int,
-        typer.Option(
-            "--references", help="Vectors whose neighbours are looked for.", rich_help_panel=_SEARCH
-        ),
-    ] = 2000,
-    seed: Annotated[int, typer.Option(help="Of their sample.", rich_help_panel=_SEARCH)] = 0,
+    search: Search,
+    common: options.Common,
     write: Annotated[
         Path | None,
-        typer.Option(
-            "--write",
-            metavar="FILE",
-            help="Write what was chosen into this settings file, as [[override]] groups with the reason "
+        option(
+            "FILE",
+            "Write what was chosen into this settings file, as [[override]] groups with the reason "
             "of each, in the place of those it has.",
-            rich_help_panel="Output",
+            "Output",
         ),
     ] = None,
 ) -> None:
@@ -92,20 +55,11 @@ def select(
     Overrides and pools of gam.toml are left out: each channel speaks for itself. --json prints all
     curves.
     """
-    search = Search(
-        tau=tau,
-        tau_by=tau_by,
-        tau_max=tau_max,
-        m_max=m_max,
-        theiler=theiler,
-        references=references,
-        seed=seed,
-    )
     relation = options.named_relation(settings)
-    session = connect(settings.source.database, threads, writable=False)
+    session = connect(settings.source.database, common.threads, writable=False)
     with working(session):
         whole = job_of(session, settings, relation)
-    found = chosen(settings, whole, search, threads)
+    found = chosen(settings, whole, search, common.threads)
     if write is not None:
         written(write, settings, whole, found.choices.to_pylist())
     parameters, calibration = alone(whole.parameters, whole.calibration)
@@ -118,7 +72,7 @@ def select(
         "asked": {name: getattr(parameters, name) for name in _ASKED},
         **vars(found),
     }
-    page.tell(code, figures, lambda out: _show(out, job, found, everything, write), as_json)
+    page.tell(code, figures, lambda out: _show(out, job, found, common, write), common)
 
 
 _ASKED = ("m", "bins", "window", "target_floor")
@@ -134,14 +88,14 @@ _CAO = {
 }
 
 
-def _show(out: Console, job: Job, found: Selection, everything: bool, write: Path | None) -> None:
+def _show(out: Console, job: Job, found: Selection, common: options.Common, write: Path | None) -> None:
     choices: list[Row] = found.choices.to_pylist()
     page.say(out, f"{printable(job.name)}: {number_of(len(choices), 'channel')}")
     page.say(out, job.columns_line())
     page.say(out, f"chosen from {healthy_part(job.calibration)}")
     lags, dimensions = _by_channel(found.lags), _by_channel(found.dimensions)
     budget = _by_channel(found.budget)
-    for one in choices if everything else choices[: options.SHOWN]:
+    for one in common.of(choices):
         key = (one["asset"], one["channel"])
         out.print()
         out.print(Text(" ".join(map(printable, key)), style="bold"))
@@ -152,7 +106,7 @@ def _show(out: Console, job: Job, found: Selection, everything: bool, write: Pat
         page.say(out, f"{name}: nothing chosen, by a fault of gam-db or its engine: {one['reason']}")
     if len(choices) > options.SHOWN:
         out.print()
-    page.cut(out, choices, everything)
+    page.cut(out, choices, common.everything)
     if write is not None:
         page.say(out, f"written: {printable(str(write))}; read it, then: gam run")
 

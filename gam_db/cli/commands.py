@@ -5,8 +5,10 @@ entry points ``gam_db.commands``, so that nothing here imports it.
 """
 
 import importlib
+import re
 from collections.abc import Iterable
 from importlib.metadata import EntryPoint, entry_points
+from pathlib import Path
 from typing import Any
 
 import typer
@@ -17,53 +19,20 @@ from gam_db.errors import ConfigurationError
 
 WATCH, ONCE, LABORATORY = "Watch", "Once", "Laboratory"
 
-#: panel -> where each of its commands is in gam_db.cli -> the first sentence of its help
+#: panel -> where each of its commands is in gam_db.cli
 COMMANDS = {
-    WATCH: {
-        "look:check": "Look at SOURCE before anything is learnt of it: what it is like, what to fix, "
-        "what to set.",
-        "look:init": "Write a commented gam.toml for SOURCE: its columns, and parameters with the "
-        "reason for each.",
-        "state:migrate": "Make the state tables in a database, or bring those of an older gam-db up "
-        "to date.",
-        "watch:calibrate": "Learn the healthy part of every channel of SOURCE and freeze it in the "
-        "database.",
-        "watch:score": "Score what is new since the last run, and what came late, of every calibrated "
-        "channel.",
-        "watch:status": "Say how every channel is: verdict, floor, indicator, trend, and what is "
-        "wrong with its data.",
-        "alarms:alarms": "Say which signals are raised: since when, how sure, and what to decide.",
-        "alarms:alarm": "Say all that is known of one episode: its judgements, and where the signal "
-        "went.",
-        "alarms:label": "Keep what is known of an episode, or of a machine in an interval of time.",
-        "alarms:limits": "Say by what each channel is judged, or why it is not.",
-        "report:report": "Write the page for people who look: which machines left health, since when, "
-        "and where they went.",
-        "state:prune": "Delete old buckets, novel cells, versions and records of runs; say how large "
-        "each channel is.",
-        "state:compact": "Delete rows that nobody sees: hidden by a later run, or left by one that "
-        "was cut short.",
-        "state:drop": "Remove the state tables of a schema and prefix, or with --name the rows of one "
-        "monitor.",
-    },
-    ONCE: {
-        "once:run": "Compute the health indicator of every channel of SOURCE, print what was found, "
-        "write the table.",
-        "once:demo": "Simulate a machine that wears out, and print what `gam run` prints of it. "
-        "Writes nothing.",
-        "backtest:backtest": "Count how often the limits raise what follows calibration, where nothing "
-        "was wrong.",
-        "choose:select": "Choose delay, embedding dimension, bins and window for every channel of "
-        "SOURCE.",
-        "warehouse:compile": "Print the complete SQL script that computes the health indicator of "
-        "SOURCE on an engine.",
-        "warehouse:export": "Write the method as a package of another tool.",
-        "warehouse:engines": "Tell which engines gam-db writes SQL for, and what is known of each at "
-        "work.",
-    },
+    WATCH: (
+        *("check:check", "init:init", "state:migrate", "calibrate:calibrate", "score:score"),
+        *("status:status", "alarms:alarms", "alarms:alarm", "alarms:label", "alarms:limits"),
+        *("report:report", "state:prune", "state:compact", "state:drop"),
+    ),
+    ONCE: (
+        *("once:run", "demo:demo", "backtest:backtest", "choose:select"),
+        *("warehouse:compile", "warehouse:export", "warehouse:engines"),
+    ),
 }
 
-#: The same sentence of the laboratory's commands, so that help reads nothing of the laboratory.
+#: What help says of the laboratory's commands, so that it reads nothing of the laboratory.
 OF_LABORATORY = {
     "benchmark": "Measure gam-db on this machine: throughput (the default), the stored form, and other "
     "engines.",
@@ -87,17 +56,25 @@ def places() -> dict[str, str]:
 
 def listed() -> Iterable[TyperCommand]:
     """Return a stand-in of every command: its name, its panel and the first sentence of its help."""
-    said = [
-        (place.partition(":")[2], sentence, panel)
-        for panel, commands in COMMANDS.items()
-        for place, sentence in commands.items()
+    said = [(name, _sentence(place)) for name, place in places().items()]
+    said += [
+        (found.name, OF_LABORATORY.get(found.name, f"Comes from {found.module}."))
+        for found in laboratory()
     ]
-    for found in laboratory():
-        said.append(
-            (found.name, OF_LABORATORY.get(found.name, f"Comes from {found.module}."), LABORATORY)
-        )
-    for name, sentence, panel in said:
+    panels = {place: panel for panel, commands in COMMANDS.items() for place in commands}
+    for name, sentence in said:
+        panel = panels.get(places().get(name, ""), LABORATORY)
         yield TyperCommand(name, help=sentence, rich_help_panel=panel, rich_markup_mode="markdown")
+
+
+def _sentence(place: str) -> str:
+    """Return the first sentence of a command's help, read without importing its module."""
+    module, _, name = place.partition(":")
+    text = (Path(__file__).parent / f"{module}.py").read_text(encoding="utf-8")
+    begun = rf'^(?:def {name}\(.*?"""|{name} = typer\.Typer\([^)]*help=")'
+    found = re.search(rf'{begun}([^"]+?)(?:\n\n|")', text, re.DOTALL | re.MULTILINE)
+    assert found is not None, place
+    return " ".join(found[1].split())
 
 
 def loaded(name: str) -> Any:

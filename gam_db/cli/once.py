@@ -1,100 +1,79 @@
-"""``gam run`` and ``gam demo``: from a recording to the findings of every channel, nothing kept.
+"""``gam run``: from a recording to the findings of every channel, nothing kept.
 
-This module owns the commands, their page, and where results go.
+This module owns the command and its page; :mod:`gam_db.cli.results` says where results go.
 """
 
 import datetime as dt
-import os
-import re
-import shlex
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import partial
 from importlib.metadata import entry_points
-from itertools import takewhile
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
-import typer
-from pyarrow import ArrowInvalid, parquet
 from rich.console import Console
 
-from gam_db import langevin
-from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, job_of
-from gam_db.cli.progress import Progress, interruptible, working
-from gam_db.cli.report import checked, page_of, told
+from gam_db.cli.options import option
+from gam_db.cli.progress import Progress, interruptible
+from gam_db.cli.report import checked, page_of
+from gam_db.cli.results import DSE, Every, results_of
 from gam_db.clock import SINCE_1970, epoch_unit, zone
 from gam_db.config import Settings
 from gam_db.connecting import connect
-from gam_db.engines.duckdb_files import SOURCE_MARK
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, findings, need_attention
-from gam_db.guess import SourceSettings
-from gam_db.report import Wishes, plant
-from gam_db.source import FILE_ENDINGS, Source, is_file, paths_of
+from gam_db.report import Wishes
+from gam_db.source import is_file
 from gam_db.study import Study
 
-#: The estimator that is the method itself; others come by the entry points ``gam_db.estimators``.
-DSE = "dse"
-
 _OUTPUT = "Output"
-_PARQUET_ENDINGS = (".parquet", ".pq")
-
-Every = Literal["vector", "stride"]
 
 
-@options.taking(*options.READ)
+@options.taking(*options.READ, *options.PAGE, "time_zone", "threads")
 def run(
     settings: Settings,
+    common: options.Common,
     out: Annotated[
         Path | None,
-        typer.Option(
-            "--out",
-            metavar="PATH",
-            help="Where the health indicator goes, replacing what is there. NAME.parquet: beside it go "
+        option(
+            "PATH",
+            "Where the health indicator goes, replacing what is there. NAME.parquet: beside it go "
             "NAME.support.parquet and NAME.certificate.parquet. A .duckdb or .db file: tables "
             "gam_health_indicator, gam_support and gam_certificate. Default: SOURCE.health.parquet, "
             "SOURCE.support.parquet, SOURCE.certificate.parquet in the current folder.",
-            rich_help_panel=_OUTPUT,
+            _OUTPUT,
         ),
     ] = None,
-    no_out: Annotated[
-        bool, typer.Option("--no-out", help="Write no file.", rich_help_panel=_OUTPUT)
-    ] = False,
+    no_out: Annotated[bool, option("--no-out", "Write no file.", _OUTPUT)] = False,
     every: Annotated[
         Every,
-        typer.Option(
-            help="Rows to write: one per scored vector, or one per full bucket of --stride vectors "
+        option(
+            "",
+            "Rows to write: one per scored vector, or one per full bucket of --stride vectors "
             "(in a DuckDB file: table gam_health_at_buckets).",
-            rich_help_panel=_OUTPUT,
+            _OUTPUT,
         ),
     ] = "vector",
     report: Annotated[
         Path | None,
-        typer.Option(
-            metavar="FILE.html",
-            help="Write the page for people who look, too; see gam report. Of a file, not of a table.",
-            rich_help_panel=_OUTPUT,
+        option(
+            "FILE.html",
+            "Write the page for people who look, too; see gam report. Of a file, not of a table.",
+            _OUTPUT,
         ),
     ] = None,
-    everything: options.All = False,
-    time_zone: options.TimeZone = "UTC",
-    as_json: options.Json = False,
-    quiet: options.Quiet = False,
-    threads: options.Threads = None,
     estimator: Annotated[
         str,
-        typer.Option(
-            metavar="NAME",
-            help="What scores vectors: dse (the method itself), or centroid, gmm, forest, ocsvm, which "
+        option(
+            "NAME",
+            "What scores vectors: dse (the method itself), or centroid, gmm, forest, ocsvm, which "
             "have no certificate and no limit. The last three need pip install "
             '"gam-db[benchmark]".',
-            rich_help_panel="Parameters of the method",
+            "Parameters of the method",
         ),
     ] = DSE,
 ) -> None:
@@ -106,31 +85,34 @@ def run(
     never raise an alarm; exit code 2 also says that no channel at all has a calibration. By another
     --estimator there is an indicator (written to SOURCE.NAME.parquet) but no verdict.
     """
-    shown_in = zone(time_zone)
+    shown_in = zone(common.time_zone)
     others = None if estimator.lower() == DSE else _others(estimator)
     estimator = DSE if others is None else others.estimator_named(estimator).name
     relation = options.named_relation(settings)
     if report is not None:
         _check_report(report, relation, estimator)
-    results = [] if no_out else _results(relation, settings.source.database, out, every, estimator)
-    show: Callable[[Console], None]
-    files = [result.path for result in results]
-    with interruptible(), connect(settings.source.database, threads, False, files) as session:
-        with Progress(session, quiet) as progress:
+    results = [] if no_out else results_of(relation, settings.source.database, out, every, estimator)
+    written = [str(one) for one in (*results, *([] if report is None else [report]))]
+    shows: Callable[[Console], None]
+    files, everything = [result.path for result in results], common.everything
+    opened = connect(settings.source.database, common.threads, False, files)
+    with interruptible(), opened as session:
+        with Progress(session, common.quiet) as progress:
             job, study = open_job(session, relation, settings, progress.on_step)
             if others is None:
                 found = findings(study)
                 code = Exit.ATTENTION if need_attention(found) else Exit.FINE
                 told = _figures(found)
-                show = partial(_show, job=job, found=found, everything=everything, shown_in=shown_in)
+                shows = partial(show, job=job, found=found, everything=everything, shown_in=shown_in)
             else:
                 others.add_estimator(study, estimator)
                 rows, code = study.rows("last_scores"), Exit.FINE
                 told = {"estimator": estimator, "channels": rows}
                 asked = {"estimator": estimator, "rows": rows, "everything": everything}
-                show = partial(others.show_scores, job=job, **asked)
-        page.tell(Exit.FINE, {}, show, quiet=as_json or quiet)
-        with Progress(session, quiet) as progress:
+                shows = partial(others.show_scores, job=job, **asked)
+        if not (common.as_json or common.quiet):
+            shows(page.console())
+        with Progress(session, common.quiet) as progress:
             for result in results:
                 progress.on_step(f"writing {result}")
                 study.write(result.step, result.path, result.table)
@@ -138,17 +120,8 @@ def run(
                 wishes = Wishes(title=Path(job.name).name)
                 method = (job.parameters, job.calibration)
                 page_of(job.guess.source, *method, report, wishes, progress.on_step)
-    page.tell(
-        code,
-        {**job.figures(), **told, "written": [str(one) for one in (*results, *_pages(report))]},
-        lambda lines: _written(lines, results, report),
-        as_json,
-        quiet,
-    )
-
-
-def _pages(report: Path | None) -> list[Path]:
-    return [] if report is None else [report]
+    figures = {**job.figures(), **told, "written": written}
+    page.tell(code, figures, lambda lines: _written(lines, written), common)
 
 
 def _check_report(report: Path, relation: Any, estimator: str) -> None:
@@ -200,33 +173,28 @@ def _figures(found: Sequence[Row]) -> dict[str, Any]:
     }
 
 
-def _show(
+def show(
     out: Console,
     job: Job,
     found: Sequence[Row],
     everything: bool = False,
     shown_in: dt.tzinfo = dt.UTC,
 ) -> None:
-    assets, samples = {row["asset"] for row in found}, sum(row["samples"] for row in found)
-    page.say(
-        out,
-        f"{printable(job.name)}: {number_of(len(found), 'channel')} of "
-        f"{number_of(len(assets), 'asset')}, {samples:,} samples{job.settings}",
-    )
-    for line in job.lines():
-        page.say(out, line)
+    """Print what was found of each channel."""
+    samples = sum(row["samples"] for row in found)
+    page.say(out, f"{printable(job.name)}: {page.amount(found)}, {samples:,} samples{job.settings}")
+    page.say(out, *job.lines())
     out.print()
     shown = found if everything else found[: options.SHOWN]
     page.channels(out, shown, "last_time", "all that is scored", shown_in, everything)
-    page.cut(out, found, everything, page.counted(found[len(shown) :]))
+    page.cut(out, found, everything, page.counted)
     out.print()
     page.say(out, f"verdicts: {page.verdicts(found)}")
     page.say(out, f"channels: {page.counted(found)}; judged by the health indicator and its limit")
     if job.parameters.is_open:
         taken = sorted(Counter(row["bins"] for row in found).items(), reverse=True)
         page.say(out, f"bins taken: {', '.join(f'{bins} for {count:,}' for bins, count in taken)}")
-    for line in page.advice(found):
-        page.say(out, line)
+    page.say(out, *page.advice(found))
     ends = [row["last_time"] for row in found if isinstance(row["last_time"], int)]
     unit = epoch_unit(min(ends), max(ends)) if ends else None
     if unit is not None:
@@ -251,194 +219,6 @@ def _show(
     page.say(out, page.legend(found, everything))
 
 
-@dataclass(frozen=True)
-class _Result:
-    """Where the rows of one step go."""
-
-    step: str
-    path: Path
-    table: str
-
-    def __str__(self) -> str:
-        return f"{self.path} (table {self.table})" if _is_database(self.path) else str(self.path)
-
-
-def _written(out: Console, results: Sequence[_Result], report: Path | None) -> None:
-    for result in (*results, *_pages(report)):
-        out.print(f"written: {printable(str(result))}", soft_wrap=True)
-
-
-def _results(
-    relation: Any, database: str | None, out: Path | None, every: Every, estimator: str
-) -> list[_Result]:
-    """Return what is written where; refuse, before any work, what cannot be written."""
-    health = ("bucket_health", "health_at_buckets") if every == "stride" else ("health_indicator",) * 2
-    steps = {health[0]: health[1], "support_summary": "support", "certificate": "certificate"}
-    if estimator != DSE:
-        steps = {
-            f"score_{health[0]}" if every == "stride" else "score_health": f"{health[1]}_{estimator}"
-        }
-    ending = "health" if estimator == DSE else estimator
-    path = Path(f"{_stem(relation)}.{ending}.parquet") if out is None else out
-    if _is_database(path):
-        paths = [path] * 3
-    elif path.suffix.lower() in _PARQUET_ENDINGS:
-        name = path.stem.removesuffix(".health")
-        beside = [path.with_name(f"{name}.{what}{path.suffix}") for what in ("support", "certificate")]
-        paths = [path, *beside]
-    else:
-        raise ConfigurationError(
-            f"--out is {path}; give a Parquet file (.parquet) or a DuckDB file (.duckdb, .db)."
-        )
-    if not path.parent.is_dir():
-        raise ConfigurationError(f"--out is {path}; the folder {path.parent} is not there.")
-    for one in paths:
-        if not os.access(one if one.exists() else one.parent, os.W_OK):
-            raise ConfigurationError(f"--out is {path}; you may not write {one}.")
-    if out is None and not _is_database(path):
-        _check_theirs(path, relation)
-    read = {Path(one).resolve() for one in (*paths_of(relation), database) if one is not None}
-    for one in paths:
-        if one.resolve() in read and not (isinstance(relation, tuple) and _made_from(one)):
-            raise ConfigurationError(f"{one} would be overwritten while it is read; give another --out.")
-    return [
-        _Result(step, one, f"gam_{table}")
-        for (step, table), one in zip(steps.items(), paths[: len(steps)], strict=True)
-    ]
-
-
-def _check_theirs(path: Path, relation: Any) -> None:
-    """Refuse to write over the results of another source that is called alike.
-
-    Results may be replaced where all that they were made from is read again.
-
-    Raises:
-        ConfigurationError: the file holds such.
-    """
-    of = _made_from(path)
-    read = [Path(os.path.abspath(one)) for one in paths_of(relation)]
-    read = [one.parent if "*" in one.name else one for one in read]
-    if (
-        of
-        and is_file(relation)
-        and not all(any(map(Path(one).is_relative_to, read)) for one in of.split(";"))
-    ):
-        raise ConfigurationError(
-            f"{path} holds the results of {of}, a source of the same name; say --out, or remove it."
-        )
-
-
-def _made_from(path: Path) -> str:
-    """Return what a file of results was made from; empty where there is none, or it is none of ours."""
-    try:
-        said = parquet.read_metadata(path).metadata or {}
-    except (OSError, ArrowInvalid):
-        return ""
-    return str(said.get(SOURCE_MARK.encode(), b"").decode())
-
-
-def _stem(relation: Any) -> str:
-    """Return a file name for the results of a source, whatever the source is called.
-
-    Of several files it is what their names begin with, as it is that of a pattern: then results among
-    them, where a shell wrote a pattern out, change nothing.
-    """
-    name = relation
-    if is_file(relation):
-        signs = zip(*(Path(one).name for one in paths_of(relation)), strict=False)
-        name = "".join(first for first, *others in takewhile(lambda at: len({*at}) == 1, signs))
-    for ending in sorted(FILE_ENDINGS, key=len, reverse=True):
-        if name.lower().endswith(ending):
-            name = name[: -len(ending)]
-            break
-    return re.sub(r"[^\w.-]+", "_", name).strip("._")[:100] or "gam"
-
-
-def _is_database(path: Path) -> bool:
-    return path.suffix in options.DATABASE_ENDINGS
-
-
-_SIMULATED = Settings(
-    SourceSettings(asset="asset", channel="channel", time="time", value="value"),
-    {"m": langevin.M, "tau": langevin.TAU, "bins": langevin.BINS, "window": langevin.WINDOW},
-    {"fraction": langevin.CALIBRATION},
-)
-_INTRODUCTION = (
-    "A simulated machine: a controller moves it through five positions; after 40 % of the time two of "
-    "them begin to wear away, and the controller compensates. (The system is the paper's; its numbers "
-    "were chosen with the paper's row for this method in view, so this is an illustration, and no "
-    "evidence for that row.)"
-)
-_NEXT = (
-    "Next, on your own data: a Parquet or CSV file, or a table of a DuckDB file, with a column each for "
-    "the machine, the signal, the time and the reading (or one column per signal):"
-)
-_CALIBRATION = (
-    "Say when the machine was healthy by --calibration-duration '30 d' or --calibrate FROM/TO; all else "
-    "is in gam run --help."
-)
-
-
-def _report_plant(path: Path) -> None:
-    """Write the page of the simulated plant."""
-    session = connect()
-    with session, working(session) as on_step:
-        on_step("simulating a plant")
-        wishes = Wishes(title="A simulated plant", time_zone=plant.TIME_ZONE, made=plant.END)
-        asked = (Source(plant.telemetry()), plant.PARAMETERS, plant.CALIBRATION, path, wishes)
-        figures = page_of(*asked, on_step)
-    told(page.console(), figures)
-    page.say(page.console(), "Open it in a browser; it needs no network.")
-
-
-def demo(
-    keep: Annotated[
-        Path | None,
-        typer.Option(
-            "--out",
-            "--keep",
-            metavar="FILE",
-            help="Save the series as Parquet, to go on with; a file that is there is left as it is.",
-        ),
-    ] = None,
-    report: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE.html",
-            help="Write instead the page of a small simulated plant, with every kind of change.",
-        ),
-    ] = None,
-) -> None:
-    """Simulate a machine that wears out, and print what `gam run` prints of it. Writes nothing.
-
-    With --out it writes the series, with --report the page of a simulated plant, and nothing else.
-    """
-    if report is not None:
-        if keep is not None:
-            raise ConfigurationError("--report and --out are of different machines; leave one out.")
-        _report_plant(checked(report, "--report"))
-        return
-    if keep is not None and (keep.suffix != ".parquet" or not keep.parent.is_dir()):
-        raise ConfigurationError(f"--out is {keep}; give a name in .parquet, in a folder that is there.")
-    if keep is not None and keep.exists():
-        raise ConfigurationError(f"{keep} is there already; give --out a new name, or remove it.")
-    session = connect()
-    with working(session) as on_step:
-        on_step("simulating")
-        series = langevin.series()
-        job, study = open_job(session, series, _SIMULATED, on_step, "simulated machine")
-        found = findings(study)
-    lines = page.console()
-    page.say(lines, _INTRODUCTION)
-    lines.print()
-    _show(lines, job, found)
-    lines.print()
-    if keep is not None:
-        parquet.write_table(series, keep)
-        words = [f"--{name} {value}" for name, value in _SIMULATED.parameters.items()]
-        words.append(f"--calibration-fraction {langevin.CALIBRATION}")
-        page.say(lines, f"The series is in {keep}. The same again, and the indicator written:")
-        lines.print(f"    gam run {shlex.quote(str(keep))} {' '.join(words)}", soft_wrap=True)
-    page.say(lines, _NEXT)
-    lines.print("    gam run recording.parquet")
-    page.say(lines, _CALIBRATION)
+def _written(out: Console, written: Sequence[str]) -> None:
+    for one in written:
+        out.print(f"written: {printable(one)}", soft_wrap=True)

@@ -7,19 +7,21 @@ import functools
 import inspect
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, is_dataclass
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeVar
 
 import typer
 
+from gam_db import address as addresses
 from gam_db import config
-from gam_db.address import VARIABLE, check, is_url
+from gam_db.address import VARIABLE, is_url
 from gam_db.calibration import Calibration
 from gam_db.config import SECTIONS, Settings
 from gam_db.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, EngineError
-from gam_db.setting import Setting, settings_of
+from gam_db.setting import COUNT, FLAG, TEXT, Setting, check, setting, settings_of
 from gam_db.source import FILE_ENDINGS, is_file
 
 DATABASE_ENDINGS = (".duckdb", ".db")
@@ -27,12 +29,17 @@ DATABASE_ENDINGS = (".duckdb", ".db")
 SHOWN = 40
 """Channels shown unless all are asked for."""
 
+#: What an option says that takes a pattern of assets.
+MACHINES = "only these machines; * and ? stand for any text or sign"
+
 _PANELS = {
     "source": "Columns, guessed where not named",
     "parameters": "Parameters of the method",
     "calibration": "Calibration, the healthy part: default the first 20 %",
     "alarms": "Alarms",
     "monitor": "What is kept, and where",
+    "search": "The search",
+    "scope": "What is scored",
 }
 
 #: Every setting that is an option, with the section of gam.toml that it stands in.
@@ -52,31 +59,69 @@ READ = tuple(
 ALARMS = ("rate", "family")
 STATE = ("name", "schema", "prefix")
 
-Threads = Annotated[int | None, typer.Option(min=1, help="Processor threads; default all.")]
-All = Annotated[
-    bool,
-    typer.Option(
-        "--all",
-        help=f"Print every channel, not only the {SHOWN} most urgent, and what is to be said of each.",
-        rich_help_panel="Output",
-    ),
-]
-TimeZone = Annotated[
-    str,
-    typer.Option(
-        "--time-zone",
-        metavar="NAME",
-        help="In which times are shown, as Europe/Berlin.",
-        rich_help_panel="Output",
-    ),
-]
-Json = Annotated[
-    bool,
-    typer.Option("--json", help="Print figures as one JSON object instead.", rich_help_panel="Output"),
-]
-Quiet = Annotated[
-    bool, typer.Option("--quiet", "-q", help="Print nothing but errors.", rich_help_panel="Output")
-]
+_Row = TypeVar("_Row")
+
+
+def option(named: str, what: str, panel: str | None = None, **more: Any) -> Any:
+    """Return an option of one command.
+
+    Args:
+        named: its names, where they are not that of the parameter, and what stands for its value, as
+            ``"--from TIME"``.
+        what: what it does, for help.
+        panel: of help.
+        more: what else Typer is told.
+    """
+    words = named.split()
+    names = [word for word in words if word.startswith("-")]
+    metavar = " ".join(word for word in words if not word.startswith("-")) or None
+    return typer.Option(*names, metavar=metavar, help=what, rich_help_panel=panel, **more)
+
+
+@dataclass(frozen=True)
+class Common:
+    """What many commands take beside settings."""
+
+    everything: bool = setting(
+        *(
+            False,
+            FLAG,
+            f"print every channel, not only the {SHOWN} most urgent, and all there is to say",
+        ),
+        option="--all",
+    )
+    time_zone: str = setting("UTC", TEXT, "in which times are shown, as Europe/Berlin", metavar="NAME")
+    as_json: bool = setting(False, FLAG, "print figures as one JSON object instead", option="--json")
+    quiet: bool = setting(False, FLAG, "print nothing but errors", option="--quiet -q")
+    threads: int | None = setting(None, COUNT, "processor threads; default all")
+
+    def __post_init__(self) -> None:
+        check(self)
+
+    def of(self, rows: Sequence[_Row], most: int = SHOWN) -> Sequence[_Row]:
+        """Return the rows that are printed."""
+        return rows if self.everything else rows[:most]
+
+
+#: What commands that print a page take of it.
+PAGE = ("everything", "as_json", "quiet")
+
+_OF_COMMON = {name: ("common", one) for name, one in settings_of(Common).items()}
+
+
+def _typer(name: str, section: str, one: Setting) -> Any:
+    panel = "Output" if section == "common" and name != "threads" else _PANELS.get(section)
+    metavar = one.metavar or one.takes.metavar
+    return typer.Option(*_option(name, one), help=one.help, metavar=metavar, rich_help_panel=panel)
+
+
+def _option(name: str, one: Setting) -> list[str]:
+    return (one.option or f"--{name.replace('_', '-')}").split()
+
+
+Threads = Annotated[int | None, _typer("threads", *_OF_COMMON["threads"])]
+All = Annotated[bool, _typer("everything", *_OF_COMMON["everything"])]
+Json = Annotated[bool, _typer("as_json", *_OF_COMMON["as_json"])]
 
 _SOURCE = typer.Argument(
     metavar="SOURCE...",
@@ -85,17 +130,17 @@ _SOURCE = typer.Argument(
     show_default=False,
 )
 _CONFIG = typer.Option(help=f"Settings file; default ./{config.DEFAULT_FILE} if it is there.")
-_READ_ONLY = typer.Option(
-    metavar="ADDRESS",
-    help="Database that holds the table, a DuckDB file or a URL such as postgresql://HOST/DATABASE; "
+_READ_ONLY = option(
+    "ADDRESS",
+    "Database that holds the table, a DuckDB file or a URL such as postgresql://HOST/DATABASE; "
     f"it is only read. Default: the environment variable {VARIABLE}.",
 )
-_OF_STATE = typer.Option(
-    metavar="ADDRESS",
-    help="Database that holds the state, and the source if that is a table: a DuckDB file, which is "
+_OF_STATE = option(
+    "ADDRESS",
+    "Database that holds the state, and the source if that is a table: a DuckDB file, which is "
     "made if it is not there, or a URL such as postgresql://HOST/DATABASE. Default: the environment "
     f"variable {VARIABLE}, or what gam.toml says.",
-    rich_help_panel=_PANELS["monitor"],
+    _PANELS["monitor"],
 )
 
 
@@ -104,7 +149,9 @@ def taking(
 ) -> Callable[[Callable[..., Any]], Callable[..., None]]:
     """Return what gives a command options of the settings; it is called with ``settings``.
 
-    One that has a parameter ``relation`` is also told the SOURCE that was given, apart from gam.toml.
+    One that has a parameter ``relation`` is also told the SOURCE that was given, apart from gam.toml. A
+    parameter that is a dataclass of settings gets an option for each of them; of :class:`Common` those
+    that are named.
 
     Args:
         names: of the settings; their order is that of the options.
@@ -113,33 +160,47 @@ def taking(
         fresh: there is no settings file.
         but: settings among the names that are left out.
     """
-    taken = [name for name in names if name not in but]
+    taken = {name: {**_KNOWN, **_OF_COMMON}[name] for name in names if name not in but}
 
     def decorated(command: Callable[..., Any]) -> Callable[..., None]:
+        own = dict(inspect.signature(command, eval_str=True).parameters)
+        del own["settings"]
+        passed = own.pop("relation", None) is not None
+        classes: dict[str, Any] = {
+            name: one.annotation for name, one in own.items() if is_dataclass(one.annotation)
+        }
+        own = {name: one for name, one in own.items() if name not in classes}
+        known = dict(taken)
+        for section, of in classes.items():
+            if of is not Common:
+                known |= {name: (section, one) for name, one in settings_of(of).items()}
+        options: dict[bool, list[inspect.Parameter]] = {True: [], False: []}
+        for name, (section, one) in known.items():
+            options[section in SECTIONS] += _options(name, section, one)
         where = [
             *([_parameter("relation", list[str] | None, _SOURCE)] if source else []),
             _parameter("database", str | None, _OF_STATE if state else _READ_ONLY),
             *([] if fresh else [_parameter("config", Path | None, _CONFIG)]),
         ]
-        options = [option for name in taken for option in _options(name)]
-        own = dict(inspect.signature(command, eval_str=True).parameters)
-        del own["settings"]
-        passed = own.pop("relation", None) is not None
         needed = [one for one in own.values() if one.default is one.empty]
-        others = [one for one in own.values() if one.default is not one.empty]
-        asked = [one.replace(kind=inspect.Parameter.KEYWORD_ONLY) for one in others]
+        asked = [one for one in own.values() if one.default is not one.empty]
         late = [one for one in asked if _panel(one) in _PANELS.values()]
-        early = [one for one in asked if one not in late]
-        among = [*where, *options, *asked] if state and not source else [*where, *early, *options, *late]
+        early = [*(one for one in asked if one not in late), *options[False]]
+        among = [*early, *options[True]] if source or not state else [*options[True], *early]
+        parameters = [
+            one.replace(kind=inspect.Parameter.KEYWORD_ONLY) for one in (*needed, *where, *among, *late)
+        ]
 
         @functools.wraps(command)
         def called(**given: Any) -> None:
-            said = {one.name: given.pop(one.name) for one in (*where, *options)}
+            mine = {name: given.pop(name) for name in own}
             if passed:
-                given["relation"] = one_or_more(said["relation"])
-            command(settings=_laid(said, state or given.get("state", False), fresh), **given)
+                mine["relation"] = one_or_more(given["relation"])
+            said = _said(given, known)
+            mine |= {name: of(**said.pop(name, {})) for name, of in classes.items()}
+            laid = _laid(said, given, state or mine.get("state", False), fresh)
+            command(settings=laid, **mine)
 
-        parameters = [*(one.replace(kind=inspect.Parameter.KEYWORD_ONLY) for one in needed), *among]
         called.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
         called.__annotations__ = {one.name: one.annotation for one in parameters}
         return called
@@ -159,38 +220,28 @@ def _panel(option: inspect.Parameter) -> str | None:
     return panel
 
 
-def _options(name: str) -> Iterator[inspect.Parameter]:
+def _options(name: str, section: str, one: Setting) -> Iterator[inspect.Parameter]:
     """Yield the option of a setting, and the one that says there is none."""
-    section, one = _KNOWN[name]
-    panel, kind = _PANELS[section], one.takes
-    option = typer.Option(
-        _option(name), help=one.help, metavar=one.metavar or kind.metavar, rich_help_panel=panel
+    kind = one.takes
+    is_flag = kind.option is bool
+    yield _parameter(
+        *(name, bool if is_flag else kind.option | None, _typer(name, section, one)),
+        default=False if is_flag else None,
     )
-    if kind.option is bool:
-        yield _parameter(name, bool, option, False)
-        return
-    yield _parameter(name, kind.option | None, option)
     if kind.none and one.off is not None:
         said = f"{one.off[1][0].upper()}{one.off[1][1:]}."
-        refused = typer.Option(f"--no-{name}", help=said, rich_help_panel=panel)
-        yield _parameter(f"no_{name}", bool, refused, False)
+        yield _parameter(f"no_{name}", bool, option(f"--no-{name}", said, _PANELS[section]), False)
 
 
-def _option(name: str) -> str:
-    return _KNOWN[name][1].option or f"--{name.replace('_', '-')}"
-
-
-def _laid(given: dict[str, Any], state: bool, fresh: bool) -> Settings:
-    """Return the settings of the file with the options of a command laid over them.
+def _said(given: dict[str, Any], known: Mapping[str, tuple[str, Setting]]) -> dict[str, dict[str, Any]]:
+    """Return what the options say, by section and name; only what was said.
 
     Raises:
-        ConfigurationError: the file or an option cannot be used.
+        ConfigurationError: an option cannot be used, or two contradict each other.
     """
-    file, relation = given.pop("config", None), one_or_more(given.pop("relation", None))
-    database = given.pop("database")
     said: dict[str, dict[str, Any]] = {section: {} for section in SECTIONS}
     given["intervals"], own = _by_asset(given.get("intervals") or [])
-    for name, (section, one) in _KNOWN.items():
+    for name, (section, one) in known.items():
         value = given.get(name)
         is_said = not (value is None or value is False or value == [])
         if given.get(f"no_{name}") and one.off is not None:
@@ -200,8 +251,21 @@ def _laid(given: dict[str, Any], state: bool, fresh: bool) -> Settings:
                 )
             said[section][name] = one.off[0]
         elif is_said:
-            said[section][name] = one.of_option(_option(name), value)
-    columns = said["source"]
+            said.setdefault(section, {})[name] = one.of_option(_option(name, one)[0], value)
+    if own:
+        said["calibration"]["overrides"] = own
+    return said
+
+
+def _laid(
+    said: dict[str, dict[str, Any]], given: Mapping[str, Any], state: bool, fresh: bool
+) -> Settings:
+    """Return the settings of the file with what options say laid over them.
+
+    Raises:
+        ConfigurationError: the file or an option cannot be used.
+    """
+    relation, database, columns = one_or_more(given.get("relation")), given["database"], said["source"]
     _check_layout(columns)
     if relation is not None:
         columns["relation"] = relation
@@ -209,9 +273,9 @@ def _laid(given: dict[str, Any], state: bool, fresh: bool) -> Settings:
         database = os.environ.get(VARIABLE)
     if database or (is_file(relation) and not state):
         columns["database"] = database or None
-    settings = Settings() if fresh else config.load(file).for_source(relation)
-    if own:
-        said["calibration"]["overrides"] = {**own, **settings.calibration.get("overrides", {})}
+    settings = Settings() if fresh else config.load(given["config"]).for_source(relation)
+    if "overrides" in said["calibration"]:
+        said["calibration"]["overrides"] |= settings.calibration.get("overrides", {})
     return settings.under(**said)
 
 
@@ -311,7 +375,7 @@ def opened(
             "Say which database holds the state: --database FILE.duckdb, or a URL such as "
             "postgresql://HOST/DATABASE; or put database under [source] into gam.toml."
         )
-    check(address)
+    addresses.check(address)
     if must_exist and not is_url(address) and not Path(address).exists():
         raise EngineError(f"There is no database file {address}.")
     return connect(address, threads, writable, files)

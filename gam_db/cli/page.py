@@ -21,7 +21,8 @@ from rich.table import Column, Table
 from rich.text import Text
 
 import gam_db
-from gam_db.cli.options import SHOWN
+from gam_db.checking.words import number_of
+from gam_db.cli.options import SHOWN, Common
 from gam_db.clock import TimeKind, shown_length
 from gam_db.errors import printable
 from gam_db.findings import Row, is_short, share
@@ -42,6 +43,9 @@ _MEANINGS = {
     "ok": "ok",
     "not assessed": "not assessable",
 }
+#: What makes the cell of a row: the name of its value, or a function of the row.
+Cell = str | Callable[[Row], Any]
+
 _WIDEST = 120
 """Columns beyond which a page is hard to read."""
 _POINTS = 64
@@ -59,8 +63,7 @@ def tell(
     code: int,
     figures: Mapping[str, Any],
     show: Callable[[Console], None],
-    as_json: bool = False,
-    quiet: bool = False,
+    common: Common,
 ) -> None:
     """Print a page, or its figures, and end with an exit code.
 
@@ -68,12 +71,11 @@ def tell(
         code: the exit code.
         figures: what --json prints; the names in rows are those of the Arrow tables.
         show: prints the page.
-        as_json: print the figures.
-        quiet: print nothing.
+        common: whether figures are printed instead, or nothing.
     """
-    if as_json:
+    if common.as_json:
         print_json({"version": gam_db.__version__, **figures, "exit_code": int(code)})
-    elif not quiet:
+    elif not common.quiet:
         show(console())
     if code:
         raise typer.Exit(code)
@@ -110,11 +112,12 @@ def plain(value: Any) -> Any:
     return str(value)
 
 
-def say(out: Console, line: str) -> None:
-    """Print a line of prose, folded."""
-    for part in Text(line).wrap(out, min(out.width, _WIDEST)):
-        part.rstrip()
-        out.print(part, soft_wrap=True)
+def say(out: Console, *lines: str) -> None:
+    """Print lines of prose, folded."""
+    for line in lines:
+        for part in Text(line).wrap(out, min(out.width, _WIDEST)):
+            part.rstrip()
+            out.print(part, soft_wrap=True)
 
 
 def notes(out: Console, said: Iterable[tuple[str, "str | Course"]]) -> None:
@@ -128,8 +131,9 @@ def notes(out: Console, said: Iterable[tuple[str, "str | Course"]]) -> None:
 
 def table(
     out: Console,
-    columns: Mapping[str, Sequence[Any]],
-    marks: Sequence[str] = (),
+    rows: Sequence[Row],
+    columns: Mapping[str, Cell],
+    mark: Callable[[Row], str] = lambda _: " ",
     left: Sequence[str] = (),
     spare: Sequence[str] = (),
 ) -> None:
@@ -137,16 +141,18 @@ def table(
 
     Args:
         out: where to.
-        columns: heading -> a cell per row. The first names the rows, and is folded where there is no
+        rows: what is told of.
+        columns: heading -> the name of a value, or what makes a cell of a row. A number gets commas, and
+            a dash stands for None. The first column names the rows, and is folded where there is no
             room; one of :class:`Course` takes what room is left.
-        marks: one per row: ``!``, ``?``, ``~`` or a space.
+        mark: makes the mark of a row: ``!``, ``?``, ``~`` or a space.
         left: headings of columns that hold words.
         spare: those left out where there is no room, in this order.
     """
     name, *_ = columns
-    marked = marks or [" "] * len(columns[name])
     laid = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="bold", show_edge=False)
-    for heading, cells in columns.items():
+    told = {heading: [cell(row, of) for row in rows] for heading, of in columns.items()}
+    for heading, cells in told.items():
         if cells and isinstance(cells[0], Course):
             laid.add_column(heading, width=Course.least, ratio=1, no_wrap=True)
             laid.expand, laid.width = True, min(out.width, _WIDEST)
@@ -158,15 +164,27 @@ def table(
             laid.add_column(heading, min_width=min(longest, 12), overflow="fold")
         else:
             laid.add_column(heading, min_width=longest, justify="right", no_wrap=True)
-    for mark, named, *others in zip(marked, *columns.values(), strict=True):
+    for sign, named, *others in zip(map(mark, rows), *told.values(), strict=True):
         first = Table.grid(Column(width=1), Column(overflow="fold"), padding=(0, 1, 0, 0))
-        first.add_row(mark, Text(printable(named)))
-        laid.add_row(first, *others, style=_STYLES.get(mark, ""))
+        first.add_row(sign, Text(printable(named)))
+        laid.add_row(first, *others, style=_STYLES.get(sign, ""))
     if spare and laid.__rich_measure__(out, out.options).minimum > out.width:
-        kept = {heading: cells for heading, cells in columns.items() if heading != spare[0]}
-        table(out, kept, marks, left, spare[1:])
+        kept = {heading: of for heading, of in columns.items() if heading != spare[0]}
+        table(out, rows, kept, mark, left, spare[1:])
         return
     _print(out, laid)
+
+
+def cell(row: Row, of: Cell) -> Any:
+    """Return a cell of a row; see :func:`table`."""
+    value = row[of] if isinstance(of, str) else of(row)
+    return "-" if value is None else f"{value:,}" if isinstance(value, int) else value
+
+
+def when(heading: str, of: str, rows: Sequence[Row], zone: dt.tzinfo) -> dict[str, Cell]:
+    """Return a column of times for :func:`table`, its heading with the time zone they are told in."""
+    said = in_zone(heading, (row[of] for row in rows), zone)
+    return {said: lambda row: time_text(row[of], zone)}
 
 
 def _print(out: Console, laid: Table) -> None:
@@ -233,30 +251,33 @@ def channels(
         zone: in which times are told.
         everything: say what is to be said of each, also where there are several.
     """
-
-    def told(name: str) -> list[Any]:
-        return [None if row["status"] == "not assessed" else row[name] for row in rows]
-
-    names, bins = names_of(rows), [str(row["bins"]) for row in rows]
-    columns: dict[str, Sequence[Any]] = {
-        "channel": names,
-        "verdict": [row["verdict"] for row in rows],
-        **({"bins": bins} if len(set(bins)) > 1 else {}),
-        "floor": [share(floor) for floor in told("floor")],
-        "HI": [share(hi) for hi in told("hi")],
+    name = name_in(rows)
+    columns: dict[str, Cell] = {
+        "channel": name,
+        "verdict": "verdict",
+        **({"bins": lambda row: str(row["bins"])} if len({row["bins"] for row in rows}) > 1 else {}),
+        "floor": lambda row: share(assessed(row, "floor")),
+        "HI": lambda row: share(assessed(row, "hi")),
+        **({"trend": lambda row: rise(assessed(row, "trend"))} if rows and "trend" in rows[0] else {}),
+        "HI, 0 to 1": lambda row: Course(() if assessed(row, "course") is None else row["course"]),
+        **when("last", time, rows, zone),
     }
-    if rows and "trend" in rows[0]:
-        columns["trend"] = [rise(trend) for trend in told("trend")]
-    columns["HI, 0 to 1"] = [Course(() if course is None else course) for course in told("course")]
-    columns[in_zone("last", [row[time] for row in rows], zone)] = [
-        time_text(row[time], zone) for row in rows
-    ]
-    table(out, columns, [MARKS.get(row["status"], " ") for row in rows], ("verdict", "bins"))
+    table(out, rows, columns, marked, ("verdict", "bins"))
     known = [row for row in rows if row["course_from"] is not None and row["last_time"] is not None]
     if known:
         edges = min(row["course_from"] for row in known), max(row["last_time"] for row in known)
         say(out, f"HI, 0 to 1: {spanned}, {_span(*edges, zone)}")
-    remarks(out, zip(names, (row["remarks"] for row in rows), strict=True), everything)
+    remarks(out, ((name(row), row["remarks"]) for row in rows), everything)
+
+
+def assessed(row: Row, name: str) -> Any:
+    """Return a value of a channel that is judged; None of others."""
+    return None if row["status"] == "not assessed" else row[name]
+
+
+def marked(row: Row) -> str:
+    """Return the mark of a channel, or of a machine, by its status."""
+    return MARKS.get(row["status"], " ")
 
 
 def _tells(rows: Sequence[Any], everything: bool) -> bool:
@@ -284,18 +305,29 @@ def remarks(out: Console, said: Iterable[tuple[str, Iterable[str]]], everything:
         notes(out, (("-", f"{names}: {remark}") for names, remark in told_of))
 
 
-def names_of(rows: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return what channels are called in a table: without their asset, if it is the same for all."""
-    one_asset = len({row["asset"] for row in rows}) == 1
-    return [
-        printable(row["channel"] if one_asset else f"{row['asset']} {row['channel']}") for row in rows
-    ]
+def name_in(rows: Sequence[Mapping[str, Any]]) -> Callable[[Mapping[str, Any]], str]:
+    """Return what names a channel among others: without its asset, if it is the same for all."""
+    one_asset = len({row["asset"] for row in rows}) <= 1
+    return lambda row: printable(row["channel"] if one_asset else f"{row['asset']} {row['channel']}")
 
 
-def cut(out: Console, rows: Sequence[Any], everything: bool, words: str = "") -> None:
-    """Say how many rows were left out of a table, if any were."""
-    if not everything and len(rows) > SHOWN:
-        say(out, f"and {len(rows) - SHOWN:,} more{f' ({words})' if words else ''}; --all")
+def amount(rows: Sequence[Row], what: str = "channel") -> str:
+    """Return how many channels there are, or what there is of each, and of how many assets."""
+    return f"{number_of(len(rows), what)} of {number_of(len({row['asset'] for row in rows}), 'asset')}"
+
+
+def cut(
+    out: Console,
+    rows: Sequence[Any],
+    everything: bool,
+    words: Callable[[Sequence[Any]], str] = lambda _: "",
+    most: int = SHOWN,
+    what: str = "",
+) -> None:
+    """Say how many rows were left out of a table, if any were, and what is to be said of them."""
+    if not everything and len(rows) > most:
+        said = words(rows[most:])
+        say(out, f"and {len(rows) - most:,} more{what}{f' ({said})' if said else ''}; --all")
 
 
 def verdicts(supports: Iterable[Row]) -> str:

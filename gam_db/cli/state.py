@@ -6,21 +6,21 @@ and their pages; :mod:`gam_db.stored` does the work.
 
 import datetime as dt
 from collections.abc import Sequence
+from functools import partial
 from typing import Annotated
 
 import pyarrow as pa
-import pyarrow.compute as pc
 import typer
 from rich.console import Console
 
 from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
+from gam_db.cli.monitors import watched
+from gam_db.cli.options import option
 from gam_db.cli.progress import working
-from gam_db.cli.watch import watched
-from gam_db.clock import TimeKind, shown_instant
+from gam_db.clock import TimeKind, shown_instant, told_time
 from gam_db.config import Settings
 from gam_db.engines import NAMES, engine_named
-from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, EngineError, printable
 from gam_db.findings import Row
 from gam_db.stored import dropping, migrations, pruning
@@ -33,37 +33,35 @@ from gam_db.stored.state import State, kind_of
 from gam_db.stored.tables import StateTables
 
 
-@options.taking("schema", "prefix", source=False, state=True)
+@options.taking("schema", "prefix", "as_json", source=False, state=True)
 def migrate(
     settings: Settings,
+    common: options.Common,
     status: Annotated[
         bool,
-        typer.Option(
-            "--status", help="Change nothing; say what was applied. Exit code 2: some are pending."
-        ),
+        option(*("--status", "Change nothing; say what was applied. Exit code 2: some are pending.")),
     ] = False,
     sql: Annotated[
         bool,
-        typer.Option("--sql", help="Print the script, for a database administrator; open no database."),
+        option("--sql", "Print the script, for a database administrator; open no database."),
     ] = False,
     engine: Annotated[
-        str | None, typer.Option(help=f"With --sql: one of {', '.join(NAMES)} (default duckdb).")
+        str | None, option("", f"With --sql: one of {', '.join(NAMES)} (default duckdb).")
     ] = None,
     grants: Annotated[
         str | None,
-        typer.Option(
-            metavar="owner=NAME,writer=NAME,reader=NAME",
-            help="With --sql --engine postgres: let the tables belong to the owner, and give writer "
+        option(
+            "owner=NAME,writer=NAME,reader=NAME",
+            "With --sql --engine postgres: let the tables belong to the owner, and give writer "
             "(calibrate, score, check, prune) and reader (status, views) what they need.",
         ),
     ] = None,
-    as_json: options.Json = False,
 ) -> None:
     """Make the state tables in a database, or bring those of an older gam-db up to date.
 
     It can be run at any time: what was applied is recorded and not applied again, and rows stay.
     """
-    if sql and (status or as_json):
+    if sql and (status or common.as_json):
         raise ConfigurationError("--sql prints a script; leave out --status and --json.")
     if engine is not None and not sql:
         raise ConfigurationError("--engine says for which engine --sql prints; add --sql.")
@@ -94,31 +92,27 @@ def migrate(
         "applied_now": [one.number for one in done],
         "pending": [{"number": one.number, "name": one.name} for one in found.pending],
     }
-    page.tell(Exit.ATTENTION if found.pending else Exit.FINE, figures, show, as_json)
+    page.tell(Exit.ATTENTION if found.pending else Exit.FINE, figures, show, common)
 
 
 def _show_migrations(out: Console, tables: StateTables, found: Status) -> None:
-    rows = [
-        *((row.number, row.name, row.applied_at, f"gam-db {row.gam_version}") for row in found.applied),
-        *((one.number, one.name, None, "") for one in found.pending),
-    ]
-    columns = {
-        "number": [str(number) for number, *_ in rows],
-        "migration": [name for _, name, *_ in rows],
-        "applied": [_when(time) for _, _, time, _ in rows],
-        "by": [version for *_, version in rows],
+    rows = [vars(row) | {"by": f"gam-db {row.gam_version}"} for row in found.applied]
+    rows += [vars(one) | {"applied_at": None, "by": ""} for one in found.pending]
+    columns: dict[str, page.Cell] = {
+        "number": lambda row: str(row["number"]),
+        "migration": "name",
+        "applied": lambda row: _when(row["applied_at"]),
+        "by": "by",
     }
-    page.table(out, columns, left=("migration", "applied", "by"))
-    if found.pending:
-        page.say(out, f"{tables}*: {len(found.pending)} pending; run `gam migrate`")
-    else:
-        page.say(out, f"{tables}*: up to date")
+    page.table(out, rows, columns, left=("migration", "applied", "by"))
+    pending = f"{len(found.pending)} pending; run `gam migrate`"
+    page.say(out, f"{tables}*: {pending if found.pending else 'up to date'}")
 
 
 def _when(applied_at: int | None) -> str:
     if applied_at is None:
         return "pending"
-    return f"{dt.datetime.fromtimestamp(applied_at / 1e6, dt.UTC):%Y-%m-%d %H:%M UTC}"
+    return page.time_text(told_time(applied_at, TimeKind.TIMESTAMP), named=True)
 
 
 #: Parts that follow from the source, and of which is told what was counted.
@@ -126,42 +120,35 @@ _MENDED = ("scored", "calibration")
 
 
 def check_state(
-    settings: Settings,
-    relation: str | tuple[str, ...] | None,
-    threads: int | None,
-    everything: bool,
-    as_json: bool,
-    quiet: bool,
+    settings: Settings, relation: str | tuple[str, ...] | None, common: options.Common
 ) -> None:
     """Compare the state of a monitor with its source, and print what differs.
 
     Args:
         settings: say which monitor.
         relation: what to read instead of the relation that it was made from.
-        threads: processor threads.
-        everything: print every difference.
-        as_json: print figures instead.
-        quiet: print nothing.
+        common: how it is printed.
 
     Raises:
         UserError: there is no such monitor, or its source cannot be used.
     """
     name = settings.monitor.name
-    session = options.opened(settings, threads, writable=False)
-    with working(session, quiet) as on_step:
+    session = options.opened(settings, common.threads, writable=False)
+    with working(session, common.quiet) as on_step:
         monitor, known = watched(session, settings, relation)
         found = monitor.checked_state(on_step=on_step)
     # Only now, and shortly: a DuckDB file that is open for writing is open for nobody else.
     unkept = None
     try:
-        with options.opened(settings, threads) as session:
-            _keep(session, settings, found.proof)
+        with options.opened(settings, common.threads) as session:
+            state = State(session, settings.monitor.tables)
+            keep(state, state.monitor(name)["monitor_id"], found.proof)
     except EngineError as error:
         unkept = str(error)
     kind, rows, proof = kind_of(known), found.differences.to_pylist(), found.proof
 
     def show(out: Console) -> None:
-        _show_differences(out, name, proof, rows, kind, everything)
+        _show_differences(out, name, proof, rows, kind, common)
         if unkept is not None:
             page.say(out, f"that this was checked could not be recorded: {unkept}")
 
@@ -169,22 +156,19 @@ def check_state(
         "monitor": name,
         "checked_at": shown_instant(proof.proved_at, TimeKind.TIMESTAMP),
         "recorded": unkept is None,
-        "channels": proof.channels,
-        "versions": proof.versions,
-        "buckets": proof.buckets,
+        **{name: getattr(proof, name) for name in ("channels", "versions", "buckets")},
         "differences": [{**row, "day": _day(row), "since": _since(row, kind)} for row in rows],
     }
-    page.tell(Exit.ATTENTION if rows else Exit.FINE, figures, show, as_json, quiet)
-
-
-def _keep(session: Session, settings: Settings, proof: Proof) -> None:
-    """Record the check, in a session that can write."""
-    state = State(session, settings.monitor.tables)
-    keep(state, state.monitor(settings.monitor.name)["monitor_id"], proof)
+    page.tell(Exit.ATTENTION if rows else Exit.FINE, figures, show, common)
 
 
 def _show_differences(
-    out: Console, name: str, proof: Proof, rows: Sequence[Row], kind: TimeKind, everything: bool
+    out: Console,
+    name: str,
+    proof: Proof,
+    rows: Sequence[Row],
+    kind: TimeKind,
+    common: options.Common,
 ) -> None:
     if not rows:
         page.say(
@@ -197,9 +181,9 @@ def _show_differences(
     page.say(
         out, f"monitor {name}: {len(others):,} of {proof.channels:,} channels are not as they should be"
     )
-    for row in rows if everything else rows[: options.SHOWN]:
+    for row in common.of(rows):
         page.say(out, f"  {_line(row, kind)}")
-    page.cut(out, rows, everything)
+    page.cut(out, rows, common.everything)
     since = [row["since"] for row in rows if row["since"] is not None]
     if since:
         page.say(out, f"gam score --from {shown_instant(min(since), kind)} scores them anew")
@@ -253,20 +237,17 @@ def _since(row: Row, kind: TimeKind) -> str | None:
 _KINDS = dict(zip(COUNTED, ("buckets", "novel cells", "runs", "support"), strict=True))
 
 
-@options.taking(*options.STATE, "keep", "keep_novel", source=False, state=True)
+@options.taking(
+    *(*options.STATE, "keep", "keep_novel", "everything", "as_json"), source=False, state=True
+)
 def prune(
     settings: Settings,
+    common: options.Common,
     keep_versions: Annotated[
         int | None,
-        typer.Option(
-            metavar="N", min=0, help="Retired versions of each channel that stay. Default: all of them."
-        ),
+        option("N", "Retired versions of each channel that stay. Default: all of them.", min=0),
     ] = None,
-    dry_run: Annotated[
-        bool, typer.Option("--dry-run", help="Say what would go, and change nothing.")
-    ] = False,
-    everything: options.All = False,
-    as_json: options.Json = False,
+    dry_run: Annotated[bool, option("--dry-run", "Say what would go, and change nothing.")] = False,
 ) -> None:
     """Delete old buckets, novel cells, versions and records of runs; say how large each channel is.
 
@@ -278,15 +259,11 @@ def prune(
     retention = Retention(said.keep, said.keep_novel, keep_versions, said.lookback)
     with options.opened(settings) as session:
         sizes = pruning.prune(session, said.tables, said.name, retention, dry_run)
-    _tell_sizes(sizes, said.name, dry_run, everything, as_json)
+    _tell_sizes(sizes, said.name, dry_run, common)
 
 
-@options.taking(*options.STATE, source=False, state=True)
-def compact(
-    settings: Settings,
-    everything: options.All = False,
-    as_json: options.Json = False,
-) -> None:
+@options.taking(*options.STATE, "everything", "as_json", source=False, state=True)
+def compact(settings: Settings, common: options.Common) -> None:
     """Delete rows that nobody sees: hidden by a later run, or left by one that was cut short.
 
     For engines without transactions (ClickHouse, Spark), where scoring only appends; on the others it
@@ -294,39 +271,33 @@ def compact(
     """
     with options.opened(settings) as session:
         sizes = pruning.compact(session, settings.monitor.tables, settings.monitor.name)
-    _tell_sizes(sizes, settings.monitor.name, False, everything, as_json)
+    _tell_sizes(sizes, settings.monitor.name, False, common)
 
 
-def _tell_sizes(sizes: pa.Table, monitor: str, dry_run: bool, everything: bool, as_json: bool) -> None:
+def _tell_sizes(sizes: pa.Table, monitor: str, dry_run: bool, common: options.Common) -> None:
     """Print how much there was and is of each channel."""
     rows = sizes.to_pylist()
 
     def show(out: Console) -> None:
-        shown = rows if everything else rows[: options.SHOWN]
-        columns = {"channel": [f"{row['asset']} {row['channel']}" for row in shown]}
-        for kind, word in _KINDS.items():
-            columns[word] = [_left(row[f"{kind}_after"], row[kind]) for row in shown]
-        page.table(out, columns)
-        page.cut(out, rows, everything)
+        columns: dict[str, page.Cell] = {"channel": lambda row: f"{row['asset']} {row['channel']}"}
+        columns |= {word: partial(_left, kind=kind) for kind, word in _KINDS.items()}
+        page.table(out, common.of(rows), columns)
+        page.cut(out, rows, common.everything)
         out.print()
-        page.say(out, _summary(sizes, dry_run))
+        page.say(out, _summary(rows, dry_run))
 
-    page.tell(Exit.FINE, {"monitor": monitor, "dry_run": dry_run, "channels": rows}, show, as_json)
+    page.tell(Exit.FINE, {"monitor": monitor, "dry_run": dry_run, "channels": rows}, show, common)
 
 
-def _left(after: int, before: int) -> str:
+def _left(row: Row, kind: str) -> str:
+    after, before = row[f"{kind}_after"], row[kind]
     return f"{after:,}" if after == before else f"{after:,} of {before:,}"
 
 
-def _summary(sizes: pa.Table, dry_run: bool) -> str:
-    gone = []
-    for kind, word in _KINDS.items():
-        count = (pc.sum(sizes[kind]).as_py() or 0) - (pc.sum(sizes[f"{kind}_after"]).as_py() or 0)
-        if count:
-            gone.append(f"{count:,} rows of {word}")
-    versions = pc.sum(pc.subtract(sizes["versions"], sizes["versions_after"])).as_py()
-    if versions:
-        gone.append(f"{versions:,} versions")
+def _summary(rows: Sequence[Row], dry_run: bool) -> str:
+    said = {kind: f"rows of {word}" for kind, word in _KINDS.items()} | {"versions": "versions"}
+    counts = {kind: sum(row[kind] - row[f"{kind}_after"] for row in rows) for kind in said}
+    gone = [f"{count:,} {said[kind]}" for kind, count in counts.items() if count]
     if not gone:
         return "nothing to delete"
     return f"{'would delete' if dry_run else 'deleted'}: {', '.join(gone)}"
@@ -337,12 +308,9 @@ def drop(
     settings: Settings,
     name: Annotated[
         str | None,
-        typer.Option(
-            metavar="MONITOR",
-            help="Remove the rows of this monitor only; the tables and all others stay.",
-        ),
+        option("MONITOR", "Remove the rows of this monitor only; the tables and all others stay."),
     ] = None,
-    yes: Annotated[bool, typer.Option("--yes", help="Do not ask.")] = False,
+    yes: Annotated[bool, option("--yes", "Do not ask.")] = False,
 ) -> None:
     """Remove the state tables of a schema and prefix, or with --name the rows of one monitor.
 
@@ -362,11 +330,11 @@ def drop(
 def _show_removals(tables: StateTables, found: Sequence[Removal], name: str | None) -> None:
     out = page.console()
     page.say(out, "This removes" if name is None else f"This removes, of monitor {name},")
-    columns = {
-        "table": [tables.shown(removal.name) for removal in found],
-        "rows": ["view" if removal.rows is None else f"{removal.rows}" for removal in found],
+    columns: dict[str, page.Cell] = {
+        "table": lambda row: tables.shown(row["name"]),
+        "rows": lambda row: "view" if row["rows"] is None else str(row["rows"]),
     }
-    page.table(out, columns)
+    page.table(out, list(map(vars, found)), columns)
 
 
 def _ask(expected: str) -> None:

@@ -13,6 +13,7 @@ from rich.console import Console
 
 from gam_db import look
 from gam_db.cli import options, page
+from gam_db.cli.options import option
 from gam_db.config import Settings
 from gam_db.connecting import connect
 from gam_db.engines import NAMES, engine_named
@@ -33,16 +34,14 @@ Form = Literal["exact", "view"]
 def compile(
     settings: Settings,
     form: Annotated[
-        Form, typer.Option(help="exact: one query. view: tables of what was learnt, and a view.")
+        Form, option("", "exact: one query. view: tables of what was learnt, and a view.")
     ] = "view",
-    engine: Annotated[str, typer.Option(help=f"One of {', '.join(NAMES)}.")] = "duckdb",
-    out: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Where the script goes; default: printed.")
-    ] = None,
-    prefix: Annotated[str, typer.Option(help="Begins the names of tables and views.")] = "gam_live_",
+    engine: Annotated[str, option("", f"One of {', '.join(NAMES)}.")] = "duckdb",
+    out: Annotated[Path | None, option("FILE", "Where the script goes; default: printed.")] = None,
+    prefix: Annotated[str, option("", "Begins the names of tables and views.")] = "gam_live_",
     schema: Annotated[
         str | None,
-        typer.Option(help="Schema of tables and views (default: the current one; postgres: public)."),
+        option("", "Schema of tables and views (default: the current one; postgres: public)."),
     ] = None,
 ) -> None:
     """Print the complete SQL script that computes the health indicator of SOURCE on an engine.
@@ -112,9 +111,9 @@ def dbt(
         Path,
         typer.Argument(metavar="DIR", help="Where the package goes; empty, or that of an earlier one."),
     ],
-    engine: Annotated[str, typer.Option(help=f"What dbt runs on: {', '.join(ADAPTERS)}.")] = "duckdb",
+    engine: Annotated[str, option("", f"What dbt runs on: {', '.join(ADAPTERS)}.")] = "duckdb",
     schema: Annotated[
-        str | None, typer.Option(help="Of the source table; default: that of dbt's target.")
+        str | None, option("", "Of the source table; default: that of dbt's target.")
     ] = None,
 ) -> None:
     """Write a dbt package that keeps the health indicator of SOURCE up to date in the warehouse.
@@ -125,17 +124,8 @@ def dbt(
     """
     parameters, calibration = settings.method()
     kept = settings.monitor
-    package = Package(
-        described(settings),
-        parameters,
-        calibration,
-        engine,
-        schema,
-        kept.prefix,
-        kept.lookback,
-        kept.park_after,
-    )
-    written = write(package, folder)
+    how = (engine, schema, kept.prefix, kept.lookback, kept.park_after)
+    written = write(Package(described(settings), parameters, calibration, *how), folder)
     print(
         f"{len(written)} files of a dbt package are in {folder}. README.md there says what it holds; "
         "`dbt build` builds it."
@@ -146,16 +136,14 @@ def dbt(
 def grafana(
     folder: Annotated[Path, typer.Argument(metavar="DIR", help="Where the files go; it is made.")],
     engine: Annotated[
-        str, typer.Option(help=f"Where the state lies: {', '.join(dashboards.SOURCES)}.")
+        str, option("", f"Where the state lies: {', '.join(dashboards.SOURCES)}.")
     ] = "postgres",
     schema: Annotated[
-        str | None, typer.Option(help="Of the state tables; default: that of the connection.")
+        str | None, option("", "Of the state tables; default: that of the connection.")
     ] = None,
-    prefix: Annotated[str, typer.Option(help="Of the state tables.")] = "gam_",
-    name: Annotated[str, typer.Option(metavar="MONITOR", help="Of the monitor.")] = "default",
-    uid: Annotated[
-        str, typer.Option(help="Of Grafana's data source, which the alert rule names.")
-    ] = "gam-db",
+    prefix: Annotated[str, option("", "Of the state tables.")] = "gam_",
+    name: Annotated[str, option("MONITOR", "Of the monitor.")] = "default",
+    uid: Annotated[str, option("", "Of Grafana's data source, which the alert rule names.")] = "gam-db",
 ) -> None:
     """Write a dashboard for Grafana over the views of a monitor, and an alert rule.
 

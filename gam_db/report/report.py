@@ -10,7 +10,6 @@ import html
 import re
 import secrets
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -19,13 +18,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gam_db import template
-from gam_db.clock import SECOND, Length, TimeKind, length, zone
+from gam_db.clock import SECOND, TimeKind, length
 from gam_db.errors import ConfigurationError, UserError
 from gam_db.parameters import pattern_matches
 from gam_db.report import details
 from gam_db.report.details import Reads
 from gam_db.report.packing import in_script, packed, tick
 from gam_db.report.strips import strip
+from gam_db.report.wishes import Wishes
 from gam_db.running import Listener, unheard
 from gam_db.source import AnySource
 from gam_db.version import __version__
@@ -46,39 +46,6 @@ _OF_ALARM |= {"id": "episode_id", "proving": "is_proving"}
 _PLACE = re.compile(r"\{\{([a-z-]+)\}\}")
 
 Row = dict[str, Any]
-
-
-@dataclass(frozen=True)
-class Wishes:
-    """What the page is to hold.
-
-    Attributes:
-        title: above the page and in the window.
-        details: signals that are shown in detail, besides one of each verdict that cannot be judged.
-        signals: those, as machine/signal, that are shown in detail in any case.
-        since: how far back strips begin; None for all, from calibration on.
-        time_zone: name of the plant's, as Europe/Berlin.
-        raw: whether raw readings may be in the file.
-        asset: pattern of the machines to show.
-        made: the time that the page says it was made at; None for now.
-
-    Raises:
-        ConfigurationError: there is no such time zone, or a number is none.
-    """
-
-    title: str = "Fleet health"
-    details: int = 24
-    signals: Sequence[str] = field(default_factory=tuple)
-    since: Length | None = None
-    time_zone: str = "UTC"
-    raw: bool = True
-    asset: str = "*"
-    made: dt.datetime | None = None
-
-    def __post_init__(self) -> None:
-        if self.details < 0:
-            raise ConfigurationError(f"details is {self.details}; it takes 0 or more.")
-        zone(self.time_zone)
 
 
 def write(

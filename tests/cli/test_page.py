@@ -14,7 +14,7 @@ from rich.cells import cell_len
 from rich.console import Console
 
 import gam_db
-from gam_db.cli import app, exits, page
+from gam_db.cli import app, exits, options, page
 from gam_db.cli.exits import MEANINGS, Exit
 
 FOLDER = Path(exits.__file__).parent
@@ -36,8 +36,13 @@ def lines(out: Console) -> list[str]:
 @pytest.mark.parametrize("width", [50, 80, 120, 200])
 def test_a_table_fits_and_cuts_no_name(width: int) -> None:
     out = console(width)
-    courses = [page.Course([0.5, math.nan, 1.0])] * 2
-    page.table(out, {"channel": LONG, "HI": ["0.10", "1.00"], "course": courses}, ["!", " "])
+    rows = [{"channel": name, "HI": hi} for name, hi in zip(LONG, ("0.10", "1.00"), strict=True)]
+    columns: dict[str, page.Cell] = {
+        "channel": "channel",
+        "HI": "HI",
+        "course": lambda _: page.Course([0.5, math.nan, 1.0]),
+    }
+    page.table(out, rows, columns, lambda row: "!" if row["HI"] == "0.10" else " ")
     found = lines(out)
     assert max(map(cell_len, found)) <= width
     assert not any(line.endswith(" ") for line in found)
@@ -46,11 +51,11 @@ def test_a_table_fits_and_cuts_no_name(width: int) -> None:
 
 
 def test_columns_that_say_least_go_first_and_no_others() -> None:
-    columns = {"channel": ["j1"], "samples": ["1,000,000"], "least": ["-1.5"], "most": ["2.5"]}
+    row = {"channel": "j1", "samples": 1_000_000, "least": "-1.5", "most": "2.5"}
     heads = []
     for width in (80, 30, 24):
         out = console(width)
-        page.table(out, columns, spare=("most", "least"))
+        page.table(out, [row], {name: name for name in row}, spare=("most", "least"))
         heads.append(lines(out)[0].split())
     assert heads == [["channel", "samples", "least", "most"], ["channel", "samples", "least"], heads[2]]
     assert heads[2] == ["channel", "samples"]
@@ -60,7 +65,11 @@ def test_a_course_takes_the_room_that_is_left() -> None:
     longest = []
     for width in (40, 80, 120, 300):
         out = console(width)
-        page.table(out, {"channel": ["j1"], "course": [page.Course(np.ones(500))]})
+        columns: dict[str, page.Cell] = {
+            "channel": "channel",
+            "course": lambda _: page.Course(np.ones(500)),
+        }
+        page.table(out, [{"channel": "j1"}], columns)
         longest.append(lines(out)[1].count("█"))
     assert longest[0] < longest[1] <= longest[2] == longest[3] == page.Course.most
 
@@ -83,8 +92,9 @@ def test_a_remark_is_said_once_with_its_channels() -> None:
 
 def test_figures_are_json_whatever_they_hold(capsys: pytest.CaptureFixture[str]) -> None:
     table = pa.table({"asset": ["ü"], "hi": [math.nan], "time": pa.array([0], pa.timestamp("us"))})
+    told = {"rows": table, "of": gam_db.Override("a", m=2)}
     with pytest.raises(typer.Exit) as ended:
-        page.tell(Exit.ATTENTION, {"rows": table, "of": gam_db.Override("a", m=2)}, print, as_json=True)
+        page.tell(Exit.ATTENTION, told, print, options.Common(as_json=True))
     assert ended.value.exit_code == 2
     assert json.loads(capsys.readouterr().out) == {
         "version": gam_db.__version__,

@@ -4,8 +4,7 @@ This module owns how that looks. There is no verdict and no limit: those are mad
 certificate, which speaks of Discrete Support Estimation only.
 """
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 from rich.console import Console
 
@@ -13,6 +12,7 @@ from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.job import Job
 from gam_db.errors import printable
+from gam_db.findings import Row
 from gam_db.lab.estimators.scoring import add_estimator, estimator_named
 
 #: What ``gam run`` takes from here, by the entry point ``gam_db.estimators``.
@@ -24,8 +24,6 @@ _LEGEND = {
     "forest": "score of an Isolation Forest, 0 to 1",
     "ocsvm": "score of a one-class support vector machine, less its sum over the support vectors",
 }
-
-Row = Mapping[str, Any]
 
 
 def show_scores(
@@ -41,16 +39,15 @@ def show_scores(
         everything: show every channel, however many there are.
     """
     page.say(out, f"{printable(job.name)}: {number_of(len(rows), 'channel')} by {estimator}")
-    for line in job.lines():
-        page.say(out, line)
+    page.say(out, *job.lines())
     out.print()
     shown = rows if everything else rows[: options.SHOWN]
-    columns = {
-        "channel": [f"{row['asset']} {row['channel']}" for row in shown],
-        "HI": ["-" if row["hi"] is None else f"{row['hi']:.6g}" for row in shown],
-        "last": [page.time_text(row["last_time"]) for row in shown],
+    columns: dict[str, page.Cell] = {
+        "channel": lambda row: f"{row['asset']} {row['channel']}",
+        "HI": lambda row: None if row["hi"] is None else f"{row['hi']:.6g}",
+        "last": lambda row: page.time_text(row["last_time"]),
     }
-    page.table(out, columns)
+    page.table(out, shown, columns)
     page.cut(out, rows, everything)
     out.print()
     if any(row["hi"] is None for row in rows):

@@ -153,7 +153,7 @@ def evaluate(
     def page_of(out: Console) -> None:
         show(out, health, found, conventions, everything)
 
-    page.tell(Exit.FINE, figures, page_of, as_json)
+    page.tell(Exit.FINE, figures, page_of, options.Common(as_json=as_json))
 
 
 def show(
@@ -170,8 +170,7 @@ def show(
     """
     order = {"failed": 0, "healthy": 1, None: 2}
     rows: list[Row] = sorted(found.channels.to_pylist(), key=lambda row: order[row["outcome"]])
-    for line in _heading(name, rows, found.unmatched):
-        page.say(out, line)
+    page.say(out, *_heading(name, rows, found.unmatched))
     if found.stride > 1:
         page.say(
             out,
@@ -180,13 +179,13 @@ def show(
         )
     out.print()
     shown = rows if everything else rows[: options.SHOWN]
-    names = page.names_of(shown)
-    marks = ["~" if _is_chance(row) else " " for row in shown]
-    page.table(out, {"channel": names, **_columns(shown)}, marks)
-    page.remarks(out, zip(names, map(_remarks, shown), strict=True), everything)
+    name_of = page.name_in(shown)
+    columns = {"channel": name_of, **_columns(shown)}
+    page.table(out, shown, columns, lambda row: "~" if _is_chance(row) else " ")
+    page.remarks(out, ((name_of(row), _remarks(row)) for row in shown), everything)
     page.cut(out, rows, everything)
     out.print()
-    page.table(out, _summary(found.summary.to_pylist(), conventions), left=("over",))
+    page.table(out, found.summary.to_pylist(), _summary(conventions), left=("over",))
     out.print()
     page.say(out, _legend(rows, conventions))
 
@@ -214,18 +213,18 @@ def _heading(name: str, rows: Sequence[Row], unmatched: int) -> list[str]:
     return lines
 
 
-def _columns(rows: Sequence[Row]) -> dict[str, list[str]]:
-    columns = {"outcome": [row["outcome"] or "-" for row in rows]}
-    if not any(row["outcome"] for row in rows):
-        columns = {}
-    columns["values"] = [f"{row['k']:,}" for row in rows]
-    columns["windows"] = [_whole(row["independent_windows"]) for row in rows]
-    columns["Mon"] = [_number(row["mon_signed"], "+") for row in rows]
-    if any(row["chance_reason"] != "not_asked" for row in rows):
-        columns["chance"] = [_number(row["mon_chance"]) for row in rows]
-    columns["Corr"] = [_number(row["corr_signed"], "+") for row in rows]
-    columns["Rob"] = [_number(row["rob"]) for row in rows]
-    return columns
+def _columns(rows: Sequence[Row]) -> dict[str, page.Cell]:
+    has_outcome = any(row["outcome"] for row in rows)
+    has_chance = any(row["chance_reason"] != "not_asked" for row in rows)
+    return {
+        **({"outcome": "outcome"} if has_outcome else {}),
+        "values": "k",
+        "windows": "independent_windows",
+        "Mon": lambda row: _number(row["mon_signed"], "+"),
+        **({"chance": lambda row: _number(row["mon_chance"])} if has_chance else {}),
+        "Corr": lambda row: _number(row["corr_signed"], "+"),
+        "Rob": lambda row: _number(row["rob"]),
+    }
 
 
 def _is_chance(row: Row) -> bool:
@@ -244,7 +243,7 @@ def _remarks(row: Row) -> list[str]:
     return [f"{', '.join(metrics)}: {_REASONS[reason]}" for reason, metrics in told.items()]
 
 
-def _summary(rows: Sequence[Row], conventions: Conventions) -> dict[str, list[str]]:
+def _summary(conventions: Conventions) -> dict[str, page.Cell]:
     over = {"prog": "failed", "disc": "healthy", "trendability": "failed", "global": "metrics"}
 
     def bounds(row: Row) -> str:
@@ -258,11 +257,11 @@ def _summary(rows: Sequence[Row], conventions: Conventions) -> dict[str, list[st
         return f"{row['counted']:,} {over.get(row['metric'], 'channels')}"
 
     return {
-        "metric": [_TITLES[row["metric"]] for row in rows],
-        "value": [_number(row["value"]) for row in rows],
-        "± sd": [_number(row["sd"]) for row in rows],
-        f"{100 * conventions.confidence:.4g} % interval": [bounds(row) for row in rows],
-        "over": [counted(row) for row in rows],
+        "metric": lambda row: _TITLES[row["metric"]],
+        "value": lambda row: _number(row["value"]),
+        "± sd": lambda row: _number(row["sd"]),
+        f"{100 * conventions.confidence:.4g} % interval": bounds,
+        "over": counted,
     }
 
 
@@ -288,7 +287,3 @@ def _legend(rows: Sequence[Row], conventions: Conventions) -> str:
 
 def _number(value: float | None, sign: str = "") -> str:
     return "-" if value is None else f"{value:{sign}.3f}"
-
-
-def _whole(value: int | None) -> str:
-    return "-" if value is None else f"{value:,}"

@@ -1,0 +1,185 @@
+"""``gam calibrate``: the healthy part of every channel, learnt and frozen in a database.
+
+This module owns the command and its page; :mod:`gam_db.stored.calibrating` does the work.
+"""
+
+import dataclasses
+import os
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Annotated, Any
+
+from rich.console import Console
+
+from gam_db.checking.words import number_of
+from gam_db.cli import options, page
+from gam_db.cli.exits import Exit
+from gam_db.cli.job import Job, job_of
+from gam_db.cli.monitors import channels_of, heading, place
+from gam_db.cli.options import option
+from gam_db.cli.progress import working
+from gam_db.config import Settings
+from gam_db.engines.session import Session
+from gam_db.errors import ConfigurationError, printable
+from gam_db.findings import Row, need_attention, share, shortcomings
+from gam_db.guess import SourceSettings
+from gam_db.source import AnySource, WideSource, is_file, shown_relation, slashed
+from gam_db.stored import migrations
+from gam_db.stored.monitor import Monitor
+from gam_db.stored.sources import SOURCE_COLUMNS, described, source_of
+from gam_db.stored.state import State
+
+
+@options.taking(*options.READ, *options.ALARMS, *options.STATE, *options.PAGE, "threads", state=True)
+def calibrate(
+    settings: Settings,
+    common: options.Common,
+    again: Annotated[
+        bool, option("--again", "Learn every channel anew, even with the same settings.")
+    ] = False,
+) -> None:
+    """Learn the healthy part of every channel of SOURCE and freeze it in the database.
+
+    A channel gets a new version if it has none with these settings; nothing is forgotten. Which source
+    is watched is kept, so later calls, and `gam score`, need no SOURCE. State tables are made where
+    there are none. Exit code 2: a new version is not good enough to be watched (too_fine, needs_data),
+    or none of them has any calibration.
+    """
+    tables, relation = settings.monitor.tables, settings.source.relation
+    is_folder = isinstance(relation, str) and Path(relation).is_dir()
+    session = options.opened(settings, common.threads, must_exist=not (is_folder or is_file(relation)))
+    with working(session, common.quiet) as on_step:
+        if is_folder and str(relation).casefold() not in session.relations():
+            named = dataclasses.replace(settings.source, relation=options.as_folder(str(relation)))
+            settings = dataclasses.replace(settings, source=named)
+        is_new = not migrations.status(session, tables).applied
+        job = _job(session, settings, is_new)
+        asked = (job.guess.source, job.parameters, job.calibration, settings.alarms)
+        with Monitor(session, *asked, **vars(settings.monitor)) as monitor:
+            applied = monitor.migrate() if is_new else []
+            rows = monitor.calibrate(again, on_step=on_step).to_pylist()
+    urgent = bool(rows) and need_attention(rows)
+
+    def show(out: Console) -> None:
+        if applied:
+            page.say(out, f"state tables {tables}* were made in {settings.source.shown_database}")
+        _show(out, heading(settings), job, rows, common.everything)
+        if isinstance(relation, tuple):
+            page.say(
+                out,
+                "Later runs read these files only; a pattern in quotes ('part-*.parquet') or a folder "
+                "as SOURCE reads those to come, too.",
+            )
+
+    figures = {
+        **job.figures(),
+        **place(settings),
+        "migrations_applied": applied,
+        "new_versions": rows,
+        "verdicts": Counter(row["verdict"] for row in rows),
+        "needs_attention": urgent,
+    }
+    page.tell(Exit.ATTENTION if urgent else Exit.FINE, figures, show, common)
+
+
+def _job(session: Session, settings: Settings, is_new: bool) -> Job:
+    """Return what is to be calibrated; what was not said of a known monitor's source is remembered."""
+    said, known, tables = settings.source, None, settings.monitor.tables
+    if not is_new:
+        migrations.require(session, tables)
+        state = State(session, tables)
+        names = (row for row in state.monitors() if row["name"] == settings.monitor.name)
+        known = next(names, None)
+        if known is not None:
+            said = _remembered(said, known, list(dict.fromkeys(channels_of(state, known))))
+    if said.relation is None:
+        raise ConfigurationError(
+            "Name a SOURCE: a Parquet or CSV file, or a table of the database; or put relation under "
+            "[source] into gam.toml."
+        )
+    settings = dataclasses.replace(settings, source=said)
+    job = job_of(session, settings, _absolute(said.relation), shown_relation(said.relation))
+    if known is not None:
+        _check_same(job.guess.source, known)
+    return job
+
+
+def _remembered(said: SourceSettings, known: Row, channels: Sequence[str]) -> SourceSettings:
+    """Return what was said of a source, and what its monitor knows where nothing was."""
+    source = source_of(known, channels, said.relation)
+    remembered: Row = {"relation": source.relation}
+    shared = {"asset": source.asset or False, "time": source.time, "where": source.where}
+    if isinstance(source, WideSource):
+        if said.channel is None and said.value is None:
+            remembered |= shared | {"layout": "wide", "channels": source.channels}
+    elif said.layout != "wide" and said.channels is None:
+        remembered |= shared | {"channel": source.channel or False, "value": source.value}
+    remembered |= source.written
+    unsaid = {key: value for key, value in remembered.items() if getattr(said, key) is None}
+    return dataclasses.replace(said, **unsaid)
+
+
+def _check_same(source: AnySource, known: Mapping[str, Any]) -> None:
+    """Refuse to calibrate on a source that the monitor would not score."""
+    here = described(source)
+    for column in SOURCE_COLUMNS:
+        was, now = known[column], here[column]
+        if was == now or (column == "source" and _absolute(was) == _absolute(str(now))):
+            continue
+        raise ConfigurationError(
+            f"The monitor {known['name']!r} watches another source: its {column.replace('_', ' ')} is "
+            f"{was or 'none'}, that of this one {now or 'none'}. Give this one a monitor of its own by "
+            f"--name, or remove that one by gam drop --name {known['name']}."
+        )
+
+
+def _absolute(relation: str | tuple[str, ...]) -> str | tuple[str, ...]:
+    """Return a relation as it can be read from any folder, since gam score may run in another one."""
+    if not isinstance(relation, str):
+        return tuple(str(_absolute(one)) for one in relation)
+    if not is_file(relation) or "://" in relation:
+        return relation
+    return slashed(os.path.abspath(relation), relation)
+
+
+def _show(out: Console, where: str, job: Job, rows: Sequence[Row], everything: bool) -> None:
+    if not rows:
+        page.say(out, where)
+        page.say(
+            out,
+            "nothing to do: every channel has a version with these settings; --again learns them anew",
+        )
+        return
+    versions = page.amount(rows, "new version")
+    page.say(out, f"{where}, from {printable(job.name)}: {versions}{job.settings}")
+    page.say(out, *job.lines())
+    out.print()
+    ordered = sorted(rows, key=lambda row: row["status"] != "setup")
+    shown = ordered if everything else ordered[: options.SHOWN]
+    name = page.name_in(shown)
+    columns: dict[str, page.Cell] = {
+        "channel": name,
+        "version": lambda row: str(row["version_no"]),
+        "reason": "reason",
+        "verdict": "verdict",
+        "floor": lambda row: share(row["floor"]),
+        "vectors": "vectors",
+        "cells": "cells",
+    }
+    left, spare = ("reason", "verdict"), ("cells", "vectors")
+    page.table(out, shown, columns, lambda row: "?" if row["status"] == "setup" else " ", left, spare)
+    short = ((name(row), shortcomings(row, (row["m"] - 1) * row["tau"])) for row in shown)
+    page.remarks(out, short, everything)
+    page.cut(out, ordered, everything, page.verdicts)
+    out.print()
+    page.say(out, f"verdicts: {page.verdicts(rows)}")
+    if less := [row for row in rows if row["left_out"]]:
+        spans = number_of(sum(row["left_out"] for row in less), "interval")
+        machines = page.some(sorted({printable(row["asset"]) for row in less}), 3)
+        page.say(out, f"left out of calibration, as true_fault or maintenance: {spans} of {machines}")
+    page.say(out, *page.advice(rows))
+    if not need_attention(rows):
+        page.say(out, "nothing needs attention")
+    if any(row["verdict"] != "no_data" for row in rows):
+        page.say(out, "gam score now brings the health indicator up to date")

@@ -1,0 +1,238 @@
+"""``gam check``: what a source is like before anything is learnt of it, and what must be fixed.
+
+This module owns the command and its page; :mod:`gam_db.checking` looks, judges and proposes.
+"""
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Annotated, Any
+
+from rich.console import Console
+
+from gam_db.checking import Look, Note, Proposal, look_at, must_be_fixed, notes, propose
+from gam_db.checking.sampling import is_irregular
+from gam_db.checking.times import is_heeded
+from gam_db.checking.words import instant, number_of, percent, spoken
+from gam_db.cli import options, page
+from gam_db.cli.exits import Exit
+from gam_db.cli.job import Job, job_of
+from gam_db.cli.options import option
+from gam_db.cli.progress import working
+from gam_db.cli.state import check_state
+from gam_db.config import Settings
+from gam_db.connecting import connect
+from gam_db.engines.session import Session
+from gam_db.errors import printable
+from gam_db.findings import Row
+
+
+@options.taking(*options.READ, *options.STATE, *options.PAGE, "threads")
+def check(
+    settings: Settings,
+    common: options.Common,
+    relation: str | tuple[str, ...] | None,
+    state: Annotated[
+        bool,
+        option(
+            "--state",
+            "Instead, compare all that is stored with the source, and with itself: rows that came "
+            "too late, were corrected or went, and what was damaged in the tables. Reads all of it, and "
+            "records that it did; ends with 2 if anything differs. --name, --schema and --prefix say "
+            "where it lies.",
+        ),
+    ] = False,
+) -> None:
+    """Look at SOURCE before anything is learnt of it: what it is like, what to fix, what to set.
+
+    Per channel: sampling, pauses, missing, repeated and conflicting readings, range, distinct values,
+    standstills, cycle. Ends with 2 if something must be fixed: rows without name or time, conflicts
+    everywhere, one time for all rows, nothing that moves, too few samples for a window on any channel.
+    Nothing is written.
+    """
+    if state:
+        check_state(settings, relation, common)
+        return
+    named = options.named_relation(settings)
+    session = connect(settings.source.database, common.threads, writable=False)
+    with working(session, common.quiet) as on_step:
+        seen = looked(session, named, settings, on_step)
+    code = Exit.ATTENTION if must_be_fixed(seen.notes) else Exit.FINE
+    page.tell(code, _figures(seen), lambda out: _show(out, seen, common), common)
+
+
+@dataclass(frozen=True)
+class Seen:
+    """A source, looked at: what was asked, what was seen, what is said of it and what to set."""
+
+    job: Job
+    look: Look
+    notes: list[Note]
+    proposal: Proposal
+
+
+def looked(session: Session, relation: Any, settings: Settings, on_step: Callable[[str], None]) -> Seen:
+    """Look at a source as its settings mean it.
+
+    Raises:
+        UserError: the source, a parameter or the calibration cannot be used at all.
+    """
+    job = job_of(session, settings, relation)
+    look = look_at(session, job.guess.source, job.parameters, job.calibration, on_step)
+    proposal = propose(look)
+    return Seen(job, look, notes(look, proposal), proposal)
+
+
+def _figures(seen: Seen) -> Row:
+    """Return what --json prints; lengths in microseconds or counter steps."""
+    look, proposal = seen.look, seen.proposal
+    said = ("subject", "must_be_fixed", "text", "channels")
+
+    def value(of: Any) -> Any:
+        return None if of is None else of.value
+
+    return {
+        **seen.job.figures(),
+        "time": "counter" if look.kind.is_counter else "timestamp",
+        "channels": [
+            {name: value for name, value in row.items() if name != "settings_no"}
+            for row in look.channels
+        ],
+        "rows_without": look.nameless,
+        "notes": [
+            dict(zip(said, (note.subject, note.must, note.text, note.channels), strict=True))
+            for note in seen.notes
+        ],
+        "proposal": {
+            "max_gap": value(proposal.max_gap),
+            "max_gap_by_channel": {name: value(one) for name, one in proposal.gaps.items()},
+            "window": proposal.window,
+            "still_after": value(proposal.still),
+            "still_after_by_channel": {name: value(one) for name, one in proposal.stills.items()},
+        },
+    }
+
+
+def _show(out: Console, seen: Seen, common: options.Common) -> None:
+    job, look = seen.job, seen.look
+    page.say(out, *(heading(seen) + job.settings, *job.lines()))
+    marks: dict[tuple[str, str], str] = {}
+    for note in seen.notes:
+        for name in note.channels:
+            marks[name] = "!" if note.must else marks.get(name, "?")
+
+    def mark(row: Row) -> str:
+        return marks.get((row["asset"], row["channel"]), " ")
+
+    out.print()
+    page.notes(out, (("!" if note.must else "-", note_line(note, look)) for note in seen.notes))
+    page.say(out, *_ending(seen))
+    out.print()
+    rows = sorted(look.channels, key=lambda row: mark(row) != "!")
+    if not rows:
+        return
+    shown = common.of(rows)
+    columns = {"channel": page.name_in(rows), **_columns(look)}
+    empty = [
+        heading for heading in columns if all(page.cell(row, columns[heading]) == "-" for row in shown)
+    ]
+    spare = (*empty, *(name for name in _LEAST_SAYING if name not in empty))
+    page.table(out, shown, columns, mark, spare=spare)
+    page.cut(out, rows, common.everything)
+    page.say(
+        out,
+        "step: usual step in time and its jitter (~ irregular). pauses: steps beyond five usual "
+        "ones. values: distinct ones among at most 20,480 samples. still: longest stretch of one "
+        "value. cycle: in samples, where the signal repeats itself.",
+    )
+
+
+def heading(seen: Seen) -> str:
+    """Return the source in a line: how much of it there is, and from when to when."""
+    look = seen.look
+    samples = number_of(sum(row["samples"] for row in look.channels), "sample")
+    line = f"{printable(seen.job.name)}: {page.amount(look.channels)}, {samples}"
+    if look.channels:
+        first = instant(min(row["first_tick"] for row in look.channels), look.kind)
+        last = instant(max(row["last_tick"] for row in look.channels), look.kind)
+        line += f", time from {first} to {last}"
+    return line
+
+
+def note_line(note: Note, look: Look) -> str:
+    """Return a note as a line, with the channels it concerns, if not all of them."""
+    if not note.channels:
+        return note.text
+    name = page.name_in(look.channels)
+    names = [name({"asset": asset, "channel": channel}) for asset, channel in note.channels]
+    return f"{page.some(names, of=len(look.channels))}: {note.text}"
+
+
+#: The first columns to go where the terminal is narrow.
+_LEAST_SAYING = ("values", "still", "most", "least")
+
+
+def _columns(look: Look) -> dict[str, page.Cell]:
+    """Return what the table says of channels, by its headings."""
+    return {
+        "samples": "samples",
+        "step": lambda row: _step(row, look),
+        "pauses": lambda row: row["pauses"] or None,
+        "missing": lambda row: percent(row["missing"] / row["samples"]) if row["missing"] else None,
+        "least": lambda row: _value(row["lowest"]),
+        "most": lambda row: _value(row["highest"]),
+        "values": "values_seen",
+        "still": _still,
+        "cycle": lambda row: row["cycle_length"] or None,
+    }
+
+
+def _step(row: Any, look: Look) -> str | None:
+    """Return the usual step in time, and how far nine tenths of the steps are from it at most."""
+    if row["typical_step"] is None:
+        return None
+    step = spoken(row["typical_step"], look.kind)
+    if is_irregular(row):
+        return f"~{step}"
+    within = min(row["long_step"], row["longest_step"])
+    jitter = max(within - row["typical_step"], row["typical_step"] - row["short_step"])
+    return f"{step} ±{percent(jitter / row['typical_step'])}" if jitter else step
+
+
+def _still(row: Any) -> str | None:
+    share = row["longest_still"] / row["samples"]
+    return None if row["longest_still"] <= 1 else percent(share) if share >= 0.01 else "<1 %"
+
+
+def _value(value: float | None) -> str | None:
+    if value is None:
+        return None
+    return f"{value:,.0f}" if 1e4 <= abs(value) < 1e9 else f"{value:.4g}"
+
+
+def _ending(seen: Seen) -> list[str]:
+    """Return what is to be done now."""
+    proposal, look = seen.proposal, seen.look
+    must = sum(note.must for note in seen.notes)
+    lines = []
+    if must:
+        lines.append(f"{number_of(must, 'point')} marked ! must be fixed before anything is learnt")
+    if not look.channels:
+        return lines
+    said = look.method.parameters
+    to_set = []
+    pauses = any(
+        row["pauses"] and not (is_heeded(look, row) or is_irregular(row)) for row in look.channels
+    )
+    if pauses and proposal.max_gap is not None:
+        to_set.append(f"max_gap = {json.dumps(proposal.max_gap.value)}")
+    elif pauses and proposal.gaps:
+        to_set.append(f"max_gap of {number_of(len(proposal.gaps), 'channel')}")
+    if said.still_after is None and proposal.still is not None:
+        to_set.append(f"still_after = {proposal.still.value} ({proposal.still.reason})")
+    elif said.still_after is None and proposal.stills:
+        to_set.append(f"still_after of {number_of(len(proposal.stills), 'channel')}")
+    if proposal.window != said.window:
+        to_set.append(f"window = {proposal.window} ({proposal.window_reason})")
+    lines += [] if must else ["nothing must be fixed"]
+    return lines + ([f"to be set: {'; '.join(to_set)} (gam init writes it down)"] if to_set else [])

@@ -1,0 +1,106 @@
+"""``gam demo``: what gam-db says of a simulated machine, or of a simulated plant.
+
+This module owns the command; nothing of it needs data.
+"""
+
+import shlex
+from pathlib import Path
+from typing import Annotated
+
+from pyarrow import parquet
+
+from gam_db import langevin
+from gam_db.cli import page
+from gam_db.cli.once import open_job, show
+from gam_db.cli.options import option
+from gam_db.cli.progress import working
+from gam_db.cli.report import checked, page_of, told
+from gam_db.config import Settings
+from gam_db.connecting import connect
+from gam_db.errors import ConfigurationError
+from gam_db.findings import findings
+from gam_db.guess import SourceSettings
+from gam_db.report import Wishes, plant
+from gam_db.source import Source
+
+_SIMULATED = Settings(
+    SourceSettings(asset="asset", channel="channel", time="time", value="value"),
+    {"m": langevin.M, "tau": langevin.TAU, "bins": langevin.BINS, "window": langevin.WINDOW},
+    {"fraction": langevin.CALIBRATION},
+)
+_INTRODUCTION = (
+    "A simulated machine: a controller moves it through five positions; after 40 % of the time two of "
+    "them begin to wear away, and the controller compensates. (The system is the paper's; its numbers "
+    "were chosen with the paper's row for this method in view, so this is an illustration, and no "
+    "evidence for that row.)"
+)
+_NEXT = (
+    "Next, on your own data: a Parquet or CSV file, or a table of a DuckDB file, with a column each for "
+    "the machine, the signal, the time and the reading (or one column per signal):"
+)
+_CALIBRATION = (
+    "Say when the machine was healthy by --calibration-duration '30 d' or --calibrate FROM/TO; all else "
+    "is in gam run --help."
+)
+
+
+def _report_plant(path: Path) -> None:
+    """Write the page of the simulated plant."""
+    session = connect()
+    with session, working(session) as on_step:
+        on_step("simulating a plant")
+        wishes = Wishes(title="A simulated plant", time_zone=plant.TIME_ZONE, made=plant.END)
+        asked = (Source(plant.telemetry()), plant.PARAMETERS, plant.CALIBRATION, path, wishes)
+        figures = page_of(*asked, on_step)
+    told(page.console(), figures)
+    page.say(page.console(), "Open it in a browser; it needs no network.")
+
+
+def demo(
+    keep: Annotated[
+        Path | None,
+        option(
+            "--out --keep FILE",
+            "Save the series as Parquet, to go on with; a file that is there is left as it is.",
+        ),
+    ] = None,
+    report: Annotated[
+        Path | None,
+        option(
+            "FILE.html", "Write instead the page of a small simulated plant, with every kind of change."
+        ),
+    ] = None,
+) -> None:
+    """Simulate a machine that wears out, and print what `gam run` prints of it. Writes nothing.
+
+    With --out it writes the series, with --report the page of a simulated plant, and nothing else.
+    """
+    if report is not None:
+        if keep is not None:
+            raise ConfigurationError("--report and --out are of different machines; leave one out.")
+        _report_plant(checked(report, "--report"))
+        return
+    if keep is not None and (keep.suffix != ".parquet" or not keep.parent.is_dir()):
+        raise ConfigurationError(f"--out is {keep}; give a name in .parquet, in a folder that is there.")
+    if keep is not None and keep.exists():
+        raise ConfigurationError(f"{keep} is there already; give --out a new name, or remove it.")
+    session = connect()
+    with working(session) as on_step:
+        on_step("simulating")
+        series = langevin.series()
+        job, study = open_job(session, series, _SIMULATED, on_step, "simulated machine")
+        found = findings(study)
+    lines = page.console()
+    page.say(lines, _INTRODUCTION)
+    lines.print()
+    show(lines, job, found)
+    lines.print()
+    if keep is not None:
+        parquet.write_table(series, keep)
+        words = [f"--{name} {value}" for name, value in _SIMULATED.parameters.items()]
+        words.append(f"--calibration-fraction {langevin.CALIBRATION}")
+        page.say(lines, f"The series is in {keep}. The same again, and the indicator written:")
+        lines.print(f"    gam run {shlex.quote(str(keep))} {' '.join(words)}", soft_wrap=True)
+    page.say(lines, _NEXT)
+    lines.print("    gam run recording.parquet")
+    page.say(lines, _CALIBRATION)

@@ -1,0 +1,219 @@
+"""``gam init``: a commented gam.toml for a source, from a look at it.
+
+This module owns the command and the text of the file; :mod:`gam_db.checking` looks and proposes.
+"""
+
+import dataclasses
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Annotated, Any
+
+from rich.console import Console
+
+from gam_db.address import shown
+from gam_db.checking import must_be_fixed, notes
+from gam_db.checking.words import spoken
+from gam_db.cli import options, page, toml_text
+from gam_db.cli.check import Seen, heading, looked, note_line
+from gam_db.cli.chosen import chosen, groups, save
+from gam_db.cli.exits import Exit
+from gam_db.cli.options import option
+from gam_db.cli.progress import working
+from gam_db.config import DEFAULT_FILE, Settings
+from gam_db.connecting import connect
+from gam_db.errors import ConfigurationError, printable
+from gam_db.guess import SourceSettings
+from gam_db.parameters import Parameters
+from gam_db.selection import Search
+from gam_db.setting import settings_of
+from gam_db.source import Source, is_file, paths_of, slashed
+
+
+@options.taking(*options.READ, "quiet", "threads", fresh=True)
+def init(
+    settings: Settings,
+    common: options.Common,
+    out: Annotated[Path, option("FILE", "The file to write.")] = Path(DEFAULT_FILE),
+    force: Annotated[bool, option("--force", "Replace the file if it is there.")] = False,
+    select: Annotated[
+        bool,
+        option(
+            "--select",
+            "Choose delay, dimension, bins and window of every channel, too, as gam select does.",
+        ),
+    ] = False,
+) -> None:
+    """Write a commented gam.toml for SOURCE: its columns, and parameters with the reason for each.
+
+    What is given as an option is taken as it is; columns are guessed and max_gap and window are
+    proposed from a look at the source. An existing file is left alone unless --force says otherwise.
+    Ends with 2 if something of the source must be fixed first (the file says what).
+    """
+    relation = options.named_relation(settings)
+    if out.exists() and not force:
+        raise ConfigurationError(f"{out} is there already; --force replaces it, --out writes another.")
+    if not out.parent.is_dir():
+        raise ConfigurationError(f"--out is {out}; the folder {out.parent} is not there.")
+    session = connect(settings.source.database, common.threads, writable=False)
+    with working(session, common.quiet) as on_step:
+        seen = _settled(looked(session, relation, settings, on_step), settings)
+    choices = (
+        chosen(settings, seen.job, Search(), common.threads).choices.to_pylist() if select else None
+    )
+    save(out, text(seen, settings, out.parent, choices))
+    code = Exit.ATTENTION if must_be_fixed(seen.notes) else Exit.FINE
+    page.tell(code, {}, lambda lines: _proposed(lines, seen, out), common)
+
+
+def _proposed(lines: Console, seen: Seen, out: Path) -> None:
+    page.say(lines, heading(seen))
+    must = sum(note.must for note in seen.notes)
+    if must:
+        page.say(lines, f"{must} to be fixed first; gam check says what")
+    lines.print(f"written: {printable(str(out))}; read it, then: gam run", soft_wrap=True)
+
+
+def text(
+    seen: Seen, settings: Settings, folder: Path, choices: Sequence[dict[str, Any]] | None = None
+) -> str:
+    """Return the text of the settings file.
+
+    Args:
+        seen: the source, looked at.
+        settings: what was said of it by options.
+        folder: where the file will lie; a source is named relative to it.
+        choices: what ``gam select`` says of each channel, where it was asked.
+    """
+    lines = toml_text.comment(
+        f"Settings of gam-db. {heading(seen)}. Columns and parameters are "
+        "proposed from a look at the source; all keys can be left out or changed."
+    )
+    for note in seen.notes:
+        said = note_line(note, seen.look)
+        first, *more = toml_text.comment(f"{'MUST BE FIXED' if note.must else 'Note'}: {said}")
+        lines += ["#", first, *more]
+    lines += ["", "[source]", *toml_text.entries(_source(seen, settings, folder))]
+    lines += ["", "[parameters]", *toml_text.entries(_parameters(seen, settings))]
+    proposed = _of_channels(seen, settings)
+    if choices is not None:
+        values = {
+            channel: {name: value for name, (value, _) in said.items()}
+            for channel, said in proposed.items()
+        }
+        names = ((row["asset"], row["channel"]) for row in choices)
+        own = {(asset, channel): values.get(channel, {}) for asset, channel in names}
+        lines += groups(choices, seen.job, seen.job.parameters.window, own)
+    else:
+        for channel, said_own in proposed.items():
+            entries = {"channel": (channel, ""), **said_own}
+            lines += ["", "[[override]]", *toml_text.entries(entries)]
+    lines += ["", "[calibration]", *_calibration(settings.calibration)]
+    return "\n".join(lines) + "\n"
+
+
+def _unsaid(seen: Seen, settings: Settings) -> list[tuple[str, Any, Mapping[str, Any], str]]:
+    """Return what a look can propose and nobody said: for all channels, for some, or why for none."""
+    proposal = seen.proposal
+    every = (
+        ("max_gap", proposal.max_gap, proposal.gaps, "no limit, since no pause was found"),
+        (
+            *("still_after", proposal.still, proposal.stills),
+            "never, since nothing stood still for a short part of calibration",
+        ),
+    )
+    return [one for one in every if one[0] not in settings.parameters]
+
+
+def _of_channels(seen: Seen, settings: Settings) -> dict[str, dict[str, tuple[Any, str]]]:
+    """Return what is proposed for channels of one name alone; of overrides only the first applies."""
+    made: dict[str, dict[str, tuple[Any, str]]] = {}
+    for name, _, own, _ in _unsaid(seen, settings):
+        for channel, one in own.items():
+            made.setdefault(channel, {})[name] = one.value, one.reason
+    return made
+
+
+def _settled(seen: Seen, settings: Settings) -> Seen:
+    """Return the same with what is proposed set: only what is left to be said is said."""
+    changed: dict[str, Any] = {}
+    if "window" not in settings.parameters and "stride" not in settings.parameters:
+        changed = {"window": seen.proposal.window, "stride": None}
+    changed |= {name: one.value for name, one, *_ in _unsaid(seen, settings) if one is not None}
+    parameters = dataclasses.replace(seen.job.parameters, **changed)
+    method = dataclasses.replace(seen.look.method, parameters=parameters.finest())
+    look = dataclasses.replace(seen.look, method=method)
+    job = dataclasses.replace(seen.job, parameters=parameters)
+    return Seen(job, look, notes(look, seen.proposal), seen.proposal)
+
+
+def _source(seen: Seen, settings: Settings, folder: Path) -> dict[str, tuple[Any, str]]:
+    guess, known = seen.job.guess, settings_of(SourceSettings)
+    source = guess.source
+    relation, database = source.relation, settings.source.database
+    placed = [_from(folder, one) for one in paths_of(relation)] if is_file(relation) else [relation]
+    said: dict[str, tuple[Any, str]] = {
+        "relation": (placed[0] if len(placed) == 1 else placed, "the telemetry")
+    }
+    if database is not None and not is_file(relation):
+        address = _from(folder, shown(database))
+        said["database"] = (address, "the database that holds the table")
+    columns: dict[str, Any] = {"asset": source.asset, "time": source.time}
+    if isinstance(source, Source):
+        columns |= {"channel": source.channel, "value": source.value}
+    else:
+        said["layout"] = ("wide", known["layout"].what)
+        columns["channels"] = list(source.value_columns)
+    for role, column in columns.items():
+        if column is None:
+            said[role] = (False, f"there is no {known[role].what}")
+        else:
+            said[role] = (column, known[role].what + (", guessed" if role in guess.guessed else ""))
+    said |= {name: (value, known[name].what) for name, value in source.written.items()}
+    if settings.source.where is not None:
+        said["where"] = (settings.source.where, known["where"].what)
+    return said
+
+
+def _from(folder: Path, path: str) -> str:
+    """Return a path as seen from the folder of the settings file; an absolute one stays."""
+    if Path(path).is_absolute() or "://" in path:
+        return path
+    return slashed(Path(os.path.relpath(path, folder)).as_posix(), path)
+
+
+def _parameters(seen: Seen, settings: Settings) -> dict[str, tuple[Any, str]]:
+    parameters, proposal = seen.job.parameters, seen.proposal
+    found: dict[str, tuple[Any, str]] = {}
+    for name, one, own, never in _unsaid(seen, settings):
+        several = "none for all channels, see the overrides"
+        found[name] = (False, several if own else never) if one is None else (one.value, one.reason)
+    if parameters.window == proposal.window:
+        found["window"] = (proposal.window, proposal.window_reason)
+    said: dict[str, tuple[Any, str]] = {}
+    steps = sorted(row["typical_step"] for row in seen.look.channels if row["typical_step"])
+    for name, setting in settings_of(Parameters).items():
+        what, of = setting.what, getattr(parameters, name)
+        if name == "stride" and name not in settings.parameters:
+            continue
+        if name in settings.parameters:
+            of, why = of, "as given"
+        else:
+            of, why = found.get(name, (of, "the default"))
+            if name == "tau" and steps:
+                what += f" (usual step {spoken(steps[len(steps) // 2], seen.look.kind)})"
+        said[name] = (False if of is None else of, f"{what}: {why}")
+    return said
+
+
+def _calibration(said: Mapping[str, Any]) -> list[str]:
+    known = {name: (value, "as given") for name, value in said.items()}
+    if not {"fraction", "duration", "intervals"} & set(said):
+        known = {"fraction": (0.2, "the first 20 % of each channel: the default"), **known}
+    return [
+        *toml_text.comment(
+            "The part that is known to be healthy; better than a share is what you know: "
+            "intervals = [[FROM, TO]], such as [[2026-03-01, 2026-03-14T18:00:00]] or [[0, 5000]]."
+        ),
+        *toml_text.entries(known),
+    ]

@@ -1,0 +1,65 @@
+"""The monitor that a command works with: found by its name, read from its tables, named on its page.
+
+This module owns no command; :mod:`gam_db.stored` does the work.
+"""
+
+import contextlib
+from collections.abc import Iterator
+
+from gam_db.cli import options
+from gam_db.config import Settings
+from gam_db.engines.session import Session
+from gam_db.errors import printable
+from gam_db.findings import Row
+from gam_db.stored import migrations
+from gam_db.stored.monitor import Monitor
+from gam_db.stored.sources import source_of
+from gam_db.stored.state import State
+
+
+def place(settings: Settings) -> Row:
+    """Return which monitor a page is of, for --json."""
+    return {"database": settings.source.shown_database, "monitor": settings.monitor.name}
+
+
+def heading(settings: Settings) -> str:
+    """Return the same for people."""
+    return printable(f"{settings.source.shown_database}, monitor {settings.monitor.name}")
+
+
+@contextlib.contextmanager
+def state_of(settings: Settings, writable: bool = False) -> Iterator[State]:
+    """Open the tables of a state.
+
+    Raises:
+        UserError: there are none, or they are of another gam-db.
+    """
+    with options.opened(settings, writable=writable) as session:
+        migrations.require(session, settings.monitor.tables)
+        yield State(session, settings.monitor.tables)
+
+
+def watched(
+    session: Session, settings: Settings, relation: str | tuple[str, ...] | None
+) -> tuple[Monitor, Row]:
+    """Return the monitor that is meant, and its row.
+
+    Args:
+        session: on the database that holds the state.
+        settings: say which monitor, and how it is kept.
+        relation: what to read instead of the relation that it was made from.
+
+    Raises:
+        UserError: there is no such monitor.
+    """
+    migrations.require(session, settings.monitor.tables)
+    state = State(session, settings.monitor.tables)
+    known = state.monitor(settings.monitor.name)
+    source = source_of(known, channels_of(state, known), relation)
+    return Monitor(session, source, asked=settings.alarms, **vars(settings.monitor)), known
+
+
+def channels_of(state: State, known: Row) -> list[str]:
+    """Return the names of a monitor's channels, as often as there are assets with such."""
+    channels = state.fetch("stored/known_channels", {"monitor_id": known["monitor_id"]})
+    return [str(name) for name in channels["channel"].to_pylist()]

@@ -1,0 +1,224 @@
+"""``gam score``: what is new of every calibrated channel, and what came late.
+
+This module owns the command and its page; :mod:`gam_db.stored.scoring` does the work.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+import pyarrow as pa
+import pyarrow.compute as pc
+import typer
+from rich.console import Console
+
+from gam_db.checking.words import number_of
+from gam_db.cli import options, page
+from gam_db.cli.exits import Exit
+from gam_db.cli.monitors import heading, place, watched
+from gam_db.cli.options import option
+from gam_db.cli.progress import working
+from gam_db.cli.status import judging, raised
+from gam_db.clock import LONG_AGO, TimeKind, instant, shown_instant
+from gam_db.config import Settings
+from gam_db.errors import ConfigurationError, printable
+from gam_db.findings import Row, need_attention
+from gam_db.setting import FLAG, INSTANT, TEXT, setting
+from gam_db.source import shown_relation
+from gam_db.stored.copying import copy
+from gam_db.stored.differing import differing
+from gam_db.stored.scoring import Report
+from gam_db.stored.sources import relation_of
+from gam_db.stored.state import State, kind_of
+
+
+@dataclass(frozen=True)
+class Scope:
+    """What is scored; see :meth:`gam_db.Monitor.score`."""
+
+    since: str | None = setting(
+        *(
+            None,
+            INSTANT,
+            "score anew from this instant on, to mend what rows that came too late left wrong",
+        ),
+        option="--from",
+    )
+    until: str | None = setting(
+        *(None, INSTANT, "read nothing newer; what was scored after it is hidden until the next run"),
+        option="--to",
+    )
+    full: bool = setting(False, FLAG, "score everything anew")
+    everything: bool = setting(
+        *(False, FLAG, "look at parked channels and count the rows of calibration now"),
+        more="else once a day",
+    )
+    asset: str = setting("*", TEXT, options.MACHINES, metavar="PATTERN")
+    channel: str = setting("*", TEXT, "only these signals", metavar="PATTERN")
+
+    def of(self, kind: TimeKind) -> Row:
+        """Return the keywords; instants as they were given, once it is clear that they are such."""
+        edges = {"since": ("--from", self.since), "until": ("--to", self.until)}
+        return vars(self) | {
+            name: None if text is None else shown_instant(instant(text, kind, option), kind)
+            for name, (option, text) in edges.items()
+        }
+
+
+@options.taking(
+    *(*options.STATE, "lookback", "park_after", "as_json", "quiet", "threads"), source=False, state=True
+)
+def score(
+    settings: Settings,
+    scope: Scope,
+    common: options.Common,
+    source: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="SOURCE...",
+            help="Read this file, these or this table instead, of the same columns. Default: the source "
+            "that gam calibrate was given.",
+            show_default=False,
+        ),
+    ] = None,
+    dry_run: Annotated[bool, option("--dry-run", "Say what would be read, and write nothing.")] = False,
+    copy_to: Annotated[
+        Path | None,
+        option(
+            "--copy FILE",
+            "Then copy the state into a DuckDB file of its own, for readers: no other process can "
+            "open the database while this one writes.",
+        ),
+    ] = None,
+) -> None:
+    """Score what is new since the last run, and what came late, of every calibrated channel.
+
+    It can be run at any time, and again after a crash: what is stored is then the same. Exit code 2
+    means what it does in `gam status`: an episode needs attention, or an indicator is above its limit
+    where a channel has none for judgements, or a calibration is not good enough.
+    """
+    if dry_run and copy_to is not None:
+        raise ConfigurationError("--dry-run writes nothing; leave out --copy.")
+    session = options.opened(settings, common.threads, files=[] if copy_to is None else [copy_to])
+    with working(session, common.quiet) as on_step:
+        relation = options.one_or_more(source)
+        monitor, known = watched(session, settings, relation)
+        kind = kind_of(known)
+        run = monitor.score(**scope.of(kind), dry_run=dry_run, on_step=on_step)
+        status = None if dry_run else monitor.status()
+        if copy_to is not None:
+            on_step(f"copying to {copy_to}")
+            copy(session, monitor.tables, copy_to)
+        others = _differing(monitor.state, settings)
+    urgent = status is not None and need_attention(status.to_pylist())
+    figures = {
+        **place(settings),
+        "source": shown_relation(relation or relation_of(known)),
+        "dry_run": dry_run,
+        **_figures(run, kind, status),
+        "other_settings": [{"asset": asset, "channel": channel} for asset, channel in others],
+        "copy": copy_to,
+        "needs_attention": urgent,
+    }
+
+    def show(out: Console) -> None:
+        page.say(out, f"{heading(settings)}: {printable(figures['source'])}")
+        if dry_run:
+            columns: dict[str, page.Cell] = {
+                "from": lambda row: str(row["earliest"] or "the beginning"),
+                "channels": "channels",
+                "rows": "rows",
+            }
+            page.table(out, figures["ranges"], columns)
+        page.say(out, *_lines(figures, status, settings.file))
+
+    page.tell(Exit.ATTENTION if urgent else Exit.FINE, figures, show, common)
+
+
+def _differing(state: State, settings: Settings) -> list[tuple[str, str]]:
+    """Return the channels that the settings file, if there is one, would calibrate otherwise."""
+    if not (settings.parameters or settings.calibration or settings.overrides):
+        return []
+    return differing(state, settings.monitor.name, *settings.method())
+
+
+def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:
+    """Return what --json prints of a run and of what is known after it; times as in the source."""
+
+    def told(rows: Sequence[Row], *times: str) -> list[Row]:
+        return [{**row, **{name: _told(row[name], kind) for name in times}} for row in rows]
+
+    late = None if status is None else status.filter(pc.greater(status["differing_contexts"], 0))
+    since = None if status is None else pc.min(status["repair_from"].cast(pa.int64())).as_py()
+    of_channels = ["asset", "channel", "status", "hi", "hi_limit", "limit_reason", "last_time"]
+    return {
+        "totals": {
+            "channels": sum(row["channels"] for row in run.ranges),
+            "rows": sum(row["rows"] for row in run.ranges),
+            "buckets": sum(row["buckets"] for row in run.channels),
+        },
+        "ranges": told(run.ranges, "earliest"),
+        "channels": told(run.channels, "read_from", "read_to"),
+        "parked": run.parked,
+        "not_calibrated": [
+            {"asset": asset, "channel": channel, "rows": rows}
+            for (asset, channel), rows in sorted(run.unknown_channels.items())
+        ],
+        "rows_without_name": run.nameless,
+        "rows_without_time": run.undated,
+        "late": {"channels": 0 if late is None else len(late), "repair_from": _told(since, kind)},
+        "status": [] if status is None else status.select(of_channels),
+        **({} if status is None else raised(status)),
+    }
+
+
+def _told(tick: int | None, kind: TimeKind) -> int | str | None:
+    if tick is None or tick <= LONG_AGO:
+        return None
+    return tick if kind.is_counter else shown_instant(tick, kind)
+
+
+def _lines(figures: Row, status: pa.Table | None, file: Path | None) -> Iterator[str]:
+    """Yield what is to be said of a run."""
+    totals, others, late = figures["totals"], figures["other_settings"], figures["late"]
+    read = f"{number_of(totals['channels'], 'channel')}, {number_of(totals['rows'], 'row')}"
+    if status is None:
+        yield f"would read {read}; nothing was written"
+    else:
+        yield f"read {read}; wrote {number_of(totals['buckets'], 'bucket')}, new or anew"
+    if figures["parked"]:
+        parked = number_of(figures["parked"], "channel")
+        yield f"{parked} parked: looked at once a day, or now by --everything"
+    if unknown := figures["not_calibrated"]:
+        rows = number_of(sum(row["rows"] for row in unknown), "row")
+        yield (
+            f"{rows} of {number_of(len(unknown), 'channel')} without calibration: {_named(unknown)}; "
+            "gam calibrate gives them one"
+        )
+    for name, what in (("name", "asset or channel"), ("time", "a time")):
+        if rows := figures[f"rows_without_{name}"]:
+            yield f"{number_of(rows, 'row')} without {what}, left out"
+    if late["channels"]:
+        yield (
+            f"{number_of(late['channels'], 'channel')} with samples that came later than lookback, or "
+            f"were taken away: gam score --from {late['repair_from']} mends them"
+        )
+    if others:
+        yield (
+            f"{file} has other settings than those by which {number_of(len(others), 'channel')} "
+            f"learned: {_named(others)}; gam calibrate takes them over"
+        )
+    if figures["copy"] is not None:
+        yield f"copied to {figures['copy']}"
+    if status is None:
+        return
+    if set(status["verdict"].to_pylist()) <= {"no_data"}:
+        yield "no channel has a calibration, so nothing is watched; run gam calibrate"
+    else:
+        yield f"channels: {page.counted(status.to_pylist())}; gam status shows them"
+    yield from judging(status)
+
+
+def _named(rows: Iterable[Row]) -> str:
+    return page.some(sorted(printable(f"{row['asset']} {row['channel']}") for row in rows))

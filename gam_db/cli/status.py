@@ -1,0 +1,170 @@
+"""``gam status``: how every channel is, and by what it is judged.
+
+This module owns the command and its page; :mod:`gam_db.stored.status` says what is known.
+"""
+
+import datetime as dt
+from collections.abc import Iterator, Sequence
+from typing import Annotated, Any
+
+import pyarrow as pa
+import pyarrow.compute as pc
+from rich.console import Console
+
+from gam_db.checking.words import number_of
+from gam_db.cli import options, page
+from gam_db.cli.exits import Exit
+from gam_db.cli.monitors import heading, place
+from gam_db.cli.options import option
+from gam_db.clock import TimeKind, shown_instant, shown_length, zone
+from gam_db.config import Settings
+from gam_db.errors import ConfigurationError, printable
+from gam_db.findings import Row, need_attention, share
+from gam_db.parameters import pattern_matches
+from gam_db.stored import status as stored_status
+from gam_db.stored.proving import Proof
+
+ASSETS = 20
+"""Assets shown unless all are asked for."""
+
+
+@options.taking(*(*options.STATE, "park_after", *options.PAGE, "time_zone"), source=False, state=True)
+def status(
+    settings: Settings,
+    common: options.Common,
+    asset: Annotated[str | None, option("PATTERN", f"{options.MACHINES}.".capitalize())] = None,
+) -> None:
+    """Say how every channel is: verdict, floor, indicator, trend, and what is wrong with its data.
+
+    It reads the state in the database, not the source; of assets, it prints the 20 most urgent unless
+    there is --all. A channel needs attention (exit code 2) if an episode of it does (`gam alarms`),
+    where it has a limit (`gam limits`), else if its indicator is above its limit; and if its calibration
+    is not good enough.
+    """
+    name, silence, shown_in = settings.monitor.name, settings.monitor.park_after, zone(common.time_zone)
+    with options.opened(settings, writable=False) as session:
+        channels = stored_status.status(session, settings.monitor.tables, name, silence)
+        proof = stored_status.proved(session, settings.monitor.tables, name)
+    unheard = stored_status.unheard_for(channels, silence, dt.datetime.now(dt.UTC))
+    if asset is not None:
+        channels = _of_assets(channels, asset)
+    urgent, assets = need_attention(channels.to_pylist()), stored_status.by_asset(channels)
+    figures = {
+        **place(settings),
+        "no_data_for_seconds": None if unheard is None else unheard.total_seconds(),
+        "proved": None if proof is None else _proved(proof),
+        "channels": channels,
+        "assets": assets,
+        **raised(channels),
+        "needs_attention": urgent,
+    }
+
+    def show(out: Console) -> None:
+        newest = page.time_text(pc.max(channels["last_data"]).as_py(), shown_in, named=True)
+        rows = channels.to_pylist()
+        page.say(out, f"{heading(settings)}: {page.amount(rows)}, newest data {newest}")
+        if unheard is not None:
+            page.say(out, _silence(unheard))
+        page.say(out, _proof(proof, dt.datetime.now(dt.UTC)))
+        out.print()
+        if not rows:
+            page.say(out, "no channel is calibrated yet; run gam calibrate")
+            return
+        page.channels(out, common.of(rows), "last_data", "of late", shown_in, common.everything)
+        page.cut(out, rows, common.everything, page.counted)
+        out.print()
+        if len(assets) > 1:
+            _show_assets(out, assets.to_pylist(), common)
+        page.say(out, *_summary(channels, common.everything))
+
+    page.tell(Exit.ATTENTION if urgent else Exit.FINE, figures, show, common)
+
+
+def _of_assets(channels: pa.Table, pattern: str) -> pa.Table:
+    named = [pattern_matches(pattern, asset) for asset in channels["asset"].to_pylist()]
+    found = channels.filter(pa.array(named, pa.bool_()))
+    if not found.num_rows:
+        raise ConfigurationError(f"No asset of this monitor is called like {pattern!r}.")
+    return found
+
+
+def _silence(unheard: dt.timedelta) -> str:
+    length = shown_length(unheard // dt.timedelta(microseconds=1), TimeKind.TIMESTAMP)
+    return f"no data at all for {length}: is the source filled, and is gam score run?"
+
+
+def _proof(proof: Proof | None, now: dt.datetime) -> str:
+    if proof is None:
+        return "the state was never compared with its source; gam check --state does it"
+    epoch = dt.datetime(1970, 1, 1, tzinfo=dt.UTC)
+    age = (now - epoch) // dt.timedelta(microseconds=1) - proof.proved_at
+    ago = shown_length(age, TimeKind.TIMESTAMP)
+    found = f"{proof.differences:,} differences" if proof.differences else "no difference"
+    return f"the state was last compared with its source {ago} ago: {found} (gam check --state)"
+
+
+def _proved(proof: Proof) -> dict[str, Any]:
+    said = {name: value for name, value in vars(proof).items() if name != "extent"}
+    return {**said, "proved_at": shown_instant(proof.proved_at, TimeKind.TIMESTAMP)}
+
+
+def _show_assets(out: Console, rows: Sequence[Row], common: options.Common) -> None:
+    shown = common.of(rows, ASSETS)
+    columns: dict[str, page.Cell] = {
+        "asset": "asset",
+        "worst channel": lambda row: printable(row["channel"]),
+        "HI": lambda row: share(page.assessed(row, "hi")),
+        "trend": lambda row: page.rise(page.assessed(row, "trend")),
+        "channels": "channels",
+    }
+    for name in ("need_attention", "silent"):
+        if any(row[name] for row in shown):
+            columns[name.replace("_", " ")] = name
+            shown = [row | {name: row[name] or None} for row in shown]
+    page.table(out, shown, columns, page.marked, ("worst channel",))
+    page.cut(out, rows, common.everything, most=ASSETS, what=" assets")
+    out.print()
+
+
+def _summary(channels: pa.Table, everything: bool) -> Iterator[str]:
+    yield "channels: " + page.counted(channels.to_pylist())
+    silent = pc.sum(channels["silent"]).as_py()
+    if silent:
+        yield f"silent: {silent:,}"
+    differing = pc.sum(pc.greater(channels["differing_contexts"], 0)).as_py()
+    if differing:
+        since = pc.min(channels["repair_from"]).as_py()
+        yield (
+            f"{differing:,} with samples that came later than lookback, or were taken away: gam score "
+            f"--from {since.isoformat() if isinstance(since, dt.datetime) else since} mends them all"
+        )
+    changed = pc.sum(pc.not_equal(channels["calibration_rows_added"], 0)).as_py()
+    if changed:
+        yield f"{changed:,} with calibration data that changed; gam calibrate --again learns it anew"
+    rows = channels.select(["remarks"]).to_pylist()
+    yield f"{page.legend(rows, everything)} Trend: HI now less HI a window earlier."
+    yield from judging(channels)
+
+
+def raised(status: pa.Table) -> Row:
+    """Return how many channels are judged by episodes, and the episodes that ask for attention."""
+    rows = status.select(["judged_by", "asking", "episode"]).to_pylist()
+    return {
+        "judged_by_episode": sum(row["judged_by"] == "episode" for row in rows),
+        "episodes": [row["episode"] for row in rows if row["asking"]],
+    }
+
+
+def judging(status: pa.Table) -> Iterator[str]:
+    """Yield by what channels are judged, and what is to be looked at."""
+    by_episode = raised(status)["judged_by_episode"]
+    if by_episode:
+        yield (
+            f"{number_of(by_episode, 'channel')} judged by episodes (gam limits), others by the health "
+            "indicator and its limit"
+        )
+    elif len(status) > status["judged_by"].null_count:
+        yield "judged by the health indicator and its limit; gam limits says why"
+    asking = pc.sum(status["asking"]).as_py()
+    if asking:
+        yield f"{number_of(asking, 'episode')} to look at; gam alarms shows them"

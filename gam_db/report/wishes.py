@@ -1,0 +1,61 @@
+"""What a page is to hold: keywords in Python, and options of ``gam report``."""
+
+import datetime as dt
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from gam_db.clock import Length, zone
+from gam_db.errors import ParameterError
+from gam_db.setting import COLUMNS, COUNT, FLAG, LENGTH, TEXT, Kind, Setting, check, declared, setting
+
+
+def _instant(_: Setting, name: str, given: Any) -> dt.datetime:
+    try:
+        found = given if isinstance(given, dt.datetime) else dt.datetime.fromisoformat(given)
+    except (TypeError, ValueError):
+        raise ParameterError(
+            f"{name} is {given!r}; give a time such as 2026-03-30T05:00:00+00:00."
+        ) from None
+    return found if found.tzinfo is not None else found.replace(tzinfo=dt.UTC)
+
+
+@declared
+@dataclass(frozen=True)
+class Wishes:
+    """What the page is to hold.
+
+    Raises:
+        UserError: there is no such time zone, or another value cannot be used.
+    """
+
+    title: str = setting("Fleet health", TEXT, "stands above the page, and in the window")
+    details: int = setting(
+        *(24, COUNT, "signals in detail, the most urgent of each machine"),
+        more="besides one of each verdict that cannot be judged",
+        least=0,
+    )
+    signals: Sequence[str] = setting(
+        *((), replace(COLUMNS, option=list[str]), "show this signal in detail in any case"),
+        option="--signal",
+        metavar="ASSET/CHANNEL",
+        more="may be given again",
+    )
+    since: Length | None = setting(
+        None, LENGTH, "how far back the page looks", usual="to calibration", example="7 d"
+    )
+    time_zone: str = setting("UTC", TEXT, "the plant's time zone, as Europe/Berlin", metavar="NAME")
+    raw: bool = setting(
+        *(True, replace(FLAG, read=lambda *_: False), "leave raw readings out, and read no source"),
+        option="--no-raw",
+    )
+    asset: str = setting(
+        "*", TEXT, "only these machines; * and ? stand for any text or sign", metavar="PATTERN"
+    )
+    made: dt.datetime | None = setting(
+        *(None, Kind(_instant, metavar="TIME"), "when the page says it was made"), usual="now"
+    )
+
+    def __post_init__(self) -> None:
+        check(self)
+        zone(self.time_zone)
