@@ -161,7 +161,7 @@ class Streams:
             self._replace(step, _stacked(learnable))
             running.keep(step)
             running.load(method.named("missing_vectors", number), _MISSING.empty_table())
-            if running.largest(step, "astray"):
+            if running.largest(step, "out_of_order"):
                 return False
         return bool(self._sorting)
 

@@ -121,16 +121,16 @@ def add_kept_judgements(steps: Pipeline, buckets: int, near: exp.Expr) -> None:
     """
     slots: dict[str, template.Slot] = {"buckets": buckets}
     add(steps, "alarms/judged_windows", slots, tables={"bucket_counts": "judged_buckets"})
-    add(steps, "stored/judged_on", {"root": _root("novel", "judged"), "near": near})
+    add(steps, "stored/judged_with_limits", {"root": _root("novel", "judged"), "near": near})
     for name in ("evidence", "opened"):
-        add(steps, f"alarms/{name}", tables={"rooted": "judged_on"})
+        add(steps, f"alarms/{name}", tables={"rooted": "judged_with_limits"})
 
 
-def add_held_judgements(steps: Pipeline) -> None:
-    """Add judgements over *held_windows* and *limit_spans*, up to *opened*."""
-    add(steps, "stored/held_on", {"root": _root("novel", "judged")})
+def add_rejudged(steps: Pipeline) -> None:
+    """Add judgements over *rejudged_windows* and *limit_spans*, up to *opened*."""
+    add(steps, "stored/rejudged_with_limits", {"root": _root("novel", "judged")})
     for name in ("evidence", "opened"):
-        add(steps, f"alarms/{name}", tables={"rooted": "held_on"})
+        add(steps, f"alarms/{name}", tables={"rooted": "rejudged_with_limits"})
 
 
 def add_backtested(steps: Pipeline, healthy: Sequence[tuple[int, int]]) -> None:

@@ -22,7 +22,7 @@ from gam_db.method.alarms import NEAR, add_bands, add_learnt_limits
 from gam_db.method.judgement import add_judged
 from gam_db.parameters import Parameters, pattern_matches
 from gam_db.pipeline import filled, place
-from gam_db.stored import sums
+from gam_db.stored import checksums
 from gam_db.stored.planning import Row, by, whole_pools
 from gam_db.stored.sources import described
 from gam_db.stored.state import State, now
@@ -311,7 +311,7 @@ def _write(
         {
             **{key: row[key] for key in ("asset", "channel", "reason")},
             **{key: numbered[key] for key in ("version_no", "m", "tau", "bins")},
-            **{key: ranges[numbered["channel_id"]][key] for key in sums.ENDS},
+            **{key: ranges[numbered["channel_id"]][key] for key in checksums.ENDS},
             **{key: verdicts[numbered["channel_id"]][key] for key in _TOLD},
             "needs_attention": bool(verdicts[numbered["channel_id"]]["needs_attention"]),
             "left_out": _left_out(
@@ -341,7 +341,7 @@ _RESULT = columns(
     (COUNT, "version_no"),
     (WORD, "reason"),
     (COUNT, "m tau bins"),
-    (SHARE, " ".join(sums.ENDS)),
+    (SHARE, " ".join(checksums.ENDS)),
     (WORD, "verdict"),
     (SHARE, "floor floor_sd floor_max"),
     (COUNT, "vectors cells blocks finest_bins vectors_needed"),

@@ -20,7 +20,7 @@ from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.columns import COUNT, WORD, columns
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
-from gam_db.stored.holding import unsound
+from gam_db.stored.consistency import inconsistencies
 from gam_db.stored.planning import Row, assets_of, by, portions, whole_pools
 from gam_db.stored.proving import STATE, Proof, mismatched
 from gam_db.stored.reading import Reader, cohort_of, plan_rows, searched_plan_rows
@@ -112,7 +112,7 @@ def check_state(
     check = _Check(state, reader, on_step)
     monitor_id, began = monitor["monitor_id"], now()
     buckets = check.soundness(monitor_id)
-    for one in unsound(state, monitor_id, reader.kind, check.versions):
+    for one in inconsistencies(state, monitor_id, reader.kind, check.versions):
         key = one.version_id if one.version_id in check.versions else None
         check.note(key, one.part, what=one.what, differing=one.differing, since=one.since)
     usable = {key: row for key, row in check.versions.items() if key not in check.unusable}
@@ -152,11 +152,11 @@ class _Check:
             running.load("checked", pa.Table.from_pylist(rows, schema=_CHECKED))
             self.versions = {row["version_id"]: row for row in rows}
             self._frozen()
-            for row in running.rows("unsound_versions"):
+            for row in running.rows("inconsistent_versions"):
                 for column, said in _VERSIONS.items():
                     if row[column]:
                         self.note(row["version_id"], "versions", what=said, differing=1)
-            buckets = running.rows("unsound_buckets")
+            buckets = running.rows("inconsistent_buckets")
             for row in buckets:
                 for column, said in _BUCKETS.items():
                     if row[column]:
@@ -164,13 +164,13 @@ class _Check:
                         self.note(
                             row["version_id"], "buckets", what=said, differing=row[column], since=since
                         )
-            for row in running.rows("unsound_novel"):
+            for row in running.rows("inconsistent_novel"):
                 what = "buckets whose novel vectors are not those of their cells"
                 since = self._mending(row)
                 self.note(
                     row["version_id"], "novel cells", what=what, differing=row["differing"], since=since
                 )
-            self._runs(running.rows("unsound_runs"))
+            self._runs(running.rows("inconsistent_runs"))
             for row in running.rows("orphans"):
                 table = self.state.tables.shown(row["of_table"])
                 what = f"rows of {table} whose {row['lacks']} is not there"
@@ -190,12 +190,13 @@ class _Check:
             self.note(row["version_id"], "frozen", what=what, differing=1)
 
     def _runs(self, rows: Iterable[Row]) -> None:
-        for strays, what in (
+        for others, what in (
             (0, "records of runs that do not agree with the buckets"),
             (1, "runs that found other samples before their first bucket than were scored"),
         ):
-            for key, told in by("version_id", (row for row in rows if row["strays"] == strays)).items():
-                since = min(row["since"] for row in told) if strays and self._is_active(key) else None
+            found = (row for row in rows if row["has_other_samples"] == others)
+            for key, told in by("version_id", found).items():
+                since = min(row["since"] for row in told) if others and self._is_active(key) else None
                 self.note(key, "runs", what=what, differing=len(told), since=since)
 
     def _mending(self, row: Row) -> int | None:

@@ -3,7 +3,7 @@
 A file makes one table or one view, or adds columns to a table and may fill them, with the comments of
 all that; it is safe to run twice, and calls the tables ``stored_run`` and so on. Its checksum is that of
 its bytes. A table that repeats what others hold is given the rows that it lacks in an older state
-(:func:`gam_db.stored.sums.first_rows`).
+(:func:`gam_db.stored.checksums.first_rows`).
 """
 
 import dataclasses
@@ -23,7 +23,7 @@ from gam_db.columns import COUNT, SHARE, WORD
 from gam_db.engines.base import Engine
 from gam_db.engines.storage import Addition, Definition, Filling
 from gam_db.pipeline import filled, place
-from gam_db.stored import sums
+from gam_db.stored import checksums
 from gam_db.stored.tables import TABLES, VIEWS, StateTables
 from gam_db.version import __version__
 
@@ -75,7 +75,7 @@ class Migration:
                 instant.replace(exp.paren(found) if isinstance(instant.parent, exp.Binary) else found)
         about = self.definition
         made = engine.define(Definition(create, about.comment, about.columns))
-        rows = sums.first_rows(self.name)
+        rows = checksums.first_rows(self.name)
         return made if rows is None else [*made, _rows_for(tables, self.name, rows.copy())]
 
     def _filling(self, tables: StateTables) -> Filling:

@@ -13,7 +13,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.errors import StateError
-from gam_db.stored import sums
+from gam_db.stored import checksums
 from gam_db.stored.planning import Row
 from gam_db.stored.state import State, now
 from gam_db.stored.steps import DAY
@@ -66,7 +66,7 @@ def mismatched(state: State, wanted: exp.Table) -> list[Row]:
         Rows with version_id; said, what of it differs, in words; is_usable, whether only cells do.
     """
     placed = {**state.tables.placed(), "wanted": wanted}
-    rows = state.session.rows(sums.matching_steps().query("mismatched", placed))
+    rows = state.session.rows(checksums.matching_steps().query("mismatched", placed))
     return [
         {
             "version_id": row["version_id"],

@@ -50,7 +50,7 @@ class Retention:
 
 #: The steps that find what goes, in order; all are read before anything is deleted.
 _STEPS = (
-    *("pruned_versions", "recorded", "aged_buckets", "horizons"),
+    *("pruned_versions", "recorded", "bucket_ages", "horizons"),
     *("expired_buckets", "expired_novel", "expired_judgements", "expired_runs"),
     "expired_band_visits",
     *("expired_versions", "expired_supports", "expired_unplaced", "new_horizons"),
@@ -202,7 +202,7 @@ def _slots(retention: Retention, kind: TimeKind) -> dict[str, template.Slot]:
 
 
 def _steps(tables: StateTables, slots: Mapping[str, template.Slot]) -> Pipeline:
-    steps = Pipeline(small=frozenset(_STEPS) - {"aged_buckets"})  # that one has a row per bucket
+    steps = Pipeline(small=frozenset(_STEPS) - {"bucket_ages"})  # that one has a row per bucket
     for step in _STEPS:
         path = f"stored/{step}"
         query = filled(path, {slot: slots[slot] for slot in template.load(path).slots})

@@ -37,22 +37,22 @@ GONE = (
 _PATIENCE, _PAUSE = 2.0, 0.05
 
 
-class Standing(NamedTuple):
+class Snapshot(NamedTuple):
     """What is there of a version: its newest finished run (0: none), and how many rows its runs have."""
 
     newest_run: int
     run_rows: int
 
 
-NOTHING = Standing(0, 0)
+NOTHING = Snapshot(0, 0)
 
 #: Active versions with what is there of them.
-Standings: TypeAlias = Mapping[int, Standing]
+Snapshots: TypeAlias = Mapping[int, Snapshot]
 
 
-def standings(
+def snapshots(
     state: State, among: exp.Expr | None = None, near: exp.Expr | None = None
-) -> dict[int, Standing]:
+) -> dict[int, Snapshot]:
     """Return what is there of the active versions.
 
     Args:
@@ -61,13 +61,13 @@ def standings(
         near: a condition on *run* that holds for all runs that may matter; None for all.
     """
     slots: dict[str, template.Slot] = {"among": among or exp.true(), "near": near or exp.true()}
-    rows = state.rows("stored/standing", slots)
-    return {row["version_id"]: Standing(row["newest_run"], row["run_rows"]) for row in rows}
+    rows = state.rows("stored/newest_runs", slots)
+    return {row["version_id"]: Snapshot(row["newest_run"], row["run_rows"]) for row in rows}
 
 
 @contextlib.contextmanager
 def publication(
-    state: State, monitor_id: int, group: Sequence[Row], planned: Standings, run_id: int
+    state: State, monitor_id: int, group: Sequence[Row], planned: Snapshots, run_id: int
 ) -> Iterator[Callable[[], None]]:
     """Do all inside as one run that counts, or not at all.
 
@@ -93,28 +93,28 @@ def publication(
             _look_again(state, group, planned, run_id)
 
 
-def _compare(state: State, group: Sequence[Row], planned: Standings) -> None:
-    """Refuse to go on where another standing was planned from."""
+def _compare(state: State, group: Sequence[Row], planned: Snapshots) -> None:
+    """Refuse to go on where another snapshot was planned from."""
     known = {row["version_id"]: planned.get(row["version_id"], NOTHING) for row in group}
-    oldest = min(standing.newest_run for standing in known.values())
+    oldest = min(snapshot.newest_run for snapshot in known.values())
     near = _versions(group)
     if state.session.transactions:  # run ids grow from commit to commit: an index finds the newest ones
         near = exp.and_(near, exp.column("run_id", table="run") >= template.node_of(oldest))
-    found = standings(state, _channels(group), near)
-    for version_id, standing in known.items():
+    found = snapshots(state, _channels(group), near)
+    for version_id, snapshot in known.items():
         there = found.get(version_id)
-        if there is None or there.newest_run != standing.newest_run:
+        if there is None or there.newest_run != snapshot.newest_run:
             raise ConflictError(CHANGED)
-        if there.run_rows != standing.run_rows and not state.session.transactions:
+        if there.run_rows != snapshot.run_rows and not state.session.transactions:
             raise ConflictError(CHANGED)
 
 
-def _look_again(state: State, group: Sequence[Row], planned: Standings, run_id: int) -> None:
+def _look_again(state: State, group: Sequence[Row], planned: Snapshots, run_id: int) -> None:
     """Withdraw a run if another one is there that it did not know."""
     others = exp.and_(_versions(group), exp.column("run_id", table="run").neq(template.node_of(run_id)))
     deadline = time.monotonic() + _PATIENCE
     while True:
-        found = standings(state, _channels(group), others)
+        found = snapshots(state, _channels(group), others)
         unknown = [
             found.get(row["version_id"], NOTHING).newest_run
             for row in group

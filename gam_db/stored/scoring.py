@@ -25,7 +25,7 @@ from gam_db.stored.explaining import explain
 from gam_db.stored.judging import judge
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due, planned, portions, resumed
 from gam_db.stored.proving import verify, verify_daily
-from gam_db.stored.publishing import GONE, NOTHING, Standings, publication, standings, withdraw
+from gam_db.stored.publishing import GONE, NOTHING, Snapshots, publication, snapshots, withdraw
 from gam_db.stored.reading import Reader, cohort_of, last_times, near, plan_rows, searched_plan_rows
 from gam_db.stored.state import State, kind_of, now
 from gam_db.stored.steps import PUBLISHED, can_trust, reading_steps, scoring_steps, setting_of
@@ -119,7 +119,7 @@ class _Run:
         self.monitor = state.monitor(name)
         self.reader = Reader(state.session, source, kind_of(self.monitor), name)
         self.started = now()
-        self.planned: Standings = {}
+        self.planned: Snapshots = {}
         self.is_thorough = wanted.everything
         self.report = Report()
 
@@ -176,7 +176,7 @@ class _Run:
     def _plan(self) -> list[Row]:
         monitor_id = self.monitor["monitor_id"]
         # Before the plan: what changes between the two is noticed then.
-        self.planned = standings(self.state)
+        self.planned = snapshots(self.state)
         lookback = None if self.wanted.full else self.wanted.lookback
         begin, until = self.wanted.repair_from, self.wanted.until
         rows = [] if lookback is None else plan_rows(self.state, monitor_id, lookback)
@@ -261,13 +261,13 @@ class _Run:
         steps = scoring_steps(setting_of(group[0]), self.reader.kind, trusting)
         with Running(self.session, steps, self.state.tables.placed(), self.on_step) as running:
             self._read(running, group, cohort)
-            doubtful = self._doubtful(running, group) if trusting else []
-            left_out = {row["channel_id"] for row in doubtful}
+            repeating = self._repeating(running, group) if trusting else []
+            left_out = {row["channel_id"] for row in repeating}
             group = [row for row in group if row["channel_id"] not in left_out]
             if group:
                 self._count(running, group)
                 self._publish(running, group)
-        return doubtful
+        return repeating
 
     def _read(self, running: Running, group: Sequence[Row], cohort: Cohort) -> None:
         """First stage: keep the rows of the channels, and those of their calibration where it is due."""
@@ -285,10 +285,10 @@ class _Run:
         rows = reading_steps(self.reader.readings(assets, min(row["read_from"] for row in group)))
         running.put("identified", rows.query("identified", running.placed))
 
-    def _doubtful(self, running: Running, group: Sequence[Row]) -> list[Row]:
+    def _repeating(self, running: Running, group: Sequence[Row]) -> list[Row]:
         """Second stage: return the channels that did not deserve trust, and leave them out."""
         running.keep("visited")
-        found = {row["channel_id"] for row in running.rows("doubtful")}
+        found = {row["channel_id"] for row in running.rows("repeated_instants")}
         rest = [row for row in group if row["channel_id"] not in found]
         if found and rest:
             running.load("cohort", self._cohort(rest))

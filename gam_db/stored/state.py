@@ -86,10 +86,10 @@ class State:
 
     def delete_hidden(self, table: str, run_id: int, after: int, near: exp.Expr) -> None:
         """Delete the rows of a table that a run has replaced; the slots are those of the file."""
-        hidden = filled("stored/hidden", {"run_id": run_id, "after": after, "near": near})
+        superseded = filled("stored/superseded", {"run_id": run_id, "after": after, "near": near})
         target = self.tables.table(table)
-        place(hidden, {**self.tables.placed(), "appended": target})
-        self.session.delete(target, hidden.named_selects, hidden)
+        place(superseded, {**self.tables.placed(), "appended": target})
+        self.session.delete(target, superseded.named_selects, superseded)
 
     def monitors(self) -> list[dict[str, Any]]:
         """Return the monitors of this database."""

@@ -17,7 +17,7 @@ from gam_db.calibration import Calibration
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.method import Method
 from gam_db.method.adding import OfSet, add
-from gam_db.method.alarms import add_bands, add_counted, add_held_judgements, band_of
+from gam_db.method.alarms import add_bands, add_counted, add_rejudged, band_of
 from gam_db.method.calibration import add_breaks, until_calibration_end
 from gam_db.method.certificate import add_judgement
 from gam_db.method.resolved import SMALL_OF_SET
@@ -42,7 +42,7 @@ KEPT = frozenset(
 
 
 #: Steps of a plan: a row per version, read several times.
-_PLANNED = frozenset(("active", "restart", "newest", "looks"))
+_PLANNED = frozenset(("active", "restart", "newest", "last_reads"))
 
 
 class Setting(NamedTuple):
@@ -107,7 +107,7 @@ def searched_plan_steps(monitor_id: int, lookback: int | None, repair_from: int 
 
 
 def _planned(steps: Pipeline) -> Pipeline:
-    add(steps, "stored/looks", {"long_ago": LONG_AGO})
+    add(steps, "stored/last_reads", {"long_ago": LONG_AGO})
     add(steps, "stored/plan", {"long_ago": LONG_AGO})
     return steps
 
@@ -136,8 +136,8 @@ def scoring_steps(setting: Setting, kind: TimeKind, trusting: bool = False) -> P
     """Return the steps from *identified* to the rows that are appended.
 
     Looking whether an instant occurs twice takes a pass over all times. A ``trusting`` run takes it that
-    none does, and finds out on the way: *doubtful* holds the channels that deserved no trust, whose rows
-    must not be appended.
+    none does, and finds out on the way: *repeated_instants* holds the channels that deserved no trust,
+    whose rows must not be appended.
 
     Given by the caller are the state tables, *identified*, *past_buckets*, *recount*, *stamp* (run_id,
     started, committed, lookback), and *cohort*: the channels, from where on each is read and scored, and
@@ -147,7 +147,7 @@ def scoring_steps(setting: Setting, kind: TimeKind, trusting: bool = False) -> P
     add_counting(steps, setting, kind, trusting=trusting)
     _add_stillness(steps, setting)
     if trusting:
-        add(steps, "stored/doubtful")
+        add(steps, "stored/repeated_instants")
     for name in ("past_counts", "new_counts", "settled"):
         add(steps, f"stored/{name}")
     for part in PUBLISHED:
@@ -245,8 +245,8 @@ def relearning_steps(
 def soundness_steps(monitor_id: int, is_whole: bool) -> Pipeline:
     """Return the steps that tell what does not hold between the state tables, without the source.
 
-    The last are *checked*, *unsound_versions*, *unsound_buckets*, *unsound_novel*, *unsound_runs* and
-    *orphans*.
+    The last are *checked*, *inconsistent_versions*, *inconsistent_buckets*, *inconsistent_novel*,
+    *inconsistent_runs* and *orphans*.
 
     Args:
         monitor_id: of the monitor; *orphans* is about all.
@@ -254,9 +254,9 @@ def soundness_steps(monitor_id: int, is_whole: bool) -> Pipeline:
     """
     steps = Pipeline(small=frozenset({"checked"}))
     add(steps, "stored/checked", {"monitor_id": monitor_id})
-    for name in ("unsound_versions", "unsound_buckets", "unsound_novel"):
+    for name in ("inconsistent_versions", "inconsistent_buckets", "inconsistent_novel"):
         add(steps, f"stored/{name}")
-    add(steps, "stored/unsound_runs", {"nothing": FAR_AHEAD, "long_ago": LONG_AGO})
+    add(steps, "stored/inconsistent_runs", {"nothing": FAR_AHEAD, "long_ago": LONG_AGO})
     add(steps, "stored/orphans", {"whole": int(is_whole)})
     return steps
 
@@ -265,22 +265,24 @@ def soundness_steps(monitor_id: int, is_whole: bool) -> Pipeline:
 def judging_steps(buckets: int) -> Pipeline:
     """Return the steps that judge the versions of *judged_until* anew, each as a channel of its own.
 
-    The last are *unsound_judgements*, *judged_edges* and *raised_again*.
+    The last are *inconsistent_judgements*, *judged_edges* and *raised_again*.
 
     Args:
         buckets: of a window.
     """
     steps = Pipeline(
-        small=frozenset({"held_buckets", "held_judgements", "held_windows", "judged_again", "merged"})
+        small=frozenset(
+            {"rejudged_buckets", "kept_judgements", "rejudged_windows", "judged_again", "merged"}
+        )
     )
     slots: dict[str, template.Slot] = {"buckets": buckets}
     add(steps, "stored/limit_spans")
-    for name in ("held_buckets", "held_judgements"):
+    for name in ("rejudged_buckets", "kept_judgements"):
         add(steps, f"stored/{name}")
-    add(steps, "alarms/judged_windows", slots, tables={"bucket_counts": "held_buckets"})
-    add(steps, "stored/held_windows", slots)
-    add_held_judgements(steps)
-    for name in ("judged_again", "unsound_judgements", "judged_edges"):
+    add(steps, "alarms/judged_windows", slots, tables={"bucket_counts": "rejudged_buckets"})
+    add(steps, "stored/rejudged_windows", slots)
+    add_rejudged(steps)
+    for name in ("judged_again", "inconsistent_judgements", "judged_edges"):
         add(steps, f"stored/{name}")
     add(steps, "alarms/merged")
     add(steps, "stored/raised_again")
@@ -310,7 +312,7 @@ def _add_samples(
 ) -> OfSet:
     """Add the steps from *identified* to the samples, and return the one set of the setting."""
     of_set = OfSet(steps, _method(setting, kind, asked), 0)
-    add(steps, "stored/unrepeated" if trusting else "stored/repeats", name="timeline")
+    add(steps, "stored/trusted_timeline" if trusting else "stored/repeats", name="timeline")
     for name in ("collapsed", "samples"):
         add(steps, f"source/{name}")
     add_breaks(of_set)

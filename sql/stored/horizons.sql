@@ -1,7 +1,7 @@
 -- Horizons: the first bucket of each version that stays, and the first whose novel cells stay. The active
 -- version keeps the buckets that a restart needs, whatever their age: those that lookback reaches and as
 -- many before them as a window has. It needs no novel cells, and these never outlast their buckets.
--- Reads:  aged_buckets, stored_visible_novel
+-- Reads:  bucket_ages, stored_visible_novel
 -- A row:  one version that has buckets and stays.
 -- Slots:  :keep        age of buckets that stay
 --         :keep_novel  age of novel cells that stay
@@ -43,13 +43,13 @@ FROM (
           ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
         ) AS BIGINT
       ) AS novel_rows
-    FROM aged_buckets AS aged
+    FROM bucket_ages AS aged
     JOIN (
       SELECT
         version_id,
         MAX(bucket_no) AS newest_no,
         MIN(CASE WHEN is_new = 1 THEN bucket_no END) AS first_new
-      FROM aged_buckets
+      FROM bucket_ages
       GROUP BY version_id
     ) AS reached ON reached.version_id = aged.version_id
     LEFT JOIN (

@@ -1,5 +1,5 @@
 -- Judged again: the judgements that there must be, with what they say.
--- Reads:  opened, held_windows, held_judgements
+-- Reads:  opened, rejudged_windows, kept_judgements
 -- A row:  one judgement of one version.
 SELECT
   said.channel_id AS channel_id,
@@ -16,10 +16,10 @@ SELECT
   said.is_open AS is_open,
   said.last_zero AS last_zero
 FROM opened AS said
-JOIN held_windows AS counted
+JOIN rejudged_windows AS counted
   ON counted.channel_id = said.channel_id AND counted.judgement_no = said.judgement_no
 LEFT JOIN (
   SELECT channel_id, judgement_no, evidence, 1 AS hit
-  FROM held_judgements
+  FROM kept_judgements
   WHERE judgement_no < known_until
 ) AS known ON known.channel_id = said.channel_id AND known.judgement_no = said.judgement_no

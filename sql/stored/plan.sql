@@ -3,7 +3,7 @@
 -- searched for: (m-1) tau samples up to that bucket's last, or that one alone if m = 1; and still_after - 1 more by
 -- which still ones are told. Where a channel has not so many, all of it is read, and no number of them is expected.
 -- Where no bucket stays, scoring begins as the version does.
--- Reads:  active, restart, looks
+-- Reads:  active, restart, last_reads
 -- A row:  one version with a range; restarts = 1 if it is known what of it stays.
 -- Slots:  :long_ago  an instant before all others
 SELECT
@@ -55,6 +55,6 @@ LEFT JOIN (
 ) AS staying ON staying.version_id = frozen.version_id
 LEFT JOIN (
   SELECT version_id, read_until, looked_at, counted_at, 1 AS hit
-  FROM looks
+  FROM last_reads
 ) AS seen ON seen.version_id = frozen.version_id
 WHERE frozen.lo IS NOT NULL

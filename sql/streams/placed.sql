@@ -12,7 +12,7 @@ SELECT
   cell_key,
   CASE WHEN :is_held = 1 THEN 0 ELSE 1 END AS novel,
   out_of_range,
-  astray AS doubled
+  out_of_order AS doubled
 FROM streamed
 CROSS JOIN (
   SELECT MAX(held.bits) AS bits

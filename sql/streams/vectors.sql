@@ -1,9 +1,9 @@
 -- Vectors in stored order: v(t) (Eq. 1) of one channel, whose rows come by time as they are stored, so that
 -- nothing is sorted or joined: LAG without an order follows the rows. For DuckDB. Proof: the step ordered
--- found the channel in one piece and growing, and astray = 1 marks here what is not later than the row
+-- found the channel in one piece and growing, and out_of_order = 1 marks here what is not later than the row
 -- before; one such mark, and all is done again by embedding/vectors.sql.
 -- Reads:  readings
--- A row:  one vector, at the time of its newest sample, or a row that is astray.
+-- A row:  one vector, at the time of its newest sample, or a row that is out of order.
 -- Slots:  :asset, :channel  the names of the channel
 --         :lo, :hi          its calibrated range. Not joined: a join hands on small pieces of rows late.
 --         :time_from, :time_to  the instants that are read
@@ -17,7 +17,7 @@ SELECT
   :cell_key AS cell_key,
   CASE WHEN :outside THEN 1 ELSE 0 END AS out_of_range,
   position,
-  CASE WHEN time <= previous_time THEN 1 ELSE 0 END AS astray
+  CASE WHEN time <= previous_time THEN 1 ELSE 0 END AS out_of_order
 FROM (
   SELECT
     time,

@@ -74,14 +74,22 @@ _ABOUT = {
     "certificate/*": "test_spec[certificate",
     "judgement/*": "test_judged",
     "report/*": "test_report",
-    "stored/unsound_bands": "test_falsified",
+    "stored/inconsistent_bands": "test_falsified",
     **{
         f"stored/{name}": "test_stored_alarms"
         for name in (
             *("buffered_rows", "extent_rows", "kept_buffered", "limit_*", "judged_*", "judgement_rows"),
             *("open_judgements", "found_episodes", "episode_records", "expired_judgements"),
             *("alarm_rows", "event_rows", "labels", "next_judgement", "raised_judgements"),
-            *("held_*", "judged_again", "unsound_judgements", "raised_again", "episode_history"),
+            *(
+                "rejudged_*",
+                "kept_judgements",
+                "kept_limits",
+                "judged_again",
+                "inconsistent_judgements",
+                "raised_again",
+                "episode_history",
+            ),
             "certified_extents",
         )
     },
@@ -106,7 +114,7 @@ _ABOUT = {
     "alarms/*": "test_alarms",
     "stored/ladder_rows": "test_cells",
     "stored/expired_*": "test_pruning",
-    "stored/aged_buckets": "test_pruning",
+    "stored/bucket_ages": "test_pruning",
     "stored/horizons": "test_pruning",
     "stored/pruned_versions": "test_pruning",
     "stored/state_sizes": "test_pruning",
@@ -114,7 +122,7 @@ _ABOUT = {
     "stored/status_rows": "test_status",
     "stored/active": "test_cli_stored",
     "stored/known_channels": "test_cli_stored",
-    "stored/looks": "test_planning",
+    "stored/last_reads": "test_planning",
     "stored/wanted_names": "test_planning",
     "stored/health_rows": "test_cli_stored",
     "stored/doubled": "test_faults",

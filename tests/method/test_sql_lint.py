@@ -30,6 +30,7 @@ from gam_db.selection.neighbours import add_dimensions, add_embedding
 from gam_db.selection.search import Search
 from gam_db.source import Source, WideSource, readings
 from gam_db.stored import alarms
+from gam_db.stored.checksums import first_rows, matching_steps
 from gam_db.stored.migration_files import definitions
 from gam_db.stored.migrations import rendered
 from gam_db.stored.monitor import Monitor
@@ -42,7 +43,6 @@ from gam_db.stored.steps import (
     scoring_steps,
     soundness_steps,
 )
-from gam_db.stored.sums import first_rows, matching_steps
 from gam_db.stored.tables import StateTables
 from gam_db.study import Study
 from harness import arrow
@@ -683,7 +683,7 @@ def test_filled_queries_of_a_selection_break_no_rule() -> None:
 
 #: What reads the state only; each may read those before it.
 OF_STATE = (
-    *("status_rows", "course", "pruned_versions", "aged_buckets", "horizons"),
+    *("status_rows", "course", "pruned_versions", "bucket_ages", "horizons"),
     *("expired_buckets", "expired_novel", "expired_judgements"),
     *("expired_runs", "expired_versions", "expired_supports"),
     *("expired_unplaced", "new_horizons", "expired_horizons", "last_proofs", "state_sizes"),

@@ -199,7 +199,7 @@ def test_sqlite_finds_what_is_stored_by_its_key() -> None:
         stored = mine.state.tables.placed()
         past = filled("stored/past_buckets", {"buckets": 50, "near": near(group, 50)})
         bucket = stored["stored_bucket"]
-        hidden = filled("stored/hidden", {"run_id": 7, "after": 4, "near": near(group)})
+        hidden = filled("stored/superseded", {"run_id": 7, "after": 4, "near": near(group)})
         place(hidden, {**stored, "appended": bucket})
         gone = deletion(bucket, hidden.named_selects, hidden)
         with session.lent(cohort) as lent:

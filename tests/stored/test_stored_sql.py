@@ -7,6 +7,7 @@ import sql_lint
 from gam_db.clock import TimeKind
 from gam_db.pipeline import Pipeline
 from gam_db.source import Source, readings
+from gam_db.stored.checksums import matching_steps
 from gam_db.stored.migration_files import definitions
 from gam_db.stored.reading import cohort_of
 from gam_db.stored.steps import (
@@ -20,7 +21,6 @@ from gam_db.stored.steps import (
     searched_plan_steps,
     soundness_steps,
 )
-from gam_db.stored.sums import matching_steps
 from sql_lint import Kind
 
 TYPES = {"BIGINT": Kind.INTEGER, "DOUBLE": Kind.DOUBLE, "VARCHAR": Kind.OTHER, "TEXT": Kind.OTHER}

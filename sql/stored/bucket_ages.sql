@@ -1,4 +1,4 @@
--- Aged buckets: the buckets of the versions that stay, with their age and what a restart needs.
+-- Bucket ages: the buckets of the versions that stay, with their age and what a restart needs.
 -- Reads:  pruned_versions, recorded, stored_visible_bucket
 -- A row:  one bucket; age is counted from the newest bucket of the channel. is_new = 1 if the next run
 --         may write it anew: it is not older than lookback, or not settled by what the last run recorded.

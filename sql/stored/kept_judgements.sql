@@ -1,4 +1,4 @@
--- Held judgements: those that are stored, of the versions whose judgements are made again. The first 50 are taken as
+-- Kept judgements: those that are stored, of the versions whose judgements are made again. The first 50 are taken as
 -- they are where pruning took those before.
 -- Reads:  judged_until, stored_visible_judgement
 -- A row:  one judgement of one version, which is its own channel here.

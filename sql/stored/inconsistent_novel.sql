@@ -1,4 +1,4 @@
--- Unsound novel: what must hold between the visible buckets of a version and their novel cells, from where
+-- Inconsistent novel: what must hold between the visible buckets of a version and their novel cells, from where
 -- pruning left these: the visits of a bucket's cells are its novel vectors, within its time, in cells that the
 -- support has not.
 -- Reads:  checked, stored_visible_bucket, stored_visible_novel, stored_support
@@ -16,10 +16,10 @@ FROM (
       WHEN held.hit = 1
         THEN CASE
           WHEN held.earliest < bucket.first_time OR held.latest > bucket.last_time THEN 1
-          ELSE held.unsound
+          ELSE held.is_inconsistent
         END
       ELSE 0
-    END AS unsound
+    END AS is_inconsistent
   FROM stored_visible_bucket AS bucket
   JOIN checked AS version ON version.version_id = bucket.version_id
   LEFT JOIN (
@@ -34,7 +34,7 @@ FROM (
           WHEN cell.visits < 1 OR cell.first_time > cell.last_time OR known.hit = 1 THEN 1
           ELSE 0
         END
-      ) AS unsound,
+      ) AS is_inconsistent,
       1 AS hit
     FROM stored_visible_novel AS cell
     JOIN checked AS version ON version.version_id = cell.version_id
@@ -46,5 +46,5 @@ FROM (
   ) AS held ON held.version_id = bucket.version_id AND held.bucket_no = bucket.bucket_no
   WHERE bucket.bucket_no >= version.first_novel
 ) AS judged
-WHERE unsound = 1
+WHERE is_inconsistent = 1
 GROUP BY version_id

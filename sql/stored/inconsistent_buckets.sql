@@ -1,8 +1,8 @@
--- Unsound buckets: what must hold within the visible buckets of a version, whatever the source: numbers without
+-- Inconsistent buckets: what must hold within the visible buckets of a version, whatever the source: numbers without
 -- a gap from where pruning left them, times in order, counts within their bounds, windows that are the sum of
 -- their buckets (Eq. 2).
 -- Reads:  checked, stored_visible_bucket, stored_bucket
--- A row:  one version with buckets; since is the beginning of the first that is unsound, NULL if all is well.
+-- A row:  one version with buckets; since is the beginning of the first that is inconsistent, NULL if all is well.
 SELECT
   version_id,
   CAST(COUNT(*) AS BIGINT) AS buckets,

@@ -33,7 +33,7 @@ def first_rows(table: str) -> exp.Query | None:
         add(steps, "stored/first_horizons")
         return steps.query("first_horizons")
     if table == "checksum":
-        add(steps, "stored/unsummed", name="wanted")
+        add(steps, "stored/missing_checksums", name="wanted")
         query = _summing(steps).query("checksum_rows").copy()
         for name in query.find_all(exp.Identifier):
             name.set("this", ENDS.get(name.name, name.name))

@@ -1,4 +1,4 @@
--- Hidden: rows of earlier runs that a committed run has replaced (state.md, publication), among those that
+-- Superseded: rows of earlier runs that a committed run has replaced (state.md, publication), among those that
 -- were appended: the buckets, or the novel cells.
 -- Reads:  appended, stored_run
 -- A row:  one such row, by what names it.

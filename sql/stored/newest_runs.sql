@@ -1,4 +1,4 @@
--- Standing: what a run is planned from: the newest finished run of each active version, and how many rows its
+-- Newest runs: what a run is planned from: the newest finished run of each active version, and how many rows its
 -- runs have, withdrawn ones too. Where both are as they were, nothing came or went meanwhile.
 -- Reads:  stored_version, stored_run, stored_finished_run
 -- A row:  one active version; newest_run is 0 where none has finished.

@@ -1,4 +1,4 @@
-"""Holding alarms to what they are made of: limits to calibration, judgements to buckets, and so on.
+"""Consistency of alarms: limits with calibration, judgements with buckets, episodes with judgements.
 
 This module owns what must hold between the tables of alarms, whatever the source. It writes nothing.
 What calibration counted for them is compared with the source by :mod:`gam_db.stored.checking`.
@@ -45,7 +45,7 @@ _WHOLE = (
 )
 
 
-class Unsound(NamedTuple):
+class Inconsistency(NamedTuple):
     """Something that does not hold: of which version (None: of none), where, what, how often."""
 
     version_id: int | None
@@ -63,9 +63,9 @@ class Judged:
     oldest: dict[int, int]
 
 
-def unsound(
+def inconsistencies(
     state: State, monitor_id: int, kind: TimeKind, versions: Mapping[int, Row]
-) -> Iterator[Unsound]:
+) -> Iterator[Inconsistency]:
     """Give what does not hold between the tables of alarms.
 
     Args:
@@ -83,9 +83,9 @@ def unsound(
     history = state.rows("stored/episode_history", slots)
     channels = {row["channel_id"]: row["asset"] for row in state.rows("stored/known_channels", slots)}
     yield from _episodes(history, judged, channels, versions)
-    for row in state.rows("stored/unsound_bands", slots):
+    for row in state.rows("stored/inconsistent_bands", slots):
         what = "judgements whose bands are not all of their vectors"
-        yield Unsound(row["version_id"], "episodes", what, row["differing"])
+        yield Inconsistency(row["version_id"], "episodes", what, row["differing"])
     yield from _labels(state.rows("stored/labels", slots), history, channels)
 
 
@@ -103,9 +103,9 @@ def _held(versions: Iterable[Row]) -> pa.Table:
 
 def _limits(
     state: State, monitor_id: int, kind: TimeKind, versions: Mapping[int, Row]
-) -> Iterator[Unsound]:
+) -> Iterator[Inconsistency]:
     """Hold the limits of active versions to what calibration counted."""
-    rows = state.rows("stored/held_limits", {"monitor_id": monitor_id})
+    rows = state.rows("stored/kept_limits", {"monitor_id": monitor_id})
     with learnt(state, monitor_id) as work:
         version_of = {row["channel_id"]: row["version_id"] for row in work.rows("limit_channels")}
         said: dict[int, dict[int, Row]] = defaultdict(dict)
@@ -121,7 +121,7 @@ def _limits(
         if not versions[version]["is_active"]:
             continue
         if numbers != list(range(1, len(own) + 1)) or begins[0] != 0 or begins != sorted(begins):
-            yield Unsound(version, "limits", "numbers are missing, or judgements without a limit")
+            yield Inconsistency(version, "limits", "numbers are missing, or judgements without a limit")
         if version in said:
             off = [False]
             for row in own:
@@ -131,7 +131,7 @@ def _limits(
                 for row, is_off in zip(own, off[1:], strict=True)
             )
             if wrong:
-                yield Unsound(version, "limits", "limits that calibration does not give", wrong)
+                yield Inconsistency(version, "limits", "limits that calibration does not give", wrong)
 
 
 def _follows(row: Row, said: Mapping[int, Row], is_off: bool) -> bool:
@@ -173,11 +173,13 @@ def _same(row: Row, wanted: Row) -> bool:
 # Judgements and episodes
 
 
-def _judgements(state: State, buckets: int, group: Sequence[Row], judged: Judged) -> Iterator[Unsound]:
+def _judgements(
+    state: State, buckets: int, group: Sequence[Row], judged: Judged
+) -> Iterator[Inconsistency]:
     """Judge the versions of one number of buckets anew, and note what that gives."""
     with Running(state.session, judging_steps(buckets), state.tables.placed()) as running:
         running.load("judged_until", _held(group))
-        found = running.rows("unsound_judgements")
+        found = running.rows("inconsistent_judgements")
         edges = running.rows("judged_edges")
         judged.oldest.update({row["channel_id"]: row["oldest_no"] for row in edges})
         judged.episodes.extend(running.rows("raised_again"))
@@ -185,18 +187,18 @@ def _judgements(state: State, buckets: int, group: Sequence[Row], judged: Judged
     for row in found:
         since = row["since"] if row["version_id"] in active else None
         what = "judgements that their buckets and limits do not give"
-        yield Unsound(row["version_id"], "judgements", what, row["differing"], since)
+        yield Inconsistency(row["version_id"], "judgements", what, row["differing"], since)
 
 
 def _episodes(
     history: Sequence[Row], judged: Judged, channels: Mapping[int, str], versions: Mapping[int, Row]
-) -> Iterator[Unsound]:
+) -> Iterator[Inconsistency]:
     """Hold the history of episodes to itself, and the newest of it to the judgements."""
     opened = [row["episode_id"] for row in history if row["what"] == "opened"]
     if [row["seq"] for row in history] != list(range(1, len(history) + 1)):
-        yield Unsound(None, "episodes", "numbers of changes are missing or there twice")
+        yield Inconsistency(None, "episodes", "numbers of changes are missing or there twice")
     if opened != list(range(1, len(opened) + 1)):
-        yield Unsound(None, "episodes", "numbers of episodes that were not given once, in order")
+        yield Inconsistency(None, "episodes", "numbers of episodes that were not given once, in order")
     changes = by("episode_id", history)
     newest = [rows[-1] for rows in changes.values()]
     for rows in changes.values():
@@ -204,7 +206,7 @@ def _episodes(
             before["status"] in _LIVE or (row["what"], row["status"]) == ("labelled", before["status"])
             for before, row in pairwise(rows)
         ):
-            yield Unsound(
+            yield Inconsistency(
                 rows[-1]["version_id"], "episodes", "changes that do not follow from one another"
             )
     active = {key for key, row in versions.items() if row["is_active"]}
@@ -230,7 +232,7 @@ def _episodes(
     for version, rows_of in groupby(sorted(wrong), key=lambda ended: ended[0]):
         starts = [begins[one] for one in rows_of]
         what = "episodes that are not those of the judgements"
-        yield Unsound(version, "episodes", what, len(starts), min(starts))
+        yield Inconsistency(version, "episodes", what, len(starts), min(starts))
 
 
 def _ended(row: Row) -> tuple[int, int, int, str]:
@@ -258,10 +260,10 @@ def _is_change(
 
 def _labels(
     labels: Sequence[Row], history: Sequence[Row], channels: Mapping[int, str]
-) -> Iterator[Unsound]:
+) -> Iterator[Inconsistency]:
     """Hold labels to the episodes that they are about."""
     if [row["label_id"] for row in labels] != list(range(1, len(labels) + 1)):
-        yield Unsound(None, "labels", "numbers are missing or there twice")
+        yield Inconsistency(None, "labels", "numbers are missing or there twice")
     marked = [row for row in history if row["what"] == "labelled"]
     of_episode = {
         (row["episode_id"], channels.get(row["channel_id"]), row["first_time"], row["last_time"])
@@ -278,7 +280,7 @@ def _labels(
             or row["asset"] not in assets
             or row["time_from"] > row["time_to"]
         ):
-            yield Unsound(
+            yield Inconsistency(
                 None, "labels", f"label {row['label_id']} is of nothing, or contradicts itself"
             )
     known = {row["episode_id"] for row in labels}
@@ -288,4 +290,6 @@ def _labels(
             one["time_from"] <= row["last_time"] and row["first_time"] <= one["time_to"]
             for one in beside.get(channels.get(row["channel_id"], ""), ())
         ):
-            yield Unsound(row["version_id"], "labels", "an episode was labelled, and no label says how")
+            yield Inconsistency(
+                row["version_id"], "labels", "an episode was labelled, and no label says how"
+            )

@@ -1,4 +1,4 @@
--- Unsummed: the versions that have no checksum yet.
+-- Missing checksums: the versions that have no checksum yet.
 -- Reads:  stored_version, stored_checksum
 -- A row:  one version.
 SELECT made.version_id AS version_id

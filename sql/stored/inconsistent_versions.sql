@@ -1,4 +1,4 @@
--- Unsound versions: what must hold between a version and what it learnt, whatever the source. Versions of a
+-- Inconsistent versions: what must hold between a version and what it learnt, whatever the source. Versions of a
 -- channel are numbered on; each has one row of bounds, the cells and the blocks that these count.
 -- Reads:  checked, stored_bounds, stored_support, stored_block
 -- A row:  one version; a column is 1 where that does not hold.
@@ -58,7 +58,7 @@ FROM (
       WHEN bounded.hit = 1 AND held.hit = 1
         THEN CASE
           WHEN held.cells <> bounded.cells OR held.seen_once <> bounded.seen_once THEN 1
-          WHEN held.visits <> bounded.calibration_vectors OR held.unsound > 0 THEN 1
+          WHEN held.visits <> bounded.calibration_vectors OR held.is_inconsistent > 0 THEN 1
           ELSE 0
         END
       WHEN bounded.hit = 1 AND (bounded.cells <> 0 OR bounded.seen_once <> 0 OR bounded.calibration_vectors <> 0)
@@ -69,7 +69,7 @@ FROM (
       WHEN bounded.hit = 1 AND cut.hit = 1
         THEN CASE
           WHEN cut.blocks <> bounded.blocks OR cut.vectors <> bounded.calibration_vectors THEN 1
-          WHEN cut.first_block <> 0 OR cut.last_block <> cut.blocks - 1 OR cut.unsound > 0 THEN 1
+          WHEN cut.first_block <> 0 OR cut.last_block <> cut.blocks - 1 OR cut.is_inconsistent > 0 THEN 1
           WHEN cut.highest <> bounded.floor_max THEN 1
           ELSE 0
         END
@@ -121,7 +121,7 @@ FROM (
           WHEN cell.first_block < 0 OR cell.first_block > cell.last_block THEN 1
           ELSE 0
         END
-      ) AS unsound,
+      ) AS is_inconsistent,
       1 AS hit
     FROM stored_support AS cell
     GROUP BY cell.support_id
@@ -141,7 +141,7 @@ FROM (
           WHEN member.hit = 1 THEN 0
           ELSE 1
         END
-      ) AS unsound,
+      ) AS is_inconsistent,
       1 AS hit
     FROM stored_block AS part
     LEFT JOIN (

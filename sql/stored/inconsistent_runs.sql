@@ -1,16 +1,16 @@
--- Unsound runs: what must hold between the records of runs and the buckets, whatever the source. A run begins
+-- Inconsistent runs: what must hold between the records of runs and the buckets, whatever the source. A run begins
 -- after the bucket that it found settled, reads from that one's context, and says which bucket is settled now.
 -- It was planned from the finished run before it, or from a later one that pruning took. What a later run
 -- wrote anew, or pruning took, says nothing any more.
 -- Reads:  checked, stored_finished_run, stored_run, stored_visible_bucket
--- A row:  one run of one version that breaks one of these rules; strays = 1 if it found other samples than were
---         scored (see the view fleet), which is no fault of its record.
+-- A row:  one run of one version that breaks one of these rules; has_other_samples = 1 if it found other samples than
+--         were scored (see the view fleet), which is no fault of its record.
 -- Slots:  :nothing   from_bucket of a run that read nothing: beyond all buckets
 --         :long_ago  an instant before all others
 SELECT
   version_id,
   run_id,
-  strays,
+  has_other_samples,
   read_from AS since
 FROM (
   SELECT
@@ -23,7 +23,7 @@ FROM (
         AND (run.runs_back = 1 OR run.read_from < run.read_since)
         THEN 1
       ELSE 0
-    END AS strays,
+    END AS has_other_samples,
     CASE
       WHEN run.records <> 1 THEN 1
       WHEN run.planned_from >= run.run_id THEN 1
@@ -73,7 +73,7 @@ FROM (
         AND run.from_bucket >= version.first_bucket
         THEN 1
       ELSE 0
-    END AS unsound
+    END AS is_inconsistent
   FROM (
     SELECT
       version_id,
@@ -151,4 +151,4 @@ FROM (
     GROUP BY version_id, run_id
   ) AS calm ON calm.version_id = run.version_id AND calm.run_id = run.run_id
 ) AS judged
-WHERE unsound = 1 OR strays = 1
+WHERE is_inconsistent = 1 OR has_other_samples = 1

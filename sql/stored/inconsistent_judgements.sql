@@ -1,5 +1,5 @@
--- Unsound judgements: those that are not as they must be.
--- Reads:  judged_until, judged_again, held_judgements
+-- Inconsistent judgements: those that are not as they must be.
+-- Reads:  judged_until, judged_again, kept_judgements
 -- A row:  one version with such; since is the beginning of the first.
 SELECT
   part.version_id AS version_id,
@@ -42,7 +42,7 @@ FROM (
           kept.is_open AS is_open,
           kept.last_zero AS last_zero,
           1 AS is_stored
-        FROM held_judgements AS kept
+        FROM kept_judgements AS kept
     ) AS both_sides
     GROUP BY
       channel_id,

@@ -1,4 +1,4 @@
--- Held buckets: those of the versions whose judgements are made again.
+-- Rejudged buckets: those of the versions whose judgements are made again.
 -- Reads:  judged_until, stored_visible_bucket
 -- A row:  one bucket of one version, which is its own channel here.
 SELECT

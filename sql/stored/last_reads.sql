@@ -1,4 +1,4 @@
--- Looks: when each version was last read, how far, and when its calibration was last counted anew. The newest
+-- Last reads: when each version was last read, how far, and when its calibration was last counted anew. The newest
 -- run says when: one that was made while the clock stood ahead says so only until the next.
 -- Reads:  stored_finished_run, active
 -- A row:  one version that was ever read.

@@ -1,4 +1,4 @@
--- Doubtful: the channels of which it was wrong to take it on trust that no instant occurs twice. What was
+-- Repeated instants: the channels of which it was wrong to take it on trust that no instant occurs twice. What was
 -- counted of them is of no use.
 -- Reads:  visited
 -- A row:  one channel.

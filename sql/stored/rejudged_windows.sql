@@ -1,5 +1,6 @@
--- Held windows: the judgements that there must be: of each full window of buckets, and those whose buckets were pruned.
--- Reads:  held_judgements, held_buckets, judged_windows
+-- Rejudged windows: the judgements that there must be: of each full window of buckets, and those whose buckets were
+-- pruned.
+-- Reads:  kept_judgements, rejudged_buckets, judged_windows
 -- A row:  one judgement of a version that has any; its figures before known_until are taken as they are.
 -- Slots:  :buckets  W / stride, the buckets of a window
 SELECT
@@ -11,11 +12,11 @@ SELECT
   made.last_time AS last_time,
   made.novel AS novel
 FROM judged_windows AS made
-JOIN held_buckets AS closing
+JOIN rejudged_buckets AS closing
   ON closing.channel_id = made.channel_id AND closing.bucket_no = made.last_bucket
 JOIN (
   SELECT DISTINCT channel_id
-  FROM held_judgements
+  FROM kept_judgements
 ) AS watched ON watched.channel_id = made.channel_id
 UNION ALL
 SELECT DISTINCT
@@ -26,10 +27,10 @@ SELECT DISTINCT
   kept.first_time AS first_time,
   kept.last_time AS last_time,
   kept.novel AS novel
-FROM held_judgements AS kept
+FROM kept_judgements AS kept
 LEFT JOIN (
   SELECT channel_id, MIN(bucket_no) AS first_bucket, 1 AS hit
-  FROM held_buckets
+  FROM rejudged_buckets
   GROUP BY channel_id
 ) AS oldest ON oldest.channel_id = kept.channel_id
 WHERE CASE

@@ -1,4 +1,4 @@
--- Held limits: limits of a monitor as they are kept, all but what only people read.
+-- Kept limits: limits of a monitor as they are kept, all but what only people read.
 -- Reads:  stored_limit, stored_version, stored_channel
 -- A row:  one limit of one version, in order.
 -- Slots:  :monitor_id

@@ -1,5 +1,5 @@
--- Unsound bands: first judgements of episodes whose bands are not all of their vectors, or of their novel ones. Where the
--- source no longer held what was scored there are no visits. A row that is there twice says the same.
+-- Inconsistent bands: first judgements of episodes whose bands are not all of their vectors, or of their novel ones.
+-- Where the source no longer held what was scored there are no visits. A row that is there twice says the same.
 -- Reads:  stored_band_visit, stored_visible_judgement, stored_version, stored_channel
 -- A row:  one version with such.
 -- Slots:  :monitor_id

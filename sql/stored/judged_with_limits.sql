@@ -1,4 +1,4 @@
--- Judged on: the judgements that a run makes, and the 50 before them, each beside its limit (alarms, section 4).
+-- Judged with limits: the judgements that a run makes, and the 50 before them, each beside its limit (alarms, section 4).
 -- Reads:  judged_windows, judged_until, limit_spans, stored_visible_judgement
 -- A row:  one judgement; of one that stays it is known whether it is open, and its last_zero.
 -- Slots:  :root  the expression of alarms/root.sql
