@@ -4,7 +4,7 @@ This module owns the command and its page. What figures mean is said by :func:`g
 """
 
 from collections.abc import Sequence
-from typing import Annotated, Any
+from typing import Annotated
 
 from rich.console import Console
 
@@ -12,14 +12,11 @@ from gam_db.backtesting import backtest as tested
 from gam_db.calibration import Calibration
 from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
-from gam_db.cli.job import job_of
+from gam_db.cli.job import reading
 from gam_db.cli.options import option
-from gam_db.cli.progress import working
 from gam_db.config import Settings
-from gam_db.connecting import connect
+from gam_db.findings import Row
 from gam_db.setting import settings_of
-
-Row = dict[str, Any]
 
 
 @options.taking(*options.READ, *options.ALARMS, "as_json", "quiet", "threads")
@@ -40,9 +37,7 @@ def backtest(
     judged. What is seen is set beside what is stated, with how sure it is.
     """
     spans = settings_of(Calibration)["intervals"].takes.read("--healthy", healthy) if healthy else None
-    relation = options.named_relation(settings)
-    with connect(settings.source.database, common.threads, writable=False) as session, working(session):
-        job = job_of(session, settings, relation)
+    with reading(settings, common) as (session, job, _):
         method = (job.parameters, job.calibration)
         found = tested(job.guess.source, *method, settings.alarms, spans, session)
     page.tell(Exit.FINE, {**job.figures(), **found}, lambda out: _show(out, found), common)

@@ -4,7 +4,6 @@ This module owns the command and its page; :mod:`gam_db.checking` looks, judges 
 """
 
 import json
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Annotated, Any
 
@@ -16,15 +15,14 @@ from gam_db.checking.times import is_heeded
 from gam_db.checking.words import instant, number_of, percent, spoken
 from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
-from gam_db.cli.job import Job, job_of
+from gam_db.cli.job import Job, reading
 from gam_db.cli.options import option
-from gam_db.cli.progress import working
 from gam_db.cli.state import check_state
 from gam_db.config import Settings
-from gam_db.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import printable
 from gam_db.findings import Row
+from gam_db.running import Listener
 
 
 @options.taking(*options.READ, *options.STATE, *options.PAGE, "threads")
@@ -53,10 +51,8 @@ def check(
     if state:
         check_state(settings, relation, common)
         return
-    named = options.named_relation(settings)
-    session = connect(settings.source.database, common.threads, writable=False)
-    with working(session, common.quiet) as on_step:
-        seen = looked(session, named, settings, on_step)
+    with reading(settings, common) as (session, job, on_step):
+        seen = looked(session, job, on_step)
     code = Exit.ATTENTION if must_be_fixed(seen.notes) else Exit.FINE
     page.tell(code, _figures(seen), lambda out: _show(out, seen, common), common)
 
@@ -71,13 +67,12 @@ class Seen:
     proposal: Proposal
 
 
-def looked(session: Session, relation: Any, settings: Settings, on_step: Callable[[str], None]) -> Seen:
+def looked(session: Session, job: Job, on_step: Listener) -> Seen:
     """Look at a source as its settings mean it.
 
     Raises:
         UserError: the source, a parameter or the calibration cannot be used at all.
     """
-    job = job_of(session, settings, relation)
     look = look_at(session, job.guess.source, job.parameters, job.calibration, on_step)
     proposal = propose(look)
     return Seen(job, look, notes(look, proposal), proposal)

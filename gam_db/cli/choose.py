@@ -20,15 +20,12 @@ from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.chosen import TAU, chosen, written
 from gam_db.cli.exits import Exit
-from gam_db.cli.job import Job, healthy_part, job_of
+from gam_db.cli.job import Job, healthy_part, reading
 from gam_db.cli.options import option
-from gam_db.cli.progress import working
 from gam_db.config import Settings
-from gam_db.connecting import connect
 from gam_db.errors import printable
+from gam_db.findings import Row
 from gam_db.selection import Search, Selection, alone
-
-Row = dict[str, Any]
 
 
 @options.taking(
@@ -55,10 +52,8 @@ def select(
     Overrides and pools of gam.toml are left out: each channel speaks for itself. --json prints all
     curves.
     """
-    relation = options.named_relation(settings)
-    session = connect(settings.source.database, common.threads, writable=False)
-    with working(session):
-        whole = job_of(session, settings, relation)
+    with reading(settings, common) as (_, whole, _):
+        pass
     found = chosen(settings, whole, search, common.threads)
     if write is not None:
         written(write, settings, whole, found.choices.to_pylist())

@@ -20,12 +20,11 @@ from gam_db.cli.progress import working
 from gam_db.config import Settings, load
 from gam_db.connecting import connect
 from gam_db.errors import ConfigurationError
+from gam_db.findings import Row
 from gam_db.parameters import Override, Parameters, pattern_matches
 from gam_db.patterns import Name, grouped
 from gam_db.selection import Search, Selection, Studied, alone, selected_by_all
 from gam_db.study import Study
-
-Row = dict[str, Any]
 
 TAU = {
     "given": "as given",

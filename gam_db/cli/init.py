@@ -18,10 +18,9 @@ from gam_db.cli import options, page, toml_text
 from gam_db.cli.check import Seen, heading, looked, note_line
 from gam_db.cli.chosen import chosen, groups, save
 from gam_db.cli.exits import Exit
+from gam_db.cli.job import reading
 from gam_db.cli.options import option
-from gam_db.cli.progress import working
 from gam_db.config import DEFAULT_FILE, Settings
-from gam_db.connecting import connect
 from gam_db.errors import ConfigurationError, printable
 from gam_db.guess import SourceSettings
 from gam_db.parameters import Parameters
@@ -50,14 +49,12 @@ def init(
     proposed from a look at the source. An existing file is left alone unless --force says otherwise.
     Ends with 2 if something of the source must be fixed first (the file says what).
     """
-    relation = options.named_relation(settings)
     if out.exists() and not force:
         raise ConfigurationError(f"{out} is there already; --force replaces it, --out writes another.")
     if not out.parent.is_dir():
         raise ConfigurationError(f"--out is {out}; the folder {out.parent} is not there.")
-    session = connect(settings.source.database, common.threads, writable=False)
-    with working(session, common.quiet) as on_step:
-        seen = _settled(looked(session, relation, settings, on_step), settings)
+    with reading(settings, common) as (session, job, on_step):
+        seen = _settled(looked(session, job, on_step), settings)
     choices = (
         chosen(settings, seen.job, Search(), common.threads).choices.to_pylist() if select else None
     )

@@ -3,17 +3,23 @@
 This module owns how that is said.
 """
 
+import contextlib
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
 from gam_db.calibration import Calibration
 from gam_db.checking.words import number_of
+from gam_db.cli import options
 from gam_db.cli.page import some
+from gam_db.cli.progress import working
 from gam_db.config import Settings
+from gam_db.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import printable
 from gam_db.guess import Guess, guess
 from gam_db.parameters import Parameters
+from gam_db.running import Listener
 from gam_db.setting import settings_of
 from gam_db.source import Source, shown_relation
 
@@ -124,6 +130,19 @@ def job_of(session: Session, settings: Settings, relation: Any, name: str | None
     if settings.is_of_another:
         file = f"{file}, but for [source], which is of another"
     return Job(name or shown_relation(relation), guessed, parameters, calibration, file)
+
+
+@contextlib.contextmanager
+def reading(settings: Settings, common: options.Common) -> Iterator[tuple[Session, Job, Listener]]:
+    """Open a source that is only read; yields the session, what is to be done, what is told the step.
+
+    Raises:
+        UserError: no source was named, or it, a parameter or the calibration cannot be used.
+    """
+    relation = options.named_relation(settings)
+    session = connect(settings.source.database, common.threads, writable=False)
+    with working(session, common.quiet) as on_step:
+        yield session, job_of(session, settings, relation), on_step
 
 
 def healthy_part(calibration: Calibration) -> str:

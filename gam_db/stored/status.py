@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from sqlglot import exp
 
 from gam_db.clock import Length, TimeKind, shown_instant, shown_length
+from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns
 from gam_db.engines.session import Session
 from gam_db.findings import ORDER, Course, Row, finding
 from gam_db.pipeline import filled, place
@@ -247,57 +248,43 @@ def _added(row: Row) -> int | None:
     return None if now is None else now - row["calibration_readings"]
 
 
+#: What the state calls otherwise.
+_STORED = {
+    "version": "version_no",
+    "window": "window_length",
+    "last_time": "last_tick",
+    "last_data": "data_tick",
+    "still_since": "still_since_tick",
+    "repair_from": "repair_from_tick",
+    "calibration_rows": "calibration_readings",
+    "episode": "episode_id",
+    "onset": "since_tick",
+}
+
+
 def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
     """Return the findings as a table, in their order."""
-    time = pa.int64()
-    if not kind.is_counter:
-        time = pa.timestamp("us", "UTC" if kind.has_zone else None)
-
-    def stored(name: str, of: pa.DataType) -> pa.Array:
-        return pa.array([row[name] for row in rows], of)
-
-    def ticks(name: str) -> pa.Array:
-        return stored(name, pa.int64()).cast(time)
-
-    count, share, word = pa.int64(), pa.float64(), pa.string()
-    return pa.table(
-        {
-            "asset": stored("asset", word),
-            "channel": stored("channel", word),
-            "version": stored("version_no", count),
-            "status": stored("status", word),
-            "needs_attention": stored("needs_attention", pa.bool_()),
-            "verdict": stored("verdict", word),
-            "floor": stored("floor", share),
-            "hi_limit": stored("hi_limit", share),
-            "limit_reason": stored("limit_reason", word),
-            "hi": stored("hi", share),
-            "trend": pa.array([_trend(row) for row in rows], share),
-            "novel_in_window": stored("novel_in_window", count),
-            "novel_window_before": stored("novel_window_before", count),
-            "window": stored("window_length", count),
-            "bins": stored("bins", count),
-            "course": pa.array([row["course"] for row in rows], pa.list_(share), from_pandas=True),
-            "course_from": ticks("course_from"),
-            "scored": stored("scored", count),
-            "last_time": ticks("last_tick"),
-            "last_data": ticks("data_tick"),
-            "silent": stored("silent", pa.bool_()),
-            "still_since": ticks("still_since_tick"),
-            "looked_at": stored("looked_at", pa.timestamp("us")),
-            "differing_contexts": stored("differing_contexts", count),
-            "repair_from": ticks("repair_from_tick"),
-            "calibration_rows": stored("calibration_readings", count),
-            "calibration_rows_added": pa.array([_added(row) for row in rows], count),
-            "judged_by": stored("judged_by", word),
-            "episode": stored("episode_id", count),
-            "asking": stored("asking", count),
-            "onset": ticks("since_tick"),
-            "settings_hash": stored("settings_hash", word),
-            "method_hash": stored("method_hash", word),
-            "remarks": stored("remarks", pa.list_(word)),
-        }
+    time = COUNT if kind.is_counter else pa.timestamp("us", "UTC" if kind.has_zone else None)
+    schema = columns(
+        (WORD, "asset channel"),
+        *((COUNT, "version"), (WORD, "status"), (TRUTH, "needs_attention"), (WORD, "verdict")),
+        *((SHARE, "floor hi_limit"), (WORD, "limit_reason"), (SHARE, "hi trend")),
+        (COUNT, "novel_in_window novel_window_before window bins"),
+        *((pa.list_(SHARE), "course"), (time, "course_from"), (COUNT, "scored")),
+        *((time, "last_time last_data"), (TRUTH, "silent"), (time, "still_since")),
+        *((pa.timestamp("us"), "looked_at"), (COUNT, "differing_contexts"), (time, "repair_from")),
+        *((COUNT, "calibration_rows calibration_rows_added"), (WORD, "judged_by")),
+        *((COUNT, "episode asking"), (time, "onset"), (WORD, "settings_hash method_hash")),
+        (pa.list_(WORD), "remarks"),
     )
+    made = [{**row, "trend": _trend(row), "calibration_rows_added": _added(row)} for row in rows]
+    found = {
+        one.name: pa.array(
+            [row[_STORED.get(one.name, one.name)] for row in made], one.type, from_pandas=True
+        )
+        for one in schema
+    }
+    return pa.table(found, schema=schema)
 
 
 def _trend(row: Row) -> float | None:

@@ -15,7 +15,7 @@ from gam_db.cli import options
 from gam_db.config import SECTIONS, Settings
 from gam_db.errors import CalibrationError, ConfigurationError
 from gam_db.guess import SourceSettings
-from gam_db.setting import settings_of
+from gam_db.setting import COLUMNS, COUNT, FLAG, check, setting, settings_of
 from gam_db.stored.settings import MonitorSettings
 from gam_db.stored.tables import StateTables
 
@@ -266,6 +266,47 @@ def test_a_file_given_by_option_needs_no_database(
     monkeypatch.setenv("GAM_DATABASE", "f")
     assert by_options(tmp_path, text, "a.csv").source.database is None
     assert by_options(tmp_path, text, "u").source.database == "f"
+
+
+@dataclasses.dataclass(frozen=True)
+class Asked:
+    """What one command takes beside the settings."""
+
+    depth: int = setting(3, COUNT, "how deep", least=2)
+    names: tuple[str, ...] = setting((), dataclasses.replace(COLUMNS, option=list[str]), "some names")
+    raw: bool = setting(True, dataclasses.replace(FLAG, read=lambda *_: False), "no", option="--no-raw")
+
+    def __post_init__(self) -> None:
+        check(self)
+
+
+@pytest.mark.parametrize(
+    ("words", "meant"),
+    [
+        ((), Asked()),
+        (("--depth", "2"), Asked(depth=2)),
+        (("--names", "a", "--names", "b", "--no-raw"), Asked(names=("a", "b"), raw=False)),
+        (("--depth", "1"), "depth is 1; it must be at least 2."),
+    ],
+)
+def test_a_dataclass_of_settings_becomes_options(words: tuple[str, ...], meant: Any) -> None:
+    """So that an option, its range and its help are said where the value is used."""
+    kept = []
+
+    @options.taking("quiet", source=False, fresh=True)
+    def command(settings: Settings, asked: Asked, common: options.Common) -> None:
+        kept.append((asked, common))
+
+    app = typer.Typer()
+    app.command()(command)
+    result = CliRunner().invoke(app, [*words, "-q"])
+    if isinstance(meant, str):
+        assert str(result.exception) == meant
+    else:
+        assert kept == [(meant, options.Common(quiet=True))]
+    shown = CliRunner().invoke(app, ["--help"], env={"COLUMNS": "200"}).stdout
+    assert "How deep (default 3)." in shown
+    assert "--json" not in shown, "only what the command names"
 
 
 #: An option for every setting that has one, and what it comes to.
