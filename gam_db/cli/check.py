@@ -14,10 +14,10 @@ from gam_db.checking.sampling import is_irregular
 from gam_db.checking.times import is_heeded
 from gam_db.checking.words import instant, number_of, percent, spoken
 from gam_db.cli import options, page
+from gam_db.cli.check_state import check_state
 from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, reading
 from gam_db.cli.options import option
-from gam_db.cli.state import check_state
 from gam_db.config import Settings
 from gam_db.engines.session import Session
 from gam_db.errors import printable

@@ -83,11 +83,7 @@ class Common:
     """What many commands take beside settings."""
 
     everything: bool = setting(
-        *(
-            False,
-            FLAG,
-            f"print every channel, not only the {SHOWN} most urgent, and all there is to say",
-        ),
+        *(False, FLAG, f"print every channel, not only the {SHOWN} most urgent, and all remarks"),
         option="--all",
     )
     time_zone: str = setting("UTC", TEXT, "in which times are shown, as Europe/Berlin", metavar="NAME")
@@ -174,9 +170,9 @@ def taking(
         for section, of in classes.items():
             if of is not Common:
                 known |= {name: (section, one) for name, one in settings_of(of).items()}
-        options: dict[bool, list[inspect.Parameter]] = {True: [], False: []}
-        for name, (section, one) in known.items():
-            options[section in SECTIONS] += _options(name, section, one)
+        made = [
+            option for name, (section, one) in known.items() for option in _options(name, section, one)
+        ]
         where = [
             *([_parameter("relation", list[str] | None, _SOURCE)] if source else []),
             _parameter("database", str | None, _OF_STATE if state else _READ_ONLY),
@@ -184,11 +180,8 @@ def taking(
         ]
         needed = [one for one in own.values() if one.default is one.empty]
         asked = [one for one in own.values() if one.default is not one.empty]
-        late = [one for one in asked if _panel(one) in _PANELS.values()]
-        early = [*(one for one in asked if one not in late), *options[False]]
-        among = [*early, *options[True]] if source or not state else [*options[True], *early]
         parameters = [
-            one.replace(kind=inspect.Parameter.KEYWORD_ONLY) for one in (*needed, *where, *among, *late)
+            one.replace(kind=inspect.Parameter.KEYWORD_ONLY) for one in (*needed, *where, *made, *asked)
         ]
 
         @functools.wraps(command)
@@ -212,12 +205,6 @@ def _parameter(name: str, of: Any, about: Any, default: Any = None) -> inspect.P
     return inspect.Parameter(
         name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=Annotated[of, about]
     )
-
-
-def _panel(option: inspect.Parameter) -> str | None:
-    (about,) = option.annotation.__metadata__
-    panel: str | None = about.rich_help_panel
-    return panel
 
 
 def _options(name: str, section: str, one: Setting) -> Iterator[inspect.Parameter]:

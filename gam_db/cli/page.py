@@ -183,8 +183,9 @@ def cell(row: Row, of: Cell) -> Any:
 
 def when(heading: str, of: str, rows: Sequence[Row], zone: dt.tzinfo) -> dict[str, Cell]:
     """Return a column of times for :func:`table`, its heading with the time zone they are told in."""
-    said = in_zone(heading, (row[of] for row in rows), zone)
-    return {said: lambda row: time_text(row[of], zone)}
+    if any(isinstance(row[of], dt.datetime) for row in rows):
+        heading = f"{heading}, {zone}"
+    return {heading: lambda row: time_text(row[of], zone)}
 
 
 def _print(out: Console, laid: Table) -> None:
@@ -409,11 +410,6 @@ def time_text(time: Any, zone: dt.tzinfo = dt.UTC, named: bool = False) -> str:
     if not isinstance(time, dt.datetime):
         return f"{time:,}"
     return f"{_aware(time).astimezone(zone):%Y-%m-%d %H:%M}{f' {zone}' * named}"
-
-
-def in_zone(words: str, times: Iterable[Any], zone: dt.tzinfo) -> str:
-    """Return words of times with the time zone in which they are told, where a calendar tells them."""
-    return f"{words}, {zone}" if any(isinstance(time, dt.datetime) for time in times) else words
 
 
 def _aware(time: dt.datetime) -> dt.datetime:

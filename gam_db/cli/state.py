@@ -1,10 +1,9 @@
-"""The state in a database: made, proved, kept small, removed.
+"""The state in a database: made, kept small, removed.
 
-This module owns ``gam migrate``, ``gam check --state``, ``gam prune``, ``gam compact`` and ``gam drop``,
-and their pages; :mod:`gam_db.stored` does the work.
+This module owns ``gam migrate``, ``gam prune``, ``gam compact`` and ``gam drop``, and their pages;
+:mod:`gam_db.stored` does the work.
 """
 
-import datetime as dt
 from collections.abc import Sequence
 from functools import partial
 from typing import Annotated
@@ -15,21 +14,17 @@ from rich.console import Console
 
 from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
-from gam_db.cli.monitors import watched
 from gam_db.cli.options import option
-from gam_db.cli.progress import working
-from gam_db.clock import TimeKind, shown_instant, told_time
+from gam_db.clock import TimeKind, told_time
 from gam_db.config import Settings
 from gam_db.engines import NAMES, engine_named
-from gam_db.errors import ConfigurationError, EngineError, printable
+from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row
 from gam_db.stored import dropping, migrations, pruning
 from gam_db.stored.dropping import Removal
 from gam_db.stored.migrations import Status
-from gam_db.stored.proving import Proof, keep
 from gam_db.stored.pruning import COUNTED, Retention
 from gam_db.stored.roles import Roles
-from gam_db.stored.state import State, kind_of
 from gam_db.stored.tables import StateTables
 
 
@@ -38,12 +33,10 @@ def migrate(
     settings: Settings,
     common: options.Common,
     status: Annotated[
-        bool,
-        option(*("--status", "Change nothing; say what was applied. Exit code 2: some are pending.")),
+        bool, option("--status", "Change nothing; say what was applied. Exit code 2: some are not.")
     ] = False,
     sql: Annotated[
-        bool,
-        option("--sql", "Print the script, for a database administrator; open no database."),
+        bool, option("--sql", "Print the script, for a database administrator; open no database.")
     ] = False,
     engine: Annotated[
         str | None, option("", f"With --sql: one of {', '.join(NAMES)} (default duckdb).")
@@ -113,125 +106,6 @@ def _when(applied_at: int | None) -> str:
     if applied_at is None:
         return "pending"
     return page.time_text(told_time(applied_at, TimeKind.TIMESTAMP), named=True)
-
-
-#: Parts that follow from the source, and of which is told what was counted.
-_MENDED = ("scored", "calibration")
-
-
-def check_state(
-    settings: Settings, relation: str | tuple[str, ...] | None, common: options.Common
-) -> None:
-    """Compare the state of a monitor with its source, and print what differs.
-
-    Args:
-        settings: say which monitor.
-        relation: what to read instead of the relation that it was made from.
-        common: how it is printed.
-
-    Raises:
-        UserError: there is no such monitor, or its source cannot be used.
-    """
-    name = settings.monitor.name
-    session = options.opened(settings, common.threads, writable=False)
-    with working(session, common.quiet) as on_step:
-        monitor, known = watched(session, settings, relation)
-        found = monitor.checked_state(on_step=on_step)
-    # Only now, and shortly: a DuckDB file that is open for writing is open for nobody else.
-    unkept = None
-    try:
-        with options.opened(settings, common.threads) as session:
-            state = State(session, settings.monitor.tables)
-            keep(state, state.monitor(name)["monitor_id"], found.proof)
-    except EngineError as error:
-        unkept = str(error)
-    kind, rows, proof = kind_of(known), found.differences.to_pylist(), found.proof
-
-    def show(out: Console) -> None:
-        _show_differences(out, name, proof, rows, kind, common)
-        if unkept is not None:
-            page.say(out, f"that this was checked could not be recorded: {unkept}")
-
-    figures = {
-        "monitor": name,
-        "checked_at": shown_instant(proof.proved_at, TimeKind.TIMESTAMP),
-        "recorded": unkept is None,
-        **{name: getattr(proof, name) for name in ("channels", "versions", "buckets")},
-        "differences": [{**row, "day": _day(row), "since": _since(row, kind)} for row in rows],
-    }
-    page.tell(Exit.ATTENTION if rows else Exit.FINE, figures, show, common)
-
-
-def _show_differences(
-    out: Console,
-    name: str,
-    proof: Proof,
-    rows: Sequence[Row],
-    kind: TimeKind,
-    common: options.Common,
-) -> None:
-    if not rows:
-        page.say(
-            out,
-            f"monitor {name}: {proof.channels:,} channels, {proof.buckets:,} buckets: all of it is what "
-            "the source gives, and what calibration froze",
-        )
-        return
-    others = {(row["asset"], row["channel"]) for row in rows if row["asset"] is not None}
-    page.say(
-        out, f"monitor {name}: {len(others):,} of {proof.channels:,} channels are not as they should be"
-    )
-    for row in common.of(rows):
-        page.say(out, f"  {_line(row, kind)}")
-    page.cut(out, rows, common.everything)
-    since = [row["since"] for row in rows if row["since"] is not None]
-    if since:
-        page.say(out, f"gam score --from {shown_instant(min(since), kind)} scores them anew")
-    if any(row["part"] == "calibration" for row in rows):
-        page.say(out, "gam calibrate --again makes new versions of the calibration as it is now")
-    if any(row["part"] not in _MENDED and row["since"] is None for row in rows):
-        page.say(
-            out,
-            "what no scoring mends was changed or damaged in the tables: put them back from a copy of "
-            "the database; or gam calibrate --again makes new versions, and gam prune --keep-versions 0 "
-            "removes the others",
-        )
-
-
-def _line(row: Row, kind: TimeKind) -> str:
-    if row["part"] not in _MENDED:
-        return _damage(row, kind)
-    named = printable(f"{row['asset']} {row['channel']}")
-    counted = f"{row['samples_then']:,} then, {row['samples_now']:,} now"
-    if row["part"] == "calibration":
-        return f"{named}: calibration: rows {counted}; {row['differing']:,} cells visited otherwise"
-    day = _day(row)
-    when = "" if day is None else f" {day}"
-    return (
-        f"{named}:{when} samples {counted}; {row['differing']:,} buckets differ, from "
-        f"{shown_instant(row['since'], kind)} on"
-    )
-
-
-def _damage(row: Row, kind: TimeKind) -> str:
-    """Return what is said of a difference that the source did not make."""
-    said = f"{row['part']}: {row['what']} ({row['differing']:,})"
-    if row["since"] is not None:
-        said += f", from {shown_instant(row['since'], kind)} on"
-    if row["asset"] is None:
-        return said
-    named = printable(f"{row['asset']} {row['channel']}")
-    return f"{named}: version {row['version']}: {said}"
-
-
-def _day(row: Row) -> str | None:
-    if row["day"] is None:
-        return None
-    return (dt.date(1970, 1, 1) + dt.timedelta(days=row["day"])).isoformat()
-
-
-def _since(row: Row, kind: TimeKind) -> str | None:
-    return None if row["since"] is None else shown_instant(row["since"], kind)
 
 
 _KINDS = dict(zip(COUNTED, ("buckets", "novel cells", "runs", "support"), strict=True))
