@@ -72,9 +72,6 @@ def select(
 
 _ASKED = ("m", "bins", "window", "target_floor")
 
-_CURVE = 40
-"""Characters of a curve."""
-
 _CAO = {
     "saturated": "Cao: {m}",
     "no_saturation": "Cao: not saturated",
