@@ -2,37 +2,60 @@
 
 from gam_db import template
 from gam_db.method.adding import OfSet, add_stacked
-from gam_db.pipeline import filled
+from gam_db.pipeline import filled, union_of
 
 
-def add_certificate(one: OfSet) -> None:
+def add_certificate(one: OfSet, by_halves: bool = False) -> None:
     """Add what calibration says about itself, for one set, and what the channel lacks (section 5)."""
-    add_judgement(one)
+    add_judgement(one, by_halves)
     one.add("certificate/missing_vectors")
 
 
-def add_judgement(one: OfSet) -> None:
-    """Add what calibration says about itself, for one set (section 5)."""
+def add_judgement(one: OfSet, by_halves: bool = False) -> None:
+    """Add what calibration says about itself, for one set (section 5).
+
+    Args:
+        one: the set, with its learnable vectors and bounds.
+        by_halves: keep the cells of each grid and make those of the next one of them, which pays where
+            they are many; else all grids are made of the finest in one statement.
+    """
     setting = one.setting
     one.add("certificate/learnt", {"window": setting.window})
     for name in ("visits", "block_sizes", "cells", "blocks", "cell_shares", "learning"):
         one.add(f"certificate/{name}")
-    levels = [
-        filled(
-            "certificate/levels",
-            {"level": level, "divisor": 2**level, "level_bins": -(-setting.grid // 2**level)},
-        )
-        for level in range(setting.grid.bit_length() + 1)
-        if level == 0 or -(-setting.grid // 2**level) >= 2
-    ]
-    add_stacked(one.steps, one.named("levels"), "certificate/levels", levels)
+    bins = {k: -(-setting.grid // 2**k) for k in range(setting.grid.bit_length() + 1)}
+    rungs = [k for k in bins if k == 0 or bins[k] >= 2]
+
+    def add_levels(name: str, divisors: dict[int, int]) -> None:
+        rows = [
+            filled("certificate/levels", {"level": k, "divisor": divisor, "level_bins": bins[k]})
+            for k, divisor in divisors.items()
+        ]
+        add_stacked(one.steps, one.named(name), "certificate/levels", rows)
+
+    add_levels("levels", {k: 2**k for k in rungs})
     radix, top = setting.radix, setting.m - 1
     coarse = [
         template.fill("certificate/coarse_term", {"weight": radix**k, "above": radix ** (k + 1)})
         for k in range(top)
     ]
     coarse.append(template.fill("certificate/top_term", {"weight": radix**top}))
-    one.add("certificate/ladder", {"coarse_key": template.added(coarse)})
+    slots: dict[str, template.Slot] = {"coarse_key": template.added(coarse)}
+    if by_halves and len(rungs) > 1:
+        finer, halved = "cells", []
+        for k in rungs[1:]:
+            add_levels(f"level_{k}", {k: 2})
+            one.add(
+                "certificate/coarsened", slots, f"halved_{k}", {"cells": finer, "levels": f"level_{k}"}
+            )
+            finer = f"halved_{k}"
+            halved.append(one.named(finer))
+        one.steps.small |= set(halved)
+        comment = template.load("certificate/coarsened").comment
+        one.steps.add(one.named("coarsened"), union_of(one.steps, halved), comment)
+    else:
+        one.add("certificate/coarsened", slots)
+    one.add("certificate/ladder")
     one.add("certificate/spread")
     for name in ("finest", "outlook"):
         one.add(

@@ -53,7 +53,7 @@ def add_budget(steps: Pipeline, method: Method, search: Search) -> None:
         "Bounds, as far as the certificate needs them: which support a learner fills.",
     )
     own_set = OfSet(steps, sets, _OWN)
-    add_certificate(own_set)
+    add_certificate(own_set, by_halves=True)
     own_set.add("certificate/verdicts")
     own = {name: own_set.named(name) for name in ("verdicts", "ladder")}
     add(steps, "selection/budget", tables=own)

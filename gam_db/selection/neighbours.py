@@ -19,6 +19,8 @@ from gam_db.method.adding import add, add_stacked
 from gam_db.pipeline import Pipeline, filled, union_of
 from gam_db.selection.search import Search
 
+MOST_VECTORS = 2**16
+"""Of more vectors of a channel, about so many take part."""
 _BOXED = 5
 """Coordinates with boxes at most: each triples the boxes beside one, and holds fewer vectors in them."""
 _FILLED = 3
@@ -75,7 +77,7 @@ def add_dimensions(steps: Pipeline, search: Search, usable: int, waiting: Waitin
     Args:
         steps: with the embedding.
         search: the options.
-        usable: samples of the longest channel; the first boxes are made for as many.
+        usable: vectors of the longest channel that take part; the first boxes are made for as many.
         waiting: asked after each round with the name of the step that counts; it may run that step.
     """
     _add_draws(steps, search)
@@ -119,6 +121,8 @@ def add_dimensions(steps: Pipeline, search: Search, usable: int, waiting: Waitin
 def _add_draws(steps: Pipeline, search: Search) -> None:
     last, references = search.m_max + 1, search.references
     carried = [exp.column(f"u_{j}") for j in range(last + 1)]
+    add(steps, "selection/sampled", {"carried": carried, "most": MOST_VECTORS})
+    steps.small |= {"sampled"}
     add(steps, "selection/scattered", {"carried": carried, "seed": search.seed})
     add(steps, "selection/deepest", {"last": last, "references": references})
     add(steps, "selection/draws", {"carried": carried, "references": references})
@@ -145,7 +149,7 @@ def _add_search(steps: Pipeline, d: int, usable: int, finest: int, waiting: Wait
     Args:
         steps: with patterns and probes of the dimension.
         d: the dimension.
-        usable: samples of the longest channel.
+        usable: as in :func:`add_dimensions`.
         finest: halvings of the range that were of use at the dimension before: with one coordinate
             more, no vector has a nearer neighbour.
         waiting: as in :func:`add_dimensions`.

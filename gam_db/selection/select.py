@@ -9,7 +9,7 @@ from gam_db.calibration import Calibration
 from gam_db.parameters import Parameters
 from gam_db.selection.budget import add_budget, add_results
 from gam_db.selection.lags import add_delays, add_samples
-from gam_db.selection.neighbours import add_dimensions, add_embedding
+from gam_db.selection.neighbours import MOST_VECTORS, add_dimensions, add_embedding
 from gam_db.selection.search import Search
 from gam_db.study import Study
 
@@ -33,7 +33,8 @@ class Selection:
             nats, acf, informative (1 if the information is more than chance). Beyond 2^17 samples
             about so many, spread evenly, are paired with those a delay later, here and in cycles.
         dimensions: one row per embedding dimension m: reference_vectors, neighbours, skipped (found
-            beyond others at distance zero), false_neighbours, false_share, Cao's e1 and e2.
+            beyond others at distance zero), false_neighbours, false_share, Cao's e1 and e2. Beyond
+            2^16 samples about so many vectors, spread evenly, take part.
         cycles: one row per delay of each scale of the autocorrelation: scale and delay in
             samples, n_pairs, acf.
         budget: one row per embedding dimension m: vectors, cells, floor, verdict, finest_bins (the
@@ -70,7 +71,7 @@ def selected(study: Study, search: Search) -> Selection:
         samples=max((one["samples"] for one in extents), default=0),
     )
     add_embedding(steps, search, study.method.settings[0].grid)
-    add_dimensions(steps, search, usable, lambda step: _waiting(study.table(step)))
+    add_dimensions(steps, search, min(usable, MOST_VECTORS), lambda step: _waiting(study.table(step)))
     add_budget(steps, study.method, search)
     add_results(steps, study.method)
     return Selection(

@@ -1,8 +1,7 @@
 -- Ladder: the floor on every grid of the ladder, read off the stored cells without another look at
 -- the source. On a coarser grid more blocks share a cell.
--- Reads:  cells, levels, blocks
+-- Reads:  coarsened, levels, blocks
 -- A row:  one level of one support.
--- Slots:  :coarse_key  the key of the cell on the coarser grid
 SELECT
   support_id,
   level,
@@ -17,6 +16,7 @@ FROM (
     step.level_bins AS level_bins,
     block.units AS units,
     CASE
+      WHEN step.level = 0 THEN block.share_units
       WHEN exclusive.hit = 1
         THEN CAST(
           FLOOR(
@@ -29,28 +29,8 @@ FROM (
   FROM blocks AS block
   CROSS JOIN levels AS step
   LEFT JOIN (
-    SELECT support_id, level, first_block, CAST(SUM(merged.visits) AS BIGINT) AS visits, 1 AS hit
-    FROM (
-      SELECT
-        support_id,
-        level,
-        coarse_key,
-        CAST(SUM(coarse.visits) AS BIGINT) AS visits,
-        MIN(coarse.first_block) AS first_block,
-        MAX(coarse.last_block) AS last_block
-      FROM (
-        SELECT
-          support_id,
-          level,
-          visits,
-          first_block,
-          last_block,
-          :coarse_key AS coarse_key
-        FROM cells
-        CROSS JOIN levels
-      ) AS coarse
-      GROUP BY support_id, level, coarse_key
-    ) AS merged
+    SELECT support_id, level, first_block, CAST(SUM(coarsened.visits) AS BIGINT) AS visits, 1 AS hit
+    FROM coarsened
     WHERE first_block = last_block
     GROUP BY support_id, level, first_block
   ) AS exclusive

@@ -1,5 +1,5 @@
 -- Followed: how far each reference vector and its neighbour part in the next coordinate, in units.
--- Reads:  found, probes, embedded
+-- Reads:  found, probes, sampled
 -- A row:  one reference vector that has a neighbour.
 -- Slots:  :next_coordinate, :next_of_neighbour  u_d of both
 --         :distance, :neighbour  in the metric, and the place of the nearest
@@ -11,4 +11,4 @@ SELECT
   ABS(CAST(:next_coordinate AS BIGINT) - CAST(:next_of_neighbour AS BIGINT)) AS parting
 FROM found AS pair
 JOIN probes AS probe ON probe.channel_id = pair.channel_id AND probe.place = pair.place
-JOIN embedded AS other ON other.channel_id = pair.channel_id AND other.place = :neighbour
+JOIN sampled AS other ON other.channel_id = pair.channel_id AND other.place = :neighbour

@@ -1,6 +1,6 @@
 -- Scattered: the vectors, with a hash of their place in plain integers, the same on every engine: the
 -- order in which reference vectors are drawn.
--- Reads:  embedded
+-- Reads:  sampled
 -- A row:  one vector.
 -- Slots:  :carried  u_0, u_1 and so on
 --         :seed     of the draw
@@ -21,5 +21,5 @@ FROM (
     depth,
     :carried,
     ((place % 2147483647) * 48271 + CAST(:seed AS BIGINT)) % 2147483647 AS mixed
-  FROM embedded
+  FROM sampled
 ) AS folded

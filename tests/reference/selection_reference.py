@@ -29,6 +29,7 @@ class Asked:
     references: int = 2000
     seed: int = 0
     most: int = 2**17
+    most_vectors: int = 2**16
 
 
 def runs_of(times: list[int], calibrating: list[bool], max_gap: int | None) -> list[int]:
@@ -75,9 +76,9 @@ class Channel:
             if self._is_taken(i - lag + 1)
         ]
 
-    def _is_taken(self, place: int, scale: int = 1) -> bool:
+    def _is_taken(self, place: int, scale: int = 1, most: int | None = None) -> bool:
         """Of a long channel about so many places, spread by the golden section."""
-        return place * 40503 % 65536 / 65536 < self.asked.most * scale / self.samples
+        return place * 40503 % 65536 / 65536 < (most or self.asked.most) * scale / self.samples
 
     def _lag(self, lag: int) -> Row:
         pairs = self._pairs(self.levels, self.runs, lag)
@@ -195,7 +196,11 @@ class Channel:
         rows: list[Row] = []
         grown: dict[int, tuple[float, float]] = {}
         for d in range(1, self.asked.m_max + 2):
-            where = [i for i in range(self.samples - d * tau) if self._known(i, d, tau)]
+            where = [
+                i
+                for i in range(self.samples - d * tau)
+                if self._known(i, d, tau) and self._is_taken(i + 1, most=self.asked.most_vectors)
+            ]
             if not where:
                 continue
             vectors = np.array([[units[i + k * tau] for k in range(d + 1)] for i in where])

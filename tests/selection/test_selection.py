@@ -125,8 +125,9 @@ def test_curves_and_choices_are_those_of_the_reference(
 ) -> None:
     """Neighbours through every round of the box search, against comparing all with all."""
     monkeypatch.setattr(neighbours, "ONE_BOX", 0)
-    most = 50 if seed == 2 else lags.MOST_ROWS  # of long channels only some pairs are taken
-    monkeypatch.setattr(lags, "MOST_ROWS", most)
+    most, most_vectors = (50, 90) if seed == 2 else (lags.MOST_ROWS, neighbours.MOST_VECTORS)
+    monkeypatch.setattr(lags, "MOST_ROWS", most)  # of long channels only some take part
+    monkeypatch.setattr(neighbours, "MOST_VECTORS", most_vectors)
     random = np.random.default_rng(seed)
     channels = damaged(random, 170)
     channels["long"] = list(np.sin(np.arange(700) / 40) + 0.2 * random.standard_normal(700))
@@ -140,9 +141,8 @@ def test_curves_and_choices_are_those_of_the_reference(
     for name, values in channels.items():
         inside = [_is_inside(time, calibration) for time in times[name]]
         kept = [math.nan if x is None else x for x, take in zip(values, inside, strict=True) if take]
-        expected = Channel(
-            np.array(kept), runs_of(times[name], inside, max_gap), Asked(**search, most=most)
-        )
+        asked = Asked(**search, most=most, most_vectors=most_vectors)
+        expected = Channel(np.array(kept), runs_of(times[name], inside, max_gap), asked)
         _assert_close(expected.lags, of(found.lags, name), f"{name} lags")
         _assert_close(expected.cycles, of(found.cycles, name), f"{name} cycles")
         _assert_close(expected.dimensions(), of(found.dimensions, name), f"{name} dimensions")
