@@ -1,6 +1,7 @@
 """DuckDB at work: a driver on a connection."""
 
 import contextlib
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import duckdb
@@ -9,7 +10,14 @@ from sqlglot import exp
 
 from gam_db.engines.driver import Driver
 from gam_db.engines.duckdb import ENGINE
-from gam_db.engines.duckdb_files import late_word, no_table, unalike, without_results
+from gam_db.engines.duckdb_files import (
+    late_word,
+    leaves,
+    matching,
+    no_table,
+    unalike,
+    without_results,
+)
 from gam_db.engines.duckdb_journal import Journal
 from gam_db.engines.duckdb_opening import check_settings, opened, rows_at_once
 from gam_db.engines.duckdb_reading import file_reader, is_csv_reader, is_text_file
@@ -213,16 +221,25 @@ class DuckDriver(Driver):
         if 0 < len(texts) < len(found):
             other = next(one for one in found if one not in texts)
             raise SourceError(f"{texts[0]} is CSV, and {other} is Parquet; give files of one kind.")
-        if len(paths) > 1:
-            first, *others = {one: self._columns(file_reader([one], form), one) for one in found}.items()
-            for path, columns in others:
-                if {*columns} != {*first[1]}:
-                    raise SourceError(
-                        f"{path} has the columns {', '.join(columns)}, and {first[0]} has "
-                        f"{', '.join(first[1])}; several SOURCE have the same."
-                    )
+        first, *others = self._columns_by_file(found, form).items() or [("", [])]
+        for path, columns in others:
+            if {*columns} != {*first[1]}:
+                raise SourceError(
+                    f"{path} has the columns {', '.join(columns)}, and {first[0]} has "
+                    f"{', '.join(first[1])}; the files of a source have the same columns."
+                )
         self._columns(node, shown_relation(paths))
         return node
+
+    def _columns_by_file(self, found: Sequence[str], form: Form | None) -> dict[str, Iterable[str]]:
+        """Return the columns of each of several files; what reads those far away tells of them."""
+        files = matching(self.connection, found)
+        if len(files) < 2:
+            return {}
+        if not is_text_file(files[0]):
+            with contextlib.suppress(duckdb.Error):  # which of them cannot be read, is found below
+                return leaves(self.connection, files)
+        return {one: self._columns(file_reader([one], form), one) for one in files}
 
     def _columns(self, node: exp.Expr, path: str) -> dict[str, str]:
         """Return the columns of files, which are shown as a path, and their types.
@@ -261,7 +278,7 @@ class DuckDriver(Driver):
                 "(SET temp_directory), or score fewer channels at a time."
             )
         if isinstance(error, duckdb.ConversionException):
-            said = late_word(self.connection, error, self._readers[-1]) if self._readers else ""
+            said = late_word(self.connection, error, self._readers)
             return SourceError(
                 said
                 or "A value of the source cannot be read as what its column must be (a counter needs 64 "

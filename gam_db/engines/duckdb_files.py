@@ -3,6 +3,7 @@
 This module also owns what files of results say of themselves: whose they are, and where from.
 """
 
+import contextlib
 import os
 import re
 from collections.abc import Iterable, Sequence
@@ -13,7 +14,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.duckdb import ENGINE
-from gam_db.engines.duckdb_reading import all_as_text
+from gam_db.engines.duckdb_reading import all_as_text, paths_read
 from gam_db.errors import SourceError
 from gam_db.form import options_for_null, options_for_numbers, shortened
 from gam_db.source import FILE_ENDINGS, shown_relation
@@ -48,10 +49,7 @@ def without_results(connection: duckdb.DuckDBPyConnection, paths: Sequence[str])
         SourceError: there are none but such.
     """
     paths = [_inside(connection, path) for path in paths]
-    files: list[str] = []
-    for path in paths:
-        is_pattern = bool(set(path) & {*"*?["}) and "://" not in path
-        files += (_matching(connection, path) or [path]) if is_pattern else [path]
+    files = matching(connection, paths)
     parquet = [file for file in files if file.lower().endswith((".parquet", ".pq"))]
     if not parquet or files == paths[:1]:
         return paths
@@ -96,6 +94,25 @@ def _inside(connection: duckdb.DuckDBPyConnection, path: str) -> str:
     return path
 
 
+def matching(connection: duckdb.DuckDBPyConnection, paths: Iterable[str]) -> list[str]:
+    """Return the files of patterns; those of patterns far away are not asked for."""
+    files: list[str] = []
+    for path in paths:
+        is_pattern = bool(set(path) & {*"*?["}) and "://" not in path
+        files += (_matching(connection, path) or [path]) if is_pattern else [path]
+    return files
+
+
+def leaves(connection: duckdb.DuckDBPyConnection, files: Sequence[str]) -> dict[str, Iterable[str]]:
+    """Return the columns of Parquet files that hold values, file by file."""
+    rows = connection.execute(
+        "SELECT file_name, list(name) FROM parquet_schema(?) WHERE type IS NOT NULL GROUP BY file_name",
+        [files],
+    )
+    columns: dict[str, Iterable[str]] = dict(rows.fetchall())
+    return {one: columns[one] for one in files}
+
+
 def _matching(connection: duckdb.DuckDBPyConnection, pattern: str) -> list[str]:
     rows = connection.execute("SELECT file FROM glob(?) ORDER BY file", [pattern]).fetchall()
     return [file for (file,) in rows]
@@ -126,7 +143,8 @@ def no_table(path: str, reason: str) -> str:
 
 
 _LATE = re.compile(
-    r"CSV Error on Line: (\d+).*column \"(.*?)\"\. Could not convert string \"(.*?)\" to '(.*?)'",
+    r"CSV Error on Line: (\d+).*column \"(.*?)\"\. Could not convert string \"(.*?)\" to '(.*?)'"
+    r".*\n  file = (.*?)\n",
     re.DOTALL,
 )
 
@@ -157,23 +175,31 @@ def unalike(error: duckdb.Error) -> str:
 _NOT_THERE = re.compile(r"install the required extension '(\w+)")
 
 
-def late_word(connection: duckdb.DuckDBPyConnection, error: duckdb.Error, reader: exp.Expr) -> str:
-    """Return what is said of a word far down a CSV file that its column cannot hold, if there is one."""
+def late_word(
+    connection: duckdb.DuckDBPyConnection, error: duckdb.Error, readers: Iterable[exp.Expr]
+) -> str:
+    """Return what is said of a word far down a CSV file that its column cannot hold, if there is one.
+
+    Args:
+        connection: that reads the files.
+        error: what it says.
+        readers: the nodes that read CSV files; that of the file at fault tells how it is written.
+    """
     found = _LATE.search(str(error))
     if found is None:
         return ""
-    line, column, word, kind = found.groups()
+    line, column, word, kind, file = found.groups()
     like = exp.EQ(this=template.column(column), expression=template.text(word))
-    count = exp.select(exp.Count(this=exp.Star())).from_(all_as_text(reader)).where(like)
-    try:
-        ((rows,),) = connection.execute(ENGINE.text(count)).fetchall()
-    except duckdb.Error:  # the user's transaction has failed with the statement
-        rows = 1
+    own, rows = [one for one in readers if file in matching(connection, paths_read(one))], 1
+    if own:
+        count = exp.select(exp.Count(this=exp.Star())).from_(all_as_text(own[-1])).where(like)
+        with contextlib.suppress(duckdb.Error):  # the user's transaction has failed with the statement
+            ((rows,),) = connection.execute(ENGINE.text(count)).fetchall()
     same = f", {rows:,} times in all" if rows > 1 else ""
     is_time = any(sign in kind for sign in ("TIME", "DATE"))
     options = {"--time-format" if is_time else options_for_numbers([word]), options_for_null(word)}
     return (
-        f"Line {line} of the CSV file holds {shortened(word)} in the column {column!r}{same}, where "
-        f"{'times' if is_time else 'numbers'} are before it; {' or '.join(sorted(options))} would "
+        f"Line {line} of the CSV file {file} holds {shortened(word)} in the column {column!r}{same}, "
+        f"where {'times' if is_time else 'numbers'} are before it; {' or '.join(sorted(options))} would "
         "read it."
     )

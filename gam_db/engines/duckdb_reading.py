@@ -103,6 +103,11 @@ def file_reader(paths: Sequence[str], form: Form | None = None) -> exp.Expr:
     return exp.Table(this=called("READ_CSV", files, *_csv_options(form or Form())))
 
 
+def paths_read(reader: exp.Expr) -> list[str]:
+    """Return the paths that such a node reads."""
+    return [one.name for one in reader.this.expressions[0].find_all(exp.Literal)]
+
+
 def is_text_file(path: str) -> bool:
     """Tell whether a path is that of a CSV file."""
     return path.lower().endswith((".csv", ".tsv", ".csv.gz", ".tsv.gz", ".csv.zst"))

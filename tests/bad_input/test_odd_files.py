@@ -6,8 +6,11 @@ from pathlib import Path
 import pyarrow.csv
 import pyarrow.parquet
 import pytest
+from sqlglot import exp
 
+import gam_db
 from gam_db import Source
+from gam_db.form import Form
 from odd import ROWS, VALUES, expected, health, refused, support, table
 
 
@@ -81,7 +84,7 @@ MANY = "asset,channel,time,value\n" + "".join(f"a,x,{i},{i % 7}.5\n" for i in ra
     [
         (
             "a,x,25000,broken\n",
-            "Line 25002 of the CSV file holds 'broken' in the column 'value'.*--null broken",
+            "Line 25002 of the CSV file .*late.csv holds 'broken' in the column 'value'.*--null broken",
         ),
         ("a,x,25000,1,8675309.25,3\n", "Line 25002 of the CSV file does not fit its columns"),
         ("\udcff\udcfe,x,25000,8675309.25\n", "Line 25002 of the CSV file does not fit its columns"),
@@ -91,6 +94,20 @@ def test_a_csv_file_that_breaks_late(files: Path, line: str, message: str) -> No
     """Far behind what is read to find out the columns; of the line the one word is shown at most."""
     (files / "late.csv").write_text(MANY + line, errors="surrogateescape")
     refused(message, lambda: support(Source(files / "late.csv")))
+
+
+def test_of_several_csv_files_the_one_at_fault_is_named(files: Path) -> None:
+    """It is not the one that was opened last, and words are counted as it is written."""
+    words = "".join(f"a;x;{25_000 + i};{word}\n" for i, word in enumerate(["broken", "n/a", "broken"]))
+    (files / "late.csv").write_text(MANY.replace(",", ";") + words)
+    (files / "good.csv").write_text(MANY)
+    with gam_db.connect(files / "plant.duckdb") as engine:
+        late = engine.driver.file(files / "late.csv", Form(null=("n/a",), delimiter=";"))
+        engine.driver.file(files / "good.csv")
+        refused(
+            r"Line 25002 of the CSV file \S*late.csv holds 'broken' in the column 'value', 2 times",
+            lambda: engine.fetch(exp.select("value").from_(late)),
+        )
 
 
 def test_text_in_a_csv(files: Path) -> None:

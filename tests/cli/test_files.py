@@ -167,19 +167,38 @@ FILES: dict[str, tuple[Callable[[], object], tuple[str, ...], str]] = {
     "several of different columns": (
         each(lambda: tables("a.csv"), lambda: lines("b.csv", "t,x,y", row=lambda n: f"{n},{n},{n}")),
         ("a.csv", "b.csv"),
-        "gam: b.csv has the columns t, x, y, and a.csv has t, x; several SOURCE have the same.",
+        "gam: b.csv has the columns t, x, y, and a.csv has t, x; the files of a source "
+        "have the same columns.",
     ),
     "a pattern of different columns, CSV": (
         each(lambda: tables("a.csv"), lambda: lines("b.csv", "time,y", row=lambda n: f"{n},{n}")),
         ("*.csv",),
-        "gam: One file has no column 'x', and another has one; the files of a source have the same "
+        "gam: b.csv has the columns time, y, and a.csv has t, x; the files of a source have the same "
         "columns.",
     ),
     "a pattern of different columns, Parquet": (
         each(lambda: waves("a.parquet"), lambda: parquet.write_table(pa.table({"t": [1]}), "b.parquet")),
         ("*.parquet",),
-        "gam: b.parquet has no column 'time', and a.parquet has one; the files of a source have the "
-        "same columns.",
+        "gam: b.parquet has the columns t, and a.parquet has time, value; the files of a source have "
+        "the same columns.",
+    ),
+    "a pattern whose later files have more columns, CSV": (
+        each(lambda: tables("a.csv"), lambda: lines("b.csv", "t,x,y", row=lambda n: f"{n},{n},{n}")),
+        ("*.csv",),
+        "gam: b.csv has the columns t, x, y, and a.csv has t, x; the files of a source have the same "
+        "columns.",
+    ),
+    "a folder whose later files have more columns, Parquet": (
+        each(
+            lambda: waves("in/machine=A/p.parquet"),
+            lambda: Path("in/machine=B").mkdir(),
+            lambda: parquet.write_table(
+                pa.table({"time": [1], "value": [1.0], "y": [2.0]}), "in/machine=B/p.parquet"
+            ),
+        ),
+        ("in",),
+        "gam: in/machine=B/p.parquet has the columns time, value, y, and in/machine=A/p.parquet has "
+        "time, value; the files of a source have the same columns.",
     ),
     "several, one of which is no file": (
         lambda: waves("a.parquet"),
