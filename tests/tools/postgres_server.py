@@ -76,7 +76,7 @@ class Server:
             "shared_buffers": "64MB",
         }
         if not durable:
-            # Translating long queries takes longer than running them; it was most of what views cost here.
+            # Translating long queries takes longer than running them: it was most of what views cost.
             off = ("fsync", "synchronous_commit", "full_page_writes", "jit")
             settings |= dict.fromkeys(off, "off")
         said = " ".join(f"-c {name}={value}" for name, value in settings.items())
