@@ -7,10 +7,10 @@ from typing import Any
 
 from gam_db.clock import Length, zone
 from gam_db.errors import ParameterError
-from gam_db.setting import COLUMNS, COUNT, FLAG, LENGTH, TEXT, Kind, Setting, check, declared, setting
+from gam_db.setting import COLUMNS, COUNT, FLAG, LENGTH, TEXT, Kind, check, declared, setting
 
 
-def _instant(_: Setting, name: str, given: Any) -> dt.datetime:
+def _instant(name: str, given: Any) -> dt.datetime:
     try:
         found = given if isinstance(given, dt.datetime) else dt.datetime.fromisoformat(given)
     except (TypeError, ValueError):
@@ -18,6 +18,10 @@ def _instant(_: Setting, name: str, given: Any) -> dt.datetime:
             f"{name} is {given!r}; give a time such as 2026-03-30T05:00:00+00:00."
         ) from None
     return found if found.tzinfo is not None else found.replace(tzinfo=dt.UTC)
+
+
+#: An error names the option, or the keyword.
+_INSTANT = Kind(lambda _, name, given: _instant(name, given), read=_instant)
 
 
 @declared
@@ -53,7 +57,7 @@ class Wishes:
         "*", TEXT, "only these machines; * and ? stand for any text or sign", metavar="PATTERN"
     )
     made: dt.datetime | None = setting(
-        *(None, Kind(_instant, metavar="TIME"), "when the page says it was made"), usual="now"
+        *(None, _INSTANT, "when the page says it was made"), usual="now", metavar="TIME"
     )
 
     def __post_init__(self) -> None:
