@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from gam_db.clock import Length, zone
-from gam_db.errors import ParameterError
+from gam_db.errors import ConfigurationError, ParameterError
 from gam_db.setting import COLUMNS, COUNT, FLAG, LENGTH, TEXT, Kind, check, declared, setting
 
 
@@ -30,7 +30,7 @@ class Wishes:
     """What the page is to hold.
 
     Raises:
-        UserError: there is no such time zone, or another value cannot be used.
+        ConfigurationError: there is no such time zone, or another value cannot be used.
     """
 
     title: str = setting("Fleet health", TEXT, "stands above the page, and in the window")
@@ -61,5 +61,5 @@ class Wishes:
     )
 
     def __post_init__(self) -> None:
-        check(self)
+        check(self, ConfigurationError)
         zone(self.time_zone)
