@@ -16,7 +16,7 @@ from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, job_of
-from gam_db.cli.monitors import channels_of, heading, place
+from gam_db.cli.monitors import channels_of, heading, place, told
 from gam_db.cli.options import option
 from gam_db.cli.progress import working
 from gam_db.config import Settings
@@ -50,9 +50,8 @@ def calibrate(
     is_folder = isinstance(relation, str) and Path(relation).is_dir()
     session = options.opened(settings, common.threads, must_exist=not (is_folder or is_file(relation)))
     with working(session, common.quiet) as on_step:
-        if is_folder and str(relation).casefold() not in session.relations():
-            named = dataclasses.replace(settings.source, relation=options.as_folder(str(relation)))
-            settings = dataclasses.replace(settings, source=named)
+        named = dataclasses.replace(settings.source, relation=told(session, relation))
+        settings = dataclasses.replace(settings, source=named)
         is_new = not migrations.status(session, tables).applied
         job = _job(session, settings, is_new)
         asked = (job.guess.source, job.parameters, job.calibration, settings.alarms)

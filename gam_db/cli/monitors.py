@@ -5,6 +5,7 @@ This module owns no command; :mod:`gam_db.stored` does the work.
 
 import contextlib
 from collections.abc import Iterator
+from typing import Any
 
 from gam_db.cli import options
 from gam_db.config import Settings
@@ -37,6 +38,12 @@ def state_of(settings: Settings, writable: bool = False) -> Iterator[State]:
     with options.opened(settings, writable=writable) as session:
         migrations.require(session, settings.monitor.tables)
         yield State(session, settings.monitor.tables)
+
+
+def told(session: Session, relation: Any) -> Any:
+    """Return a relation with the slash of a folder, if it is one and no table has its name."""
+    is_text = isinstance(relation, str) and relation.casefold() not in session.relations()
+    return options.as_folder(relation) if is_text else relation
 
 
 def watched(

@@ -16,7 +16,7 @@ from rich.console import Console
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
-from gam_db.cli.monitors import heading, place, watched
+from gam_db.cli.monitors import heading, place, told, watched
 from gam_db.cli.options import option
 from gam_db.cli.progress import working
 from gam_db.cli.status import judging, raised
@@ -102,7 +102,7 @@ def score(
         raise ConfigurationError("--dry-run writes nothing; leave out --copy.")
     session = options.opened(settings, common.threads, files=[] if copy_to is None else [copy_to])
     with working(session, common.quiet) as on_step:
-        relation = options.one_or_more(source)
+        relation = told(session, options.one_or_more(source))
         monitor, known = watched(session, settings, relation)
         kind = kind_of(known)
         run = monitor.score(**scope.of(kind), dry_run=dry_run, on_step=on_step)
