@@ -17,7 +17,9 @@ from gam_db.clock import TimeKind, length
 from gam_db.columns import COUNT, SHARE, WORD, columns, counts
 from gam_db.errors import ParameterError
 from gam_db.heights import LEAST, MOST, STATED_FROM, UNSTATED, Height, Rate, by_replay, by_table
+from gam_db.method.adding import add
 from gam_db.method.alarms import FAR, NEAR, add_judgements, add_learnt_limits, add_replay
+from gam_db.method.judgement import add_judged
 from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline
 from gam_db.setting import COLUMNS, TEXT, Kind, check, declared, setting
@@ -188,6 +190,19 @@ def judge(study: Study, rows: Sequence[Row]) -> list[Row]:
     return frozen
 
 
+def add_status(study: Study, alarms: Alarms) -> None:
+    """Add the step *judged*: what each channel is, by its episodes or else by its indicator.
+
+    Raises:
+        ParameterError: a rate in days is asked for, and the source counts time in integers.
+    """
+    rows = limits_of(study, alarms)
+    judge(study, rows)
+    study.load("limit_reasons", pa.Table.from_pylist(rows, schema=_REASONS))
+    add(study.steps, "judgement/raised")
+    add_judged(study.steps, "raised")
+
+
 def limits_of(study: Study, alarms: Alarms) -> list[Row]:
     """Return the limits of all channels of a study, as :func:`limits` does, with their channel_id.
 
@@ -338,6 +353,7 @@ def high(row: Row, height: Height) -> Row:
     }
 
 
+_REASONS = columns((WORD, "asset channel reason"))
 _MEMBERS = counts("channel_id family_no g")
 FROZEN = counts("channel_id blocks reference height cap")
 _LIMITS = columns(

@@ -13,6 +13,7 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
+from gam_db.alarms import Alarms, add_status
 from gam_db.parameters import Parameters
 from gam_db.study import Study
 
@@ -55,11 +56,15 @@ class Course:
     time: Any = None
 
 
-def findings(study: Study) -> list[Row]:
+def findings(study: Study, alarms: Alarms | None = None) -> list[Row]:
     """Return what is found of each channel, the most urgent first.
 
-    A row holds what was learnt of the channel (*support_summary*), what it is judged (*judged*), and
-    what :func:`finding` adds.
+    A row holds what was learnt of the channel (*support_summary*), what it is judged (*judged*) as of
+    its newest window, and what :func:`finding` adds.
+
+    Args:
+        study: of the source.
+        alarms: the asked rate and the families; default :class:`Alarms`.
 
     Raises:
         UserError: the source cannot be used.
@@ -72,13 +77,17 @@ def findings(study: Study) -> list[Row]:
         for row in study.rows("channels")
     }
     courses = _courses(buckets, settings)
+    add_status(study, alarms or Alarms())
     found = []
     for row in study.table("judged").sort_by(list(ORDER)).to_pylist():
         name = (row["asset"], row["channel"])
         setting = settings[name]
         course = courses.get(name)
         learnt_of = {"bins": setting.grid, **supports[name]}
+        for inner in ("has_limit", "raised", "asks"):
+            del row[inner]
         said = finding({**learnt_of, **row}, setting.span, setting.window, course)
+        said["remarks"] += _of_episode(row)
         found.append({**said, "last_time": None if course is None else course.time})
     return found
 
@@ -169,6 +178,14 @@ def _remarks(row: Row, span: int, window: int, course: Course | None) -> list[st
     if row.get("conflicts"):
         remarks.append(f"{row['conflicts']:,} instants with different values, the smallest taken")
     return remarks
+
+
+def _of_episode(row: Row) -> list[str]:
+    if row["episode"] is None:
+        return []
+    over = "" if row["is_open"] else ", over"
+    proving = ", right after calibration: that was no fair sample, or something changed"
+    return [f"episode since {row['onset']}{over}{proving * (row['status'] == 'proving')}"]
 
 
 def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:

@@ -10,6 +10,7 @@ from typing import Annotated
 from pyarrow import parquet
 
 from gam_db import langevin
+from gam_db.alarms import Alarms
 from gam_db.cli import page
 from gam_db.cli.once import open_job, show
 from gam_db.cli.options import option
@@ -50,7 +51,7 @@ def _report_plant(path: Path) -> None:
     with session, working(session) as on_step:
         on_step("simulating a plant")
         wishes = Wishes(title="A simulated plant", time_zone=plant.TIME_ZONE, made=plant.END)
-        asked = (Source(plant.telemetry()), plant.PARAMETERS, plant.CALIBRATION, path, wishes)
+        asked = (Source(plant.telemetry()), plant.PARAMETERS, plant.CALIBRATION, Alarms(), path, wishes)
         figures = page_of(*asked, on_step)
     told(page.console(), figures)
     page.say(page.console(), "Open it in a browser; it needs no network.")

@@ -33,7 +33,7 @@ from gam_db.study import Study
 _OUTPUT = "Output"
 
 
-@options.taking(*options.READ, *options.PAGE, "time_zone", "threads")
+@options.taking(*options.READ, *options.ALARMS, *options.PAGE, "time_zone", "threads")
 def run(
     settings: Settings,
     common: options.Common,
@@ -79,11 +79,13 @@ def run(
 ) -> None:
     """Compute the health indicator of every channel of SOURCE, print what was found, write the table.
 
-    A channel needs attention (exit code 2) if its indicator is above its limit, the largest of twice
-    the floor, the highest block of calibration and --target-floor, or if its calibration is not good
-    enough to be watched (too_fine, needs_data). Constant channels and channels without calibration
-    never raise an alarm; exit code 2 also says that no channel at all has a calibration. By another
-    --estimator there is an indicator (written to SOURCE.NAME.parquet) but no verdict.
+    A channel needs attention (exit code 2) if an episode of it does, one that is open or began right
+    after calibration; or, where calibration gave no limit of judgements, if its indicator is above its
+    limit, the largest of twice the floor, the highest block of calibration and --target-floor; or if its
+    calibration is not good enough to be watched (too_fine, needs_data, or no fair sample of what
+    followed). Constant channels and channels without calibration never raise an alarm; exit code 2 also
+    says that no channel at all has a calibration. By another --estimator there is an indicator (written
+    to SOURCE.NAME.parquet) but no verdict.
     """
     shown_in = zone(common.time_zone)
     others = None if estimator.lower() == DSE else _others(estimator)
@@ -100,7 +102,7 @@ def run(
         with Progress(session, common.quiet) as progress:
             job, study = open_job(session, relation, settings, progress.on_step)
             if others is None:
-                found = findings(study)
+                found = findings(study, settings.alarms)
                 code = Exit.ATTENTION if need_attention(found) else Exit.FINE
                 told = _figures(found)
                 shows = partial(show, job=job, found=found, everything=everything, shown_in=shown_in)
@@ -118,7 +120,7 @@ def run(
                 study.write(result.step, result.path, result.table)
             if report is not None:
                 wishes = Wishes(title=Path(job.name).name)
-                method = (job.parameters, job.calibration)
+                method = (job.parameters, job.calibration, settings.alarms)
                 page_of(job.guess.source, *method, report, wishes, progress.on_step)
     figures = {**job.figures(), **told, "written": written}
     page.tell(code, figures, lambda lines: _written(lines, written), common)
@@ -169,6 +171,7 @@ def _figures(found: Sequence[Row]) -> dict[str, Any]:
     return {
         "channels": [{**row, "course": page.thinned(row["course"])} for row in found],
         "verdicts": Counter(row["verdict"] for row in found),
+        "judged_by_episode": sum(row["judged_by"] == "episode" for row in found),
         "needs_attention": need_attention(found),
     }
 
@@ -190,7 +193,7 @@ def show(
     page.cut(out, found, everything, page.counted)
     out.print()
     page.say(out, f"verdicts: {page.verdicts(found)}")
-    page.say(out, f"channels: {page.counted(found)}; judged by the health indicator and its limit")
+    page.say(out, f"channels: {page.counted(found)}{_judging(found)}")
     if job.parameters.is_open:
         taken = sorted(Counter(row["bins"] for row in found).items(), reverse=True)
         page.say(out, f"bins taken: {', '.join(f'{bins} for {count:,}' for bins, count in taken)}")
@@ -217,6 +220,16 @@ def show(
     if not need_attention(found):
         page.say(out, "nothing needs attention")
     page.say(out, page.legend(found, everything))
+
+
+def _judging(found: Sequence[Row]) -> str:
+    """Return by what channels are judged, as the end of a line."""
+    counted = Counter(row["judged_by"] for row in found)
+    words = {"episode": "episodes", "indicator": "the health indicator and its limit"}
+    known = [(counted[name], said) for name, said in words.items() if counted[name]]
+    if len(known) < 2:
+        return "".join(f"; judged by {said}" for _, said in known)
+    return "; judged by " + ", ".join(f"{said}: {count:,}" for count, said in known)
 
 
 def _written(out: Console, written: Sequence[str]) -> None:

@@ -9,6 +9,7 @@ from typing import Annotated, Any
 
 from rich.console import Console
 
+from gam_db.alarms import Alarms
 from gam_db.calibration import Calibration
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
@@ -67,6 +68,7 @@ def page_of(
     source: AnySource,
     parameters: Parameters,
     calibration: Calibration,
+    alarms: Alarms,
     path: Path,
     wishes: Wishes,
     on_step: Listener,
@@ -77,7 +79,7 @@ def page_of(
         UserError: the source cannot be used, or the file cannot be written.
     """
     with connect() as session:
-        monitor = Monitor(session, source, parameters, calibration)
+        monitor = Monitor(session, source, parameters, calibration, alarms)
         monitor.migrate()
         monitor.calibrate(on_step=on_step)
         monitor.score(on_step=on_step)

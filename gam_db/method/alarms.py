@@ -15,7 +15,10 @@ from gam_db.source import TimeNode
 #: Beyond how many blocks another one vouches for a cell: usually, for the order ratio, under drift.
 NEAR, ORDERED, FAR = 1, 4, 8
 
-_SMALL = ("buffered", "block_roots", "spreads", "own_cells", "order_ratios", "lengths", "judged_windows")
+_SMALL = (
+    *("buffered", "block_roots", "spreads", "own_cells", "order_ratios", "lengths"),
+    *("judged_windows", "opened", "merged"),
+)
 
 
 def add_learnt_limits(steps: Pipeline, method: Method, families: Sequence[str]) -> None:
@@ -27,12 +30,17 @@ def add_learnt_limits(steps: Pipeline, method: Method, families: Sequence[str]) 
         families: patterns of channel names.
     """
     join_sets(steps, method, ("visits", "block_sizes"))
-    add_counted(steps)
+    add_counted(steps, method.has_instants)
     add_spreads(steps, families)
 
 
-def add_counted(steps: Pipeline) -> None:
-    """Add what is counted in calibration, up to *buffered*, *order_ratios* and *lengths*."""
+def add_counted(steps: Pipeline, has_instants: bool = True) -> None:
+    """Add what is counted in calibration, up to *buffered*, *order_ratios* and *lengths*.
+
+    Args:
+        steps: with what the certificate is made of.
+        has_instants: whether calibration may be single instants; then the samples are read for them.
+    """
     steps.small |= {"visits", "block_sizes", "own_cells", "chances"}
     reaches = (NEAR, ORDERED, FAR)
     add_stacked(
@@ -42,7 +50,9 @@ def add_counted(steps: Pipeline) -> None:
     chances = [_chance(blocks) for blocks in range(1, 2 * ORDERED + 2)]
     add_stacked(steps, "chances", "alarms/chances", chances)
     add(steps, "alarms/order_ratios", {"g": ORDERED})
-    add(steps, "alarms/lengths")
+    add(steps, "alarms/declared_lengths", name=None if has_instants else "lengths")
+    if has_instants:
+        add(steps, "alarms/lengths")
 
 
 def add_bands(steps: Pipeline, bounds: str = "bounds") -> None:

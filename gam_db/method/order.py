@@ -9,7 +9,7 @@ from gam_db.method.calibration import add_calibration
 from gam_db.method.census import FLOWING, Slicing, add_census, add_census_set, add_names, kept
 from gam_db.method.certificate import add_certificate
 from gam_db.method.delays import Ways
-from gam_db.method.judgement import add_judged, limit_slots
+from gam_db.method.judgement import limit_slots
 from gam_db.method.resolved import Method
 from gam_db.method.scoring import (
     add_bucket_counts,
@@ -53,8 +53,7 @@ def pipeline(
             name; the step *ordered* proves it. 0: there are no such steps.
 
     The last steps are *health_indicator* (a row per scored vector), *bucket_health* (a row per full
-    bucket), *novel_cells*, *support_summary* and *judged* (a row per channel) and *certificate* (a row
-    per block).
+    bucket), *novel_cells*, *support_summary* (a row per channel) and *certificate* (a row per block).
     """
     steps = Pipeline(small=frozenset(method.small()))
     _add_readings(steps, readings, glance)
@@ -137,7 +136,6 @@ def _add_summaries(steps: Pipeline, instant_of: TimeNode) -> None:
     target = exp.column("target_floor", table="scale")
     add(steps, "judgement/limited", limit_slots("learnt", target))
     add(steps, "judgement/assessed")
-    add_judged(steps)
     add(steps, "certificate/support_summary")
     add(steps, "certificate/certificate", edges)
 

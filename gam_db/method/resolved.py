@@ -88,6 +88,12 @@ class Method:
         """Tell whether no segment ends and no sample counts as still in one set."""
         return self.gaps[number] is None and self.settings[number].still_after is None
 
+    @property
+    def has_instants(self) -> bool:
+        """Tell whether calibration may be several single instants, and nothing between them."""
+        pieces = (rule.allowed for rule in self.rules if len(rule.allowed) > 1)
+        return any(start == end for allowed in pieces for start, end in allowed)
+
     def small(self) -> set[str]:
         """Return the names of the steps that may be kept as tables."""
         numbers = range(len(self.settings))

@@ -1,16 +1,12 @@
--- Lengths: how long calibration is, its intervals summed; from first to last sample where that is nothing
+-- Lengths: how long calibration is; from first to last sample where its intervals are nothing but instants
 -- (alarms, section 3).
--- Reads:  calibration, samples
+-- Reads:  calibration, declared_lengths, samples
 -- A row:  one channel that has calibration.
 SELECT
   summed.channel_id AS channel_id,
   CASE WHEN summed.length > 0 THEN summed.length WHEN sampled.hit = 1 THEN sampled.length ELSE 0 END
     AS length
-FROM (
-  SELECT channel_id, CAST(SUM(time_to - time_from) AS BIGINT) AS length
-  FROM calibration
-  GROUP BY channel_id
-) AS summed
+FROM declared_lengths AS summed
 LEFT JOIN (
   SELECT inside.channel_id AS channel_id, MAX(inside.time) - MIN(inside.time) AS length, 1 AS hit
   FROM samples AS inside

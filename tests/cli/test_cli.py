@@ -392,7 +392,7 @@ def test_json_is_what_the_library_returns() -> None:
             (bucket["hi"] for bucket in own if bucket["hi"]), default=0
         )
     statuses = {(one["asset"], one["channel"]): one["status"] for one in found["channels"]}
-    assert statuses == {("R1", "j2"): "high", ("R1", "j1"): "ok", ("R2", "j1"): "not assessed"}
+    assert statuses == {("R1", "j2"): "proving", ("R1", "j1"): "ok", ("R2", "j1"): "not assessed"}
     assert found["parameters"]["window"] == 50
     assert found["calibration"]["fraction"] == 0.5
     assert found["written"] == []

@@ -21,9 +21,11 @@ from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.export import Package, grafana
 from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
+from gam_db.method.adding import add
 from gam_db.method.alarms import add_backtested, add_judgements, add_learnt_limits, add_replay
 from gam_db.method.census import Slicing
 from gam_db.method.delays import KEPT, Ways
+from gam_db.method.judgement import add_judged
 from gam_db.selection.budget import add_budget, add_results
 from gam_db.selection.lags import add_delays, add_samples
 from gam_db.selection.neighbours import add_dimensions, add_embedding
@@ -599,6 +601,13 @@ def alarm_steps(number: int) -> list[tuple[str, exp.Query]]:
     add_replay(made)
     add_judgements(made, method, lambda node: node)
     add_backtested(made, [(0, 5), (7, 9)])
+    words = (
+        exp.alias_(exp.cast(template.text("x"), "VARCHAR"), column)
+        for column in ("asset", "channel", "reason")
+    )
+    made.add("limit_reasons", exp.select(*words))
+    add(made, "judgement/raised")
+    add_judged(made, "raised")
     return [(step.name, step.query) for step in made.steps.values()]
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import duckdb
 import pytest
+from pyarrow import parquet
 from sqlglot import exp
 from typer.testing import CliRunner
 
@@ -24,6 +25,7 @@ from gam_db.pipeline import filled
 from gam_db.stored.migration_files import definitions
 from gam_db.stored.monitor import Monitor
 from gam_db.study import Study
+from sets import amounts
 from visible import visible
 
 PARAMETERS = gam_db.Parameters(
@@ -105,7 +107,7 @@ def test_every_form_says_the_same_of_every_channel(engine: str) -> None:
     table = scripts.telemetry(session, fleet())
     source, prefix = gam_db.Source(table.name), engines.fresh_name("state")
     exact = findings(Study(session, source, PARAMETERS, CALIBRATION))
-    assert told(exact) == INDICATED
+    assert told(exact) == EXPECTED
     monitor = Monitor(session, source, PARAMETERS, CALIBRATION, prefix=prefix)
     monitor.migrate()
     new = monitor.calibrate().to_pylist()
@@ -140,6 +142,76 @@ def test_every_form_says_the_same_of_every_channel(engine: str) -> None:
     monitor.label("false_alarm", episodes["raised"])
     assert told(visible(monitor, f"SELECT {JUDGED} FROM gam_fleet")) == DECIDED
     assert status_of(monitor) == without_urgency(DECIDED)
+
+
+#: What a run and a monitor say of a channel alike; onset only where an episode tells it.
+ALIKE = ("status", "needs_attention", "judged_by", "limit_reason", "hi", "hi_limit", "asking", "onset")
+
+
+#: What each machine is, by what it is judged, why by nothing, and how many episodes ask.
+OF_PLANT = {
+    "calm": ("ok", "episode", None, 0),
+    "late": ("open", "episode", None, 1),
+    "over": ("ok", "episode", None, 0),
+    "twice": ("proving", "episode", None, 2),
+    "drifting": ("setup", None, "unrepresentative", 0),
+    "new": ("ok", "indicator", None, 0),
+    "jolted": ("ok", "episode", None, 0),
+    "stuck": ("not assessed", None, "constant in calibration", 0),
+}
+
+
+def plant(chance: random.Random, machines: list[str], window: int) -> list[Any]:
+    """Machines that fail at some times, drift, are new, are jolted for the last window, or are stuck."""
+    faults = {"late": [(460, 500)], "over": [(448, 470)], "twice": [(230, 260), (330, 360)]}
+    always = {"stuck": (0.0, 0), "jolted": (99.0, 500 - window)}
+    rows = []
+    for asset in machines:
+        held, since = always.get(asset, (0.0, 500))
+        for time in range(190 if asset == "new" else 0, 500):
+            failed = any(first <= time < last for first, last in faults.get(asset, []))
+            value = chance.choice([0.0, 1.0, 2.0]) + (asset == "drifting") * (time // 12)
+            if chance.random() < (0.8 if failed else 0.05) and asset != "new":
+                value = float(chance.randint(3, 40))
+            rows.append((asset, "x", time, held if time >= since else value))
+    return rows
+
+
+@amounts("plants", 1, 40)
+@pytest.mark.parametrize("machines", [1, len(OF_PLANT)])
+def test_a_run_says_what_a_monitor_does(
+    machines: int, plants: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    for seed in range(plants):
+        state = f"plant{seed}.duckdb"
+        window = (4, 10)[seed % 2]
+        rows = plant(random.Random(seed), list(OF_PLANT)[:machines], window)
+        parquet.write_table(harness.arrow(rows), "plant.parquet")
+        method = ["--m=1", "--bins=40", f"--window={window}", "--stride=2"]
+        method += ["--calibrate=0/219", "--target-floor=0.9", "--rate=5 per 1000 judgements"]
+        code, run = said("run", "plant.parquet", *method, "--no-out")
+        said("calibrate", "plant.parquet", *method, "--database", state)
+        scored, _ = said("score", "--database", state)
+        left, status = said("status", "--database", state)
+        assert code == scored == left == (0 if machines == 1 else 2)
+        ours, theirs = (
+            {row["asset"]: {name: row[name] for name in ALIKE} for row in figures["channels"]}
+            for figures in (run, status)
+        )
+        for row in (row for row in theirs.values() if row["judged_by"] != "episode"):
+            row["onset"] = None
+        assert ours == theirs
+        said_of = ("status", "judged_by", "limit_reason", "asking")
+        told = {name: tuple(row[one] for one in said_of) for name, row in ours.items()}
+        if plants == 1:
+            assert told == dict(list(OF_PLANT.items())[:machines])
+        assert run["judged_by_episode"] == status["judged_by_episode"]
+
+
+def said(*words: str) -> tuple[int, dict[str, Any]]:
+    result = CliRunner().invoke(app, [*words, "--json"])
+    return result.exit_code, json.loads(result.stdout)
 
 
 SINCE = "SELECT asset, since_tick FROM gam_fleet"
@@ -183,7 +255,7 @@ def test_so_do_the_commands_the_files_and_a_dbt_package(
         rows: list[dict[str, Any]] = figures.get("channels", [])
         return rows
 
-    assert told(said("run", "telemetry", *method, "--out", "found.parquet")) == INDICATED
+    assert told(said("run", "telemetry", *method, "--out", "found.parquet")) == EXPECTED
     said("calibrate", "telemetry", *method)
     said("score")
     assert told(said("status")) == without_urgency(EXPECTED)

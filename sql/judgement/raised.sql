@@ -1,0 +1,37 @@
+-- Raised: each channel with what it is judged by, and what its episodes say of it now: after its newest judgement, and
+-- with nobody's word on them, so that one that opened right after calibration asks for a decision even when it is over.
+-- Reads:  assessed, limit_reasons, episodes
+-- A row:  one channel; episode is the open one, else the newest that asks, and asking counts those.
+SELECT
+  known.asset AS asset,
+  known.channel AS channel,
+  known.verdict AS verdict,
+  known.hi_limit AS hi_limit,
+  CASE WHEN limited.reason = 'unrepresentative' THEN limited.reason ELSE known.limit_reason END AS limit_reason,
+  known.hi AS hi,
+  CASE WHEN limited.reason IS NULL THEN 1 WHEN limited.reason = 'unrepresentative' THEN 0 END AS has_limit,
+  CASE WHEN going.hit = 1 THEN CASE WHEN going.is_proving = 1 THEN 'proving' ELSE 'open' END END AS raised,
+  CASE WHEN going.hit = 1 THEN 1 ELSE 0 END AS asks,
+  CASE WHEN going.hit = 1 THEN going.asking ELSE 0 END AS asking,
+  CASE WHEN going.hit = 1 THEN going.episode END AS episode,
+  CASE WHEN going.hit = 1 THEN going.is_open END AS is_open,
+  CASE WHEN going.hit = 1 THEN going.onset_time END AS onset
+FROM assessed AS known
+JOIN limit_reasons AS limited ON limited.asset = known.asset AND limited.channel = known.channel
+LEFT JOIN (
+  SELECT
+    asset,
+    channel,
+    episode,
+    is_open,
+    is_proving,
+    onset_time,
+    CAST(COUNT(*) OVER (PARTITION BY asset, channel) AS BIGINT) AS asking,
+    CAST(
+      ROW_NUMBER() OVER (PARTITION BY asset, channel ORDER BY is_open DESC, episode DESC) AS BIGINT
+    ) AS episodes_back,
+    1 AS hit
+  FROM episodes
+  WHERE is_open = 1 OR is_proving = 1
+) AS going
+  ON going.asset = known.asset AND going.channel = known.channel AND going.episodes_back = 1
