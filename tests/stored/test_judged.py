@@ -17,8 +17,9 @@ import gam_db
 import harness
 import scripts
 from dbt_builder import Builder
-from gam_db import template
+from gam_db import streaming, template, trusting
 from gam_db.cli import app
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.export import Package
 from gam_db.findings import findings
 from gam_db.pipeline import filled
@@ -207,6 +208,26 @@ def test_a_run_says_what_a_monitor_does(
         if plants == 1:
             assert told == dict(list(OF_PLANT.items())[:machines])
         assert run["judged_by_episode"] == status["judged_by_episode"]
+
+
+def test_a_run_says_the_same_whatever_short_cuts_it_takes(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
+    monkeypatch.setattr(streaming, "STREAMED_FROM", 2)
+    monkeypatch.setattr(streaming, "GLANCE", 5)
+    by_channel = plant(random.Random(0), [name for name in OF_PLANT if name != "new"], 4)
+    by_time = sorted(by_channel, key=lambda row: row[2])
+    parameters = gam_db.Parameters(m=1, bins=40, window=4, stride=2, target_floor=0.9)
+    calibration = gam_db.Calibration(intervals=[(0, 219)])
+    told = []
+    for rows, way in ((by_time, "none"), (by_time, "trust"), (by_channel, "stream")):
+        with DuckSession() as session:
+            source = gam_db.Source(harness.arrow(rows))
+            study = Study(session, source, parameters, calibration, short_cuts=way != "none")
+            found = findings(study, gam_db.Alarms("5 per 1000 judgements"))
+            assert (study.is_trusting, study.is_streamed) == (way == "trust", way == "stream")
+            told.append([{**row, "course": row["course"].tolist()} for row in found])
+    assert str(told[0]) == str(told[1]) == str(told[2])
+    assert {row["status"] for row in told[0]} >= {"proving", "open", "setup"}
 
 
 def said(*words: str) -> tuple[int, dict[str, Any]]:
