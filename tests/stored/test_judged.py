@@ -133,6 +133,9 @@ def test_every_form_says_the_same_of_every_channel(engine: str) -> None:
     assert [(row["asset"], row["since_tick"]) for row in alarms] == [
         (asset, onsets[asset]) for asset in ("late", "raised")
     ]
+    listed = {(row["asset"], row["status"]) for row in monitor.alarms().to_pylist()}
+    assert listed == {("late", "open"), ("raised", "proving")}
+    assert sum(row["reason"] is None for row in monitor.limits().to_pylist()) == 4
     machines = visible(monitor, "SELECT asset, judged, above, not_judged, together FROM gam_machine")
     assert {row.pop("asset"): tuple(row.values()) for row in machines} == {
         asset: {"ok": (1, 0, 0, 0)}.get(said[1], (0, 0, 1, 0)) if said[4] < 4 else (1, 1, 0, 1)
