@@ -67,8 +67,10 @@ def findings(study: Study, alarms: Alarms | None = None) -> list[Row]:
         alarms: the asked rate and the families; default :class:`Alarms`.
 
     Raises:
-        UserError: the source cannot be used.
+        UserError: the source cannot be used, or the rate does not fit its time.
     """
+    alarms = alarms or Alarms()
+    alarms.asked(study.method.kind)  # a rate that does not fit is refused before all is read
     buckets = study.table("bucket_health")  # first: what it proves of the samples serves the rest
     learnt = study.rows("support_summary")
     supports = {(row["asset"], row["channel"]): row for row in learnt}
@@ -77,7 +79,7 @@ def findings(study: Study, alarms: Alarms | None = None) -> list[Row]:
         for row in study.rows("channels")
     }
     courses = _courses(buckets, settings)
-    add_status(study, alarms or Alarms())
+    add_status(study, alarms)
     found = []
     for row in study.table("judged").sort_by(list(ORDER)).to_pylist():
         name = (row["asset"], row["channel"])

@@ -20,6 +20,7 @@ from dbt_builder import Builder
 from gam_db import streaming, template, trusting
 from gam_db.cli import app
 from gam_db.engines.duckdb_session import DuckSession
+from gam_db.errors import ParameterError
 from gam_db.export import Package
 from gam_db.findings import findings
 from gam_db.pipeline import filled
@@ -231,6 +232,17 @@ def test_a_run_says_the_same_whatever_short_cuts_it_takes(monkeypatch: pytest.Mo
             told.append([{**row, "course": row["course"].tolist()} for row in found])
     assert str(told[0]) == str(told[1]) == str(told[2])
     assert {row["status"] for row in told[0]} >= {"proving", "open", "setup"}
+
+
+def test_a_rate_in_days_of_a_counter_is_refused_before_all_is_read() -> None:
+    with DuckSession() as session:
+        source = gam_db.Source(harness.arrow(plant(random.Random(0), ["calm"], 4)))
+        study = Study(session, source, gam_db.Parameters(), CALIBRATION)
+        read: list[str] = []
+        study.running.on_step = read.append
+        with pytest.raises(ParameterError, match="counts time in integers; give it in judgements"):
+            findings(study, gam_db.Alarms("1 per month"))
+        assert not read
 
 
 def said(*words: str) -> tuple[int, dict[str, Any]]:
