@@ -6,19 +6,17 @@ calibration samples. What does not hold costs time, never a number: the study go
 sort.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-import pyarrow as pa
 from sqlglot import exp
 
 from gam_db import template
 from gam_db.bits import Bits
 from gam_db.clock import FAR_AHEAD, LONG_AGO
-from gam_db.columns import counts
 from gam_db.method import Method
 from gam_db.method.scoring import visited_slots
-from gam_db.method.vectors import stream_slots
+from gam_db.method.vectors import coordinates, is_outside, stream_slots
 from gam_db.pipeline import Step, filled
 from gam_db.running import Running
 
@@ -79,6 +77,7 @@ class Streams:
         self.holds = True
         self._sorting: dict[str, Step] = {}
         self._done: set[str] = set()
+        self._reached: dict[int, int] = {}
 
     @property
     def holds_so_far(self) -> bool:
@@ -111,59 +110,59 @@ class Streams:
         method, running = self.method, self.running
         channels = self._channels()
         quotas = {
-            row["channel_id"]: int(rule.fraction * row["readings"])
+            row["channel_id"]: 0 if rule.fraction is None else int(rule.fraction * row["readings"])
             for row in channels
-            if (rule := method.rules[row["calibration_no"]]).fraction is not None
+            if (rule := method.rules[row["calibration_no"]])
         }
-        reached = self._each(
-            "quota",
-            {
-                row["channel_id"]: {**_names(row), "before": quotas[row["channel_id"]] - 1}
-                for row in channels
-                if quotas.get(row["channel_id"])
-            },
-        )
-        names = self.running.session.rows(running.query("names"))
+        names = running.session.rows(running.query("names"))
         earliest = {(row["asset"], row["channel"]): row["earliest"] for row in names}
-        timeline = [
-            {
-                "channel_id": row["channel_id"],
-                "repeats": 0,
-                "first_time": earliest[row["asset"], row["channel"]],
-                "quota_time": reached.get(row["channel_id"], {}).get("quota_time"),
-            }
-            for row in channels
-        ]
-        running.load("timeline", pa.Table.from_pylist(timeline, schema=_TIMELINE))
+        timeline = []
+        for row in channels:
+            quota = quotas[row["channel_id"]]
+            before = max(quota - self._reach(row), 0)
+            first = earliest[row["asset"], row["channel"]]
+            asked: Slots = {"before": before, "samples": quota - before, "first_time": first}
+            timeline.append(self._filled("timeline", row, **asked))
+        self._give("timeline", timeline)
+        reached = {row["channel_id"]: row["read_from"] for row in running.rows("timeline")}
         pieces = {row["channel_id"]: row for row in running.rows("calibration")}
-        for number in range(len(method.settings)):
+        calibrated = [
+            self._filled("calibrated", row, **_times(pieces[id_]), read_from=reached[id_])
+            for row in channels
+            if (id_ := row["channel_id"]) in pieces
+        ]
+        if not calibrated:
+            return False
+        self._give("calibrated", calibrated)
+        seen = {row["channel_id"]: row for row in running.rows("calibrated")}
+        for row in channels:
+            quota, found = quotas[row["channel_id"]], seen.get(row["channel_id"], _UNSEEN)
+            context = min(self._reach(row), quota)
+            if quota and (found["calibration_samples"], found["context_samples"]) != (quota, context):
+                return False
+        self._reached = {id_: time for id_, time in reached.items() if time is not None}
+        has_learnt = False
+        for number, setting in enumerate(method.settings):
             bounds = self._bounds(number)
             members = [row for row in channels if row["channel_id"] in bounds.keys() & pieces.keys()]
-            exact = self._each(
-                "exact",
-                {row["channel_id"]: _range(bounds[row["channel_id"]]) for row in members},
-                number,
-            )
-            counted = {id_: row["calibration_samples"] for id_, row in bounds.items()}
-            if any(quotas.get(id_, samples) != samples for id_, samples in counted.items()):
-                return False
-            if not all(row["is_exact"] for row in exact.values()):
-                return False
+            exact = [self._filled("exact", row, **_range(bounds[row["channel_id"]])) for row in members]
             if not members:
                 continue
+            if not all(row["is_exact"] for row in self._asked(exact, number)):
+                return False
             learnable = []
             for row in members:
-                piece = pieces[row["channel_id"]]
-                vectors = self._vectors(row, number, bounds, piece["time_from"], piece["time_to"])
-                slots: Slots = {"channel_id": row["channel_id"]}
+                vectors = self._vectors(row, number, bounds, **_times(pieces[row["channel_id"]]))
+                slots: Slots = {"channel_id": row["channel_id"], "span": setting.span}
                 learnable.append(_over("streams/learnable", slots, "streamed", vectors))
-            step = method.named("learnable", number)
-            self._replace(step, _stacked(learnable))
-            running.keep(step)
-            running.load(method.named("missing_vectors", number), _MISSING.empty_table())
+            step = method.named(LEARNING, number)
+            self._give(step, learnable)
+            none = filled("certificate/missing_vectors")
+            self._replace(method.named("missing_vectors", number), none, {"marked_vectors": step})
             if running.largest(step, "out_of_order"):
                 return False
-        return bool(self._sorting)
+            has_learnt = True
+        return has_learnt
 
     def _score(self) -> bool:
         """Give the scored vectors, grouped; tell whether they are what they should be."""
@@ -171,39 +170,36 @@ class Streams:
         assert bits is not None
         channels = self._channels()
         for number, setting in enumerate(method.settings):
-            held, visited = (method.named(step, number) for step in ("support_bits", "visited"))
+            held, visited = (method.named(step, number) for step in ("support_bits", SCORING))
             running.keep(held)
             bounds = self._bounds(number)
             members = [row for row in channels if row["channel_id"] in bounds]
             if not members:
                 continue
             first = {row["channel_id"]: bounds[row["channel_id"]]["first_scored"] for row in members}
-            starts = self._each(
-                "run_up",
-                {
-                    row["channel_id"]: {
-                        **_names(row),
-                        "first_scored": first[row["channel_id"]],
-                        "span": setting.span,
-                    }
-                    for row in members
-                },
-            )
+            starts = self._reached if setting.span else first
+            looked_for = [
+                self._filled("run_up", row, first_scored=first[row["channel_id"]], span=setting.span)
+                for row in members
+                if row["channel_id"] not in starts
+            ]
+            found = self._asked(looked_for, number) if looked_for else []
+            starts = {**starts, **{row["channel_id"]: row["read_from"] for row in found}}
+            grouped = visited_slots(setting, trusting=True) | {"outside": is_outside(setting)}
             scored = []
             for row in members:
-                start = starts[row["channel_id"]]["read_from"]
+                start = starts[row["channel_id"]]
                 read_from = first[row["channel_id"]] if start is None else start
                 slots: Slots = {
                     **{name: row[name] for name in ("channel_id", "support_id")},
                     "before": setting.span,
                     "is_held": bits.held(exp.column("bits"), exp.column("cell_key")),
+                    "carried": coordinates(setting),
                 }
                 vectors = self._vectors(row, number, bounds, read_from, FAR_AHEAD)
                 placed = _over("streams/placed", slots, "streamed", vectors)
-                grouped = visited_slots(setting, trusting=True)
                 scored.append(_over("health/visited", grouped, "placed", placed))
-            self._replace(visited, _stacked(scored), {"support_bits": held})
-            running.keep(visited)
+            self._give(visited, scored, {"support_bits": held})
             if running.largest(visited, "doubled"):
                 return False
         return True
@@ -216,25 +212,38 @@ class Streams:
         rows = self.running.rows(self.method.named("bounds", number))
         return {row["channel_id"]: row for row in rows if row["calibrated_lo"] is not None}
 
+    def _reach(self, row: Row) -> int:
+        """Return how many samples of calibration the first scored vector of a channel reaches, or 1."""
+        return max(self.method.settings[row["settings_no"]].span, 1)
+
     def _vectors(
         self, row: Row, number: int, bounds: Mapping[int, Row], time_from: int, time_to: int
     ) -> exp.Query:
         """Return the vectors of one channel over what is read of it."""
         slots = stream_slots(self.method.settings[number])
         read: Slots = {"time_from": time_from, "time_to": time_to}
-        said = {**_names(row), **_range(bounds[row["channel_id"]]), **read, **slots}
-        return filled("streams/vectors", said)
+        return filled(
+            "streams/vectors", {**_names(row), **_range(bounds[row["channel_id"]]), **read, **slots}
+        )
 
-    def _each(self, file: str, slots: Mapping[int, Slots], number: int = 0) -> dict[int, Row]:
-        """Ask the same of each channel, in one statement; return the answers by channel."""
-        if not slots:
-            return {}
-        asked = [filled(f"streams/{file}", {**more, "channel_id": id_}) for id_, more in slots.items()]
+    def _filled(self, file: str, row: Row, **slots: template.Slot) -> exp.Query:
+        """Return a file that speaks of one channel."""
+        own = {"channel_id": row["channel_id"], **_names(row)}
+        asked = template.load(f"streams/{file}").slots
+        return filled(f"streams/{file}", {**{name: own[name] for name in own.keys() & asked}, **slots})
+
+    def _asked(self, queries: Sequence[exp.Query], number: int) -> list[Row]:
+        """Ask what speaks of a channel each in one statement."""
         steps = self.running.steps.copied()
-        steps.add("asked", _stacked(asked), tables={"bounds": self.method.named("bounds", number)})
-        query = steps.query("asked", self.running.placed)
-        rows = self.running.session.rows(query)
-        return {row["channel_id"]: row for row in rows}
+        steps.add("asked", _stacked(queries), tables={"bounds": self.method.named("bounds", number)})
+        return self.running.session.rows(steps.query("asked", self.running.placed))
+
+    def _give(
+        self, step: str, parts: Sequence[exp.Query], tables: Mapping[str, str] | None = None
+    ) -> None:
+        """Keep what speaks of a channel each as a step, in the place of what it was."""
+        self._replace(step, _stacked(parts), tables)
+        self.running.keep(step)
 
     def _replace(self, step: str, query: exp.Query, tables: Mapping[str, str] | None = None) -> None:
         self._sorting.setdefault(step, self.running.steps.replace(step, query, tables))
@@ -262,10 +271,29 @@ def _range(bounds: Row) -> Slots:
     return {name: bounds[f"calibrated_{name}"] for name in ("lo", "hi")}
 
 
-def _stacked(queries: Iterable[exp.Query]) -> exp.Query:
+def _times(piece: Row) -> dict[str, int]:
+    return {name: piece[name] for name in ("time_from", "time_to")}
+
+
+def _stacked(queries: Sequence[exp.Query]) -> exp.Query:
+    """Return the rows of several queries, which DuckDB works on side by side.
+
+    It does so with entries of a WITH list that it is to keep. The parts of a UNION it takes one after
+    another, wherever one of them alone has rows for all threads.
+    """
     first, *others = queries
-    return exp.union(first, *others, distinct=False, copy=False) if others else first
+    if not others:
+        return first
+    names = [exp.to_identifier(f"part_{number}") for number in range(len(queries))]
+    parts = [
+        exp.CTE(this=query, alias=exp.TableAlias(this=name), materialized=True)
+        for name, query in zip(names, queries, strict=True)
+    ]
+    columns = [exp.column(name) for name in first.named_selects]
+    rows = [exp.select(*columns).from_(exp.Table(this=name.copy())) for name in names]
+    union = exp.union(*rows, distinct=False, copy=False)
+    union.set("with_", exp.With(expressions=parts))
+    return union
 
 
-_TIMELINE = counts("channel_id repeats first_time quota_time")
-_MISSING = counts("channel_id missing_vectors")
+_UNSEEN = {"calibration_samples": 0, "context_samples": 0}

@@ -133,6 +133,7 @@ def visited_slots(
         needed = exp.column("doubled").eq(1)
     return {
         "stride": setting.bucket_length,
+        "outside": exp.column("out_of_range"),
         "carried": [exp.column(name) for name in carried],
         "needed": needed,
         "gathered": gathered,

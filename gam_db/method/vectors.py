@@ -9,9 +9,6 @@ from gam_db.clock import LONG_AGO
 from gam_db.method.adding import OfSet
 from gam_db.parameters import Parameters
 
-#: Slots that streams/vectors.sql shares with embedding/vectors.sql.
-_OF_STREAM = ("span", "cell_key", "outside")
-
 
 def add_vectors(one: OfSet, prefix: str, read: exp.Expr, carried: Sequence[str] = ()) -> None:
     """Add the complete form of codes and vectors of one set (Eq. 1) over the samples to be read.
@@ -88,28 +85,40 @@ def code_of(setting: Parameters) -> exp.Expr:
 
 def stream_slots(setting: Parameters) -> dict[str, template.Slot]:
     """Return the slots of streams/vectors.sql that follow from the parameters alone."""
-    slots = {name: slot for name, slot in cell_slots(setting).items() if name in _OF_STREAM}
     delayed = [_in_stored_order("code", k, setting) for k in range(1, setting.m)]
+    slots = {"cell_key": cell_slots(setting)["cell_key"], "coordinates": coordinates(setting)}
     return {**slots, "delayed": delayed, "code": code_of(setting)}
+
+
+def coordinates(setting: Parameters) -> list[exp.Expr]:
+    """Return the columns of a vector's codes, the newest first."""
+    return [exp.column(f"code_{k}") for k in range(setting.m)]
+
+
+def is_outside(setting: Parameters) -> exp.Expr:
+    """Return 1 where one of these lies outside the calibrated range, else 0."""
+    outside = cell_slots(setting)["outside"]
+    assert isinstance(outside, exp.Expr)
+    return _flag(outside)
 
 
 def cell_slots(setting: Parameters) -> dict[str, template.Slot]:
     """Return the slots of vectors that follow from the parameters, over code_0 ... code_(m-1)."""
-    coordinates = [exp.column(f"code_{k}") for k in range(setting.m)]
+    codes = coordinates(setting)
     return {
         "span": setting.span,
         "next_span": max(setting.span - 1, 0),
-        "known": exp.and_(*(template.fill("embedding/known", {"code": code}) for code in coordinates)),
+        "known": exp.and_(*(template.fill("embedding/known", {"code": code}) for code in codes)),
         "cell_key": template.added(
             [
                 template.fill("embedding/cell_term", {"code": code, "weight": setting.radix**k})
-                for k, code in enumerate(coordinates)
+                for k, code in enumerate(codes)
             ]
         ),
         "outside": exp.or_(
             *(
                 template.fill("embedding/outside", {"code": code, "above": setting.grid + 2})
-                for code in coordinates
+                for code in codes
             )
         ),
     }

@@ -1,9 +1,11 @@
 -- Visited: where the machine was in each bucket: the novel cells one by one, all else in the row without a
 -- cell. What buckets and novel cells need of the scored vectors is read off these few rows. A vector that
--- is neither novel nor the first or last of its bucket changes none of them, and is dropped before.
+-- is neither novel nor the first or last of its bucket changes none of them, and is dropped before, and so are
+-- samples of a run-up, whose number is none.
 -- Reads:  placed
 -- A row:  one novel cell in one bucket, or NULL for its other vectors; closing = 1 if the bucket ends in it.
 -- Slots:  :stride    vectors per bucket
+--         :outside   whether a coordinate lies outside the calibrated range
 --         :carried   columns that travel with the vector
 --         :needed    what else makes a vector stay
 --         :gathered  what is made of the carried columns
@@ -24,10 +26,10 @@ FROM (
       AS bucket_no,
     time,
     CASE WHEN novel = 1 THEN cell_key END AS novel_cell,
-    out_of_range,
+    :outside AS out_of_range,
     CASE WHEN number % :stride = 0 THEN 1 ELSE 0 END AS closing,
     :carried
   FROM placed
-  WHERE novel = 1 OR number % :stride = 0 OR (number - 1) % :stride = 0 OR :needed
+  WHERE (novel = 1 OR number % :stride <= 1) AND number > 0 OR :needed
 ) AS kept
 GROUP BY channel_id, bucket_no, novel_cell

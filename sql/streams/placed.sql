@@ -1,17 +1,19 @@
 -- Placed, in stored order: the scored vectors of one channel with number and novelty (Eq. 4); see
 -- streams/vectors.sql.
--- Reads:  support_bits, streamed, the vectors of the channel from its run-up on
--- A row:  one scored vector; doubled = 1 if it is not later than the one before.
+-- Reads:  support_bits, streamed, the samples of the channel from its run-up on
+-- A row:  one scored vector, or a sample of the run-up, whose number is none; doubled = 1 if it is not later
+--         than the one before.
 -- Slots:  :channel_id, :support_id
 --         :before   samples before the first scored vector
 --         :is_held  1 if the cell of the vector is in the support's bits; NULL of an empty support
+--         :carried  code_0 ... code_(m-1)
 SELECT
   CAST(:channel_id AS INTEGER) AS channel_id,
   time,
   position - :before AS number,
   cell_key,
   CASE WHEN :is_held = 1 THEN 0 ELSE 1 END AS novel,
-  out_of_range,
+  :carried,
   out_of_order AS doubled
 FROM streamed
 CROSS JOIN (

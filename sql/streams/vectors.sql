@@ -3,19 +3,18 @@
 -- found the channel in one piece and growing, and out_of_order = 1 marks here what is not later than the row
 -- before; one such mark, and all is done again by embedding/vectors.sql.
 -- Reads:  readings
--- A row:  one vector, at the time of its newest sample, or a row that is out of order.
+-- A row:  one sample; from position span + 1 on the vector whose newest one it is, before that without a cell.
 -- Slots:  :asset, :channel  the names of the channel
 --         :lo, :hi          its calibrated range. Not joined: a join hands on small pieces of rows late.
 --         :time_from, :time_to  the instants that are read
 --         :code      the expression of support/code.sql
 --         :delayed   code_1 ... code_(m-1), the delayed codes
---         :span      (m-1) * tau, the samples between oldest and newest
 --         :cell_key  the mixed-radix integer of the coordinates
---         :outside   a coordinate lies outside the calibrated range
+--         :coordinates  code_0 ... code_(m-1)
 SELECT
   time,
   :cell_key AS cell_key,
-  CASE WHEN :outside THEN 1 ELSE 0 END AS out_of_range,
+  :coordinates,
   position,
   CASE WHEN time <= previous_time THEN 1 ELSE 0 END AS out_of_order
 FROM (
@@ -40,4 +39,3 @@ FROM (
     ) AS ranged
   ) AS coded
 ) AS embedded
-WHERE position > :span OR time <= previous_time

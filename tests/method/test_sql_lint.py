@@ -749,9 +749,11 @@ def stream_once() -> None:
     table = pa.table({"time": range(streaming.STREAMED_FROM), "value": [1.5] * streaming.STREAMED_FROM})
     with DuckSession() as session, session.lent(table) as lent:
         source = Source(lent.name, None, None)
-        study = Study(session, source, gam_db.Parameters(), CALIBRATIONS[0], short_cuts=True)
-        study.table("bucket_health")
-        assert study.is_streamed
+        for calibration in (CALIBRATIONS[0], gam_db.Calibration(duration=9)):
+            study = Study(session, source, gam_db.Parameters(), calibration, short_cuts=True)
+            study.table("bucket_health")
+            assert study.is_streamed
+            study.forget()
 
 
 def test_every_file_is_used() -> None:

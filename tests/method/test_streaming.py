@@ -3,6 +3,8 @@
 Which of the two it was is asked for in each case, so that no case passes by the other way.
 """
 
+import subprocess
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -11,6 +13,7 @@ import duckdb
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from sqlglot import exp
 
 import comparisons
 import gam_db
@@ -114,6 +117,44 @@ def test_streams_give_the_integers_of_the_reference(
     found, is_streamed = answers(connection, *method)
     assert is_streamed == (case != "no calibration")
     agrees(found, rows(), *method)
+
+
+def test_channels_are_worked_on_side_by_side(connection: duckdb.DuckDBPyConnection) -> None:
+    """DuckDB does so with entries of a WITH list that it keeps, and not with parts of a UNION."""
+    stored(connection, rows())
+    with DuckSession(connection) as session:
+        method = harness.made(*SERVED["delays"])
+        study = Study(session, gam_db.Source("telemetry"), *method, short_cuts=True)
+        study.table("novel_cells")
+        for step in ("learnable", "visited"):
+            entries = list(study.steps.steps[step].query.find_all(exp.CTE))
+            assert [entry.args["materialized"] for entry in entries] == [True] * 6
+        study.forget()
+
+
+def test_streams_load_no_pandas(tmp_path: Path) -> None:
+    """Where it is installed, pyarrow loads it to look at a list: a tenth of the seconds of a run."""
+    pytest.importorskip("pandas")
+    path = tmp_path / "telemetry.parquet"
+    with duckdb.connect() as connection:
+        stored(connection, rows())
+        connection.table("telemetry").write_parquet(str(path))
+    asked = f"""
+import sys
+from pathlib import Path
+import gam_db
+from gam_db import streaming
+from gam_db.engines.duckdb_session import DuckSession
+from gam_db.study import Study
+streaming.STREAMED_FROM, streaming.GLANCE = 2, 100
+with DuckSession() as session:
+    method = gam_db.Parameters(m=3, bins=4, window=20, stride=5), gam_db.Calibration(fraction=0.4)
+    study = Study(session, gam_db.Source({str(path)!r}), *method, short_cuts=True)
+    study.write("novel_cells", Path({str(tmp_path / "cells.parquet")!r}), "novel_cells")
+    print(study.is_streamed, "pandas" in sys.modules)
+"""
+    done = subprocess.run([sys.executable, "-c", asked], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["True", "False"]
 
 
 @pytest.mark.parametrize("case", UNSERVED)

@@ -1,0 +1,22 @@
+-- Timeline of one channel, in stored order: the instant of its quota-th sample, and from where on it is read so
+-- that the next one finds its oldest sample. That the order was kept shows afterwards: as many samples must lie
+-- up to the one, and from the other on (streams/calibrated.sql).
+-- Reads:  readings
+-- A row:  the channel; the instants are NULL where no sample is asked for.
+-- Slots:  :channel_id, :asset, :channel
+--         :first_time  the instant of its first sample
+--         :before      samples before those that are asked for
+--         :samples     how many these are: up to the quota-th
+SELECT
+  CAST(:channel_id AS INTEGER) AS channel_id,
+  CAST(0 AS BIGINT) AS repeats,
+  CAST(:first_time AS BIGINT) AS first_time,
+  MAX(reached.time) AS quota_time,
+  MIN(reached.time) AS read_from
+FROM (
+  SELECT time
+  FROM readings
+  WHERE asset = :asset AND channel = :channel
+  LIMIT :samples
+  OFFSET :before
+) AS reached
