@@ -4,21 +4,21 @@
 -- A row:  one version that was ever read.
 -- Slots:  :long_ago  an instant before all others
 SELECT
-  version_id,
-  MAX(CASE WHEN looked.read_to IS NOT NULL THEN looked.read_to ELSE CAST(:long_ago AS BIGINT) END)
-    AS read_until,
-  MAX(CASE WHEN run_id = newest_id THEN committed END) AS looked_at,
-  MAX(CASE WHEN run_id = counting_id THEN committed ELSE CAST(:long_ago AS BIGINT) END) AS counted_at
+  read.version_id AS version_id,
+  MAX(read.read_until) AS read_until,
+  MAX(CASE WHEN each_run.run_id = read.newest_id THEN each_run.committed END) AS looked_at,
+  MAX(CASE WHEN each_run.run_id = read.counting_id THEN each_run.committed ELSE CAST(:long_ago AS BIGINT) END)
+    AS counted_at
 FROM (
   SELECT
     run.version_id AS version_id,
-    run.run_id AS run_id,
-    run.read_to AS read_to,
-    run.committed AS committed,
-    MAX(run.run_id) OVER (PARTITION BY run.version_id) AS newest_id,
-    MAX(CASE WHEN run.calibration_readings IS NOT NULL THEN run.run_id END)
-      OVER (PARTITION BY run.version_id) AS counting_id
+    MAX(CASE WHEN run.read_to IS NOT NULL THEN run.read_to ELSE CAST(:long_ago AS BIGINT) END) AS read_until,
+    MAX(run.run_id) AS newest_id,
+    MAX(CASE WHEN run.calibration_readings IS NOT NULL THEN run.run_id ELSE -1 END) AS counting_id
   FROM stored_finished_run AS run
   JOIN active AS frozen ON frozen.version_id = run.version_id
-) AS looked
-GROUP BY version_id
+  GROUP BY run.version_id
+) AS read
+JOIN stored_finished_run AS each_run ON each_run.version_id = read.version_id
+WHERE each_run.run_id = read.newest_id OR each_run.run_id = read.counting_id
+GROUP BY read.version_id

@@ -188,6 +188,33 @@ def test_the_past_window_is_found_by_literals(plant: duckdb.DuckDBPyConnection) 
     assert sum(scanned(json.loads(said)["operator"], "gam_bucket")) <= 1004
 
 
+def test_runs_of_years_are_not_put_in_order(plant: duckdb.DuckDBPyConnection) -> None:
+    """By them fleet and plan say when a channel was read; DuckDB says how many rows its windows take."""
+    monitor(plant).score()
+    fleet, plan = everything(plant, "gam_fleet"), planned(plant, LOOKBACK, False)
+    few = len(everything(plant, "gam_run"))
+    plant.execute(
+        "INSERT INTO gam_run BY NAME SELECT run.* REPLACE (run_id - back AS run_id) "
+        "FROM gam_run AS run, range(1, 3000) AS others(back)"
+    )
+    assert everything(plant, "gam_fleet") == fleet
+    assert planned(plant, LOOKBACK, False) == plan
+    with monitor(plant) as mine:
+        reads = plan_steps(1, LOOKBACK).query("last_reads", mine.state.tables.placed())
+        for text in ("SELECT * FROM gam_fleet", mine.session.engine.text(reads)):
+            said = plant.execute(f"EXPLAIN (ANALYZE, FORMAT JSON) {text}").fetchall()[0][1]
+            pending = json.loads(said)["operator"]
+            while pending:
+                operator = pending.pop()
+                pending += operator.get("children", [])
+                if operator["type"] == "WINDOW" and "from_bucket" not in str(operator["extra_info"]):
+                    assert operator["intermediate_rows"] <= 10 * few
+
+
+def everything(connection: duckdb.DuckDBPyConnection, view: str) -> list[tuple[object, ...]]:
+    return connection.execute(f"SELECT * FROM {view} ORDER BY ALL").fetchall()
+
+
 def test_sqlite_finds_what_is_stored_by_its_key() -> None:
     """The window that stays, and the rows that a run has replaced; SQLite says how it looks for them."""
     group = [{"version_id": key, "first_bucket": 500} for key in (3, 5)]

@@ -1,0 +1,491 @@
+-- Fleet, made again: what is known of every channel now, one row each, under its active version. A channel that would
+-- be ok or waiting and stands still is standing: neither healthy nor alarming. Where its calibration gave a limit of
+-- judgements, its episode says whether it is above, and since when: since the onset of that. Elsewhere its indicator
+-- says it by hi_limit. judged_by says which. limit, reason, urgency, attention and the status of what moves are those of
+-- sql/judgement/, word for word. A run whose context differs has read another number of samples before its first bucket
+-- than were there when that bucket was scored: rows came later than lookback allows, or went. A later run that began to
+-- read no later speaks in its place; one that found no row at all says nothing. Only runs that tell something are put
+-- in order: the newest of a version, the newest that counted its calibration, and all where a context differs.
+CREATE OR REPLACE VIEW stored_fleet AS
+SELECT
+  watching.name AS monitor,
+  named.asset AS asset,
+  named.channel AS channel,
+  version.version_no AS version_no,
+  version.version_id AS version_id,
+  learnt.verdict AS verdict,
+  learnt.floor AS floor,
+  learnt.floor_sd AS floor_sd,
+  learnt.floor_max AS floor_max,
+  judged.hi_limit AS hi_limit,
+  judged.hi AS hi,
+  judged.hi_highest AS hi_highest,
+  judged.novel_in_window AS novel_in_window,
+  judged.novel_window_before AS novel_window_before,
+  judged.out_of_range_in_window AS out_of_range_in_window,
+  version.window_length AS window_length,
+  version.stride AS stride,
+  judged.bucket AS bucket,
+  judged.buckets AS buckets,
+  judged.novel_in_buckets AS novel_in_buckets,
+  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(judged.last_tick) END AS last_time,
+  judged.last_tick AS last_tick,
+  CASE
+    WHEN looked.hit = 1 AND watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(looked.read_to)
+  END AS data_time,
+  CASE WHEN looked.hit = 1 THEN looked.read_to END AS data_tick,
+  CASE WHEN looked.hit = 1 THEN MAKE_TIMESTAMP(looked.committed) END AS looked_at,
+  CASE WHEN looked.hit = 1 THEN looked.differing ELSE 0 END AS differing_contexts,
+  CASE
+    WHEN looked.hit = 1 AND watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(looked.repair_from)
+  END AS repair_from_time,
+  CASE WHEN looked.hit = 1 THEN looked.repair_from END AS repair_from_tick,
+  version.calibration_readings AS calibration_readings,
+  CASE WHEN looked.hit = 1 THEN looked.calibration_readings END AS calibration_readings_now,
+  learnt.calibration_vectors AS calibration_vectors,
+  learnt.cells AS cells,
+  learnt.calibrated_lo AS calibrated_lo,
+  learnt.calibrated_hi AS calibrated_hi,
+  learnt.finest_bins AS finest_bins,
+  learnt.vectors_needed AS vectors_needed,
+  version.m AS m,
+  version.tau AS tau,
+  version.bins AS bins,
+  version.target_floor AS target_floor,
+  version.settings_hash AS settings_hash,
+  version.method_hash AS method_hash,
+  CASE WHEN judged.has_limit = 0 THEN 'unrepresentative' ELSE judged.limit_reason END AS limit_reason,
+  CASE WHEN still.hit = 1 AND judged.status IN ('ok', 'waiting') THEN 'standing' ELSE judged.status END AS status,
+  judged.urgency AS urgency,
+  judged.needs_attention AS needs_attention,
+  CASE WHEN still.hit = 1 AND judged.status = 'ok' THEN NULL ELSE judged.is_above END AS is_above,
+  judged.judged_by AS judged_by,
+  judged.episode_id AS episode_id,
+  judged.asking AS asking,
+  CASE
+    WHEN watching.time_kind = 'counter' THEN NULL
+    WHEN judged.status IN ('proving', 'open') THEN MAKE_TIMESTAMP(judged.raised_tick)
+    WHEN judged.status = 'high' AND rising.hit = 1 THEN MAKE_TIMESTAMP(rising.since_tick)
+  END AS since_time,
+  CASE
+    WHEN judged.status IN ('proving', 'open') THEN judged.raised_tick
+    WHEN judged.status = 'high' AND rising.hit = 1 THEN rising.since_tick
+  END AS since_tick,
+  CASE
+    WHEN judged.status IN ('proving', 'open') THEN judged.window_before_tick
+    WHEN judged.status = 'high' AND rising.hit = 1 THEN rising.window_from_tick
+  END AS window_from_tick,
+  CASE
+    WHEN judged.status IN ('proving', 'open') THEN 0
+    WHEN judged.status = 'high' AND rising.hit = 1 THEN rising.at_least
+  END AS at_least,
+  CASE
+    WHEN looked.hit = 1 AND rising.hit = 1 AND heard.hit = 1 AND heard.newest_tick > looked.read_to
+      AND CAST(heard.newest_tick - looked.read_to AS DOUBLE) * CAST(rising.buckets AS DOUBLE)
+        > CAST(3 AS DOUBLE) * CAST(rising.last_tick - rising.first_tick AS DOUBLE)
+      THEN heard.newest_tick - looked.read_to
+  END AS silent_for
+FROM stored_version AS version
+JOIN (
+  SELECT channel_id, MAX(version_id) AS newest_id
+  FROM stored_version
+  GROUP BY channel_id
+) AS active ON active.newest_id = version.version_id
+JOIN stored_channel AS named ON named.channel_id = version.channel_id
+JOIN stored_monitor AS watching ON watching.monitor_id = named.monitor_id
+JOIN stored_bounds AS learnt ON learnt.support_id = version.support_id
+JOIN (
+  SELECT
+    status,
+    CASE
+      WHEN asks = 1 AND status = 'proving' THEN 6
+      WHEN asks = 1 THEN 5
+      WHEN status = 'high' THEN 4
+      WHEN status = 'setup' THEN 3
+      WHEN status IN ('proving', 'open', 'waiting') THEN 2
+      WHEN status = 'ok' THEN 1
+      ELSE 0
+    END AS urgency,
+    CASE WHEN asks = 1 OR status IN ('high', 'setup') THEN 1 ELSE 0 END AS needs_attention,
+    CASE WHEN status IN ('proving', 'open', 'high') THEN 1 WHEN status = 'ok' THEN 0 END AS is_above,
+    judged_by,
+    version_id,
+    verdict,
+    hi_limit,
+    limit_reason,
+    hi,
+    hi_highest,
+    novel_in_window,
+    novel_window_before,
+    out_of_range_in_window,
+    bucket,
+    buckets,
+    novel_in_buckets,
+    last_tick,
+    has_limit,
+    raised,
+    asks,
+    asking,
+    episode_id,
+    raised_tick,
+    window_before_tick
+  FROM (
+    SELECT
+      CASE
+        WHEN verdict IN ('no_data', 'constant') THEN 'not assessed'
+        WHEN judged_by IS NULL THEN 'setup'
+        WHEN judged_by = 'episode' AND raised IS NOT NULL THEN raised
+        WHEN hi IS NULL THEN 'waiting'
+        WHEN judged_by = 'indicator' AND hi > hi_limit THEN 'high'
+        ELSE 'ok'
+      END AS status,
+      judged_by,
+      version_id,
+      verdict,
+      hi_limit,
+      limit_reason,
+      hi,
+      hi_highest,
+      novel_in_window,
+      novel_window_before,
+      out_of_range_in_window,
+      bucket,
+      buckets,
+      novel_in_buckets,
+      last_tick,
+      has_limit,
+      raised,
+      asks,
+      asking,
+      episode_id,
+      raised_tick,
+      window_before_tick
+    FROM (
+      SELECT
+        CASE
+          WHEN verdict <> 'ready' OR has_limit = 0 THEN NULL
+          WHEN has_limit = 1 THEN 'episode'
+          ELSE 'indicator'
+        END AS judged_by,
+        version_id,
+        verdict,
+        hi_limit,
+        limit_reason,
+        hi,
+        hi_highest,
+        novel_in_window,
+        novel_window_before,
+        out_of_range_in_window,
+        bucket,
+        buckets,
+        novel_in_buckets,
+        last_tick,
+        has_limit,
+        raised,
+        asks,
+        asking,
+        episode_id,
+        raised_tick,
+        window_before_tick
+      FROM (
+        SELECT
+          version.version_id AS version_id,
+          learnt.verdict AS verdict,
+          CASE
+            WHEN learnt.verdict <> 'ready' OR learnt.floor IS NULL OR learnt.floor_max IS NULL THEN NULL
+            WHEN 2 * learnt.floor >= learnt.floor_max AND 2 * learnt.floor >= version.target_floor
+              THEN 2 * learnt.floor
+            WHEN learnt.floor_max >= version.target_floor THEN learnt.floor_max
+            ELSE version.target_floor
+          END AS hi_limit,
+          CASE
+            WHEN learnt.verdict = 'no_data' THEN 'no calibration'
+            WHEN learnt.verdict = 'constant' THEN 'constant in calibration'
+            WHEN learnt.verdict = 'too_fine' THEN 'grid too fine for its calibration'
+            WHEN learnt.verdict = 'needs_data' THEN 'calibration too short'
+          END AS limit_reason,
+          CASE
+            WHEN shown.hit = 1 AND shown.novel_in_window IS NOT NULL
+              THEN CAST(shown.novel_in_window AS DOUBLE) / CAST(version.window_length AS DOUBLE)
+          END AS hi,
+          CASE
+            WHEN shown.hit = 1 AND shown.most_in_window IS NOT NULL
+              THEN CAST(shown.most_in_window AS DOUBLE) / CAST(version.window_length AS DOUBLE)
+          END AS hi_highest,
+          CASE WHEN shown.hit = 1 THEN shown.novel_in_window END AS novel_in_window,
+          CASE WHEN shown.hit = 1 THEN shown.novel_window_before END AS novel_window_before,
+          CASE WHEN shown.hit = 1 THEN shown.out_of_range END AS out_of_range_in_window,
+          CASE WHEN shown.hit = 1 THEN shown.newest_no END AS bucket,
+          CASE WHEN shown.hit = 1 THEN shown.buckets ELSE 0 END AS buckets,
+          CASE WHEN shown.hit = 1 THEN shown.novel ELSE 0 END AS novel_in_buckets,
+          CASE WHEN shown.hit = 1 THEN shown.last_time END AS last_tick,
+          CASE
+            WHEN limited.hit = 1 AND limited.reason IS NULL THEN 1
+            WHEN limited.hit = 1 AND limited.reason = 'unrepresentative' THEN 0
+          END AS has_limit,
+          CASE WHEN raised.hit = 1 THEN raised.told_as END AS raised,
+          CASE WHEN raised.hit = 1 AND raised.asking > 0 THEN 1 ELSE 0 END AS asks,
+          CASE WHEN raised.hit = 1 THEN raised.asking ELSE 0 END AS asking,
+          CASE WHEN raised.hit = 1 THEN raised.episode_id END AS episode_id,
+          CASE WHEN raised.hit = 1 THEN raised.onset_time END AS raised_tick,
+          CASE WHEN raised.hit = 1 THEN raised.onset_time - raised.judgement_length END AS window_before_tick
+        FROM stored_version AS version
+        JOIN stored_bounds AS learnt ON learnt.support_id = version.support_id
+        LEFT JOIN (
+          SELECT own.version_id AS version_id, own.reason AS reason, 1 AS hit
+          FROM stored_limit AS own
+          JOIN (
+            SELECT version_id, MAX(each_limit.limit_no) AS newest_no
+            FROM stored_limit AS each_limit
+            GROUP BY version_id
+          ) AS latest ON latest.version_id = own.version_id AND latest.newest_no = own.limit_no
+        ) AS limited ON limited.version_id = version.version_id
+        LEFT JOIN (
+          SELECT
+            going.channel_id AS channel_id,
+            going.episode_id AS episode_id,
+            going.told_as AS told_as,
+            going.onset_time AS onset_time,
+            CAST(
+              FLOOR(
+                CAST(going.last_time - going.first_time AS DOUBLE) * CAST(2 * made.window_length AS DOUBLE)
+                / CAST(
+                  2 * (going.last_judgement - going.first_judgement + 1) * made.window_length
+                  - CASE WHEN made.window_length > 1 THEN 2 ELSE 0 END AS DOUBLE
+                )
+              ) AS BIGINT
+            ) AS judgement_length,
+            CAST(SUM(going.needs_attention) OVER (PARTITION BY going.channel_id) AS BIGINT) AS asking,
+            CAST(
+              ROW_NUMBER() OVER (
+                PARTITION BY going.channel_id
+                ORDER BY CASE WHEN going.status = 'open' THEN 0 ELSE 1 END, going.episode_id DESC
+              ) AS BIGINT
+            ) AS episodes_back,
+            1 AS hit
+          FROM stored_labelled_episode AS going
+          JOIN stored_version AS made ON made.version_id = going.version_id
+          WHERE going.status = 'open' OR going.needs_attention = 1
+        ) AS raised ON raised.channel_id = version.channel_id AND raised.episodes_back = 1
+        LEFT JOIN (
+          SELECT
+            version_id,
+            1 AS hit,
+            newest_no,
+            CAST(COUNT(*) AS BIGINT) AS buckets,
+            MAX(placed.last_time) AS last_time,
+            CAST(SUM(placed.novel) AS BIGINT) AS novel,
+            CAST(SUM(CASE WHEN vectors_back < window_length THEN placed.out_of_range ELSE 0 END) AS BIGINT)
+              AS out_of_range,
+            MAX(CASE WHEN vectors_back = 0 THEN placed.novel_in_window END) AS novel_in_window,
+            MAX(CASE WHEN vectors_back = window_length THEN placed.novel_in_window END)
+              AS novel_window_before,
+            MAX(placed.novel_in_window) AS most_in_window
+          FROM (
+            SELECT
+              full_bucket.version_id AS version_id,
+              newest.newest_no AS newest_no,
+              newest.window_length AS window_length,
+              (newest.newest_no - full_bucket.bucket_no) * newest.stride AS vectors_back,
+              full_bucket.last_time AS last_time,
+              full_bucket.novel AS novel,
+              full_bucket.out_of_range AS out_of_range,
+              full_bucket.novel_in_window AS novel_in_window
+            FROM stored_visible_bucket AS full_bucket
+            JOIN (
+              SELECT
+                made.version_id AS version_id,
+                made.window_length AS window_length,
+                made.stride AS stride,
+                counted.newest_no AS newest_no
+              FROM stored_version AS made
+              JOIN (
+                SELECT version_id, MAX(bucket_no) AS newest_no
+                FROM stored_visible_bucket
+                GROUP BY version_id
+              ) AS counted ON counted.version_id = made.version_id
+            ) AS newest ON newest.version_id = full_bucket.version_id
+          ) AS placed
+          GROUP BY version_id, newest_no
+        ) AS shown ON shown.version_id = version.version_id
+      ) AS assessed
+    ) AS weighed
+  ) AS told
+) AS judged ON judged.version_id = version.version_id
+LEFT JOIN (
+  SELECT
+    version_id,
+    1 AS hit,
+    MAX(run.newest_to) AS read_to,
+    MAX(CASE WHEN run_id = newest_id THEN run.committed END) AS committed,
+    CAST(SUM(differs) AS BIGINT) AS differing,
+    MIN(CASE WHEN differs = 1 THEN read_from END) AS repair_from,
+    MAX(CASE WHEN run_id = counted_id THEN run.calibration_readings END) AS calibration_readings
+  FROM (
+    SELECT
+      version_id,
+      run_id,
+      counted_id,
+      newest_id,
+      newest_to,
+      read_from,
+      committed,
+      calibration_readings,
+      CASE
+        WHEN read_to IS NOT NULL
+          AND context_rows <> context_expected
+          AND (runs_back = 1 OR read_from < read_since)
+          THEN 1
+        ELSE 0
+      END AS differs
+    FROM (
+      SELECT
+        version_id,
+        run_id,
+        read_from,
+        read_to,
+        context_rows,
+        context_expected,
+        committed,
+        calibration_readings,
+        CAST(ROW_NUMBER() OVER (PARTITION BY version_id ORDER BY run_id DESC) AS BIGINT) AS runs_back,
+        MIN(CASE WHEN read_to IS NOT NULL THEN read_from ELSE 4611686018427387904 END) OVER (
+          PARTITION BY version_id ORDER BY run_id DESC ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING
+        ) AS read_since,
+        counted_id,
+        newest_id,
+        newest_to
+      FROM (
+        SELECT
+          done.version_id AS version_id,
+          done.run_id AS run_id,
+          done.read_from AS read_from,
+          done.read_to AS read_to,
+          done.context_rows AS context_rows,
+          done.context_expected AS context_expected,
+          done.committed AS committed,
+          done.calibration_readings AS calibration_readings,
+          every_run.counted_id AS counted_id,
+          every_run.newest_id AS newest_id,
+          every_run.newest_to AS newest_to
+        FROM stored_finished_run AS done
+        JOIN (
+          SELECT
+            version_id,
+            MAX(one_run.run_id) AS newest_id,
+            MAX(CASE WHEN one_run.calibration_readings IS NOT NULL THEN one_run.run_id END) AS counted_id,
+            MAX(one_run.read_to) AS newest_to,
+            MAX(
+              CASE WHEN one_run.read_to IS NOT NULL AND one_run.context_rows <> one_run.context_expected THEN 1 ELSE 0 END
+            ) AS has_differing
+          FROM stored_finished_run AS one_run
+          GROUP BY version_id
+        ) AS every_run ON every_run.version_id = done.version_id
+        WHERE every_run.has_differing = 1
+          OR done.run_id = every_run.newest_id
+          OR done.run_id = every_run.counted_id
+      ) AS telling
+    ) AS finished
+  ) AS run
+  GROUP BY version_id
+) AS looked ON looked.version_id = version.version_id
+LEFT JOIN (
+  SELECT version_id, buckets, first_tick, last_tick, since_tick, window_from_tick, at_least, 1 AS hit
+  FROM stored_onset
+) AS rising ON rising.version_id = version.version_id
+LEFT JOIN (
+  SELECT reader.monitor_id AS monitor_id, MAX(done.read_to) AS newest_tick, 1 AS hit
+  FROM stored_finished_run AS done
+  JOIN stored_version AS made ON made.version_id = done.version_id
+  JOIN stored_channel AS reader ON reader.channel_id = made.channel_id
+  GROUP BY reader.monitor_id
+) AS heard ON heard.monitor_id = named.monitor_id
+LEFT JOIN (
+  SELECT version_id, 1 AS hit
+  FROM stored_stillness
+) AS still ON still.version_id = version.version_id;
+
+COMMENT ON VIEW stored_fleet IS 'What is known of every channel now, under its active version';
+COMMENT ON COLUMN stored_fleet.monitor IS 'The monitor';
+COMMENT ON COLUMN stored_fleet.asset IS 'The machine';
+COMMENT ON COLUMN stored_fleet.channel IS 'The signal';
+COMMENT ON COLUMN stored_fleet.version_no IS 'Which calibration of the channel: 1, 2, ...';
+COMMENT ON COLUMN stored_fleet.version_id IS 'Its key in the other tables';
+COMMENT ON COLUMN stored_fleet.verdict
+  IS 'Is the calibration good enough? ready, too_fine, needs_data, constant or no_data';
+COMMENT ON COLUMN stored_fleet.floor
+  IS 'Health indicator that a healthy machine would show, from calibration itself';
+COMMENT ON COLUMN stored_fleet.floor_sd IS 'Its standard deviation over the blocks of calibration';
+COMMENT ON COLUMN stored_fleet.floor_max IS 'The highest block of calibration';
+COMMENT ON COLUMN stored_fleet.hi_limit
+  IS 'The limit of hi: the largest of 2 * floor, floor_max and target_floor; NULL where the verdict is not ready';
+COMMENT ON COLUMN stored_fleet.hi
+  IS 'Health indicator now: novel_in_window / window_length; NULL until a window is scored';
+COMMENT ON COLUMN stored_fleet.hi_highest IS 'The highest of the buckets that are kept';
+COMMENT ON COLUMN stored_fleet.novel_in_window IS 'Novel vectors in the last window';
+COMMENT ON COLUMN stored_fleet.novel_window_before
+  IS 'Novel vectors in the window before the last; NULL until two windows are scored';
+COMMENT ON COLUMN stored_fleet.out_of_range_in_window
+  IS 'Vectors of the last window with a sample outside the range of calibration';
+COMMENT ON COLUMN stored_fleet.window_length IS 'Scored vectors in a window';
+COMMENT ON COLUMN stored_fleet.stride IS 'Scored vectors in a bucket';
+COMMENT ON COLUMN stored_fleet.bucket IS 'Number of the last full bucket; NULL before there is one';
+COMMENT ON COLUMN stored_fleet.buckets IS 'Buckets that are kept';
+COMMENT ON COLUMN stored_fleet.novel_in_buckets IS 'Novel vectors in the buckets that are kept';
+COMMENT ON COLUMN stored_fleet.last_time
+  IS 'Time of the last scored vector in a full bucket (UTC); NULL where the source counts time';
+COMMENT ON COLUMN stored_fleet.last_tick
+  IS 'The same in microseconds since 1970 (UTC), or as the counter of the source';
+COMMENT ON COLUMN stored_fleet.data_time
+  IS 'Newest time read of the channel (UTC); NULL where the source counts time';
+COMMENT ON COLUMN stored_fleet.data_tick
+  IS 'The same in microseconds since 1970 (UTC), or as the counter of the source';
+COMMENT ON COLUMN stored_fleet.looked_at
+  IS 'When a run last looked for data of the channel (UTC); NULL if none did';
+COMMENT ON COLUMN stored_fleet.differing_contexts
+  IS 'Runs that found other samples than were scored: rows came too late, or went; 0 is right';
+COMMENT ON COLUMN stored_fleet.repair_from_time
+  IS 'Score again from here to mend that (UTC); NULL where the source counts time, or all is well';
+COMMENT ON COLUMN stored_fleet.repair_from_tick
+  IS 'The same in microseconds since 1970 (UTC), or as the counter of the source';
+COMMENT ON COLUMN stored_fleet.calibration_readings IS 'Different readings inside calibration when it was learnt';
+COMMENT ON COLUMN stored_fleet.calibration_readings_now
+  IS 'The same when it was last counted again; NULL if it never was';
+COMMENT ON COLUMN stored_fleet.calibration_vectors IS 'Vectors that were learnt from';
+COMMENT ON COLUMN stored_fleet.cells IS 'Cells that they visited: the size of the support';
+COMMENT ON COLUMN stored_fleet.calibrated_lo
+  IS 'Lowest value in calibration; NULL if it holds no usable sample';
+COMMENT ON COLUMN stored_fleet.calibrated_hi IS 'Highest value in calibration';
+COMMENT ON COLUMN stored_fleet.finest_bins
+  IS 'Finest grid that the calibration is enough for; NULL if none of the ladder is';
+COMMENT ON COLUMN stored_fleet.vectors_needed
+  IS 'About how many more vectors calibration needs; NULL if that cannot be told';
+COMMENT ON COLUMN stored_fleet.m IS 'Embedding dimension';
+COMMENT ON COLUMN stored_fleet.tau IS 'Delay, in samples';
+COMMENT ON COLUMN stored_fleet.bins IS 'Bins per axis';
+COMMENT ON COLUMN stored_fleet.target_floor IS 'Health indicator that a healthy machine may show';
+COMMENT ON COLUMN stored_fleet.settings_hash IS 'Hash of the settings it was learnt under';
+COMMENT ON COLUMN stored_fleet.method_hash IS 'Hash of the SQL that learnt it';
+COMMENT ON COLUMN stored_fleet.limit_reason
+  IS 'Why nothing judges it, in words: calibration is none, constant, too short, too short for its grid or unrepresentative';
+COMMENT ON COLUMN stored_fleet.status
+  IS 'proving, open: its episode; high: hi above hi_limit; setup: calibration not good enough; waiting: no full window yet; standing; ok; not assessed';
+COMMENT ON COLUMN stored_fleet.urgency
+  IS 'The larger, the sooner to be looked at: 6 proving, 5 open, 4 high, 3 setup, 2 waiting or an episode put aside, 1 ok, 0 not assessed';
+COMMENT ON COLUMN stored_fleet.needs_attention
+  IS '1 if somebody should look at it (high, setup, or an episode that is not put aside), else 0';
+COMMENT ON COLUMN stored_fleet.is_above
+  IS '1 if it is above its limit (proving, open, high), 0 if not (ok); NULL where nothing can be judged';
+COMMENT ON COLUMN stored_fleet.judged_by
+  IS 'episode: its calibration gave a limit of judgements; indicator: only hi_limit; NULL: nothing does';
+COMMENT ON COLUMN stored_fleet.episode_id IS 'Its episode: the open one, else the newest that asks; NULL if there is none';
+COMMENT ON COLUMN stored_fleet.asking IS 'Episodes of it that need attention';
+COMMENT ON COLUMN stored_fleet.since_time
+  IS 'Of what is above: onset of its episode, else since when hi is above hi_limit without a break (UTC); NULL if it is not, or where the source counts time';
+COMMENT ON COLUMN stored_fleet.since_tick
+  IS 'The same in microseconds since 1970 (UTC), or as the counter of the source';
+COMMENT ON COLUMN stored_fleet.window_from_tick IS 'Where the window begins that ends with it; NULL if it is not above';
+COMMENT ON COLUMN stored_fleet.at_least
+  IS '1 if older buckets were pruned and no episode says it, so that it may be longer; else 0; NULL if it is not above';
+COMMENT ON COLUMN stored_fleet.silent_for
+  IS 'How far its newest data is behind the newest of the monitor, where three of its buckets take less; else NULL';
