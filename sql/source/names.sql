@@ -4,15 +4,10 @@
 SELECT
   asset,
   channel,
-  CAST(SUM(CASE WHEN time IS NULL THEN 0 ELSE 1 END) AS BIGINT) AS readings,
-  CAST(SUM(CASE WHEN time IS NULL THEN 1 ELSE 0 END) AS BIGINT) AS without_time,
+  CAST(COUNT(time) AS BIGINT) AS readings,
+  CAST(COUNT(*) - COUNT(time) AS BIGINT) AS without_time,
   CAST(
-    SUM(
-      CASE
-        WHEN reading BETWEEN CAST(-1e300 AS DOUBLE) AND CAST(1e300 AS DOUBLE) THEN 0
-        ELSE 1
-      END
-    ) AS BIGINT
+    COUNT(*) - COUNT(CASE WHEN reading BETWEEN CAST(-1e300 AS DOUBLE) AND CAST(1e300 AS DOUBLE) THEN 1 END) AS BIGINT
   ) AS missing_readings,
   MIN(time) AS earliest,
   MAX(time) AS latest
