@@ -5,9 +5,9 @@ SELECT
   asset,
   channel,
   CAST(COUNT(time) AS BIGINT) AS readings,
-  CAST(COUNT(*) - COUNT(time) AS BIGINT) AS without_time,
-  CAST(
-    COUNT(*) - COUNT(CASE WHEN reading BETWEEN CAST(-1e300 AS DOUBLE) AND CAST(1e300 AS DOUBLE) THEN 1 END) AS BIGINT
+  CAST(COUNT(*) AS BIGINT) - CAST(COUNT(time) AS BIGINT) AS without_time,
+  CAST(COUNT(*) AS BIGINT) - CAST(
+    COUNT(CASE WHEN reading BETWEEN CAST(-1e300 AS DOUBLE) AND CAST(1e300 AS DOUBLE) THEN 1 END) AS BIGINT
   ) AS missing_readings,
   MIN(time) AS earliest,
   MAX(time) AS latest
