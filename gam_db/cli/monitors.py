@@ -5,6 +5,7 @@ This module owns no command; :mod:`gam_db.stored` does the work.
 
 import contextlib
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 from gam_db.cli import options
@@ -42,8 +43,11 @@ def state_of(settings: Settings, writable: bool = False) -> Iterator[State]:
 
 def told(session: Session, relation: Any) -> Any:
     """Return a relation with the slash of a folder, if it is one and no table has its name."""
-    is_text = isinstance(relation, str) and relation.casefold() not in session.relations()
-    return options.as_folder(relation) if is_text else relation
+    if not isinstance(relation, str) or not Path(relation).is_dir():
+        return (
+            relation  # a database is not asked for its tables then: a user may have no schema of his own
+        )
+    return relation if relation.casefold() in session.relations() else options.as_folder(relation)
 
 
 def watched(

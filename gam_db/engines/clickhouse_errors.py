@@ -55,7 +55,7 @@ def problem(error: Exception, address: str) -> UserError | None:
             "A limit of the ClickHouse user's profile or quota stopped a query "
             f"({getattr(error, 'name', None) or code}); lift it, or take fewer channels at a time."
         )
-    if code in (372, 373) or (code == 60 and re.search(rf"\b{MARK}[0-9a-f]{{8}}_", said)):
+    if code in (372, 373) or (code == 60 and re.search(rf"\b{MARK}[0-9]+_", said)):
         return EngineError(
             f"{address} does not keep the temporary tables of a session: does a load balancer stand "
             "before several servers? Give the address of one of them, or let it send one session_id to "
