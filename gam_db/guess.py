@@ -166,13 +166,21 @@ def sourced(given: Any, session: Session) -> AnySource:
     if isinstance(given, (Source, WideSource)):
         return given
     said = SourceSettings()
-    if isinstance(given, (str, Path)) and not is_file(str(given)) and Path(given).is_dir():
-        given = f"{given}/"
+    if isinstance(given, (str, Path)):
+        given = _placed(given)
+    elif isinstance(given, (list, tuple)) and is_file(several := [_placed(one) for one in given]):
+        given = several
     if isinstance(given, (str, Path, list, tuple)):
         return guess(given, session.describe(session.relation(given)), said, session).source
     table = arrow_table(given)
     with session.lent(table) as relation:
         return guess(table, session.describe(relation), said, session).source
+
+
+def _placed(path: Any) -> Any:
+    """Return a path with the slash that says that it is a folder's, if it is one."""
+    is_folder = isinstance(path, (str, Path)) and not is_file(str(path)) and Path(path).is_dir()
+    return f"{path}/" if is_folder else path
 
 
 class _Guesser:

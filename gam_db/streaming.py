@@ -284,7 +284,7 @@ def _stacked(queries: Sequence[exp.Query]) -> exp.Query:
     first, *others = queries
     if not others:
         return first
-    names = [exp.to_identifier(f"part_{number}") for number in range(len(queries))]
+    names = [exp.to_identifier(f"gam_part_{number}") for number in range(len(queries))]
     parts = [
         exp.CTE(this=query, alias=exp.TableAlias(this=name), materialized=True)
         for name, query in zip(names, queries, strict=True)

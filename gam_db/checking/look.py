@@ -1,5 +1,6 @@
 """One look at a source: the figures of every channel, and which columns hold numbers as text."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -79,17 +80,24 @@ def look_at(
         table=table,
         channels=tuple(row for row in rows if row["samples"] is not None),
         nameless=nameless,
-        exact=_exact(study),
+        exact=exact_columns(study.session, study.source, study.columns),
         number_texts=_number_texts(study),
     )
 
 
-def _exact(study: Study) -> tuple[str, ...]:
-    types, columns = study.session.engine.types, study.columns
+def exact_columns(session: Session, source: AnySource, columns: Mapping[str, str]) -> tuple[str, ...]:
+    """Return the columns of readings that are integers or decimals, not doubles.
+
+    Args:
+        session: on the source.
+        source: with its columns named.
+        columns: all columns of its relation, with their types.
+    """
+    types = session.engine.types
     return tuple(
         name
-        for name in study.source.value_columns
-        if types.is_numeric(columns[name]) and not types.is_binary_float(columns[name])
+        for name in source.value_columns
+        if types.is_numeric(columns.get(name, "")) and not types.is_binary_float(columns[name])
     )
 
 

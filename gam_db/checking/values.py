@@ -12,6 +12,11 @@ LONG_STILL = 0.2
 FEW_VALUES = 10
 """Distinct values up to which a signal is a state rather than a measurement."""
 EXACT_UP_TO = 2**53
+#: What is said of readings beyond that.
+BEYOND = (
+    "integers or decimals beyond 2^53, which are rounded to doubles, so that neighbours become one "
+    "level: subtract an offset in a view"
+)
 """Up to here each integer is a double."""
 _LEAST_RISES = 50
 _FALLS_OF_COUNTER = 0.01
@@ -200,10 +205,7 @@ def _beyond(look: Look, held: Sequence[Row]) -> list[Note]:
             if (value or row["channel"]) in look.exact
             and max(abs(row["lowest"]), abs(row["highest"])) >= EXACT_UP_TO
         ],
-        lambda found: (
-            "integers or decimals beyond 2^53, which are rounded to doubles, so that neighbours become "
-            "one level: subtract an offset in a view"
-        ),
+        lambda _: BEYOND,
     )
 
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from gam_db.calibration import Calibration
+from gam_db.checking.look import exact_columns
 from gam_db.checking.words import number_of
 from gam_db.cli import options
 from gam_db.cli.page import some
@@ -33,6 +34,7 @@ class Job:
         guess: its columns.
         parameters, calibration: the method.
         file: the settings file that was read, if any.
+        exact: columns of readings that are integers or decimals, not doubles.
     """
 
     name: str
@@ -40,6 +42,7 @@ class Job:
     parameters: Parameters
     calibration: Calibration
     file: str | None = None
+    exact: tuple[str, ...] = ()
 
     @property
     def settings(self) -> str:
@@ -129,7 +132,8 @@ def job_of(session: Session, settings: Settings, relation: Any, name: str | None
     file = None if settings.file is None else str(settings.file)
     if settings.is_of_another:
         file = f"{file}, but for [source], which is of another"
-    return Job(name or shown_relation(relation), guessed, parameters, calibration, file)
+    exact = exact_columns(session, guessed.source, columns)
+    return Job(name or shown_relation(relation), guessed, parameters, calibration, file, exact)
 
 
 @contextlib.contextmanager
@@ -153,4 +157,6 @@ def healthy_part(calibration: Calibration) -> str:
         healthy = f"the first {calibration.duration} of each channel"
     else:
         healthy = number_of(len(calibration.intervals or ()), "interval")
+    if own := [printable(pattern) for pattern in calibration.overrides]:
+        healthy += f", but for {some(own)}"
     return healthy + (", pooled" if calibration.pool is not None else "")

@@ -13,6 +13,8 @@ from typing import Annotated, Any
 
 from rich.console import Console
 
+from gam_db.checking.values import BEYOND, EXACT_UP_TO
+from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, job_of
@@ -217,6 +219,15 @@ def show(
             f"{len(short)} ready, but on a calibration shorter than 8 windows: their floors come from "
             "blocks shorter than a window",
         )
+    value = getattr(job.guess.source, "value", None)
+    beyond = [
+        row
+        for row in found
+        if (value or row["channel"]) in job.exact
+        and max(abs(row["calibrated_lo"] or 0), abs(row["calibrated_hi"] or 0)) >= EXACT_UP_TO
+    ]
+    if beyond:
+        page.say(out, f"{number_of(len(beyond), 'channel')} of {BEYOND}")
     if not need_attention(found):
         page.say(out, "nothing needs attention")
     page.say(out, page.legend(found, everything))

@@ -79,7 +79,8 @@ def _inside(connection: duckdb.DuckDBPyConnection, path: str) -> str:
     Raises:
         SourceError: there are none, or they are a table of another format.
     """
-    if path.endswith("/"):
+    if path.endswith("/") or Path(path).is_dir():
+        path = f"{path.rstrip('/')}/"
         for table, (log, through) in _TABLES.items():
             if any(Path(path).glob(log)):
                 raise SourceError(

@@ -1,4 +1,4 @@
--- Calibrated, one channel that has no missing sample; see calibration/calibrated.sql.
+-- Calibrated, one channel: its range over calibration, where it has no missing sample; see calibration/calibrated.sql.
 -- Reads:  readings
 -- A row:  the channel, if it has a calibration sample.
 -- Slots:  :channel_id, :asset, :channel

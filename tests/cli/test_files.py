@@ -352,15 +352,17 @@ def test_a_counter_of_milliseconds_is_said_to_be_one() -> None:
     assert said not in gam("run", "e.csv", "--no-out", "--time-unit", "ms").stdout
 
 
-def test_integers_that_a_double_cannot_tell_apart_are_warned_of() -> None:
+@pytest.mark.parametrize("kind", [pa.uint64(), pa.decimal128(20, 0)], ids=str)
+def test_integers_that_a_double_cannot_tell_apart_are_warned_of(kind: pa.DataType) -> None:
     times = range(300)
-    large = pa.array([2**53 + 2 * (time % 50) for time in times], pa.uint64())
+    large = pa.array([2**53 + 2 * (time % 50) for time in times], kind)
     parquet.write_table(pa.table({"time": times, "value": large}), "large.parquet")
     parquet.write_table(
         pa.table({"time": times, "value": [float(one.as_py()) for one in large]}), "double.parquet"
     )
-    assert "beyond 2^53" in gam("check", "large.parquet").stdout
-    assert "beyond 2^53" not in gam("check", "double.parquet").stdout
+    for command in (("check",), ("run", "--no-out")):
+        assert "beyond 2^53" in gam(*command, "large.parquet").stdout
+        assert "beyond 2^53" not in gam(*command, "double.parquet").stdout
 
 
 def test_what_a_file_says_of_a_source_is_not_said_of_another() -> None:
@@ -381,6 +383,7 @@ def test_a_machine_may_have_a_calibration_of_its_own() -> None:
         "run", "in", *said, "--calibrate", "0/99", "--calibrate", "B=300/349", "--calibrate", "B=351/359"
     )
     assert result.exit_code in (0, 2), result.output
+    assert "calibration: 1 interval, but for B" in result.stdout
     learnt = parquet.read_table("out.support.parquet").to_pylist()
     assert [(row["asset"], row["calibration_samples"]) for row in learnt] == [("A", 100), ("B", 59)]
     assert "--calibrate is '5'; write FROM/TO" in gam("run", "in", "--calibrate", "A=5").stderr

@@ -60,6 +60,7 @@ GIVEN: dict[str, Callable[[Path], Any]] = {
     "list": lambda folder: [folder / "x.parquet"],
     "pattern": lambda folder: str(folder / "*.parquet"),
     "folder": lambda folder: folder / "in",
+    "folders": lambda folder: [folder / "in"],
     "Arrow": lambda _: TABLE,
     "reader": lambda _: TABLE.to_reader(),
     "stream": lambda _: Frame(TABLE),
