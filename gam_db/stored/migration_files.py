@@ -49,7 +49,7 @@ class Migration:
     filling: Filling | None = None
 
     def statements(
-        self, engine: Engine, tables: StateTables, present: Collection[str] = ()
+        self, engine: Engine, tables: StateTables, present: Collection[str] = (), fresh: bool = False
     ) -> list[exp.Expr]:
         """Return the statements for an engine, with the tables in their place.
 
@@ -57,6 +57,7 @@ class Migration:
             engine: what runs them.
             tables: where the state lies.
             present: columns of the table that are there already, and are not added.
+            fresh: the state begins here, and no table of it has a row that would have to be filled.
         """
         if isinstance(self.definition, Addition):
             missing = {
@@ -64,7 +65,9 @@ class Migration:
             }
             added = Addition(tables.table(self.name), missing, self.definition.comments)
             extended = engine.extend(added)
-            return extended if self.filling is None else [*extended, *engine.fill(self._filling(tables))]
+            if fresh or self.filling is None:
+                return extended
+            return [*extended, *engine.fill(self._filling(tables))]
         create = self.definition.create.copy()
         target = create.this.this if isinstance(create.this, exp.Schema) else create.this
         target.replace(tables.table(self.name))
@@ -75,7 +78,7 @@ class Migration:
                 instant.replace(exp.paren(found) if isinstance(instant.parent, exp.Binary) else found)
         about = self.definition
         made = engine.define(Definition(create, about.comment, about.columns))
-        rows = checksums.first_rows(self.name)
+        rows = None if fresh else checksums.first_rows(self.name)
         return made if rows is None else [*made, _rows_for(tables, self.name, rows.copy())]
 
     def _filling(self, tables: StateTables) -> Filling:

@@ -139,12 +139,15 @@ def _apply(
     if len(recorded(session, tables, now_there)) >= first:
         raise ConflictError(CONFLICT)
     now = time.time_ns() // 1000
+    fresh = not any(tables.folded(migration.name) in there for migration in files())
     for migration in group:
         if on_step is not None:
             on_step(migration.name)
+        if fresh and _is_made_again(migration, group):
+            continue
         # Some columns may be there, of a run that was cut short or of a script that was printed.
         present = there.get(tables.folded(migration.name), ())
-        statements = _complete(migration, session.engine, tables, present)
+        statements = _complete(migration, session.engine, tables, present, fresh=fresh)
         if not (_gets_more(migration) and len(present) > len(migration.definition.columns)):
             for statement in statements:
                 session.execute(statement)
@@ -210,9 +213,10 @@ def _complete(
     tables: StateTables,
     present: Collection[str] = (),
     makes_schema: bool = True,
+    fresh: bool = False,
 ) -> Sequence[exp.Expr]:
     """Return all statements of a migration but the record; the very first makes the schema."""
-    statements = migration.statements(engine, tables, present)
+    statements = migration.statements(engine, tables, present, fresh)
     if tables.schema is None:
         return statements
     if not engine.schemas:
@@ -221,6 +225,17 @@ def _complete(
         schema = exp.Table(db=template.name(tables.schema))
         statements.insert(0, exp.Create(this=schema, kind="SCHEMA", exists=True))
     return statements
+
+
+def _is_made_again(migration: Migration, group: Sequence[Migration]) -> bool:
+    """Tell whether a view is made again within a group, and nothing reads it before."""
+    later = [one for one in group if one.number > migration.number]
+    names = [one.name for one in later]
+    if migration.name not in VIEWS or migration.name not in names:
+        return False
+    between = (one.definition for one in later[: names.index(migration.name)])
+    read = (one.create.find_all(exp.Table) for one in between if isinstance(one, Definition))
+    return f"stored_{migration.name}" not in {table.name for tables in read for table in tables}
 
 
 def _gets_more(migration: Migration) -> bool:
