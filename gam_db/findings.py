@@ -187,7 +187,9 @@ def _of_episode(row: Row) -> list[str]:
         return []
     over = "" if row["is_open"] else ", over"
     proving = ", right after calibration: that was no fair sample, or something changed"
-    return [f"episode since {row['onset']}{over}{proving * (row['status'] == 'proving')}"]
+    onset = row["onset"]
+    since = f"{onset:,}" if isinstance(onset, int) else f"{onset:%Y-%m-%d %H:%M} UTC"
+    return [f"episode since {since}{over}{proving * (row['status'] == 'proving')}"]
 
 
 def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:

@@ -1,11 +1,14 @@
-"""The pictures of the page in README.md and docs/report.md: ``python tests/tools/pictures.py``.
+"""The pictures in README.md and docs/report.md: ``python tests/tools/pictures.py``.
 
-They show the simulated plant, as ``gam demo --report`` writes it.
+They show what ``gam demo`` prints, and the simulated plant as ``gam demo --report`` writes it.
 """
 
+import io
 import tempfile
 from pathlib import Path
 
+from rich.console import Console
+from rich.text import Text
 from typer.testing import CliRunner
 
 import browser
@@ -20,8 +23,19 @@ PICTURES = {
 }
 
 
+def draw_demo() -> None:
+    """Draw what the demo says of the machine, without what is said before and after."""
+    wide = {"COLUMNS": "100", "FORCE_COLOR": "1"}
+    printed = CliRunner().invoke(app, ["demo"], env=wide, color=True).stdout
+    start, end = printed.index("\nsimulated machine:") + 1, printed.index("Next, on your own data")
+    console = Console(record=True, width=100, file=io.StringIO())
+    console.print("$ gam demo", Text.from_ansi(printed[start:end].rstrip()), sep="\n")
+    console.save_svg(str(DOCS / "demo.svg"), title="gam demo")
+
+
 def main() -> None:
     """Write them anew."""
+    draw_demo()
     with tempfile.TemporaryDirectory() as folder, browser.browser() as chrome:
         page = Path(folder) / "report.html"
         done = CliRunner().invoke(app, ["demo", "--report", str(page)])
