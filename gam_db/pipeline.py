@@ -51,7 +51,7 @@ _KEPT = 4000
 
 #: Queries that were composed lately, by all that they were composed of; and how many of them are kept.
 _COMPOSED: dict[Hashable, exp.Query] = {}
-_QUERIES = 2000
+_QUERIES = 256
 
 
 @dataclass
@@ -161,11 +161,13 @@ class Pipeline:
         if commented:
             return self._composed(target, placed, True)
         key = self._key(target, placed)
-        if key not in _COMPOSED:
-            if len(_COMPOSED) >= _QUERIES:
-                _COMPOSED.clear()
-            _COMPOSED[key] = self._composed(target, placed, False)
-        return _COMPOSED[key]
+        made = _COMPOSED.get(key)
+        if made is None:
+            if len(_COMPOSED) >= _QUERIES:  # the oldest go: each takes about half a megabyte
+                for oldest in list(_COMPOSED)[: _QUERIES // 4]:
+                    _COMPOSED.pop(oldest, None)
+            made = _COMPOSED[key] = self._composed(target, placed, False)
+        return made
 
     def _key(self, target: str, placed: Mapping[str, exp.Table]) -> Hashable:
         """Return all that the query of a step depends on.

@@ -187,7 +187,7 @@ class Engine:
         # Trees are equal where their hashes are, by sqlglot's own rule.
         key = self.name, self.home, hash(tree)
         if key not in _LATELY:
-            if len(_LATELY) >= 500:
+            if len(_LATELY) >= 3000:
                 _LATELY.clear()
             _LATELY[key] = self._written(tree, pretty)
         return _LATELY[key]
