@@ -11,6 +11,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.errors import InternalError
+from gam_db.lately import Lately
 
 
 @dataclass(frozen=True)
@@ -45,13 +46,10 @@ class Step:
         return cls(name, query, comment, frozenset(inputs.values()), _names(query))
 
 
-#: Steps that were filled lately, by all that they were made of; and how many of them are kept.
-_LATELY: dict[Hashable, Step] = {}
-_KEPT = 4000
-
-#: Queries that were composed lately, by all that they were composed of; and how many of them are kept.
-_COMPOSED: dict[Hashable, exp.Query] = {}
-_QUERIES = 256
+#: Steps that were filled, and queries that were composed, by all that they were made of. A query takes
+#: about half a megabyte.
+_FILLED: Lately[Step] = Lately(4000)
+_COMPOSED: Lately[exp.Query] = Lately(256)
 
 
 @dataclass
@@ -100,11 +98,8 @@ class Pipeline:
         """
         inputs = self._inputs(template.load(path).tables, tables or {})
         key = name, path, tuple(sorted(inputs.items())), _slot_key(slots or {})
-        if key not in _LATELY:
-            if len(_LATELY) >= _KEPT:
-                _LATELY.clear()
-            _LATELY[key] = Step.of(name, filled(path, slots), template.load(path).comment, inputs)
-        self._put(_LATELY[key])
+        comment = template.load(path).comment
+        self._put(_FILLED.get(key, lambda: Step.of(name, filled(path, slots), comment, inputs)))
 
     def replace(self, name: str, query: exp.Query, tables: Mapping[str, str] | None = None) -> Step:
         """Let another tree be the one of a step, in its place in the order; return the step before."""
@@ -161,13 +156,7 @@ class Pipeline:
         if commented:
             return self._composed(target, placed, True)
         key = self._key(target, placed)
-        made = _COMPOSED.get(key)
-        if made is None:
-            if len(_COMPOSED) >= _QUERIES:  # the oldest go: each takes about half a megabyte
-                for oldest in list(_COMPOSED)[: _QUERIES // 4]:
-                    _COMPOSED.pop(oldest, None)
-            made = _COMPOSED[key] = self._composed(target, placed, False)
-        return made
+        return _COMPOSED.get(key, lambda: self._composed(target, placed, False))
 
     def _key(self, target: str, placed: Mapping[str, exp.Table]) -> Hashable:
         """Return all that the query of a step depends on.

@@ -26,6 +26,7 @@ from gam_db.engines.storage import (
 from gam_db.engines.types import USUAL, Types
 from gam_db.errors import EngineError
 from gam_db.form import Form
+from gam_db.lately import Lately
 from gam_db.source import AnySource, readings
 
 Rewrite = Callable[[exp.Expr], exp.Expr]
@@ -33,7 +34,7 @@ TimeRewrite = Callable[[TimeKind, exp.Expr], exp.Expr]
 RangeRewrite = Callable[[TimeKind, exp.Expr, int | None, int | None], list[exp.Expr]]
 
 #: Engine, its home and hash of a tree -> its text.
-_LATELY: dict[tuple[str, str | None, int], str] = {}
+_WRITTEN: Lately[str] = Lately(3000)
 
 
 @dataclass(frozen=True)
@@ -186,11 +187,7 @@ class Engine:
             return self._written(tree, pretty)
         # Trees are equal where their hashes are, by sqlglot's own rule.
         key = self.name, self.home, hash(tree)
-        if key not in _LATELY:
-            if len(_LATELY) >= 3000:
-                _LATELY.clear()
-            _LATELY[key] = self._written(tree, pretty)
-        return _LATELY[key]
+        return _WRITTEN.get(key, lambda: self._written(tree, pretty))
 
     def beginning(self) -> str:
         """Return what a script begins with; empty where that is nothing."""
