@@ -16,7 +16,7 @@ from gam_db.engines.session import Session, arrow_table
 from gam_db.errors import SourceError, nearest
 from gam_db.form import Form
 from gam_db.setting import COLUMN, COLUMNS, FLAG, TEXT, TEXT_OR_TEXTS, declared, one_of, setting
-from gam_db.source import AnySource, Source, WideSource, is_file
+from gam_db.source import AnySource, Source, WideSource, as_folder, is_file
 
 #: A column that was named, False for "there is none", None for "not said".
 Column: TypeAlias = str | Literal[False] | None
@@ -152,6 +152,14 @@ def guess(relation: Any, columns: Mapping[str, str], said: SourceSettings, sessi
     return _Guesser(columns, said, session).guess(relation)
 
 
+def folder_or_table(given: Any, session: Session) -> Any:
+    """Return a relation with the slash of a folder, if it is one and no table has its name."""
+    folder = as_folder(given)
+    if not isinstance(given, str) or folder == given:
+        return folder  # the database is not asked for its tables: a user may have no schema of his own
+    return given if given.casefold() in session.relations() else folder
+
+
 def sourced(given: Any, session: Session) -> AnySource:
     """Return a source as it was given, or what is meant by a relation alone, its columns guessed.
 
@@ -166,21 +174,14 @@ def sourced(given: Any, session: Session) -> AnySource:
     if isinstance(given, (Source, WideSource)):
         return given
     said = SourceSettings()
-    if isinstance(given, (str, Path)):
-        given = _placed(given)
-    elif isinstance(given, (list, tuple)) and is_file(several := [_placed(one) for one in given]):
+    if isinstance(given, (list, tuple)) and is_file(several := [as_folder(one) for one in given]):
         given = several
+    given = folder_or_table(given, session)
     if isinstance(given, (str, Path, list, tuple)):
         return guess(given, session.describe(session.relation(given)), said, session).source
     table = arrow_table(given)
     with session.lent(table) as relation:
         return guess(table, session.describe(relation), said, session).source
-
-
-def _placed(path: Any) -> Any:
-    """Return a path with the slash that says that it is a folder's, if it is one."""
-    is_folder = isinstance(path, (str, Path)) and not is_file(str(path)) and Path(path).is_dir()
-    return f"{path}/" if is_folder else path
 
 
 class _Guesser:

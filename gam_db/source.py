@@ -220,6 +220,12 @@ def is_file(relation: object) -> bool:
     return isinstance(relation, str) and relation.lower().endswith((*FILE_ENDINGS, "/"))
 
 
+def as_folder(path: Any) -> Any:
+    """Return a path with the slash that says that it is a folder's, if it is one; all else as it is."""
+    is_folder = isinstance(path, (str, Path)) and path != "" and Path(path).is_dir()
+    return f"{str(path).rstrip('/')}/" if is_folder else path
+
+
 def slashed(path: str | Path, given: str) -> str:
     """Return what became of a path, with the slash that says that it is a folder's, if it had one."""
     return f"{path}/" if given.endswith("/") else str(path)

@@ -16,14 +16,14 @@ from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, job_of
-from gam_db.cli.monitors import channels_of, heading, place, told
+from gam_db.cli.monitors import channels_of, heading, place
 from gam_db.cli.options import option
 from gam_db.cli.progress import working
 from gam_db.config import Settings
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, need_attention, share, shortcomings
-from gam_db.guess import SourceSettings
+from gam_db.guess import SourceSettings, folder_or_table
 from gam_db.source import AnySource, WideSource, is_file, shown_relation, slashed
 from gam_db.stored import migrations
 from gam_db.stored.monitor import Monitor
@@ -50,7 +50,7 @@ def calibrate(
     is_folder = isinstance(relation, str) and Path(relation).is_dir()
     session = options.opened(settings, common.threads, must_exist=not (is_folder or is_file(relation)))
     with working(session, common.quiet) as on_step:
-        named = dataclasses.replace(settings.source, relation=told(session, relation))
+        named = dataclasses.replace(settings.source, relation=folder_or_table(relation, session))
         settings = dataclasses.replace(settings, source=named)
         is_new = not migrations.status(session, tables).applied
         job = _job(session, settings, is_new)

@@ -5,8 +5,6 @@ This module owns no command; :mod:`gam_db.stored` does the work.
 
 import contextlib
 from collections.abc import Iterator
-from pathlib import Path
-from typing import Any
 
 from gam_db.cli import options
 from gam_db.config import Settings
@@ -39,15 +37,6 @@ def state_of(settings: Settings, writable: bool = False) -> Iterator[State]:
     with options.opened(settings, writable=writable) as session:
         migrations.require(session, settings.monitor.tables)
         yield State(session, settings.monitor.tables)
-
-
-def told(session: Session, relation: Any) -> Any:
-    """Return a relation with the slash of a folder, if it is one and no table has its name."""
-    if not isinstance(relation, str) or not Path(relation).is_dir():
-        return (
-            relation  # a database is not asked for its tables then: a user may have no schema of his own
-        )
-    return relation if relation.casefold() in session.relations() else options.as_folder(relation)
 
 
 def watched(

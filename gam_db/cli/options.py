@@ -22,7 +22,7 @@ from gam_db.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, EngineError
 from gam_db.setting import COUNT, FLAG, TEXT, Setting, check, setting, settings_of
-from gam_db.source import FILE_ENDINGS, is_file
+from gam_db.source import FILE_ENDINGS, as_folder, is_file
 
 DATABASE_ENDINGS = (".duckdb", ".db")
 
@@ -271,11 +271,6 @@ def one_or_more(given: Sequence[str] | None) -> str | tuple[str, ...] | None:
     return given[0] if given and len(given) == 1 else tuple(map(as_folder, given or ())) or None
 
 
-def as_folder(path: str) -> str:
-    """Return a path with the slash that says that it is a folder's, if it is one."""
-    return f"{path.rstrip('/')}/" if Path(path).is_dir() else path
-
-
 def _by_asset(given: Sequence[str]) -> tuple[list[str], dict[str, Calibration]]:
     """Return the intervals that are for all, and the calibration of each asset that has its own."""
     kind = settings_of(Calibration)["intervals"].takes
@@ -324,7 +319,7 @@ def named_relation(settings: Settings) -> str | tuple[str, ...]:
                 )
         return relation
     if database is None and Path(relation).is_dir():
-        return as_folder(relation)
+        return str(as_folder(relation))
     if database is None and not is_file(relation):
         if Path(relation).suffix in DATABASE_ENDINGS:
             raise ConfigurationError(

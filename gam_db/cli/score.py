@@ -16,7 +16,7 @@ from rich.console import Console
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
-from gam_db.cli.monitors import heading, place, told, watched
+from gam_db.cli.monitors import heading, place, watched
 from gam_db.cli.options import option
 from gam_db.cli.progress import working
 from gam_db.cli.status import judging, raised
@@ -24,6 +24,7 @@ from gam_db.clock import LONG_AGO, TimeKind, instant, shown_instant
 from gam_db.config import Settings
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, need_attention
+from gam_db.guess import folder_or_table
 from gam_db.setting import FLAG, INSTANT, TEXT, setting
 from gam_db.source import shown_relation
 from gam_db.stored.copying import copy
@@ -102,7 +103,7 @@ def score(
         raise ConfigurationError("--dry-run writes nothing; leave out --copy.")
     session = options.opened(settings, common.threads, files=[] if copy_to is None else [copy_to])
     with working(session, common.quiet) as on_step:
-        relation = told(session, options.one_or_more(source))
+        relation = folder_or_table(options.one_or_more(source), session)
         monitor, known = watched(session, settings, relation)
         kind = kind_of(known)
         run = monitor.score(**scope.of(kind), dry_run=dry_run, on_step=on_step)

@@ -17,7 +17,7 @@ from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_reading import all_as_text, paths_read
 from gam_db.errors import SourceError
 from gam_db.form import options_for_null, options_for_numbers, shortened
-from gam_db.source import FILE_ENDINGS, shown_relation
+from gam_db.source import FILE_ENDINGS, as_folder, shown_relation
 from gam_db.version import __version__
 
 #: Keys of the metadata of a Parquet file of results: the version that wrote it, and from what.
@@ -79,8 +79,8 @@ def _inside(connection: duckdb.DuckDBPyConnection, path: str) -> str:
     Raises:
         SourceError: there are none, or they are a table of another format.
     """
-    if path.endswith("/") or Path(path).is_dir():
-        path = f"{path.rstrip('/')}/"
+    path = as_folder(path)
+    if path.endswith("/"):
         for table, (log, through) in _TABLES.items():
             if any(Path(path).glob(log)):
                 raise SourceError(

@@ -100,7 +100,12 @@ def test_a_choice_is_made_of_what_is_given(folder: Path) -> None:
         assert found.choices["channel"].to_pylist() == ["torque"]
 
 
-def test_a_table_of_a_database_may_be_given_by_its_name() -> None:
+def test_a_table_of_a_database_may_be_given_by_its_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also where a folder is called like it."""
+    (tmp_path / "telemetry").mkdir()
+    monkeypatch.chdir(tmp_path)
     connection = duckdb.connect()
     connection.register("seen", TABLE)
     connection.execute("CREATE TABLE telemetry AS SELECT * FROM seen")
