@@ -11,6 +11,7 @@ from gam_db.config import Settings
 from gam_db.engines.session import Session
 from gam_db.errors import printable
 from gam_db.findings import Row
+from gam_db.guess import folder_or_table
 from gam_db.stored import migrations
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.sources import source_of
@@ -55,6 +56,7 @@ def watched(
     migrations.require(session, settings.monitor.tables)
     state = State(session, settings.monitor.tables)
     known = state.monitor(settings.monitor.name)
+    relation = folder_or_table(relation, session)
     source = source_of(known, channels_of(state, known), relation)
     return Monitor(session, source, asked=settings.alarms, **vars(settings.monitor)), known
 

@@ -24,7 +24,6 @@ from gam_db.clock import LONG_AGO, TimeKind, instant, shown_instant
 from gam_db.config import Settings
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, need_attention
-from gam_db.guess import folder_or_table
 from gam_db.setting import FLAG, INSTANT, TEXT, setting
 from gam_db.source import shown_relation
 from gam_db.stored.copying import copy
@@ -103,7 +102,7 @@ def score(
         raise ConfigurationError("--dry-run writes nothing; leave out --copy.")
     session = options.opened(settings, common.threads, files=[] if copy_to is None else [copy_to])
     with working(session, common.quiet) as on_step:
-        relation = folder_or_table(options.one_or_more(source), session)
+        relation = options.one_or_more(source)
         monitor, known = watched(session, settings, relation)
         kind = kind_of(known)
         run = monitor.score(**scope.of(kind), dry_run=dry_run, on_step=on_step)

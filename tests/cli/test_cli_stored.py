@@ -165,6 +165,7 @@ def test_a_folder_of_files_is_calibrated_and_scored() -> None:
     assert gam("calibrate", "days", *STATE, *SMALL, *HEALTHY).exit_code == 0
     assert figures("score", *STATE)["totals"]["channels"] == 2
     assert figures("score", "days", *STATE, "--full")["totals"]["channels"] == 2
+    assert figures("check", "days", *STATE, "--state")["differences"] == []
 
 
 def test_a_calibration_that_is_not_good_enough_asks_for_attention() -> None:
