@@ -2,6 +2,7 @@
 
 import contextlib
 import re
+import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from decimal import Decimal
@@ -20,6 +21,7 @@ from gam_db.clock import TimeKind
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.export import Package, grafana
+from gam_db.lately import Lately
 from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_backtested, add_judgements, add_learnt_limits, add_replay
@@ -32,19 +34,11 @@ from gam_db.selection.neighbours import add_dimensions, add_embedding
 from gam_db.selection.search import Search
 from gam_db.source import Source, WideSource, readings
 from gam_db.stored import alarms
-from gam_db.stored.checksums import first_rows, matching_steps
 from gam_db.stored.migration_files import definitions
 from gam_db.stored.migrations import rendered
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.publishing import withdraw
-from gam_db.stored.steps import (
-    Setting,
-    comparing_steps,
-    explaining_steps,
-    relearning_steps,
-    scoring_steps,
-    soundness_steps,
-)
+from gam_db.stored.steps import Setting, scoring_steps
 from gam_db.stored.tables import StateTables
 from gam_db.study import Study
 from harness import arrow
@@ -731,7 +725,7 @@ def test_views_and_queries_of_the_state_break_no_rule() -> None:
 
 @contextlib.contextmanager
 def loading() -> Iterator[set[str]]:
-    """Give the names of the files of ``sql/`` that are loaded inside."""
+    """Give the names of the files of ``sql/`` that are loaded inside, as if nothing was made before."""
     loaded: set[str] = set()
     load = template.load
 
@@ -739,6 +733,12 @@ def loading() -> Iterator[set[str]]:
         loaded.add(name)
         return load(name)
 
+    for name, module in list(sys.modules.items()):
+        for made in vars(module).values() if name.startswith("gam_db") else ():
+            if hasattr(made, "cache_clear"):
+                made.cache_clear()
+            elif isinstance(made, Lately):
+                made._kept.clear()
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(template, "load", recording)
         yield loaded
@@ -773,9 +773,6 @@ def test_every_file_is_used() -> None:
         for form, engine in (("exact", "sqlite"), ("view", "duckdb")):
             gam_db.render(form, engine, source, gam_db.Parameters(), CALIBRATIONS[1])
         rendered(ENGINE, StateTables())
-        cached = (scoring_steps, comparing_steps, relearning_steps, soundness_steps, explaining_steps)
-        for made in (*cached, matching_steps, first_rows):
-            made.cache_clear()
         scoring_steps(Setting(3, 1, 100, 5000, 100, None, False), TimeKind.COUNTER, trusting=True)
         scoring_steps(Setting(3, 1, 100, 5000, 100, None, False, 25), TimeKind.COUNTER)
         watch_once()
