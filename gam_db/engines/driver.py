@@ -40,6 +40,11 @@ class Driver(Protocol):
     def fetch(self, query: str) -> pa.Table:
         """Return the rows of a query; columns keep their names, integers are int64, doubles float64."""
 
+    def rows(self, query: str) -> list[dict[str, Any]]:
+        """Return the same, each row by the names of its columns."""
+        rows: list[dict[str, Any]] = self.fetch(query).to_pylist()
+        return rows
+
     def begin(self) -> None:
         """Begin a transaction, where there are any."""
         return

@@ -91,6 +91,12 @@ class DuckDriver(Driver):
     def fetch(self, query: str) -> pa.Table:
         return self.connection.sql(query).to_arrow_table()
 
+    def rows(self, query: str) -> list[dict[str, Any]]:
+        # Not by way of Arrow: a relation is bound when it is made, and again when its rows are read.
+        found = self.connection.execute(query)
+        names = [column[0] for column in found.description]
+        return [dict(zip(names, row, strict=True)) for row in found.fetchall()]
+
     def begin(self) -> None:
         self.execute("BEGIN")
 

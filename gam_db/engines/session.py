@@ -208,8 +208,8 @@ class Session:
 
     def rows(self, query: exp.Expr) -> list[Row]:
         """Run a query and return its rows, each by the names of its columns."""
-        rows: list[Row] = self.fetch(query).to_pylist()
-        return rows
+        text = self.engine.text(query)
+        return self._asked(lambda: self.driver.rows(text), text)
 
     def keep(self, step: str, query: exp.Query) -> exp.Table:
         """Run a query into a temporary table and return the node that reads it."""

@@ -54,9 +54,7 @@ class State:
         given: Mapping[str, exp.Table] | None = None,
     ) -> pa.Table:
         """Return the rows of one file of ``sql/`` that reads state tables, and perhaps some others."""
-        query = filled(path, slots)
-        place(query, {**self.tables.placed(), **(given or {})})
-        return self.session.fetch(query)
+        return self.session.fetch(self._placed(path, slots, given))
 
     def rows(
         self,
@@ -65,8 +63,18 @@ class State:
         given: Mapping[str, exp.Table] | None = None,
     ) -> list[Row]:
         """Return the same, each row by the names of its columns."""
-        rows: list[Row] = self.fetch(path, slots, given).to_pylist()
-        return rows
+        return self.session.rows(self._placed(path, slots, given))
+
+    def _placed(
+        self,
+        path: str,
+        slots: Mapping[str, template.Slot] | None,
+        given: Mapping[str, exp.Table] | None,
+    ) -> exp.Query:
+        """Return the query of one file, filled, over where its tables lie."""
+        query = filled(path, slots)
+        place(query, {**self.tables.placed(), **(given or {})})
+        return query
 
     def append(self, table: str, query: exp.Query, columns: Sequence[str] | None = None) -> None:
         """Append the rows of a query to a state table; columns go by name."""
