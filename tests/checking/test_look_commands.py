@@ -344,6 +344,7 @@ def test_the_hydraulic_rig(recordings: Path) -> None:
     assert said["proposal"]["max_gap"] is None
 
 
+@pytest.mark.thorough
 def test_the_plant(recordings: Path) -> None:
     """A break in C13, four empty instants in C14, channels that do not move in calibration."""
     said = looked(recordings, "production_plant")
@@ -356,6 +357,7 @@ def test_the_plant(recordings: Path) -> None:
     assert asleep == expected | {("C14", "L_3")}
 
 
+@pytest.mark.thorough
 def test_the_bearings_and_the_actuators(recordings: Path) -> None:
     """Snapshots of 2,560 samples; cycles of 3,000 samples with a jump of 7,001 between them."""
     said = looked(recordings, "femto_bearings")

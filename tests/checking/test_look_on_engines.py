@@ -17,6 +17,8 @@ from small_plant import FIRST, LENGTH, LOOKBACK, readings
 from strategies import Case, Row, cases
 from visible import BUCKETS, NOVEL, visible
 
+pytestmark = pytest.mark.thorough
+
 #: When things were done; all else is the same in two runs.
 CLOCKS = ("calibrated_at", "looked_at", "last_run", "created", "run_id")
 OF_CALIBRATION = (

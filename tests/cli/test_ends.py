@@ -252,6 +252,7 @@ OF_A_MONITOR = (
 )
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("more", [(), ("--json",)])
 def test_nor_is_what_names_of_a_database_hold(folder: Path, more: tuple[str, ...]) -> None:
     with duckdb.connect(str(folder / "plant.duckdb")) as connection:

@@ -25,6 +25,8 @@ from gam_db.errors import ConfigurationError
 from gam_db.export import grafana
 from gam_db.stored.tables import StateTables
 
+pytestmark = pytest.mark.thorough
+
 pytest.importorskip("grafana_foundation_sdk", reason="pip install grafana-foundation-sdk")
 
 PARAMETERS = gam_db.Parameters(m=2, tau=1, bins=5, window=20, stride=5)

@@ -23,6 +23,8 @@ from gam_db.lab.estimators import ESTIMATORS, forest, ocsvm
 from harness import arrow, assert_same, made
 from strategies import Case, cases
 
+pytestmark = pytest.mark.thorough
+
 LEARNT, SCORED = 5000, 100_000
 WINDOW = 5000
 
@@ -91,7 +93,6 @@ def test_dse_is_one_of_them(machine: Any) -> None:
     assert gam_db.scores_at_buckets(*machine[:3]).equals(buckets.select(columns))
 
 
-@pytest.mark.thorough
 @settings(max_examples=20)
 @given(case=cases())
 def test_centroid_on_any_source(case: Case) -> None:

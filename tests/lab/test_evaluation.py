@@ -20,6 +20,8 @@ from gam_db.lab.evaluation import sampling
 from gam_db.lab.evaluation.capacity import largest_range
 from gam_db.lab.evaluation.members import Member
 
+pytestmark = pytest.mark.thorough
+
 QUICK = gam_db.Conventions(surrogates=0, samples=0)
 WINDOW = 12
 

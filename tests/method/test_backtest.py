@@ -16,6 +16,8 @@ from gam_db.backtesting import poisson_ends
 from gam_db.cli import app
 from gam_db.errors import CalibrationError, ParameterError
 
+pytestmark = pytest.mark.thorough
+
 PARAMETERS = gam_db.Parameters(m=1, bins=400, window=8, stride=4, target_floor=0.9)
 CALIBRATION = gam_db.Calibration(fraction=0.4)
 ALARMS = gam_db.Alarms(rate="20 per 1000 judgements")

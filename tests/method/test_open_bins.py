@@ -19,6 +19,8 @@ from gam_db.stored.differing import differing
 from gam_db.stored.monitor import Monitor
 from visible import BUCKETS, NOVEL, visible
 
+pytestmark = pytest.mark.thorough
+
 #: What this file runs, and how its version is found; see test_engines.py.
 RUNS = engines.VERSIONS
 

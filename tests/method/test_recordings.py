@@ -57,7 +57,11 @@ def test_every_row_of_the_reference_is_asked_for(recordings: Path) -> None:
 
 @pytest.mark.parametrize(
     "setting",
-    [*SETTINGS[::3], *(pytest.param(setting, marks=pytest.mark.full) for setting in SETTINGS[1:3])],
+    [
+        SETTINGS[0],
+        *(pytest.param(setting, marks=pytest.mark.thorough) for setting in SETTINGS[3::3]),
+        *(pytest.param(setting, marks=pytest.mark.full) for setting in SETTINGS[1:3]),
+    ],
     ids="/".join,
 )
 @pytest.mark.parametrize("dataset", DATASETS)

@@ -218,6 +218,7 @@ def test_cases(group: str, engine: str) -> None:
     compare_all(GROUPS[group], lambda *asked: harness.all_by_engine(engine, *asked))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("group", GROUPS)
 def test_cases_by_script(group: str, engine: str) -> None:
     """What the scripts answer: they write no buckets."""

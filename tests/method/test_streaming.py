@@ -24,6 +24,8 @@ from gam_db.engines.duckdb_session import DuckSession
 from gam_db.study import Study
 from harness import Answer, Row
 
+pytestmark = pytest.mark.thorough
+
 LENGTH = 240
 
 #: name -> keyword arguments of Parameters and of Calibration that streams serve

@@ -25,6 +25,8 @@ from gam_db.method.delays import KEPT
 from gam_db.study import Study
 from harness import Answer, Row
 
+pytestmark = pytest.mark.thorough
+
 LENGTH = 160
 
 #: name -> keyword arguments of Parameters and of Calibration that are served

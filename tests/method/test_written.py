@@ -53,6 +53,7 @@ def micros(time: dt.datetime) -> int:
     return (time - dt.datetime(1970, 1, 1)) // dt.timedelta(microseconds=1)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("language", LOCALES)
 def test_tables_drawn_at_random_are_read_as_they_were_written(language: str, tmp_path: Path) -> None:
     """Forty tables in each of six locales: every number equal, and missing what is missing, no more."""

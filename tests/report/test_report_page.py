@@ -22,6 +22,8 @@ import gam_db.report.report as report_module
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.report import Wishes
 
+pytestmark = pytest.mark.thorough
+
 START = dt.datetime(2026, 3, 22, tzinfo=dt.UTC)
 STEP, COUNT = dt.timedelta(minutes=10), 1400
 ZONE = "Europe/Berlin"

@@ -18,6 +18,8 @@ from gam_db.stored.tables import StateTables
 from stored_rows import Plant, emptied
 from test_onset import PARAMETERS, made, shown, telemetry
 
+pytestmark = pytest.mark.thorough
+
 CELL = (
     *("asset", "channel", "version_no", "kind", "cell_key", "visits", "first_tick", "last_tick"),
     *("axis", "samples_before", "code", "place", "value_from", "value_to"),

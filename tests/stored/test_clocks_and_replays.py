@@ -20,6 +20,8 @@ from gam_db.stored.steps import DAY
 from small_plant import FIRST, LENGTH, monitor, readings, source
 from visible import put, visible
 
+pytestmark = pytest.mark.thorough
+
 AHEAD = 400 * DAY
 
 

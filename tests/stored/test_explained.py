@@ -13,6 +13,8 @@ from gam_db.stored.monitor import Monitor
 from strategies import Row
 from visible import visible
 
+pytestmark = pytest.mark.thorough
+
 W = 4
 SETTING: dict[str, Any] = {"m": 1, "bins": 40, "window": W, "stride": 2, "target_floor": 0.9}
 ALARMS = gam_db.Alarms("1 per 1000 judgements")

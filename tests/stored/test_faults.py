@@ -28,6 +28,8 @@ from nobody import as_nobody
 from small_plant import FIRST, LENGTH, begin, monitor, readings, seen, source, stored, whole
 from visible import put
 
+pytestmark = pytest.mark.thorough
+
 CONFLICT = r"^Another connection changed .* Run it again"
 
 
@@ -217,12 +219,10 @@ def endure(folder: Path, tightness: Callable[[Path, int], Any], expected: list[A
     assert all(failures.values()), failures
 
 
-@pytest.mark.thorough
 def test_files_that_may_not_grow(tmp_path: Path, expected: list[Any]) -> None:
     endure(tmp_path, small_files, expected)
 
 
-@pytest.mark.thorough
 def test_a_full_disk(small_disk: Path, expected: list[Any]) -> None:
     endure(small_disk, ballast, expected)
 
@@ -317,7 +317,6 @@ def at_once(
     return refused
 
 
-@pytest.mark.thorough
 def test_of_three_runs_at_once_one_counts_and_no_hidden_row_stays(
     connection: duckdb.DuckDBPyConnection, expected: list[Any]
 ) -> None:

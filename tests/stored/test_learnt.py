@@ -15,6 +15,8 @@ from batches import KINDS, history
 from gam_db.stored.monitor import Monitor
 from visible import put, rows_of
 
+pytestmark = pytest.mark.thorough
+
 BOUNDS = """
     SELECT asset, channel, calibrated_lo, calibrated_hi, calibration_samples, calibration_vectors,
         cells, seen_once, blocks, verdict, floor, floor_sd, floor_max, finest_bins, vectors_needed

@@ -17,7 +17,7 @@ from gam_db.stored.migration_files import Migration, files
 from gam_db.stored.migrations import rendered
 from gam_db.stored.tables import StateTables
 
-pytestmark = pytest.mark.comments
+pytestmark = [pytest.mark.thorough, pytest.mark.comments]
 
 STATE = StateTables()
 ALL = [migration.name for migration in files()]

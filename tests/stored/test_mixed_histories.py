@@ -26,6 +26,8 @@ from sets import amounts
 from strategies import Row
 from visible import BUCKETS, NOVEL, CrashError, crashing, visible
 
+pytestmark = pytest.mark.thorough
+
 #: Histories of an engine in the first set and in the full one; each is one of so many channels.
 HISTORIES = {
     "duckdb": (1, 400),

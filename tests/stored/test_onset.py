@@ -4,6 +4,7 @@ import random
 from collections import defaultdict
 from typing import Any
 
+import pytest
 from sqlglot import exp
 
 import engines
@@ -11,6 +12,8 @@ import gam_db
 import scripts
 from gam_db.engines.session import Session
 from gam_db.stored.monitor import Monitor
+
+pytestmark = pytest.mark.thorough
 
 #: Calibration of drill is shorter than 8 windows, so that its indicator judges it; others have episodes.
 WINDOWS = {"drill": 25}

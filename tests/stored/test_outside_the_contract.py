@@ -15,6 +15,8 @@ from small_plant import source
 from strategies import Row
 from visible import BUCKETS, put, rows_of
 
+pytestmark = pytest.mark.thorough
+
 PARAMETERS = gam_db.Parameters(m=2, tau=3, bins=4, window=20, stride=10)
 CALIBRATION = gam_db.Calibration(intervals=[(0, 99)])
 

@@ -27,6 +27,8 @@ from small_plant import FIRST, LENGTH, LOOKBACK, monitor, readings, seen, source
 from test_views import scanned
 from visible import put
 
+pytestmark = pytest.mark.thorough
+
 
 @pytest.fixture
 def plant() -> Iterator[duckdb.DuckDBPyConnection]:

@@ -11,6 +11,8 @@ from gam_db.stored.tables import VIEWS, StateTables
 from test_two_writers import NEW, Plant
 from visible import BUCKETS, NOVEL, visible
 
+pytestmark = pytest.mark.thorough
+
 #: The last migration before runs recorded what they were planned from.
 BEFORE = 16
 

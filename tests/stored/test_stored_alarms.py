@@ -28,6 +28,8 @@ from sets import amounts
 from strategies import Row
 from visible import CrashError, crashing, visible
 
+pytestmark = pytest.mark.thorough
+
 #: Plants of an engine in the first set, of 3 to 9 channels, and in the full one, of MANY; each channel
 #: is a history.
 BEGIN = 2  # of those, the first whose episodes have bands and cells, and where nothing is pruned

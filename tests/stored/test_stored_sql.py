@@ -66,6 +66,7 @@ def broken(steps: Pipeline, known: dict[str, sql_lint.Columns]) -> list[str]:
     return found
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("setting", SETTINGS)
 def test_filled_steps_break_no_rule(setting: Setting) -> None:
     source = Source("telemetry")

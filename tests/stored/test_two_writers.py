@@ -29,6 +29,8 @@ from gam_db.stored.monitor import Monitor
 from strategies import Row
 from visible import BUCKETS, NOVEL, visible
 
+pytestmark = pytest.mark.thorough
+
 PARAMETERS = gam_db.Parameters(m=2, tau=1, bins=4, window=8, stride=2)
 CALIBRATION = gam_db.Calibration(fraction=0.8)
 ASSETS = ("a", "b")
@@ -158,7 +160,6 @@ def steps_of_a_run(plant: Plant) -> list[str]:
     return steps
 
 
-@pytest.mark.thorough
 def test_a_repair_inside_a_run_is_not_lost(plant: Plant) -> None:
     """Each kind of repair at every third step, or at three steps; all at all are in the full set."""
     steps = ["looking at the source", "past_buckets", "writing"]
@@ -183,7 +184,6 @@ OTHERS: dict[str, Callable[[Plant], Any]] = {
 }
 
 
-@pytest.mark.thorough
 @pytest.mark.parametrize("other", OTHERS)
 def test_versions_and_pruning_beside_a_repair(plant: Plant, other: str) -> None:
     """Calibrating and pruning inside a repair that begins before all that is kept."""
