@@ -19,7 +19,7 @@ from gam_db.errors import ParameterError
 from gam_db.heights import LEAST, MOST, STATED_FROM, UNSTATED, Height, Rate, by_replay, by_table
 from gam_db.method.adding import add
 from gam_db.method.alarms import FAR, NEAR, add_judgements, add_learnt_limits, add_replay
-from gam_db.method.judgement import add_judged
+from gam_db.method.judgement import add_judged, add_standing
 from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline
 from gam_db.setting import COLUMNS, TEXT, Kind, check, declared, setting
@@ -191,7 +191,7 @@ def judge(study: Study, rows: Sequence[Row]) -> list[Row]:
 
 
 def add_status(study: Study, alarms: Alarms) -> None:
-    """Add the step *judged*: what each channel is, by its episodes or else by its indicator.
+    """Add the step *standing*: what each channel is, by its episodes or else by its indicator.
 
     Raises:
         ParameterError: a rate in days is asked for, and the source counts time in integers.
@@ -201,6 +201,7 @@ def add_status(study: Study, alarms: Alarms) -> None:
     study.load("limit_reasons", pa.Table.from_pylist(rows, schema=_REASONS))
     add(study.steps, "judgement/raised")
     add_judged(study.steps, "raised")
+    add_standing(study.steps, study.method)
 
 
 def limits_of(study: Study, alarms: Alarms) -> list[Row]:

@@ -14,6 +14,7 @@ import pyarrow as pa
 from numpy.typing import NDArray
 
 from gam_db.alarms import Alarms, add_status
+from gam_db.clock import TimeKind, shown_instant, shown_length, told_time
 from gam_db.parameters import Parameters
 from gam_db.study import Study
 
@@ -56,21 +57,23 @@ class Course:
     time: Any = None
 
 
-def findings(study: Study, alarms: Alarms | None = None) -> list[Row]:
+def findings(study: Study, alarms: Alarms | None = None, longest: int | None = None) -> list[Row]:
     """Return what is found of each channel, the most urgent first.
 
-    A row holds what was learnt of the channel (*support_summary*), what it is judged (*judged*) as of
-    its newest window, and what :func:`finding` adds.
+    A row holds what was learnt of the channel (*support_summary*), what it is judged (*standing*) as of
+    its newest window, what :func:`finding` adds, and ``silent`` and ``still_since``, how it ends.
 
     Args:
         study: of the source.
         alarms: the asked rate and the families; default :class:`Alarms`.
+        longest: steps of the clock that a channel may end before the newest data; None: any.
 
     Raises:
         UserError: the source cannot be used, or the rate does not fit its time.
     """
     alarms = alarms or Alarms()
-    alarms.asked(study.method.kind)  # a rate that does not fit is refused before all is read
+    kind = study.method.kind
+    alarms.asked(kind)  # a rate that does not fit is refused before all is read
     buckets = study.table("bucket_health")  # first: what it proves of the samples serves the rest
     learnt = study.rows("support_summary")
     supports = {(row["asset"], row["channel"]): row for row in learnt}
@@ -79,19 +82,62 @@ def findings(study: Study, alarms: Alarms | None = None) -> list[Row]:
         for row in study.rows("channels")
     }
     courses = _courses(buckets, settings)
+    ends = {(row["asset"], row["channel"]): row["latest"] for row in study.rows("names")}
+    newest = max((end for end in ends.values() if end is not None), default=None)
     add_status(study, alarms)
     found = []
-    for row in study.table("judged").sort_by(list(ORDER)).to_pylist():
+    for row in study.table("standing").sort_by(list(ORDER)).to_pylist():
         name = (row["asset"], row["channel"])
         setting = settings[name]
         course = courses.get(name)
         learnt_of = {"bins": setting.grid, **supports[name]}
+        row |= ended(ends[name], newest, longest)
+        since = row.pop("still_tick")
         for inner in ("has_limit", "raised", "asks"):
             del row[inner]
         said = finding({**learnt_of, **row}, setting.span, setting.window, course)
-        said["remarks"] += _of_episode(row)
+        said["remarks"] += [*at_end(row, since, kind), *_of_episode(row)]
+        del said["behind"]
+        said["still_since"] = None if since is None else _told(since, kind)
         found.append({**said, "last_time": None if course is None else course.time})
     return found
+
+
+def _told(tick: int, kind: TimeKind) -> Any:
+    """Return integer time as the source tells time."""
+    told = told_time(tick, kind)
+    return told if isinstance(told, int) or kind.has_zone else told.replace(tzinfo=None)
+
+
+def ended(end: int | None, newest: int | None, longest: int | None) -> Row:
+    """Return how far a channel ends before the others (``behind``), and whether it is ``silent``.
+
+    Args:
+        end: its newest time; None if no data was ever found.
+        newest: that of all channels.
+        longest: as for :func:`findings`.
+    """
+    behind = None if end is None or newest is None else newest - end
+    return {"behind": behind, "silent": longest is not None and (behind is None or behind > longest)}
+
+
+def at_end(row: Row, still_since: int | None, kind: TimeKind) -> list[str]:
+    """Return what is to be said of a signal that ended, or stands still.
+
+    Args:
+        row: as :func:`ended` returns it.
+        still_since: since when it stands still.
+        kind: how the source tells time.
+    """
+    remarks = []
+    if row["silent"] and row["behind"] is None:
+        remarks.append("silent: no data was ever found")
+    elif row["silent"]:
+        remarks.append(f"silent: {shown_length(row['behind'], kind)} behind the newest data")
+    if still_since is not None:
+        since = shown_instant(still_since, kind)
+        remarks.append(f"stands still since {since}{'' if kind.is_counter else ' UTC'}")
+    return remarks
 
 
 def finding(row: Row, span: int, window: int, course: Course | None) -> Row:

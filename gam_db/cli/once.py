@@ -30,6 +30,7 @@ from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, findings, need_attention
 from gam_db.report import Wishes
 from gam_db.source import is_file
+from gam_db.stored.lengths import park_after
 from gam_db.study import Study
 
 _OUTPUT = "Output"
@@ -104,7 +105,8 @@ def run(
         with Progress(session, common.quiet) as progress:
             job, study = open_job(session, relation, settings, progress.on_step)
             if others is None:
-                found = findings(study, settings.alarms)
+                longest = park_after(settings.monitor.park_after, study.method.kind)
+                found = findings(study, settings.alarms, longest)
                 code = Exit.ATTENTION if need_attention(found) else Exit.FINE
                 told = _figures(found)
                 shows = partial(show, job=job, found=found, everything=everything, shown_in=shown_in)
@@ -196,6 +198,8 @@ def show(
     out.print()
     page.say(out, f"verdicts: {page.verdicts(found)}")
     page.say(out, f"channels: {page.counted(found)}{_judging(found)}")
+    if silent := sum(row["silent"] for row in found):
+        page.say(out, f"silent: {silent:,}")
     if job.parameters.is_open:
         taken = sorted(Counter(row["bins"] for row in found).items(), reverse=True)
         page.say(out, f"bins taken: {', '.join(f'{bins} for {count:,}' for bins, count in taken)}")

@@ -6,8 +6,10 @@ The rule itself stands in ``sql/judgement/``; every form of the method takes it 
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.method.adding import add
-from gam_db.pipeline import Pipeline
+from gam_db.clock import LONG_AGO
+from gam_db.method.adding import OfSet, add
+from gam_db.method.resolved import Method
+from gam_db.pipeline import Pipeline, union_of
 
 
 def limit_slots(learnt: str, target_floor: exp.Expr) -> dict[str, template.Slot]:
@@ -44,3 +46,27 @@ def add_judged(steps: Pipeline, assessed: str = "assessed", name: str = "judged"
     }
     slots["columns"] = [exp.column(column) for column in columns]
     add(steps, "judgement/judged", slots, name, {"assessed": assessed})
+
+
+def add_standing(steps: Pipeline, method: Method) -> None:
+    """Add the step *standing*: what is judged of channels, and which of them stand still at their end.
+
+    Args:
+        steps: with *judged*.
+        method: what the user asked for.
+    """
+    numbers = [n for n, setting in enumerate(method.settings) if setting.still_after is not None]
+    for number in numbers:
+        tables = {"moving_codes": "marked_moving_codes", "cohort": "bounds"}
+        OfSet(steps, method, number).add("stored/stillness", {"long_ago": LONG_AGO}, tables=tables)
+    if not numbers:
+        add(steps, "stored/no_stillness", name="stillness", tables={"cohort": "channels"})
+    elif len(method.settings) > 1:
+        parts = [method.named("stillness", number) for number in numbers]
+        rows = union_of(steps, parts)
+        steps.add("stillness", rows, template.load("stored/stillness").comment)
+    told = [
+        name for name in steps.steps["judged"].query.named_selects if name not in ("status", "is_above")
+    ]
+    columns = [exp.column(name, table="judged").as_(name) for name in told]
+    add(steps, "judgement/standing", {"columns": columns})

@@ -15,10 +15,10 @@ import pyarrow.compute as pc
 from numpy.typing import NDArray
 from sqlglot import exp
 
-from gam_db.clock import Length, TimeKind, shown_instant, shown_length
+from gam_db.clock import Length, TimeKind, shown_instant
 from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns
 from gam_db.engines.session import Session
-from gam_db.findings import ORDER, Course, Row, finding
+from gam_db.findings import ORDER, Course, Row, at_end, ended, finding
 from gam_db.pipeline import filled, place
 from gam_db.stored import lengths, migrations
 from gam_db.stored.proving import STATE, Proof, last_proofs
@@ -94,8 +94,7 @@ def status(
     newest = max((row["data_tick"] for row in rows if row["data_tick"] is not None), default=None)
     found = []
     for row in rows:
-        row["behind"] = _behind(row["data_tick"], newest)
-        row["silent"] = _is_silent(row, longest)
+        row |= ended(row["data_tick"], newest, None if row["looked_at"] is None else longest)
         course = _course(row, courses.get(row["version_id"]))
         said = finding(row, (row["m"] - 1) * row["tau"], row["window_length"], course)
         found.append({**said, "remarks": [*said["remarks"], *_remarks(row, kind)]})
@@ -203,26 +202,9 @@ def _course(row: Row, known: tuple[NDArray[np.float64], int] | None) -> Course |
     )
 
 
-def _behind(tick: int | None, newest: int | None) -> int | None:
-    return None if tick is None or newest is None else newest - tick
-
-
-def _is_silent(row: Row, longest: int | None) -> bool:
-    if longest is None or row["looked_at"] is None:
-        return False
-    return row["behind"] is None or row["behind"] > longest
-
-
 def _remarks(row: Row, kind: TimeKind) -> list[str]:
     """Return what only the state can tell."""
-    remarks = []
-    if row["silent"] and row["behind"] is None:
-        remarks.append("silent: no data was ever found")
-    elif row["silent"]:
-        remarks.append(f"silent: {shown_length(row['behind'], kind)} behind the newest data")
-    if row["still_since_tick"] is not None:
-        since = shown_instant(row["still_since_tick"], kind)
-        remarks.append(f"stands still since {since}{'' if kind.is_counter else ' UTC'}")
+    remarks = at_end(row, row["still_since_tick"], kind)
     if row["episode_id"] is not None:
         zone = "" if kind.is_counter else " UTC"
         onset = row["since_tick"] if row["status"] in ("proving", "open") else None

@@ -53,6 +53,7 @@ _STORED = (
     *(
         "test_pruning",
         "test_status",
+        "test_standing",
         "test_judged",
         "test_visible",
         "test_faults",
@@ -72,6 +73,7 @@ _ABOUT = {
     "rowids/*": "test_trusting",
     "arrays/*": "test_trusting",
     "certificate/*": "test_spec[certificate",
+    "judgement/standing": "test_standing",
     "judgement/*": "test_judged",
     "report/*": "test_report",
     "stored/inconsistent_bands": "test_falsified",

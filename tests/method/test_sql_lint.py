@@ -27,7 +27,7 @@ from gam_db.method.adding import add
 from gam_db.method.alarms import add_backtested, add_judgements, add_learnt_limits, add_replay
 from gam_db.method.census import Slicing
 from gam_db.method.delays import KEPT, Ways
-from gam_db.method.judgement import add_judged
+from gam_db.method.judgement import add_judged, add_standing
 from gam_db.selection.budget import add_budget, add_results
 from gam_db.selection.lags import add_delays, add_samples
 from gam_db.selection.neighbours import add_dimensions, add_embedding
@@ -602,6 +602,7 @@ def alarm_steps(number: int) -> list[tuple[str, exp.Query]]:
     made.add("limit_reasons", exp.select(*words))
     add(made, "judgement/raised")
     add_judged(made, "raised")
+    add_standing(made, method)
     return [(step.name, step.query) for step in made.steps.values()]
 
 
@@ -626,7 +627,7 @@ def test_filled_queries_break_no_rule(number: int) -> None:
     assert {place[:2] for place in found} == EXEMPT, "an exemption that nothing needs any more goes"
 
 
-@pytest.mark.parametrize("number", [0, 4])
+@pytest.mark.parametrize("number", [0, 4, 5])
 def test_filled_queries_of_alarms_break_no_rule(number: int) -> None:
     """With one set of parameters and with several."""
     found = found_in(alarm_steps(number))

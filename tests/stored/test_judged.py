@@ -329,3 +329,8 @@ def test_the_view_of_the_state_judges_by_the_same_file() -> None:
     (table,) = expected.find_all(exp.Table)
     table.replace(assessed.copy())
     assert judged.this == expected
+    standing = filled("judgement/standing", {"columns": [exp.column("asset", table="judged")]})
+    ours, theirs = ({one.alias: one.this for one in query.selects} for query in (standing, view))
+    assert {name: ours[name] for name in ("status", "is_above")} == {
+        name: theirs[name] for name in ("status", "is_above")
+    }
