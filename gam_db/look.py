@@ -11,7 +11,7 @@ import pyarrow as pa
 from gam_db.clock import FAR_AHEAD, TimeKind
 from gam_db.engines.session import Session
 from gam_db.errors import SourceError, nearest
-from gam_db.source import AnySource, WideSource, declared_kind
+from gam_db.source import AnySource, Source, WideSource, declared_kind
 
 NO_ROW = "The source has no row (after where, if there is one)."
 
@@ -41,6 +41,8 @@ def resolved(source: AnySource, columns: dict[str, str], session: Session) -> An
             hint = (
                 f"; if there is only one {role}, say {role}=None" if role in ("asset", "channel") else ""
             )
+            if isinstance(source, Source) and source.columns == Source("").columns:
+                hint += "; name the columns, or give the relation itself, whose columns are guessed"
             raise SourceError(
                 f"The relation has no column {column!r} for {role}{nearest(column, columns)}{hint}."
             )

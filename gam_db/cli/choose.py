@@ -6,8 +6,9 @@ This module owns the command and its page. What results mean is said by
 
 import dataclasses
 import math
+import shlex
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -22,7 +23,7 @@ from gam_db.cli.chosen import TAU, chosen, written
 from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, healthy_part, reading
 from gam_db.cli.options import option
-from gam_db.config import Settings
+from gam_db.config import DEFAULT_FILE, Settings, load
 from gam_db.errors import printable
 from gam_db.findings import Row
 from gam_db.selection import Search, Selection, alone
@@ -67,7 +68,23 @@ def select(
         "asked": {name: getattr(parameters, name) for name in _ASKED},
         **vars(found),
     }
-    page.tell(code, figures, lambda out: _show(out, job, found, common, write), common)
+
+    def show(out: Console) -> None:
+        _show(out, job, found, common)
+        if write is not None:
+            page.say(out, *_written(write, whole))
+
+    page.tell(code, figures, show, common)
+
+
+def _written(file: Path, job: Job) -> Iterator[str]:
+    named = "" if file == Path(DEFAULT_FILE) else f" --config {shlex.quote(str(file))}"
+    yield f"written: {printable(str(file))}; read it, then: gam run{named}"
+    if load(file).method()[1] != job.calibration:
+        yield (
+            f"{printable(str(file))} says another calibration than the one that this was chosen from; "
+            "what is chosen fits that one"
+        )
 
 
 _ASKED = ("m", "bins", "window", "target_floor")
@@ -80,7 +97,7 @@ _CAO = {
 }
 
 
-def _show(out: Console, job: Job, found: Selection, common: options.Common, write: Path | None) -> None:
+def _show(out: Console, job: Job, found: Selection, common: options.Common) -> None:
     choices: list[Row] = found.choices.to_pylist()
     page.say(out, f"{printable(job.name)}: {number_of(len(choices), 'channel')}")
     page.say(out, job.columns_line())
@@ -99,8 +116,6 @@ def _show(out: Console, job: Job, found: Selection, common: options.Common, writ
     if len(choices) > options.SHOWN:
         out.print()
     page.cut(out, choices, common.everything)
-    if write is not None:
-        page.say(out, f"written: {printable(str(write))}; read it, then: gam run")
 
 
 def _lines(

@@ -13,6 +13,7 @@ from pathlib import Path
 from statistics import median_low
 from typing import Any
 
+from gam_db.calibration import WAYS, Calibration
 from gam_db.checking.words import number_of
 from gam_db.cli import toml_text
 from gam_db.cli.job import Job
@@ -24,6 +25,7 @@ from gam_db.findings import Row
 from gam_db.parameters import Override, Parameters, pattern_matches
 from gam_db.patterns import Name, grouped
 from gam_db.selection import Search, Selection, Studied, alone, selected_by_all
+from gam_db.setting import settings_of
 from gam_db.study import Study
 
 TAU = {
@@ -106,7 +108,7 @@ def written(path: Path, settings: Settings, job: Job, choices: Sequence[Row]) ->
     """Put the groups of what was chosen into a settings file, in the place of those it has.
 
     Of its own groups the keys that are not chosen stay, and so does all else of the file. A new one
-    holds the parameters that were given beside.
+    holds the parameters that were given beside, and the calibration.
 
     Raises:
         ConfigurationError: the file cannot be read or written, or holds its groups in a form that
@@ -119,7 +121,8 @@ def written(path: Path, settings: Settings, job: Job, choices: Sequence[Row]) ->
     else:
         known, given = settings, {name: (_plain(of), "") for name, of in settings.parameters.items()}
         lines = ["# Settings of gam-db, chosen by gam select.", "", "[parameters]"]
-        text = "\n".join([*lines, *toml_text.entries(given)])
+        healthy = ["", "[calibration]", *calibration_lines(settings.calibration)]
+        text = "\n".join([*lines, *toml_text.entries(given), *healthy])
     window = known.parameters.get("window", Parameters().window)
     names = [(row["asset"], row["channel"]) for row in choices]
     own = {name: _changes(known.overrides, name) for name in names}
@@ -140,6 +143,28 @@ def written(path: Path, settings: Settings, job: Job, choices: Sequence[Row]) ->
             f"{path} holds [[override]] in a form that cannot be replaced; take them out and try again."
         )
     save(path, new)
+
+
+def calibration_lines(said: Mapping[str, Any]) -> list[str]:
+    """Return the lines of the section [calibration], and of those of some assets."""
+    known = {name: (_plain(value), "as given") for name, value in said.items() if name != "overrides"}
+    if not set(WAYS) & set(said):
+        known = {"fraction": (0.2, "the first 20 % of each channel: the default"), **known}
+    lines = toml_text.comment(
+        "The part that is known to be healthy; better than a share is what you know: "
+        "intervals = [[FROM, TO]], such as [[2026-03-01, 2026-03-14T18:00:00]] or [[0, 5000]]."
+    )
+    lines += toml_text.entries(known)
+    for pattern, rule in said.get("overrides", {}).items():
+        name = toml_text.value(pattern)
+        if rule is None:
+            lines += ["", "[calibration.overrides]", f"{name} = false"]
+            continue
+        own = {key: getattr(rule, key) for key in settings_of(Calibration)}
+        usual = {key: getattr(Calibration(fraction=1.0), key) for key in own} | {"fraction": None}
+        changed = {key: (value, "as given") for key, value in own.items() if value != usual[key]}
+        lines += ["", f"[calibration.overrides.{name}]", *toml_text.entries(changed)]
+    return lines
 
 
 def save(path: Path, text: str) -> None:

@@ -16,7 +16,7 @@ from gam_db.checking import must_be_fixed, notes
 from gam_db.checking.words import spoken
 from gam_db.cli import options, page, toml_text
 from gam_db.cli.check import Seen, heading, looked, note_line
-from gam_db.cli.chosen import chosen, groups, save
+from gam_db.cli.chosen import calibration_lines, chosen, groups, save
 from gam_db.cli.exits import Exit
 from gam_db.cli.job import reading
 from gam_db.cli.options import option
@@ -105,7 +105,7 @@ def text(
         for channel, said_own in proposed.items():
             entries = {"channel": (channel, ""), **said_own}
             lines += ["", "[[override]]", *toml_text.entries(entries)]
-    lines += ["", "[calibration]", *_calibration(settings.calibration)]
+    lines += ["", "[calibration]", *calibration_lines(settings.calibration)]
     return "\n".join(lines) + "\n"
 
 
@@ -201,16 +201,3 @@ def _parameters(seen: Seen, settings: Settings) -> dict[str, tuple[Any, str]]:
                 what += f" (usual step {spoken(steps[len(steps) // 2], seen.look.kind)})"
         said[name] = (False if of is None else of, f"{what}: {why}")
     return said
-
-
-def _calibration(said: Mapping[str, Any]) -> list[str]:
-    known = {name: (value, "as given") for name, value in said.items()}
-    if not {"fraction", "duration", "intervals"} & set(said):
-        known = {"fraction": (0.2, "the first 20 % of each channel: the default"), **known}
-    return [
-        *toml_text.comment(
-            "The part that is known to be healthy; better than a share is what you know: "
-            "intervals = [[FROM, TO]], such as [[2026-03-01, 2026-03-14T18:00:00]] or [[0, 5000]]."
-        ),
-        *toml_text.entries(known),
-    ]

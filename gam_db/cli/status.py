@@ -158,7 +158,9 @@ def raised(status: pa.Table) -> Row:
 def judging(status: pa.Table) -> Iterator[str]:
     """Yield by what channels are judged, and what is to be looked at."""
     by_episode = raised(status)["judged_by_episode"]
-    if by_episode:
+    if by_episode == len(status) - status["judged_by"].null_count > 0:
+        yield "judged by episodes (gam limits)"
+    elif by_episode:
         yield (
             f"{number_of(by_episode, 'channel')} judged by episodes (gam limits), others by the health "
             "indicator and its limit"

@@ -101,7 +101,8 @@ def test_what_is_written_says_what_was_chosen() -> None:
     assert met(settings, "still") == {"max_gap": 7}
     again = gam("select", "recording.parquet", "--window", "200", *QUICK, "--write", "gam.toml")
     assert again.exit_code == 0, again.output
-    assert "written: gam.toml" in again.output
+    assert "written: gam.toml; read it, then: gam run\n" in again.output
+    assert "gam.toml says another calibration than the one that this was chosen from" in again.output
     assert Path("gam.toml").read_text() == text
 
 
@@ -110,13 +111,38 @@ def test_a_file_that_is_not_there_is_begun_and_one_of_another_form_is_left() -> 
     assert gam(*words, "new.toml").exit_code == 0
     settings = load(Path("new.toml"))
     assert settings.parameters == {"bins": 20, "window": 200}
+    assert settings.calibration == {"fraction": 1}
     assert len(settings.overrides) == 1
+    shown = gam(*words, "new.toml").output
+    assert "then: gam run --config new.toml" in shown
+    assert "another calibration" not in shown
     Path("odd.toml").write_text("override = [{ bins = 7 }]\n")
     refused = gam(*words, "odd.toml")
     assert refused.exit_code == 1
     assert "in a form that cannot be replaced" in refused.output
     assert Path("odd.toml").read_text() == "override = [{ bins = 7 }]\n"
     assert "the folder nowhere is not there" in gam(*words, "nowhere/gam.toml").output
+
+
+def test_the_calibration_of_one_machine_is_written_down() -> None:
+    words = ("--calibrate", "0/800", "--calibrate", "r*=0/900", "--calibrate", "r*=950/999")
+    chosen = gam("select", "recording.parquet", *QUICK[:4], *words, "--write", "new.toml")
+    assert chosen.exit_code == 0, chosen.output
+    assert gam("init", "recording.parquet", *words).exit_code in (0, 2)
+    for file in ("new.toml", "gam.toml"):
+        calibration = load(Path(file)).method()[1]
+        assert calibration.intervals == (("0", "800"),)
+        (rule,) = calibration.overrides.values()
+        assert rule is not None
+        assert gam("run", "--config", file, "recording.parquet", "--no-out").exit_code in (0, 2)
+        assert rule.intervals == (("0", "900"), ("950", "999"))
+    Path("other.toml").write_text(
+        '[calibration]\nfraction = 0.9\n[calibration.overrides."a*"]\nduration = 900\n'
+        "exclude = [[3, 5]]\n[calibration.overrides]\nb = false\n"
+    )
+    copied = ("--config", "other.toml", "--write", "copy.toml")
+    assert gam("select", "recording.parquet", *QUICK[:4], *copied).exit_code == 0
+    assert load(Path("copy.toml")).method()[1] == load(Path("other.toml")).method()[1]
 
 
 def test_init_writes_what_is_chosen() -> None:

@@ -212,6 +212,8 @@ def test_a_run_says_what_a_monitor_does(
         if plants == 1:
             assert told == dict(list(OF_PLANT.items())[:machines])
         assert run["judged_by_episode"] == status["judged_by_episode"]
+        shown = CliRunner().invoke(app, ["status", "--database", state]).stdout.split("\n")
+        assert ("judged by episodes (gam limits)" in shown) == (machines == 1)
 
 
 def test_a_run_says_the_same_whatever_short_cuts_it_takes(monkeypatch: pytest.MonkeyPatch) -> None:
