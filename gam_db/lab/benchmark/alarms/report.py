@@ -45,8 +45,10 @@ def lines(figures: Row) -> Iterator[str]:
     if "rivals" in figures:
         yield ""
         yield "Other estimators under the same evidence, at equal realised false alarms"
+        aimed = figures["rivals"][0]["rate"]["episodes"]
         for row in figures["rivals"]:
-            at = "" if row["height"] is None else f" (height {row['height']:g})"
+            more = ", the highest tried: opens more often" * (row["rate"]["episodes"] > aimed)
+            at = "" if row["height"] is None else f" (height {row['height']:g}{more})"
             name = _ESTIMATORS[row["estimator"]]
             yield f"  {name}{at}: seen {_rate(row['rate'])}; {_worn(row['wear'])}"
         yield ""
