@@ -312,6 +312,7 @@ class _Run:
             "started": self.started,
             "committed": now(),
             "lookback": self.wanted.lookback,
+            "deletes_hidden": int(self.session.transactions),
         }
         running.load("stamp", pa.Table.from_pylist([stamp]))
         after = min(row["first_scored"] for row in group) - 1

@@ -2,7 +2,8 @@
 -- Reads:  cohort, seen, recount, settled, stillness, stamp
 -- A row:  one version that was looked at. One without any row in its range, not even its context, hides
 --         nothing: from_bucket is beyond all buckets, and what was settled is what an earlier run says. Where
---         no new bucket is settled, it is the one that stayed, after which this run began.
+--         no new bucket is settled, it is the one that stayed, after which this run began. hides = 0 where no row of an
+--         earlier run is left that it hides: it deletes them in the same commit, or there can be none.
 SELECT
   stamp.run_id AS run_id,
   member.version_id AS version_id,
@@ -37,7 +38,8 @@ SELECT
   stamp.started AS started,
   stamp.committed AS committed,
   member.planned_from AS planned_from,
-  CASE WHEN calm.hit = 1 THEN calm.still_since END AS still_since
+  CASE WHEN calm.hit = 1 THEN calm.still_since END AS still_since,
+  CASE WHEN CASE WHEN ranged.hit = 1 THEN stamp.deletes_hidden ELSE 1 END = 1 THEN CAST(0 AS BIGINT) END AS hides
 FROM cohort AS member
 CROSS JOIN stamp
 LEFT JOIN (

@@ -19,6 +19,7 @@ SELECT
   started,
   committed,
   planned_from,
+  hides,
   CAST(1 AS BIGINT) AS withdrawn
 FROM stored_run
 WHERE run_id = :run_id

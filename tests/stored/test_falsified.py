@@ -42,6 +42,11 @@ MAY_DIFFER = {
     ("migration", "gam_version"): "told for people",
     ("run", "planned_from"): "the run that it names may be pruned; one too small is found",
     ("run", "planned_from IS NULL"): "runs of before it was recorded have none",
+    ("run", "hides IS NULL"): "earlier runs are looked at for nothing",
+    (
+        "run",
+        "hides",
+    ): "whether all earlier runs are looked at; one that hides all the same shows rows twice",
     **{
         (
             table,

@@ -50,7 +50,9 @@ def given() -> dict[str, sql_lint.Columns]:
         field.name: TYPES[{"int64": "BIGINT", "double": "DOUBLE", "string": "VARCHAR"}[str(field.type)]]
         for field in cohort.schema
     }
-    known["stamp"] = dict.fromkeys(("run_id", "started", "committed", "lookback"), Kind.INTEGER)
+    known["stamp"] = dict.fromkeys(
+        ("run_id", "started", "committed", "lookback", "deletes_hidden"), Kind.INTEGER
+    )
     telemetry = {"time": Kind.INTEGER, "value": Kind.DOUBLE}
     known["telemetry"] = telemetry | dict.fromkeys(TEXTS, Kind.OTHER)
     return known

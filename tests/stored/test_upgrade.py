@@ -96,6 +96,9 @@ def test_a_state_goes_up_and_is_scored_on(
     assert mine.migrate() == []
     assert before.seen() == before.health
     assert_filled(before)
+    if before.session.transactions:  # no row is hidden, so no run hides any
+        found = visible(mine, "SELECT run_id, hides FROM gam_run")
+        assert {row["hides"] for row in found} == {0}
     before.score_on()
 
 

@@ -20,7 +20,7 @@ from gam_db.stored.tables import StateTables
 class Run:
     """Buckets from one on of one version, up to an end; perhaps cut short before its record.
 
-    One that was withdrawn has a second row.
+    One that was withdrawn has a second row. One that counts may have deleted what it hides.
     """
 
     version: int
@@ -28,11 +28,17 @@ class Run:
     length: int
     is_finished: bool
     is_withdrawn: bool = False
+    deletes: bool = False
 
     @property
     def buckets(self) -> range:
         """The numbers of its buckets."""
         return range(self.start, self.start + self.length)
+
+    @property
+    def counts(self) -> bool:
+        """Whether it is seen."""
+        return self.is_finished and not self.is_withdrawn
 
 
 RUNS = st.lists(
@@ -43,6 +49,7 @@ RUNS = st.lists(
         st.integers(0, 5),
         st.sampled_from([True, True, False]),
         st.sampled_from([False, False, True]),
+        st.booleans(),
     ),
     max_size=8,
 )
@@ -52,7 +59,7 @@ def expected(runs: Sequence[Run]) -> set[tuple[int, int, int]]:
     """Version, bucket and run of each visible row, by going through the runs one after another."""
     visible: dict[tuple[int, int], int] = {}
     for run_id, run in enumerate(runs, start=1):
-        if run.is_finished and not run.is_withdrawn:
+        if run.counts:
             visible = {
                 (version, bucket): by
                 for (version, bucket), by in visible.items()
@@ -60,6 +67,16 @@ def expected(runs: Sequence[Run]) -> set[tuple[int, int, int]]:
             }
             visible |= {(run.version, bucket): run_id for bucket in run.buckets}
     return {(version, bucket, by) for (version, bucket), by in visible.items()}
+
+
+def left(runs: Sequence[Run]) -> list[tuple[int, int, int]]:
+    """Version, bucket and run of each row that is there."""
+    rows: list[tuple[int, int, int]] = []
+    for run_id, run in enumerate(runs, start=1):
+        if run.counts and run.deletes:
+            rows = [row for row in rows if row[0] != run.version or row[1] < run.start]
+        rows += [(run.version, bucket, run_id) for bucket in run.buckets]
+    return rows
 
 
 @pytest.fixture(scope="module")
@@ -83,10 +100,11 @@ def test_the_newest_finished_run_that_reached_a_bucket_is_seen(
     connections: list[Any], runs: list[Run]
 ) -> None:
     numbered = list(enumerate(runs, start=1))
-    keys = [f"{run.version}, {bucket}, {by}" for by, run in numbered for bucket in run.buckets]
+    keys = [f"{version}, {bucket}, {by}" for version, bucket, by in left(runs)]
     nothing = "0, 0, 0, 0, NULL, NULL, 0, NULL, NULL, NULL, 0, 0, 0"
     finished = [
-        f"({by}, {run.version}, {run.start}, {nothing}, {withdrawn}, NULL)"
+        f"({by}, {run.version}, {run.start}, {nothing}, {withdrawn}, NULL, "
+        f"{0 if run.counts and run.deletes else 'NULL'})"
         for by, run in numbered
         for withdrawn in (("NULL", "1") if run.is_withdrawn else ("NULL",))
         if run.is_finished
