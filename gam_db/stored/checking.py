@@ -17,7 +17,7 @@ from typing import Any
 import pyarrow as pa
 
 from gam_db.clock import FAR_AHEAD, LONG_AGO
-from gam_db.columns import COUNT, WORD, columns
+from gam_db.columns import COUNT, WORD, columns, counts, table_of
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
 from gam_db.stored.consistency import inconsistencies
@@ -129,7 +129,7 @@ def check_state(
     versions = check.versions.values()
     channels = len({row["channel_id"] for row in versions})
     proof = Proof(STATE, began, channels, len(versions), buckets, len(made))
-    return Checked(pa.Table.from_pylist(made, schema=_RESULT), proof)
+    return Checked(table_of(made, _RESULT), proof)
 
 
 class _Check:
@@ -149,7 +149,7 @@ class _Check:
         """Look at what must hold whatever the source; return how many buckets there are."""
         with self._running(soundness_steps(monitor_id, self.session.transactions)) as running:
             rows = running.rows("checked")
-            running.load("checked", pa.Table.from_pylist(rows, schema=_CHECKED))
+            running.load("checked", table_of(rows, _CHECKED))
             self.versions = {row["version_id"]: row for row in rows}
             self._frozen()
             for row in running.rows("inconsistent_versions"):
@@ -180,8 +180,8 @@ class _Check:
         return sum(row["buckets"] for row in buckets)
 
     def _frozen(self) -> None:
-        keys = pa.table({"version_id": pa.array(list(self.versions), pa.int64())})
-        with self.session.lent(keys) as wanted:
+        keys = [{"version_id": version} for version in self.versions]
+        with self.session.lent(table_of(keys, counts("version_id"))) as wanted:
             found = mismatched(self.state, wanted)
         for row in found:
             if not row["is_usable"]:

@@ -7,11 +7,10 @@ the stored judgements: where nothing changed, nothing is written.
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.clock import LONG_AGO
-from gam_db.columns import counts
+from gam_db.columns import counts, table_of
 from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline
 from gam_db.running import Running
@@ -122,7 +121,7 @@ def _found(
     add(steps, "alarms/merged")
     add(steps, "stored/judged_ranges", {"near": close})
     with Running(state.session, steps, state.tables.placed()) as running:
-        running.load("followed", pa.Table.from_pylist(followed, schema=_FOLLOWED))
+        running.load("followed", table_of(followed, _FOLLOWED))
         running.keep("merged")
         onsets = running.rows("merged")
         if not onsets and not any(live.get(row["channel_id"]) for row in followed):

@@ -5,10 +5,9 @@ This module owns from which judgement on a run judges anew, and by which steps.
 
 from collections.abc import Mapping, Sequence
 
-import pyarrow as pa
 from sqlglot import exp
 
-from gam_db.columns import counts
+from gam_db.columns import counts, table_of
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_kept_judgements
 from gam_db.pipeline import Pipeline
@@ -55,7 +54,7 @@ def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) ->
     add_kept_judgements(steps, buckets, since(first - _BEFORE))
     add(steps, "stored/judgement_rows")
     with Running(state.session, steps, placed) as running:
-        running.load("judged_until", pa.Table.from_pylist(rows, schema=_UNTIL))
+        running.load("judged_until", table_of(rows, _UNTIL))
         state.append("judgement", running.query("judgement_rows"))
     return {row["version_id"]: row["first_judgement"] for row in rows}
 

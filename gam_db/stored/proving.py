@@ -9,9 +9,9 @@ This module owns that, and the record of what was checked.
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import pyarrow as pa
 from sqlglot import exp
 
+from gam_db.columns import counts, table_of
 from gam_db.errors import StateError
 from gam_db.stored import checksums
 from gam_db.stored.planning import Row
@@ -118,8 +118,7 @@ def verify_daily(state: State, monitor: Row) -> bool:
     if any(0 <= began - time < DAY for time in times):
         return False
     rows = state.rows("stored/active", {"monitor_id": monitor["monitor_id"]})
-    keys = pa.array([row["version_id"] for row in rows], pa.int64())
-    with state.session.lent(pa.table({"version_id": keys})) as wanted:
+    with state.session.lent(table_of(rows, counts("version_id"))) as wanted:
         verify(state, wanted, rows)
     keep(state, monitor["monitor_id"], Proof(CHECKSUMS, began, len(rows), len(rows), 0, 0))
     return True

@@ -12,7 +12,7 @@ from sqlglot import exp
 
 from gam_db import look, template
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
-from gam_db.columns import COUNT, SHARE, WORD, columns
+from gam_db.columns import COUNT, SHARE, WORD, columns, table_of
 from gam_db.engines.session import Session
 from gam_db.pipeline import Pipeline
 from gam_db.preparing import prepared
@@ -164,7 +164,7 @@ def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
             name: value[number] if isinstance(value, list) else value for name, value in columns.items()
         }
         made.append({**row, "recounted": 0, "settled": 0, "novel_from": 0, **said})
-    return pa.Table.from_pylist(made, schema=_COHORT)
+    return table_of(made, _COHORT)
 
 
 _COHORT = columns(

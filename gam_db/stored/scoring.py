@@ -14,7 +14,7 @@ from sqlglot import exp
 
 from gam_db import look, template
 from gam_db.clock import FAR_AHEAD, shown_instant
-from gam_db.columns import counts
+from gam_db.columns import counts, table_of
 from gam_db.errors import ConflictError, ParameterError, SourceError
 from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline, filled, place
@@ -281,7 +281,7 @@ class _Run:
             counting = reading_steps(healthy, is_ranged=False)
             running.put("recount", counting.query("recount", running.placed))
         else:
-            running.load("recount", _NO_RECOUNT.empty_table())
+            running.load("recount", table_of([], _NO_RECOUNT))
         rows = reading_steps(self.reader.readings(assets, min(row["read_from"] for row in group)))
         running.put("identified", rows.query("identified", running.placed))
 
@@ -314,7 +314,7 @@ class _Run:
             "lookback": self.wanted.lookback,
             "deletes_hidden": int(self.session.transactions),
         }
-        running.load("stamp", pa.Table.from_pylist([stamp]))
+        running.load("stamp", table_of([stamp], _STAMP))
         after = min(row["first_scored"] for row in group) - 1
         monitor_id = self.monitor["monitor_id"]
         judged: dict[int, int] = {}
@@ -386,3 +386,4 @@ class _Run:
 
 
 _NO_RECOUNT = counts("channel_id calibration_readings")
+_STAMP = counts("run_id started committed lookback deletes_hidden")

@@ -15,6 +15,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import TimeKind
+from gam_db.columns import table_of
 from gam_db.engines.session import CONFLICT, Row, Session
 from gam_db.errors import ConfigurationError, ConflictError, EngineError, StateError, nearest
 from gam_db.pipeline import filled, place
@@ -88,7 +89,7 @@ class State:
     def append_rows(self, table: str, rows: Sequence[Row]) -> None:
         """Append rows to a state table: what it has columns for, and NULL for what a row lacks."""
         schema = columns_of(table)
-        with self.session.lent(pa.Table.from_pylist(rows, schema=schema)) as lent:
+        with self.session.lent(table_of(rows, schema)) as lent:
             names = [exp.column(exp.to_identifier(name)) for name in schema.names]
             self.append(table, exp.select(*names).from_(lent), schema.names)
 
