@@ -1,11 +1,9 @@
 """Notes on amounts: rows that belong nowhere, calibration, the window."""
 
-from collections.abc import Sequence
-
-from gam_db.checking.look import Look, Row
-from gam_db.checking.note import Note, noted
+from gam_db.checking.look import Look
+from gam_db.checking.note import Note, noted, whole
 from gam_db.checking.proposal import BLOCKS, CYCLES, Proposal
-from gam_db.checking.words import extent, instant
+from gam_db.checking.words import instant
 
 PART = 0.1
 """Share of a machine's recording that a channel may lack at either end before it is said."""
@@ -18,32 +16,22 @@ def amounts(look: Look, proposal: Proposal) -> list[Note]:
         *_none(look),
         *_partial(look),
         *_calibration(look),
-        *_window(look),
-        *_cycles(look, proposal),
+        *_windows(look, proposal),
     ]
 
 
 def _nameless(look: Look) -> list[Note]:
-    found = [f"{count:,} without {role}" for role, count in look.nameless.items() if count]
+    found = {role: count for role, count in look.nameless.items() if count}
     if not found:
         return []
-    columns = look.source.columns
-    first = next(role for role, count in look.nameless.items() if count)
-    return [
-        Note(
-            "nameless",
-            True,
-            f"rows that belong nowhere: {', '.join(found)} (NULL, or an infinite time), and gam run "
-            f"refuses them; mend them, or leave them out by --where '\"{columns[first]}\" IS NOT NULL'",
-        )
-    ]
+    counts = ", ".join(f"{count:,} without {role}" for role, count in found.items())
+    return whole("nameless", True, found=counts, column=look.source.columns[next(iter(found))])
 
 
 def _none(look: Look) -> list[Note]:
     if look.channels:
         return []
-    why = "; is the condition right?" if look.source.where is not None else ""
-    return [Note("nothing", True, f"no row has a name, a time and a place in a channel{why}")]
+    return whole("nothing", True, why="; is the condition right?" * (look.source.where is not None))
 
 
 def _partial(look: Look) -> list[Note]:
@@ -61,28 +49,11 @@ def _partial(look: Look) -> list[Note]:
             late.append(row)
         if end - row["last_tick"] > PART * (end - begin):
             early.append(row)
-
-    def since(found: Sequence[Row], edge: str) -> str:
-        return instant(min(row[edge] for row in found), look.kind)
-
-    return [
-        *noted(
-            "begins_late",
-            late,
-            lambda found: (
-                f"begins long after the other channels of its machine ({since(found, 'first_tick')} at "
-                "the earliest): a calibration from the first sample on lies elsewhere for it"
-            ),
-        ),
-        *noted(
-            "ends_early",
-            early,
-            lambda found: (
-                f"ends long before the other channels of its machine ({since(found, 'last_tick')} at "
-                "the earliest): a dead sensor, or one that was taken out?"
-            ),
-        ),
-    ]
+    since, until = (
+        lambda found, edge=edge: instant(min(row[edge] for row in found), look.kind)
+        for edge in ("first_tick", "last_tick")
+    )
+    return [*noted("begins_late", late, first=since), *noted("ends_early", early, last=until)]
 
 
 def _calibration(look: Look) -> list[Note]:
@@ -97,30 +68,14 @@ def _calibration(look: Look) -> list[Note]:
         and row["lowest"] < row["highest"]
         and row["calibration_samples"] < BLOCKS * look.setting(row).window
     ]
-    everywhere = len(without) == len(held)
     return [
-        *noted(
-            "no_calibration",
-            without,
-            lambda found: (
-                "no usable sample in calibration: say which part is healthy where there is data "
-                "(--calibrate FROM/TO, --calibration-duration, --calibration-fraction)"
-            ),
-            must=everywhere,
-        ),
-        *noted(
-            "short_calibration",
-            short,
-            lambda found: (
-                f"calibration is shorter than {BLOCKS} windows ({_extent(found, 'calibration_samples')} "
-                "samples): the certificate takes shorter blocks; a longer calibration or a shorter "
-                "window is better"
-            ),
-        ),
+        *noted("no_calibration", without, must=len(without) == len(held)),
+        *noted("short_calibration", short, blocks=BLOCKS),
     ]
 
 
-def _window(look: Look) -> list[Note]:
+def _windows(look: Look, proposal: Proposal) -> list[Note]:
+    """Too few samples for a window, and windows that hold too few cycles."""
     held = [row for row in look.channels if row["lowest"] is not None]
     short = [
         row
@@ -128,33 +83,12 @@ def _window(look: Look) -> list[Note]:
         if row["samples"] - row["calibration_samples"] < look.setting(row).window
         or row["samples"] - look.setting(row).span < look.setting(row).window
     ]
-    everywhere = len(short) == len(held)
-    return noted(
-        "short",
-        short,
-        lambda found: (
-            f"too few samples for a window beside calibration ({_extent(found, 'samples')} in all, "
-            f"{_extent(found, 'calibration_samples')} of calibration): no indicator; take a shorter "
-            "--window, or collect more"
-        ),
-        must=everywhere,
-    )
-
-
-def _cycles(look: Look, proposal: Proposal) -> list[Note]:
-    def text(found: Sequence[Row]) -> str:
-        longest = max(row["cycle_length"] for row in found)
-        return (
-            f"the window holds fewer than {CYCLES} cycles of about {_extent(found, 'cycle_length')} "
-            f"samples; take --window {max(proposal.window, CYCLES * longest)} or more"
-        )
-
-    return noted(
-        "short_window",
-        [row for row in look.channels if CYCLES * (row["cycle_length"] or 0) > look.setting(row).window],
-        text,
-    )
-
-
-def _extent(rows: Sequence[Row], column: str) -> str:
-    return extent([row[column] for row in rows])
+    cycling = [
+        row for row in look.channels if CYCLES * (row["cycle_length"] or 0) > look.setting(row).window
+    ]
+    longest = max((row["cycle_length"] for row in cycling), default=0)
+    enough = max(proposal.window, CYCLES * longest)
+    return [
+        *noted("short", short, must=len(short) == len(held)),
+        *noted("short_window", cycling, cycles=CYCLES, enough=enough),
+    ]

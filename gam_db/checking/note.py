@@ -1,11 +1,18 @@
-"""What a note is, and how one is made of the channels it concerns."""
+"""What a note is, and how one is made of the channels it concerns; what it says is in ``notes.toml``."""
 
+import tomllib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache
+from importlib import resources
 
 from gam_db.checking.look import Row
+from gam_db.checking.words import extent
 
 Name = tuple[str, str]
+
+#: A word of a sentence: as it is, or what makes it of the channels concerned.
+Word = str | int | Callable[[Sequence[Row]], str | int]
 
 
 @dataclass(frozen=True)
@@ -25,10 +32,36 @@ class Note:
     channels: tuple[Name, ...] = ()
 
 
-def noted(
-    subject: str, rows: Sequence[Row], text: Callable[[Sequence[Row]], str], must: bool = False
-) -> list[Note]:
+def noted(subject: str, rows: Sequence[Row], must: bool = False, **words: Word) -> list[Note]:
     """Return the note on some channels; none if there are no such channels."""
     if not rows:
         return []
-    return [Note(subject, must, text(rows), tuple((row["asset"], row["channel"]) for row in rows))]
+    said = _Words({name: word(rows) if callable(word) else word for name, word in words.items()})
+    said.rows = rows
+    names = tuple((row["asset"], row["channel"]) for row in rows)
+    return [Note(subject, must, sentence(subject).format_map(said), names)]
+
+
+def whole(subject: str, must: bool = False, **words: str | int) -> list[Note]:
+    """Return the note on a source as a whole."""
+    return [Note(subject, must, sentence(subject).format(**words))]
+
+
+def sentence(subject: str) -> str:
+    """Return what is said of a subject, with words in braces to be filled in."""
+    return _sentences()[subject]
+
+
+class _Words(dict[str, str | int]):
+    """The words of a sentence; one that is not given is the extent of a column of the channels."""
+
+    rows: Sequence[Row] = ()
+
+    def __missing__(self, column: str) -> str:
+        return extent([row[column] for row in self.rows])
+
+
+@cache
+def _sentences() -> dict[str, str]:
+    file = resources.files("gam_db.checking") / "notes.toml"
+    return tomllib.loads(file.read_text(encoding="utf-8"))
