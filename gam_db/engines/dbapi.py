@@ -11,10 +11,8 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.driver import Driver
+from gam_db.engines.refusals import refusal
 from gam_db.errors import UserError
-
-#: What a library says -> what the user can do about it. The first that is found in a message counts.
-Refusals = Sequence[tuple[str, UserError]]
 
 
 class DbapiDriver(Driver):
@@ -24,7 +22,6 @@ class DbapiDriver(Driver):
         begins: the statement that begins a transaction.
         place: what stands for a value in a statement.
         storage: what is said of the storage of temporary tables.
-        refusals: see :data:`Refusals`.
 
     Args:
         connection: open, with no transaction.
@@ -35,7 +32,6 @@ class DbapiDriver(Driver):
     begins = "BEGIN"
     place = "?"
     storage: Sequence[exp.Expr] = ()
-    refusals: Refusals = ()
 
     def __init__(self, connection: Any, owned: bool) -> None:
         self._connection, self._owned = connection, owned
@@ -99,8 +95,7 @@ class DbapiDriver(Driver):
         return value
 
     def problem(self, error: Exception) -> UserError | None:
-        said = str(error)
-        return next((told for sign, told in self.refusals if sign in said), None)
+        return refusal(self.engine.name, *map(str, error.args[:1]))
 
     def close(self) -> None:
         if self._owned:

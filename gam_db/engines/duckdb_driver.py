@@ -21,7 +21,8 @@ from gam_db.engines.duckdb_files import (
 from gam_db.engines.duckdb_journal import Journal
 from gam_db.engines.duckdb_opening import check_settings, opened, rows_at_once
 from gam_db.engines.duckdb_reading import file_reader, is_csv_reader, is_text_file
-from gam_db.engines.session import CONFLICT, FULL, READ_ONLY, first_line
+from gam_db.engines.refusals import CONFLICT, FULL, READ_ONLY, refusal
+from gam_db.engines.session import first_line
 from gam_db.errors import ConflictError, EngineError, SourceError, UserError
 from gam_db.form import Form
 from gam_db.source import paths_of, shown_relation
@@ -276,20 +277,12 @@ class DuckDriver(Driver):
                 f"{first_line(error).partition(' - ')[0]}: once where was given, a connection of "
                 "gam-db's own opens the source and the results, and no other file."
             )
-        if isinstance(error, duckdb.InterruptException):
-            return EngineError("The statement was stopped before its end.")
-        if isinstance(error, duckdb.OutOfMemoryException):
-            return EngineError(
-                "DuckDB ran out of memory; give it more (SET memory_limit), a folder to spill to "
-                "(SET temp_directory), or score fewer channels at a time."
-            )
-        if isinstance(error, duckdb.ConversionException):
-            said = late_word(self.connection, error, self._readers)
-            return SourceError(
-                said
-                or "A value of the source cannot be read as what its column must be (a counter needs 64 "
-                "bits; where= may ask for it, too); look at the file, or cast the column in a view."
-            )
+        if isinstance(error, duckdb.ConversionException) and (
+            said := late_word(self.connection, error, self._readers)
+        ):
+            return SourceError(said)
+        if (told := refusal(self.engine.name, type(error).__name__)) is not None:
+            return told
         if isinstance(error, duckdb.Error) and (differing := unalike(error)):
             return SourceError(differing)
         if "CSV Error" in first_line(error) and not isinstance(error, duckdb.IOException):

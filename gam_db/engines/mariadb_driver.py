@@ -16,8 +16,9 @@ from gam_db.address import shown
 from gam_db.engines.dbapi import DbapiDriver
 from gam_db.engines.driver import by_table
 from gam_db.engines.mariadb import COLLATION, ENGINE
-from gam_db.engines.session import CONFLICT, OPEN, READ_ONLY, check_columns
-from gam_db.errors import ConflictError, EngineError, LostConnectionError
+from gam_db.engines.refusals import OPEN
+from gam_db.engines.session import check_columns
+from gam_db.errors import EngineError, LostConnectionError
 from gam_db.extras import needed
 
 OLDEST = (10, 11)
@@ -98,16 +99,6 @@ class MariaDriver(DbapiDriver):
     no_files = "MariaDB does not read the file {path}; load it into a table and name that."
     place = "%s"
     storage = (exp.CollateProperty(this=exp.var(COLLATION)),)  # the database's own may hold few signs
-    refusals = (
-        ("(2006", LostConnectionError("The connection to MariaDB was lost; run it again.")),
-        ("(2013", LostConnectionError("The connection to MariaDB was lost; run it again.")),
-        ("(1213", ConflictError(CONFLICT)),
-        ("(1205", ConflictError(CONFLICT)),
-        ("(1290", EngineError(READ_ONLY)),
-        ("(1142", EngineError("The user has no right to do that in this MariaDB database.")),
-        ("(1044", EngineError("The user has no right to this MariaDB database.")),
-        ("(1114", EngineError("MariaDB has no room left; what was there before is as it was.")),
-    )
 
     def __init__(self, pymysql: Any, connection: Any, owned: bool) -> None:
         super().__init__(connection, owned)

@@ -21,7 +21,8 @@ from gam_db import template
 from gam_db.engines import postgres_types
 from gam_db.engines.dbapi import DbapiDriver
 from gam_db.engines.postgres import ENGINE, PATH
-from gam_db.engines.postgres_refusals import NO_SCHEMA, REFUSED_TRANSACTION, of_connecting, of_statement
+from gam_db.engines.postgres_refusals import of_connecting, of_statement
+from gam_db.engines.refusals import refused
 from gam_db.errors import EngineError, SourceError, UserError
 from gam_db.extras import needed
 
@@ -143,7 +144,7 @@ class PostgresDriver(DbapiDriver):
             self.engine = dataclasses.replace(ENGINE, home=self._home)
             self._set(_SETTINGS | (_OWN_SETTINGS if owned else {}))
         except psycopg.Error as error:
-            raise self.problem(error) or EngineError(REFUSED_TRANSACTION) from error
+            raise self.problem(error) or refused("postgres", "25P02") from error
 
     def execute(self, statement: str) -> None:
         """Run one statement; a schema that is there is not made, which would take a right of its own."""
@@ -285,7 +286,10 @@ class PostgresDriver(DbapiDriver):
         """
         schema = schema or self.engine.home
         if schema is None:
-            raise EngineError(NO_SCHEMA)
+            raise EngineError(
+                "The search_path of this PostgreSQL user names no schema that is there; give --schema, "
+                "or make the schema."
+            )
         rows = self._asked(
             "SELECT lower(relname), array_agg(attname::text ORDER BY attnum) FROM pg_class "
             "JOIN pg_namespace ON pg_namespace.oid = relnamespace "
@@ -323,7 +327,7 @@ class PostgresDriver(DbapiDriver):
             raise EngineError("The connection to PostgreSQL is closed.")
         status = self._psycopg.pq.TransactionStatus
         if self._connection.info.transaction_status in (status.INERROR, status.ACTIVE):
-            raise EngineError(REFUSED_TRANSACTION)
+            raise refused("postgres", "25P02")
         version = (self._connection.info.server_version // 10_000,)
         if version < OLDEST:
             raise EngineError(

@@ -3,90 +3,17 @@
 import re
 from typing import Any
 
-from gam_db.engines.session import CONFLICT, FULL
-from gam_db.errors import ConflictError, EngineError, LostConnectionError, SourceError, UserError
-
-REFUSED_TRANSACTION = (
-    "The connection to PostgreSQL is in a transaction that has failed, or still busy; roll it back, or "
-    "give another connection."
-)
-LOST = (
-    "The connection to PostgreSQL was lost; what was to be written was not, and the state is as before. "
-    "Run it again."
-)
-READ_ONLY = (
-    "This PostgreSQL session may only read: a standby, or default_transaction_read_only is on. gam-db "
-    "keeps its steps in temporary tables; connect to the primary, or as a user without that setting."
-)
-
-NO_SCHEMA = (
-    "The search_path of this PostgreSQL user names no schema that is there; give --schema, or make "
-    "the schema."
-)
-
-#: SQLSTATE, or the class of it -> what is said
-_SAID: dict[str, UserError] = {
-    "08": LostConnectionError(LOST),
-    "57P": LostConnectionError(LOST),
-    "25006": EngineError(READ_ONLY),
-    "25P02": EngineError(REFUSED_TRANSACTION),
-    "40": ConflictError(CONFLICT),
-    "55P03": ConflictError(CONFLICT),
-    "23505": ConflictError(CONFLICT),
-    "42P07": ConflictError(CONFLICT),
-    "53100": EngineError(FULL),
-    "58030": EngineError(FULL),
-    "53200": EngineError(
-        "PostgreSQL ran out of memory; give it more, lower work_mem, or score fewer channels at a time."
-    ),
-    "53400": EngineError(
-        "PostgreSQL reached temp_file_limit; raise it for this user, or score fewer channels at a time."
-    ),
-    "57014": EngineError(
-        "PostgreSQL cancelled a statement: somebody asked for it, or statement_timeout is too short for "
-        "this work; raise it for this user (ALTER ROLE ... SET statement_timeout = 0)."
-    ),
-    "22003": SourceError(
-        "A number or time of the source is beyond what doubles or 64 bits hold; leave such rows out by "
-        "where=, or cast the column in a view."
-    ),
-    "22P02": SourceError(
-        "A value of the source cannot be read as what its column must be (where= may ask for it, too); "
-        "cast the column in a view."
-    ),
-    "22008": SourceError(
-        "A time of the source is beyond the calendar of PostgreSQL; leave such rows out by where=."
-    ),
-}
+from gam_db.engines.refusals import refusal, refused
+from gam_db.errors import EngineError, SourceError, UserError
 
 #: SQLSTATE of a name that is not found: of a table, function or operator, type, schema
 _UNKNOWN = ("42P01", "42883", "42704", "3F000")
-
-#: What libpq and the server say of a refused connection, and what that means.
-_CONNECTING = (
-    (r"password authentication failed", "does not accept this user and password."),
-    (r"no password supplied", "wants a password; set PGPASSWORD, or write it into ~/.pgpass."),
-    (r'database ".*" does not exist', "has no such database."),
-    (r'role ".*" does not exist', "has no such user."),
-    (r"no pg_hba.conf entry|authentication failed", "does not let this user in (pg_hba.conf)."),
-    (r"permission denied for database", "lets this user into no such database (GRANT CONNECT)."),
-    (r"resolve host|translate host", "is not known by that name."),
-    (r"SSL|certificate", "and this client do not agree on encryption; see sslmode."),
-)
-
-#: The same, of what passes by itself.
-_PASSING = (
-    (r"too many clients|connection slots", "has no room for another connection; try again in a while."),
-    (r"starting up|shutting down|recovery mode", "is starting or stopping; try again in a while."),
-    (r"refused|No such file", "does not answer: is it running, and does it listen there?"),
-    (r"timeout|timed out", "does not answer in time: is it running, and is no firewall between?"),
-)
 
 _DENIED = re.compile(r"permission denied (?:for|to create temporary tables in) (\w+) (.+)")
 _TARGET = re.compile(r'(INSERT INTO|UPDATE|DELETE FROM|CREATE)\b[^"]*((?:"[^"]+"\.)?"[^"]+")')
 
 
-def of_connecting(said: str, place: str) -> EngineError:
+def of_connecting(said: str, place: str) -> UserError:
     """Return why there is no connection.
 
     Args:
@@ -98,15 +25,7 @@ def of_connecting(said: str, place: str) -> EngineError:
             "The address of the database is none that PostgreSQL understands; write it like "
             "postgresql://user@host:5432/database."
         )
-    for pattern, meaning in _PASSING:
-        if re.search(pattern, said, re.IGNORECASE):
-            return LostConnectionError(f"The PostgreSQL server at {place} {meaning}")
-    for pattern, meaning in _CONNECTING:
-        if re.search(pattern, said, re.IGNORECASE):
-            return EngineError(f"The PostgreSQL server at {place} {meaning}")
-    return EngineError(
-        f"The PostgreSQL server at {place} cannot be reached, or does not let this user in."
-    )
+    return refused("postgres_connecting", said.lower(), place=place)
 
 
 def of_statement(error: Any, statement: str, closed: bool) -> UserError | None:
@@ -117,24 +36,16 @@ def of_statement(error: Any, statement: str, closed: bool) -> UserError | None:
         statement: that was run.
         closed: whether the connection is closed now.
     """
-    state = error.sqlstate or ""
-    if closed:
-        return LostConnectionError(LOST)
-    if state == "42501":
-        return _denied(error.diag.message_primary or "", statement)
-    if state == "XX000" and "concurrently" in (error.diag.message_primary or ""):
-        return ConflictError(CONFLICT)
-    if state in _UNKNOWN and "function" in (error.diag.context or ""):
+    state, said = error.sqlstate or "", error.diag.message_primary or ""
+    if state == "42501" and not closed:
+        return _denied(said, statement)
+    if state in _UNKNOWN and not closed and "function" in (error.diag.context or ""):
         return SourceError(
-            f"A function that the source calls looks names up on the search_path "
-            f"({error.diag.message_primary}), which gam-db keeps to PostgreSQL's own schemas; give the "
-            "function the path that it needs: ALTER FUNCTION ... SET search_path = ..."
+            f"A function that the source calls looks names up on the search_path ({said}), which gam-db "
+            "keeps to PostgreSQL's own schemas; give the function the path that it needs: "
+            "ALTER FUNCTION ... SET search_path = ..."
         )
-    for length in (5, 3, 2):
-        found = _SAID.get(state[:length])
-        if found is not None:
-            return type(found)(*found.args)
-    return None
+    return refusal("postgres", "closed" if closed else state, f"{state} {said}")
 
 
 def _denied(said: str, statement: str) -> EngineError:

@@ -19,35 +19,26 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.driver import Driver
-from gam_db.errors import EngineError, LostConnectionError, SourceError, StatementError, nearest
+from gam_db.engines.refusals import CONFLICT as CONFLICT
+from gam_db.engines.refusals import OPEN, refused
+from gam_db.errors import (
+    EngineError,
+    LostConnectionError,
+    SourceError,
+    StatementError,
+    UserError,
+    nearest,
+)
 from gam_db.form import Form
 from gam_db.source import is_file, table_names
 
 T = TypeVar("T")
 Row = dict[str, Any]
 
-#: What is said of a connection that refuses to write.
-READ_ONLY = "The database is open for reading only; it cannot be changed."
-OPEN = "The connection has a transaction open; commit it or roll it back first."
-FULL = "The database cannot be written; is its disk full? What was there before is as it was."
-CONFLICT = (
-    "Another connection changed the same tables at the same time; what was to be written here was not. "
-    "Run it again."
-)
 
-
-def unwritable(path: Path, error: BaseException) -> SourceError:
+def unwritable(path: Path, error: BaseException) -> UserError:
     """Return why a target of results cannot be written, in the user's words."""
-    said = str(error)
-    if "No space left" in said:
-        return SourceError(f"{path} cannot be written: its disk is full.")
-    if "Disk quota" in said or "File too large" in said:
-        return SourceError(
-            f"{path} cannot be written: you may not write so much there (a quota or ulimit)."
-        )
-    if "Permission denied" in said or "Read-only" in said:
-        return SourceError(f"{path} cannot be written: you may only read there.")
-    return SourceError(f"{path} cannot be written; is its folder there, and may you write there?")
+    return refused("results", str(error), path=path)
 
 
 #: Numbers of the sessions that have tables, or had some that they could not drop. Temporary tables are

@@ -14,14 +14,13 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.engines.base import Engine
 from gam_db.engines.driver import Driver
-from gam_db.engines.session import READ_ONLY
+from gam_db.engines.refusals import READ_ONLY, refusal
 from gam_db.engines.spark import ENGINE, OVER
 from gam_db.engines.spark_folder import Folder
 from gam_db.engines.spark_metastore import MetastoreTables, format_of
 from gam_db.engines.spark_opening import address_of, as_before, beside, quiet, scratch, started
-from gam_db.engines.spark_problems import problem
 from gam_db.engines.spark_tables import FolderTables
-from gam_db.errors import EngineError
+from gam_db.errors import EngineError, UserError
 from gam_db.extras import needed
 from gam_db.form import Form
 
@@ -59,7 +58,6 @@ class SparkDriver(Driver):
             :func:`gam_db.engines.spark_metastore.format_of`).
     """
 
-    problem = staticmethod(problem)
     most_rows = 2**40  # Spark spills what does not fit, and a group of channels costs it a round of jobs
 
     def __init__(self, session: Any, engine: Engine, writable: bool, kept: Folder | str) -> None:
@@ -153,6 +151,10 @@ class SparkDriver(Driver):
         self._name(view, frame)
         return view
 
+    def problem(self, error: Exception) -> UserError | None:
+        """Return what the user can do about an error; what Java says of it is never poured out."""
+        return problem(error)
+
     def close(self) -> None:
         """Forget the tables; Spark itself goes on until the process ends."""
         for name in list(self._views):
@@ -181,6 +183,14 @@ class SparkDriver(Driver):
         with quiet():
             rows: pa.Table = frame.toArrow()
         return rows.cast(pa.schema([(field.name, _wide(field.type)) for field in rows.schema]))
+
+
+def problem(error: Exception) -> UserError | None:
+    """Return what the user can do about an error of Spark; None if it is none of the user's."""
+    said = str(getattr(error, "_desc", None) or error)  # without the stack of Java
+    condition = said[1:].partition("]")[0].partition(".")[0] if said.startswith("[") else ""
+    causes = f"{said}\n{getattr(error, '_stackTrace', '')}"
+    return refusal("spark", type(error).__name__, condition, causes)
 
 
 def _estimated(frame: Any) -> int:

@@ -16,7 +16,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from gam_db.engines.session import FULL, READ_ONLY
+from gam_db.engines.refusals import FULL, READ_ONLY
 from gam_db.errors import EngineError
 
 _CATALOGUE = "gam_catalogue"

@@ -19,6 +19,8 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlsplit
 
+from gam_db.engines.refusals import refused
+from gam_db.engines.session import first_line
 from gam_db.errors import EngineError
 from gam_db.extras import needed
 
@@ -172,22 +174,12 @@ def _started(master: str | None) -> Any:
         with quiet(), _stderr_to(said):
             session = builder.getOrCreate()
     except Exception as error:
-        raise EngineError(_refusal(error, said, master)) from error
+        text = said.read_text(encoding="utf-8", errors="replace") if said.exists() else ""
+        words = {"master": master, "first_line": first_line(error)}
+        no_java = "" if shutil.which("java") else "no java"
+        raise refused("spark_starting", f"{error}\n{text}", no_java, **words) from error
     atexit.register(_stop, session)
     return session
-
-
-def _refusal(error: Exception, said: Path, master: str | None) -> str:
-    text = f"{error}\n{said.read_text(encoding='utf-8', errors='replace') if said.exists() else ''}"
-    if "All masters are unresponsive" in text or "Master removed our application" in text:
-        return f"The Spark master {master} does not answer; is it running, and is this its address?"
-    if "UnsupportedClassVersionError" in text:
-        return "The Java that JAVA_HOME or PATH names is too old; Spark 4 needs Java 17 or 21."
-    if "JAVA_HOME is not set" in text or shutil.which("java") is None:
-        return "Spark needs Java 17 or 21, and none is found; install one, or let JAVA_HOME name it."
-    if "Could not parse Master URL" in text or "Invalid master URL" in text:
-        return f"{master} is no address of a Spark master; it looks like spark://HOST:7077."
-    return f"Spark could not be started: {str(error).strip().partition(chr(10))[0]}"
 
 
 def _stop(session: Any) -> None:

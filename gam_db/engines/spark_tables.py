@@ -16,7 +16,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.base import Engine
-from gam_db.engines.session import CONFLICT
+from gam_db.engines.refusals import CONFLICT
 from gam_db.engines.spark_folder import Entry, Folder
 from gam_db.engines.spark_opening import scratch
 from gam_db.engines.spark_rewriting import Run, staying, write_beside

@@ -15,9 +15,9 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.engines.base import called
 from gam_db.engines.dbapi import DbapiDriver
-from gam_db.engines.session import CONFLICT, FULL, OPEN, READ_ONLY
+from gam_db.engines.refusals import OPEN
 from gam_db.engines.sqlite import ENGINE
-from gam_db.errors import ConflictError, EngineError
+from gam_db.errors import EngineError
 
 #: Window functions, hints on WITH entries and mathematical functions are all there.
 OLDEST = (3, 35)
@@ -25,7 +25,6 @@ OLDEST = (3, 35)
 #: How long a writer waits for another one, in seconds.
 PATIENCE = 30
 
-_DAMAGED = "The SQLite file is damaged; put it back from a copy."
 _SCHEME = "sqlite:///"
 _NAMES = ("asset", "channel", "name")
 _INSTANT = re.compile(r"\d{4}-\d\d-\d\d \d\d:\d\d:\d\d\.\d{6}")
@@ -80,14 +79,6 @@ class SqliteDriver(DbapiDriver):
     no_files = "SQLite reads no files by path; load {path} into a table and name that."
     most_rows = 5_000_000  # temporary tables are on disk
     begins = "BEGIN IMMEDIATE"  # no other connection can write beside it
-    refusals = (
-        ("locked", ConflictError(CONFLICT)),
-        ("readonly", EngineError(READ_ONLY)),
-        ("full", EngineError(FULL)),
-        ("disk I/O", EngineError(FULL)),
-        ("malformed", EngineError(_DAMAGED)),
-        ("not a database", EngineError(_DAMAGED)),
-    )
 
     def __init__(self, connection: sqlite3.Connection, owned: bool) -> None:
         super().__init__(connection, owned)

@@ -360,7 +360,7 @@ def test_java_that_has_ended_is_said() -> None:
     """In the words of py4j: the tests' own Java goes on."""
     from py4j.protocol import Py4JNetworkError
 
-    from gam_db.engines.spark_problems import problem
+    from gam_db.engines.spark_driver import problem
 
     told = problem(Py4JNetworkError("Answer from Java side is empty"))
     assert isinstance(told, EngineError)

@@ -1,0 +1,53 @@
+"""What engines refuse, and what the user can do about it: the table ``refusals.csv``, a row per answer.
+
+Of the rows of an engine the first counts that has a sign of the error: what the engine calls it, or says
+of it (``*`` any text, ``?`` one character). Words in braces are filled in.
+"""
+
+import csv
+from fnmatch import fnmatchcase
+from functools import cache
+from importlib import resources
+
+from gam_db import errors
+from gam_db.errors import UserError
+
+READ_ONLY = "The database is open for reading only; it cannot be changed."
+OPEN = "The connection has a transaction open; commit it or roll it back first."
+FULL = "The database cannot be written; is its disk full? What was there before is as it was."
+CONFLICT = (
+    "Another connection changed the same tables at the same time; what was to be written here was not. "
+    "Run it again."
+)
+
+#: What several engines say.
+_SHARED = {"conflict": CONFLICT, "full": FULL, "read_only": READ_ONLY}
+
+
+def refusal(of: str, *told: str, **words: object) -> UserError | None:
+    """Return what the user can do about an error; None if it is none of the user's.
+
+    Args:
+        of: the name in the first column of the table.
+        told: what is known of the error: its name or number, what is said of it.
+        words: what sentences have in braces.
+    """
+    for row in _table():
+        signs = row["signs"].split("|")
+        if row["of"] == of and any(fnmatchcase(one, sign) for one in told for sign in signs):
+            error: UserError = getattr(errors, row["error"])(row["said"].format(**_SHARED, **words))
+            return error
+    return None
+
+
+def refused(of: str, *told: str, **words: object) -> UserError:
+    """Return the same of what is always the user's: the table has an answer to any error."""
+    found = refusal(of, *told, **words)
+    assert found is not None, of
+    return found
+
+
+@cache
+def _table() -> list[dict[str, str]]:
+    table = resources.files("gam_db.engines") / "refusals.csv"
+    return list(csv.DictReader(table.read_text(encoding="utf-8").splitlines()))
