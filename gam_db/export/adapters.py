@@ -1,13 +1,15 @@
 """dbt's adapters: which one serves an engine, and how it replaces rows of an incremental model.
 
-This module owns a small table; what an engine's SQL looks like is in :mod:`gam_db.engines`.
+This module owns a small table, ``adapters.toml``; what the SQL of an engine looks like is in
+:mod:`gam_db.engines`.
 """
 
+import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from importlib.resources import files
 from typing import Any
 
-from gam_db.engines.postgres import PATH
 from gam_db.errors import EngineError
 
 #: What the schema tests and the builds were really run on; the others are only rendered.
@@ -38,72 +40,11 @@ class Adapter:
         return {"pre_hook": self.before} if self.before else {}
 
 
-_PATH = f"SET LOCAL search_path TO {PATH}"
-
-
-_LOGIN = {"host": "localhost", "user": "gam"}
-_PLANT = {"dbname": "plant", "schema": "public"}
-
-
-def _secret(variable: str) -> str:
-    return f"{{{{ env_var('{variable}') }}}}"
-
-
 ADAPTERS = {
-    "duckdb": Adapter("dbt-duckdb", {"path": "../plant.duckdb", "schema": "main"}),
-    # Its planner expects few rows of any WITH entry and joins two of them by nested loops: 4,408 buckets
-    # then take 44 s instead of 4 s, twice as many four times that.
-    "postgres": Adapter(
-        "dbt-postgres",
-        {
-            **_LOGIN,
-            "port": 5432,
-            "password": _secret("PGPASSWORD"),
-            **_PLANT,
-        },
-        config={"pre_hook": [_PATH, "SET LOCAL enable_nestloop = off"]},
-        before=_PATH,
-    ),
-    "clickhouse": Adapter(
-        "dbt-clickhouse",
-        {**_LOGIN, "port": 8123, "password": _secret("CLICKHOUSE_PASSWORD"), "schema": "plant"},
-    ),
-    "spark": Adapter(
-        "dbt-spark",
-        {"method": "thrift", "host": "localhost", "port": 10000, "schema": "plant"},
-        "merge",
-        {"file_format": "delta"},
-    ),
-    "databricks": Adapter(
-        "dbt-databricks",
-        {
-            **{"host": "dbc-1.cloud.databricks.com", "http_path": "/sql/1.0/warehouses/1"},
-            **{"token": _secret("DATABRICKS_TOKEN"), "catalog": "main", "schema": "plant"},
-        },
-        "merge",
-    ),
-    "bigquery": Adapter(
-        "dbt-bigquery", {"method": "oauth", "project": "my-project", "dataset": "plant"}, "merge"
-    ),
-    "snowflake": Adapter(
-        "dbt-snowflake",
-        {
-            **{"account": "my-account", "user": "gam", "password": _secret("SNOWFLAKE_PASSWORD")},
-            **{"warehouse": "gam", "database": "plant", "schema": "public"},
-        },
-    ),
-    "redshift": Adapter(
-        "dbt-redshift",
-        {
-            **_LOGIN,
-            "port": 5439,
-            "password": _secret("PGPASSWORD"),
-            **_PLANT,
-        },
-    ),
-    "trino": Adapter(
-        "dbt-trino", {**_LOGIN, "method": "none", "port": 8080, "database": "hive", "schema": "plant"}
-    ),
+    engine: Adapter(**said)
+    for engine, said in tomllib.loads(
+        (files("gam_db.export") / "adapters.toml").read_text(encoding="utf-8")
+    ).items()
 }
 
 

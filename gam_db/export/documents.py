@@ -4,6 +4,7 @@ This module owns the words that dbt users know; it makes no SQL.
 """
 
 from collections.abc import Sequence
+from importlib import resources
 from typing import Any
 
 from gam_db import template
@@ -118,48 +119,26 @@ def _described(of: Modelled, model: Model) -> dict[str, Any]:
 
 def readme(of: Modelled, table: str) -> str:
     """Return what somebody who opens the package should know first."""
-    name, prefix, adapter = project_name(of.prefix), of.prefix, of.adapter.package
     built = (
         "tested by really building it with this adapter"
         if of.engine.name in BUILT
         else "rendered for this engine, never yet built on it"
     )
-    taught = ", ".join(f"{prefix}{model}" for model in CALIBRATED)
-    unit = "steps of the counter" if of.kind.is_counter else "microseconds"
-    return f"""\
-# {name}: a health indicator for every machine channel
-
-Written by gam-db {__version__} for {of.engine.name} ({adapter}); {built}.
-It needs no Python but dbt's own.
-
-    cp profiles.example.yml profiles.yml     # and say where your warehouse is; or keep a profile {name}
-    dbt build
-    dbt docs generate
-
-| model | |
-|---|---|
-| {prefix}health | the indicator `hi`, at the end of every bucket of {of.setting.stride} scored vectors |
-| {prefix}fleet | one row per channel: status, verdict, limit, latest indicator |
-| {prefix}bucket | incremental: the integers behind them |
-| {taught} | what calibration taught |
-
-`hi` is the share of the last {of.setting.window_length} scored vectors whose cell healthy operation
-never visited. There are no episodes in a package: all are judged by the indicator (`judged_by`). In
-{prefix}fleet, a channel whose `status` is `high` is above its limit, which is to say `hi > hi_limit`;
-where nothing is to be judged there is no limit, and
-`limit_reason` says why.
-
-## What holds
-
-- Calibration is learnt in the first build and then frozen, from fixed intervals. Later builds read only
-  what is new. A new calibration, a new channel or other settings take `dbt build --full-refresh`; a
-  package with other settings that finds tables of the old ones fails at the test of `settings_hash`,
-  before anything is scored.
-- A build after new rows, late ones included, gives what a full refresh gives, as long as no row comes
-  more than {of.lookback} {unit} behind the newest bucket of its channel. Rows later than that, rows that
-  were corrected or deleted, and late rows inside calibration are not seen; `dbt build --full-refresh`
-  mends that. The test `{prefix}calibration_is_unchanged` warns of rows that came or went in calibration,
-  `{prefix}channels_are_known` of channels that were not there at the first build.
-- A channel that falls silent is read from its own last bucket on in every build, so a long silence makes
-  builds read more of {table}. They stay right.
-"""
+    return (
+        (resources.files("gam_db.export") / "readme.txt")
+        .read_text(encoding="utf-8")
+        .format(
+            name=project_name(of.prefix),
+            prefix=of.prefix,
+            version=__version__,
+            engine=of.engine.name,
+            adapter=of.adapter.package,
+            built=built,
+            stride=of.setting.stride,
+            window=of.setting.window_length,
+            taught=", ".join(f"{of.prefix}{model}" for model in CALIBRATED),
+            lookback=of.lookback,
+            unit="steps of the counter" if of.kind.is_counter else "microseconds",
+            table=table,
+        )
+    )

@@ -7,6 +7,7 @@ and the JSON is made by Grafana's own library.
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -181,38 +182,8 @@ class _Target:
 
 def alert(engine: str, sql: str, uid: str) -> str:
     """Return the alert rule as YAML of Grafana's provisioning: one alert per signal that is above."""
-    span = {"from": 600, "to": 0}
-    rule = {
-        "uid": "gam-db-above",
-        "title": "A signal is above its limit",
-        "condition": "B",
-        "for": "0s",
-        "noDataState": "OK",
-        "execErrState": "Error",
-        "annotations": {
-            "summary": "{{ .Labels.asset }} / {{ .Labels.channel }} goes where it never went"
-        },
-        "labels": {"source": "gam-db"},
-        "data": [
-            {
-                "refId": "A",
-                "relativeTimeRange": span,
-                "datasourceUid": uid,
-                "model": {"refId": "A", "rawSql": sql, **SOURCES[engine].rows},
-            },
-            {
-                "refId": "B",
-                "relativeTimeRange": span,
-                "datasourceUid": "__expr__",
-                "model": {
-                    "refId": "B",
-                    "type": "threshold",
-                    "expression": "A",
-                    "datasource": {"type": "__expr__", "uid": "__expr__"},
-                    "conditions": [{"evaluator": {"type": "gt", "params": [0]}}],
-                },
-            },
-        ],
-    }
-    group = {"orgId": 1, "name": "gam-db", "folder": "gam-db", "interval": "5m", "rules": [rule]}
-    return yaml_text.text({"apiVersion": 1, "groups": [group]})
+    said = json.loads((files("gam_db.export") / "alert.json").read_text(encoding="utf-8"))
+    asked, _ = said["groups"][0]["rules"][0]["data"]
+    asked["datasourceUid"] = uid
+    asked["model"] |= {"rawSql": sql, **SOURCES[engine].rows}
+    return yaml_text.text(said)

@@ -18,6 +18,7 @@ import harness
 from batches import KINDS, history
 from dbt_builder import Builder
 from gam_db.cli import app
+from gam_db.engines.postgres import PATH
 from gam_db.export import Package, write
 from gam_db.export.adapters import ADAPTERS
 from gam_db.stored.monitor import Monitor
@@ -258,6 +259,12 @@ def check(files: dict[str, str], name: str) -> str:
 
 
 # What is written
+
+
+def test_names_are_looked_up_in_a_package_as_everywhere() -> None:
+    postgres = ADAPTERS["postgres"]
+    assert postgres.before == f"SET LOCAL search_path TO {PATH}"
+    assert postgres.before in postgres.config["pre_hook"]
 
 
 @pytest.mark.parametrize("engine", ADAPTERS)
