@@ -65,6 +65,11 @@ def table_as(table: exp.Table, query: exp.Query) -> exp.Create:
     return exp.Create(this=table, kind="TABLE", expression=query)
 
 
+def counter(column: exp.Expr) -> exp.Expr:
+    """Return an integer counter as it is; the product is refused by engines if it is a timestamp."""
+    return exp.cast(exp.Mul(this=column, expression=exp.Literal.number(1)), "BIGINT")
+
+
 @dataclass(frozen=True)
 class Engine:
     """One engine, as data.
@@ -73,8 +78,9 @@ class Engine:
         name: what users call it.
         title: what it calls itself.
         dialect: sqlglot's name of its SQL.
-        micros_of: the integer time of a column of a kind of time.
-        instant_of: the way back, for the last step of a query.
+        micros: the integer time of a column of a kind of calendar time.
+        instant: the way back, for the last step of a query.
+        counted: the integer time of a column that counts.
         range_of: conditions on a column of times, where its own order is not that of the instants.
         types: what those of its columns mean.
         texts: how numbers and times are read from text; None where that is left to views.
@@ -112,8 +118,9 @@ class Engine:
     name: str
     title: str
     dialect: str
-    micros_of: TimeRewrite
-    instant_of: TimeRewrite
+    micros: TimeRewrite
+    instant: TimeRewrite
+    counted: Rewrite = counter
     range_of: RangeRewrite | None = None
     types: Types = USUAL
     texts: Texts | None = None
@@ -144,6 +151,14 @@ class Engine:
     by_sets: bool = False
     most_in_set: exp.Query | None = None
 
+    def micros_of(self, kind: TimeKind, column: exp.Expr) -> exp.Expr:
+        """Return the integer time of a column that tells time in a way."""
+        return self.counted(column) if kind.is_counter else self.micros(kind, column)
+
+    def instant_of(self, kind: TimeKind, time: exp.Expr) -> exp.Expr:
+        """Return an integer time as a source that tells time in a way has it."""
+        return time if kind.is_counter else self.instant(kind, time)
+
     def readings(self, source: AnySource, relation: exp.Expr, kind: TimeKind) -> exp.Query:
         """Return the step *readings* of a source that tells time in a way."""
         return readings(source, relation, partial(self.micros_of, kind), self.unpivots)
@@ -165,14 +180,13 @@ class Engine:
             return self.range_of(kind, column, earliest, latest)
         conditions: list[exp.Expr] = []
         if earliest is not None:
-            conditions.append(exp.GTE(this=column.copy(), expression=self._instant(kind, earliest)))
+            start = self.instant_of(kind, template.node_of(earliest))
+            conditions.append(exp.GTE(this=column.copy(), expression=start))
         if latest is not None:
             # The next one is excluded, so that nanoseconds after the last microsecond are not.
-            conditions.append(exp.LT(this=column.copy(), expression=self._instant(kind, latest + 1)))
+            end = self.instant_of(kind, template.node_of(latest + 1))
+            conditions.append(exp.LT(this=column.copy(), expression=end))
         return conditions
-
-    def _instant(self, kind: TimeKind, time: int) -> exp.Expr:
-        return self.instant_of(kind, template.node_of(time))
 
     def text(self, tree: exp.Expr, pretty: bool = False) -> str:
         """Return a tree as SQL of this engine.
@@ -297,11 +311,6 @@ def compared_by(collation: exp.Expr) -> Rewrite:
         return tree
 
     return compare_by_bytes
-
-
-def counter(column: exp.Expr) -> exp.Expr:
-    """Return an integer counter as it is; the product is refused by engines if it is a timestamp."""
-    return exp.cast(exp.Mul(this=column, expression=exp.Literal.number(1)), "BIGINT")
 
 
 def deletion(table: exp.Table, keys: Sequence[str], found: exp.Query) -> exp.Delete:

@@ -3,21 +3,19 @@
 from sqlglot import exp
 
 from gam_db.clock import TimeKind
-from gam_db.engines.base import Engine, called, counter, escape_by_backslash
+from gam_db.engines.base import Engine, called, escape_by_backslash
 from gam_db.engines.storage import Addition, Definition, added_with_notes, clustered, with_notes
 from gam_db.engines.types import Types
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
     """Return epoch microseconds of a TIMESTAMP, DATETIME (UTC) or DATE."""
-    if kind.is_counter:
-        return counter(column)
     return called("UNIX_MICROS", exp.cast(column, "TIMESTAMPTZ"))
 
 
 def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
     """Return the TIMESTAMP of epoch microseconds."""
-    return micros if kind.is_counter else called("TIMESTAMP_MICROS", micros)
+    return called("TIMESTAMP_MICROS", micros)
 
 
 def define(definition: Definition) -> list[exp.Expr]:
@@ -86,8 +84,8 @@ ENGINE = Engine(
     limits="gam-db does not connect to it; it prints the SQL. Storage, quotas and transactions of the "
     "service were not seen at work.",
     types=Types("bigquery"),
-    micros_of=micros_of,
-    instant_of=instant_of,
+    micros=micros_of,
+    instant=instant_of,
     define=define,
     extend=extend,
     rewrites=(escape_by_backslash, name_rows_apart, find_keys_as_structs),

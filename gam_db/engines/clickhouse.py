@@ -19,15 +19,20 @@ _BUCKETS_OF_A_PART, _GROUPS = 2**20, 8
 _ROWS_OF_A_MARK = 512
 
 
+def counted(column: exp.Expr) -> exp.Expr:
+    """Return an integer counter.
+
+    Cause: casts wrap around. Symptom: an unsigned counter beyond 2^63 becomes negative.
+    """
+    return called("accurateCast", counter(column).this, template.text("Nullable(Int64)"))
+
+
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
     """Return epoch microseconds of a Date, DateTime or DateTime64; floored, as the method says.
 
-    Cause: casts wrap around, and a DateTime64 that becomes coarser is cut towards zero. Symptom: an
-    unsigned counter beyond 2^63 becomes negative, and nanoseconds before 1970 are a microsecond late.
+    Cause: a DateTime64 that becomes coarser is cut towards zero. Symptom: nanoseconds before 1970 are a
+    microsecond late.
     """
-    if kind.is_counter:
-        exact = counter(column).this
-        return called("accurateCast", exact, template.text("Nullable(Int64)"))
     if kind not in (TimeKind.NANOSECONDS, TimeKind.NANOSECONDS_WITH_ZONE):
         return called("toUnixTimestamp64Micro", _precise(column, 6))
     nanos = called("toUnixTimestamp64Nano", _precise(column, 9))
@@ -44,8 +49,6 @@ def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
 
 def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
     """Return the DateTime64(6) of epoch microseconds."""
-    if kind.is_counter:
-        return micros
     return called("fromUnixTimestamp64Micro", micros, template.text(_UTC))
 
 
@@ -175,8 +178,9 @@ ENGINE = Engine(
     "it. Inside this process (chdb) only one process opens a folder, and a process only one. It reads "
     "no files by path.",
     types=Types("clickhouse", (("BFloat16", "Float32"),)),
-    micros_of=micros_of,
-    instant_of=instant_of,
+    micros=micros_of,
+    counted=counted,
+    instant=instant_of,
     delays="arrays",
     holds_delays=True,
     by_sets=True,

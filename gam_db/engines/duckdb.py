@@ -4,7 +4,7 @@ from sqlglot import exp
 
 from gam_db.bits import Bits
 from gam_db.clock import TimeKind
-from gam_db.engines.base import Engine, Texts, called, counter
+from gam_db.engines.base import Engine, Texts, called
 from gam_db.engines.duckdb_reading import instant_of_text, number_of, retyped, seen_formats
 from gam_db.engines.types import Types
 
@@ -17,8 +17,6 @@ def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
     DuckDB rounds nanoseconds to microseconds; the method floors them. Its integer division rounds
     towards zero, so a rest below zero takes one more.
     """
-    if kind.is_counter:
-        return counter(column)
     if kind in _NANOSECONDS:
         nanos = called("EPOCH_NS", column)
         thousand, zero = exp.Literal.number(1000), exp.Literal.number(0)
@@ -38,8 +36,6 @@ def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
 
 def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
     """Return the timestamp of epoch microseconds, with a zone where the source has one."""
-    if kind.is_counter:
-        return micros
     if kind.has_zone:
         return called("MAKE_TIMESTAMPTZ", micros)
     return called("MAKE_TIMESTAMP", micros)
@@ -66,8 +62,8 @@ ENGINE = Engine(
     texts=Texts(number_of, instant_of_text),
     seen_formats=seen_formats,
     retyped=retyped,
-    micros_of=micros_of,
-    instant_of=instant_of,
+    micros=micros_of,
+    instant=instant_of,
     flow_hint=True,
     reads_files=True,
     unpivots=True,

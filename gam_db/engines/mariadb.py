@@ -4,7 +4,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import TimeKind
-from gam_db.engines.base import Engine, called, compared_by, counter, escape_by_backslash
+from gam_db.engines.base import Engine, called, compared_by, escape_by_backslash
 from gam_db.engines.storage import Definition, added_with_notes, key_index, with_notes
 from gam_db.engines.types import Types
 
@@ -16,15 +16,11 @@ _EPOCH = "1970-01-01 00:00:00.000000"
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
     """Return epoch microseconds."""
-    if kind.is_counter:
-        return counter(column)
     return called("TIMESTAMPDIFF", exp.var("MICROSECOND"), _epoch(), column)
 
 
 def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
     """Return the instant of epoch microseconds."""
-    if kind.is_counter:
-        return micros
     return called("TIMESTAMPADD", exp.var("MICROSECOND"), micros, _epoch())
 
 
@@ -73,8 +69,8 @@ ENGINE = Engine(
         "migration that is cut short is run again."
     ),
     types=Types("mysql"),
-    micros_of=micros_of,
-    instant_of=instant_of,
+    micros=micros_of,
+    instant=instant_of,
     undoes_definitions=False,
     define=define,
     extend=added_with_notes,

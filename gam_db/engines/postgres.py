@@ -4,7 +4,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import SECOND, TimeKind
-from gam_db.engines.base import Engine, called, compared_by, counter
+from gam_db.engines.base import Engine, called, compared_by
 from gam_db.engines.storage import Definition, key_index, with_statements
 from gam_db.engines.types import Types
 
@@ -14,8 +14,6 @@ BYTES = template.name("C")
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
     """Return epoch microseconds, exact since EXTRACT is numeric; NULL for infinite times."""
-    if kind.is_counter:
-        return counter(column)
     epoch = exp.Extract(this=exp.var("EPOCH"), expression=column)
     micros = exp.cast(exp.Mul(this=epoch, expression=exp.Literal.number(SECOND)), "BIGINT")
     return exp.Case(ifs=[exp.If(this=called("ISFINITE", column.copy()), true=micros)])
@@ -23,8 +21,6 @@ def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
 
 def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
     """Return the timestamp of epoch microseconds, exact below 2^53 microseconds from 1970."""
-    if kind.is_counter:
-        return micros
     zoned = kind is TimeKind.TIMESTAMP_WITH_ZONE
     epoch = exp.cast(
         template.text("1970-01-01 00:00:00+00" if zoned else "1970-01-01 00:00:00"),
@@ -125,8 +121,8 @@ ENGINE = Engine(
         "standby, and not behind a pool that changes connections between transactions."
     ),
     types=Types("postgres", (("citext", "text"),)),
-    micros_of=micros_of,
-    instant_of=instant_of,
+    micros=micros_of,
+    instant=instant_of,
     define=define,
     flow_hint=True,
     home="public",

@@ -4,15 +4,13 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import TimeKind
-from gam_db.engines.base import Engine, called, counter
+from gam_db.engines.base import Engine, called
 from gam_db.engines.postgres import instant_of
 from gam_db.engines.storage import Addition, Definition, added_with_statements, with_statements
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
     """Return epoch microseconds; EXTRACT(EPOCH) is whole seconds there."""
-    if kind.is_counter:
-        return counter(column)
     epoch = exp.cast(template.text("1970-01-01 00:00:00"), "TIMESTAMP")
     return called("DATEDIFF", exp.var("MICROSECOND"), epoch, column)
 
@@ -37,8 +35,8 @@ ENGINE = Engine(
     dialect="redshift",
     limits="gam-db does not connect to it; it prints the SQL. Sort keys and DATEDIFF were not seen "
     "at work.",
-    micros_of=micros_of,
-    instant_of=instant_of,
+    micros=micros_of,
+    instant=instant_of,
     define=define,
     extend=extend,
 )

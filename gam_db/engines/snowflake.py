@@ -3,21 +3,17 @@
 from sqlglot import exp
 
 from gam_db.clock import TimeKind
-from gam_db.engines.base import Engine, called, counter
+from gam_db.engines.base import Engine, called
 from gam_db.engines.storage import Definition, added_with_notes, clustered, with_notes
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
     """Return epoch microseconds."""
-    if kind.is_counter:
-        return counter(column)
     return called("DATE_PART", exp.var("EPOCH_MICROSECOND"), column)
 
 
 def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
     """Return the timestamp of epoch microseconds, without a zone unless the source has one."""
-    if kind.is_counter:
-        return micros
     zoned = kind is TimeKind.TIMESTAMP_WITH_ZONE
     name = "TO_TIMESTAMP_LTZ" if zoned else "TO_TIMESTAMP_NTZ"
     return called(name, micros, exp.Literal.number(6))
@@ -33,8 +29,8 @@ ENGINE = Engine(
     title="Snowflake",
     dialect="snowflake",
     limits="gam-db does not connect to it; it prints the SQL. No statement was run.",
-    micros_of=micros_of,
-    instant_of=instant_of,
+    micros=micros_of,
+    instant=instant_of,
     define=define,
     extend=added_with_notes,
 )

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from sqlglot import exp
 
 from gam_db.clock import TimeKind
-from gam_db.engines.base import Engine, called, counter, table_as
+from gam_db.engines.base import Engine, called, table_as
 from gam_db.engines.storage import (
     Addition,
     Definition,
@@ -31,15 +31,11 @@ _LARGE = ("bucket_no", "cell_key")
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
     """Return epoch microseconds; a timestamp without zone is read as UTC by a session in UTC."""
-    if kind.is_counter:
-        return counter(column)
     return called("UNIX_MICROS", exp.cast(column, "TIMESTAMPTZ"))
 
 
 def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
     """Return the timestamp of epoch microseconds, with a zone where the source has one."""
-    if kind.is_counter:
-        return micros
     instant = called("TIMESTAMP_MICROS", micros)
     return instant if kind.has_zone else exp.cast(instant, "TIMESTAMPNTZ")
 
@@ -130,8 +126,8 @@ ENGINE = Engine(
     limits="A run is seen once its commit row is there; of two at once one "
     "gives way; calibrations at once are detected, not prevented.",
     types=Types("spark"),
-    micros_of=micros_of,
-    instant_of=instant_of,
+    micros=micros_of,
+    instant=instant_of,
     create_table=create_table,
     define=define,
     extend=extend,

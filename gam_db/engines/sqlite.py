@@ -6,15 +6,13 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import SECOND, TimeKind
-from gam_db.engines.base import Engine, called, counter
+from gam_db.engines.base import Engine, called
 from gam_db.engines.storage import Addition, Definition, added, key_index
 from gam_db.engines.types import Types
 
 
 def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
     """Return epoch microseconds of a text YYYY-MM-DD HH:MM:SS.ffffff; fewer digits are filled up."""
-    if kind.is_counter:
-        return counter(column)
     seconds = exp.cast(called("STRFTIME", template.text("%s"), column), "BIGINT")
     digits = exp.DPipe(
         this=called("SUBSTR", column.copy(), exp.Literal.number(21)), expression=template.text("000000")
@@ -28,8 +26,6 @@ def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
 
 def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
     """Return the text of epoch microseconds."""
-    if kind.is_counter:
-        return micros
     second = exp.Literal.number(SECOND)
     signed = exp.Mod(this=micros.copy(), expression=second)
     rest = exp.paren(exp.Mod(this=exp.paren(exp.Add(this=signed, expression=second)), expression=second))
@@ -145,8 +141,8 @@ ENGINE = Engine(
     oldest="3.35",
     limits="One connection at a time writes. It has no schemas and no comments, and reads no files.",
     types=Affinities("sqlite"),
-    micros_of=micros_of,
-    instant_of=instant_of,
+    micros=micros_of,
+    instant=instant_of,
     range_of=range_of,
     define=define,
     extend=extend,
