@@ -6,7 +6,7 @@ them.
 
 import math
 import statistics
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from gam_db.checking.look import Look, Row
@@ -26,25 +26,10 @@ MOST_STILL = 0.1
 
 
 @dataclass(frozen=True)
-class Gap:
-    """A max_gap.
+class Proposed:
+    """A value as its setting takes it, and why this one, in plain words."""
 
-    Attributes:
-        length: counter steps, or microseconds.
-        value: the same as a setting takes it.
-        reason: why this one, in plain words.
-    """
-
-    length: int
     value: int | str
-    reason: str
-
-
-@dataclass(frozen=True)
-class Still:
-    """A still_after, in samples, and why this one, in plain words."""
-
-    value: int
     reason: str
 
 
@@ -61,36 +46,34 @@ class Proposal:
         stills: channel -> still_after, where not all can.
     """
 
-    max_gap: Gap | None
-    gaps: dict[str, Gap]
+    max_gap: Proposed | None
+    gaps: dict[str, Proposed]
     window: int
     window_reason: str
-    still: Still | None
-    stills: dict[str, Still]
+    still: Proposed | None
+    stills: dict[str, Proposed]
 
 
 def propose(look: Look) -> Proposal:
     """Return what to set for a source."""
     spaced = [row for row in look.channels if row["typical_step"] is not None]
-    one = _gap(spaced, look.kind)
-    gaps: dict[str, Gap] = {}
-    if one is None:
-        for channel in dict.fromkeys(row["channel"] for row in spaced):
-            own = _gap([row for row in spaced if row["channel"] == channel], look.kind)
-            if own is not None:
-                gaps[channel] = own
-    window, reason = _window(look)
-    still = _still(look.channels)
-    stills: dict[str, Still] = {}
-    if still is None:
-        for channel in dict.fromkeys(row["channel"] for row in look.channels):
-            its = _still([row for row in look.channels if row["channel"] == channel])
-            if its is not None:
-                stills[channel] = its
-    return Proposal(one, gaps, window, reason, still, stills)
+    gap, gaps = _for_all_or_each(spaced, lambda rows: _gap(rows, look.kind))
+    still, stills = _for_all_or_each(look.channels, _still)
+    return Proposal(gap, gaps, *_window(look), still, stills)
 
 
-def _still(rows: Sequence[Row]) -> Still | None:
+def _for_all_or_each(
+    rows: Sequence[Row], proposed: Callable[[Sequence[Row]], Proposed | None]
+) -> tuple[Proposed | None, dict[str, Proposed]]:
+    """Return what suits all channels; where there is no such, what suits each name of a channel."""
+    if (one := proposed(rows)) is not None:
+        return one, {}
+    names = dict.fromkeys(row["channel"] for row in rows)
+    own = {name: proposed([row for row in rows if row["channel"] == name]) for name in names}
+    return None, {name: one for name, one in own.items() if one is not None}
+
+
+def _still(rows: Sequence[Row]) -> Proposed | None:
     """Return from where on these channels stand still, if some did in calibration, and none for long."""
     shares = [row["calibration_still"] / max(row["calibration_samples"], 1) for row in rows]
     if not any(shares) or max(shares) >= MOST_STILL:
@@ -101,10 +84,10 @@ def _still(rows: Sequence[Row]) -> Still | None:
         f"{percent(max(shares))} of calibration at most stood still, in {runs:,} "
         f"run{'s' * (runs != 1)} of at most {max(row['longest_run'] for row in standing):,} samples"
     )
-    return Still(max(row["still_after"] for row in standing), reason)
+    return Proposed(max(row["still_after"] for row in standing), reason)
 
 
-def _gap(rows: Sequence[Row], kind: TimeKind) -> Gap | None:
+def _gap(rows: Sequence[Row], kind: TimeKind) -> Proposed | None:
     """Return a length that tells the pauses of these channels from their steps, if there is one.
 
     Irregular sampling has no pauses: a length that breaks none of its steps will do.
@@ -123,7 +106,7 @@ def _gap(rows: Sequence[Row], kind: TimeKind) -> Gap | None:
     reason = (
         f"between steps of at most {spoken(least, kind)} and pauses of at least {spoken(below, kind)}"
     )
-    return Gap(length, setting(length, kind), reason)
+    return Proposed(setting(length, kind), reason)
 
 
 def _window(look: Look) -> tuple[int, str]:

@@ -82,10 +82,7 @@ def _figures(seen: Seen) -> Row:
     """Return what --json prints; lengths in microseconds or counter steps."""
     look, proposal = seen.look, seen.proposal
     said = ("subject", "must_be_fixed", "text", "channels")
-
-    def value(of: Any) -> Any:
-        return None if of is None else of.value
-
+    gap, still = (one and one.value for one in (proposal.max_gap, proposal.still))
     return {
         **seen.job.figures(),
         "time": "counter" if look.kind.is_counter else "timestamp",
@@ -99,11 +96,11 @@ def _figures(seen: Seen) -> Row:
             for note in seen.notes
         ],
         "proposal": {
-            "max_gap": value(proposal.max_gap),
-            "max_gap_by_channel": {name: value(one) for name, one in proposal.gaps.items()},
+            "max_gap": gap,
+            "max_gap_by_channel": {name: one.value for name, one in proposal.gaps.items()},
             "window": proposal.window,
-            "still_after": value(proposal.still),
-            "still_after_by_channel": {name: value(one) for name, one in proposal.stills.items()},
+            "still_after": still,
+            "still_after_by_channel": {name: one.value for name, one in proposal.stills.items()},
         },
     }
 

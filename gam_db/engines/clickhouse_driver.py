@@ -20,7 +20,7 @@ from gam_db.engines.base import deletion
 from gam_db.engines.clickhouse import ENGINE, create_table, temporary_table
 from gam_db.engines.clickhouse_address import EXTRA, folder, is_locked, server
 from gam_db.engines.clickhouse_errors import MARK, problem
-from gam_db.engines.driver import Driver, by_table
+from gam_db.engines.driver import Driver, at_work, by_table
 from gam_db.errors import EngineError, LockedError, SourceError, UserError
 from gam_db.extras import needed
 
@@ -30,44 +30,7 @@ OLDEST = (24, 12)
 #: Seconds that a session may wait for its next statement.
 _IDLE = 3_600
 
-#: What a profile may say otherwise, and then other rows come out, or none: every query says it itself.
-_SETTINGS = {
-    # NULL where a column cannot be NULL is an error, not 0; an empty aggregate is what SQL says.
-    "insert_null_as_default": "0",
-    "aggregate_functions_null_for_empty": "0",
-    "cast_keep_nullable": "0",
-    "transform_null_in": "0",
-    "data_type_default_nullable": "0",
-    "join_use_nulls": "0",
-    "group_by_use_nulls": "0",
-    # Times without a zone are UTC, whatever the server's zone.
-    "session_timezone": "UTC",
-    # A limit is an error, never a part of the rows.
-    **dict.fromkeys(
-        (
-            *("result_overflow_mode", "timeout_overflow_mode", "read_overflow_mode"),
-            *("group_by_overflow_mode", "sort_overflow_mode", "distinct_overflow_mode"),
-            *("join_overflow_mode", "set_overflow_mode", "transfer_overflow_mode"),
-        ),
-        "throw",
-    ),
-    # What is inserted is there when the statement ends, and once for every time it is inserted.
-    "async_insert": "0",
-    "insert_deduplicate": "0",
-    "lightweight_deletes_sync": "2",
-    "mutations_sync": "2",
-    # Every step is another expression: compiling costs more than it saves (a third of a small run).
-    "compile_expressions": "0",
-    "compile_aggregate_expressions": "0",
-    "compile_sort_description": "0",
-    # Of a table that is joined, only the channels are read that the other side has (its marks).
-    "enable_join_runtime_filters_index_analysis": "1",
-    # The exact form is one long query.
-    "max_query_size": "67108864",
-    "max_ast_elements": "10000000",
-    "max_expanded_ast_elements": "10000000",
-    "query_plan_max_optimizations_to_apply": "1000000",
-}
+_SETTINGS, _QUERIES = at_work("clickhouse")["settings"], at_work("clickhouse")["queries"]
 
 #: What a reading takes while it is scored, in bytes: the kept steps, a sort, and the sides of joins.
 _PER_READING = 200
@@ -161,10 +124,7 @@ class ClickHouseDriver(Driver):
 
     def _differing(self) -> dict[str, str]:
         """Return the settings that are not as they must be, of those that the server knows."""
-        # One row, since a limit on rows is among them.
-        ((names, values, fixed_here),) = self._rows(
-            "SELECT groupArray(name), groupArray(value), groupArray(readonly) FROM system.settings"
-        )
+        ((names, values, fixed_here),) = self._rows(_QUERIES["settings"])
         found = dict(zip(names, zip(values, fixed_here, strict=True), strict=True))
         differing = {
             name: value for name, value in _SETTINGS.items() if name in found and found[name][0] != value
@@ -251,35 +211,22 @@ class ClickHouseDriver(Driver):
 
     def _sweep(self, database: str) -> None:
         """Drop the keys that a killed process left behind."""
-        query = (
-            "SELECT name FROM system.tables WHERE database = {database:String} "
-            "AND startsWith(name, {mark:String}) "
-            "AND toInt64OrZero(splitByChar('_', name)[3]) <= {stale:Int64}"
-        )
         stale = int(time.time()) - _STALE
-        for (name,) in self._rows(query, database=database, mark=_DOOMED, stale=stale):
+        for (name,) in self._rows(_QUERIES["stale"], database=database, mark=_DOOMED, stale=stale):
             self._remove(database, name)
 
     def _remove(self, database: str, name: str) -> None:
         """Drop a table of keys, and a deletion that still reads it, which would never end."""
         with contextlib.suppress(*self.errors):
-            query = (
-                "SELECT count() FROM system.mutations WHERE database = {database:String} "
-                "AND NOT is_done AND position(command, {name:String}) > 0"
-            )
-            if self._one(query, database=database, name=name):
-                self._client.command(
-                    "KILL MUTATION WHERE database = {database:String} "
-                    "AND position(command, {name:String}) > 0 SYNC",
-                    parameters={"database": database, "name": name},
-                    settings=self._settings,
-                )
+            said = {"database": database, "name": name}
+            if self._one(_QUERIES["deleting"], **said):
+                self._client.command(_QUERIES["stop"], parameters=said, settings=self._settings)
             left = exp.Table(this=template.name(name), db=template.name(database))
             self.execute(self.engine.text(exp.Drop(tables=[left], kind="TABLE", exists=True)))
 
     def tables(self) -> list[tuple[str, ...]]:
         """Return what can be read: (database, name), and the name of a temporary table."""
-        rows = self._rows("SELECT database, name FROM system.tables")
+        rows = self._rows(_QUERIES["tables"])
         return [(database, name) if database else (name,) for database, name in rows]
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
@@ -301,23 +248,13 @@ class ClickHouseDriver(Driver):
         return {row["name"]: row["type"] for row in rows if row["default_type"] != "EPHEMERAL"}
 
     def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
-        query = (
-            "SELECT table, name FROM system.columns WHERE database = {database:String} "
-            "ORDER BY table, position"
-        )
-        return by_table(self._rows(query, database=schema or self._database))
+        return by_table(self._rows(_QUERIES["relations"], database=schema or self._database))
 
     def rows_at_once(self) -> int:
         """Return how many readings can be worked on at once within half of the memory allowed."""
-        allowed = self._rows(
-            "SELECT toInt64(value) FROM system.settings "
-            "WHERE name IN ('max_memory_usage', 'max_memory_usage_for_user')"
-        )
+        allowed = self._rows(_QUERIES["memory"])
         with contextlib.suppress(*self.errors):
-            allowed += self._rows(
-                "SELECT toInt64(value) FROM system.server_settings "
-                "WHERE name = 'max_server_memory_usage'"
-            )
+            allowed += self._rows(_QUERIES["memory_of_server"])
         limit = min((row[0] for row in allowed if row[0] > 0), default=2**32)
         return max(limit // 2 // _PER_READING, 100_000)
 

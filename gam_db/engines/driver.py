@@ -3,7 +3,10 @@
 A driver owns what its client library wants; :mod:`gam_db.engines.session` owns what all do alike.
 """
 
+import tomllib
 from collections.abc import Iterable, Sequence
+from functools import cache
+from importlib import resources
 from typing import Any, Protocol
 
 import pyarrow as pa
@@ -109,6 +112,13 @@ class Driver(Protocol):
 
     def close(self) -> None:
         """Close the connection if it is ours."""
+
+
+@cache
+def at_work(engine: str) -> dict[str, dict[str, Any]]:
+    """Return what a connection to an engine is set to, and what is asked of it: the file NAME.toml."""
+    file = resources.files("gam_db.engines") / f"{engine}.toml"
+    return tomllib.loads(file.read_text(encoding="utf-8"))
 
 
 def by_table(rows: Iterable[tuple[str, str]]) -> dict[str, tuple[str, ...]]:

@@ -14,7 +14,7 @@ from sqlglot import exp
 
 from gam_db.address import shown
 from gam_db.engines.dbapi import DbapiDriver
-from gam_db.engines.driver import by_table
+from gam_db.engines.driver import at_work, by_table
 from gam_db.engines.mariadb import COLLATION, ENGINE
 from gam_db.engines.refusals import OPEN
 from gam_db.engines.session import check_columns
@@ -30,24 +30,7 @@ PATIENCE = 15
 #: What PyMySQL calls a server that is not there.
 _UNREACHED = 2003
 
-#: What a connection is set to while a session lies on it: instants are UTC, a statement sees what is
-#: committed by then, a number that does not fit is an error, and joins hash instead of walking through
-#: the other side for each row. The order of joins is looked for four tables ahead: among all orders of a
-#: view of a dozen tables the search takes minutes.
-_VALUES = (
-    *(1, "+00:00", "STRICT_ALL_TABLES,ERROR_FOR_DIVISION_BY_ZERO", "READ-COMMITTED"),
-    *(8, 67_108_864, 268_435_456, 4, "join_cache_hashed=on,optimize_join_buffer_size=off"),
-)
-_SETTINGS = (
-    "SELECT @@autocommit, @@time_zone, @@sql_mode, @@tx_isolation, "
-    "@@join_cache_level, @@join_buffer_size, @@join_buffer_space_limit, @@optimizer_search_depth, "
-    "@@optimizer_switch"
-)
-_SET = (
-    "SET SESSION autocommit = %s, time_zone = %s, sql_mode = %s, tx_isolation = %s, "
-    "join_cache_level = %s, join_buffer_size = %s, join_buffer_space_limit = %s, "
-    "optimizer_search_depth = %s, optimizer_switch = %s"
-)
+_SETTINGS, _QUERIES = at_work("mariadb")["settings"], at_work("mariadb")["queries"]
 
 
 def connected(target: Any, writable: bool) -> "MariaDriver":
@@ -111,9 +94,9 @@ class MariaDriver(DbapiDriver):
             raise EngineError(f"The server is {version}; gam-db needs MariaDB 10.11 or later.")
         if self.in_transaction():
             raise EngineError(OPEN)
-        self._before = self._asked(_SETTINGS)[0]
+        self._before = self._asked(_QUERIES["settings"])[0]
         self._charset = connection.charset
-        self._asked(_SET, _VALUES)
+        self._asked(_QUERIES["set"], tuple(_SETTINGS.values()))
         connection.set_character_set("utf8mb4", COLLATION)
 
     def in_transaction(self) -> bool:
@@ -143,7 +126,7 @@ class MariaDriver(DbapiDriver):
         """Close the connection if it is ours, or set it as it was."""
         if not self._owned:
             with contextlib.suppress(*self.errors):
-                self._asked(_SET, self._before)
+                self._asked(_QUERIES["set"], self._before)
                 self._connection.set_character_set(self._charset)
         super().close()
 
@@ -162,10 +145,7 @@ class MariaDriver(DbapiDriver):
 
     def tables(self) -> list[tuple[str, ...]]:
         """Return the tables and views of all databases, and temporary ones, which no list has."""
-        listed = self._asked(
-            "SELECT table_schema, table_name FROM information_schema.tables "
-            "WHERE table_schema NOT IN ('information_schema', 'mysql', 'performance_schema', 'sys')"
-        )
+        listed = self._asked(_QUERIES["tables"])
         return [*listed, *((name,) for name in self._lent)]
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
@@ -173,13 +153,7 @@ class MariaDriver(DbapiDriver):
         return {name: str(declared) for name, declared, *_ in rows}
 
     def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
-        return by_table(
-            self._asked(
-                "SELECT table_name, column_name FROM information_schema.columns "
-                "WHERE table_schema = COALESCE(%s, DATABASE()) ORDER BY table_name, ordinal_position",
-                (schema,),
-            )
-        )
+        return by_table(self._asked(_QUERIES["relations"], (schema,)))
 
 
 def _texts(types: Any) -> tuple[int, ...]:

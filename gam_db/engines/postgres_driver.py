@@ -20,6 +20,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.engines import postgres_types
 from gam_db.engines.dbapi import DbapiDriver
+from gam_db.engines.driver import at_work, by_table
 from gam_db.engines.postgres import ENGINE, PATH
 from gam_db.engines.postgres_refusals import of_connecting, of_statement
 from gam_db.engines.refusals import refused
@@ -28,41 +29,8 @@ from gam_db.extras import needed
 
 OLDEST = (14,)
 
-#: What a connection is set to while a session lies on it: a time without zone is UTC (method, section
-#: 2), and a backslash in a text is a backslash.
-_SETTINGS = {"TimeZone": "UTC", "standard_conforming_strings": "on"}
-
-#: Further settings of connections of ours: translating long queries to machine code takes longer than
-#: running them.
-_OWN_SETTINGS = {"jit": "off"}
-
-#: How queries are planned: joined by sorting or hashing. Cause: of a window's output the planner guesses
-#: that one row in a thousand fulfils a condition. Symptom: for each of a million vectors it walks
-#: through the whole support, or for each run through all buckets. Only what is appended and deleted is
-#: looked up by an index, outside of this.
-_PLANNED = {"enable_nestloop": "off"}
-
-#: The same for steps that are kept, by one process. Cause: windows do not run in parallel workers.
-#: Symptom: these only read, and handing over their rows takes longer than reading them (a fifth of a
-#: step).
-_PLANNED_ALONE = {**_PLANNED, "max_parallel_workers_per_gather": "0"}
-
-#: Pins where names are looked up, and says what they were looked up by before. It is run under the
-#: user's own path, so all that it names is named in full.
-_PIN = """
-    SELECT pg_catalog.current_setting('search_path'::pg_catalog.text), pg_catalog.current_schema(),
-        pg_catalog.set_config('search_path'::pg_catalog.text, %s::pg_catalog.text, %s::pg_catalog.bool)
-"""
-
-#: The number of a relation, or NULL; the same holds for it.
-_NUMBER = "SELECT pg_catalog.to_regclass(%s::pg_catalog.text)::pg_catalog.oid"
-
-#: Schemas that hold a table or view, and that this user may not use: they are not searched.
-_CLOSED = (
-    "SELECT nspname FROM pg_class JOIN pg_namespace ON pg_namespace.oid = relnamespace "
-    "WHERE relname = %s AND relkind IN ('r', 'v', 'm', 'p', 'f') "
-    "AND NOT has_schema_privilege(pg_namespace.oid, 'USAGE')"
-)
+_AT_WORK = at_work("postgres")
+_QUERIES = _AT_WORK["queries"]
 
 _SCHEMA = re.compile(r'CREATE SCHEMA IF NOT EXISTS "([^"]+)"')
 
@@ -142,7 +110,7 @@ class PostgresDriver(DbapiDriver):
             else:
                 self._asked("SELECT 1")  # every statement of ours pins the path, and asks for it
             self.engine = dataclasses.replace(ENGINE, home=self._home)
-            self._set(_SETTINGS | (_OWN_SETTINGS if owned else {}))
+            self._set(_AT_WORK["settings"] | (_AT_WORK["own"] if owned else {}))
         except psycopg.Error as error:
             raise self.problem(error) or refused("postgres", "25P02") from error
 
@@ -157,7 +125,7 @@ class PostgresDriver(DbapiDriver):
 
     def fetch(self, query: str) -> pa.Table:
         self._statement = query
-        with self._planned(_PLANNED), self._safely(), self._cursor(binary=True) as cursor:
+        with self._planned("planned"), self._safely(), self._cursor(binary=True) as cursor:
             cursor.execute(query, prepare=False)
             names = [column.name for column in cursor.description]
             types = [column.type_code for column in cursor.description]
@@ -200,7 +168,7 @@ class PostgresDriver(DbapiDriver):
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
         """Make a temporary table of the rows of a query, and count what is in it for the planner."""
-        with self._planned(_PLANNED_ALONE):
+        with self._planned("planned_alone"):
             super().keep(table, query)
         self._count(table)
 
@@ -225,12 +193,7 @@ class PostgresDriver(DbapiDriver):
         self._count(table)
 
     def tables(self) -> list[tuple[str, ...]]:
-        return self._asked(
-            "SELECT current_database(), nspname, relname FROM pg_class "
-            "JOIN pg_namespace ON pg_namespace.oid = relnamespace "
-            "WHERE relkind IN ('r', 'v', 'm', 'p', 'f') "
-            "AND nspname NOT IN ('pg_catalog', 'information_schema', 'pg_toast')"
-        )
+        return self._asked(_QUERIES["tables"])
 
     def located(self, table: exp.Expr) -> exp.Expr:
         """Return the node of a table with its schema, as the user's search_path has it.
@@ -244,15 +207,11 @@ class PostgresDriver(DbapiDriver):
         name = exp.Table(this=table.this.copy()).sql(dialect=self.engine.dialect)
         with self._safely(), self._connection.transaction(), self._cursor() as cursor:
             self._searching(self._path)
-            ((number,),) = cursor.execute(_NUMBER, (name,), prepare=False).fetchall()
+            ((number,),) = cursor.execute(_QUERIES["number"], (name,), prepare=False).fetchall()
             self._searching(PATH)
-        found = self._asked(
-            "SELECT nspname FROM pg_class JOIN pg_namespace ON pg_namespace.oid = relnamespace "
-            "WHERE pg_class.oid = %s",
-            (number,),
-        )
+        found = self._asked(_QUERIES["schema"], (number,))
         if not found:
-            for (schema,) in self._asked(_CLOSED, (table.name,)):
+            for (schema,) in self._asked(_QUERIES["closed"], (table.name,)):
                 raise EngineError(
                     f"This PostgreSQL user lacks a privilege: GRANT USAGE ON SCHEMA {schema} TO it."
                 )
@@ -263,20 +222,7 @@ class PostgresDriver(DbapiDriver):
         return exp.Table(this=table.this.copy(), db=template.name(found[0][0]))
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
-        """Return the columns of a relation and their types; a domain counts as what it is made of."""
-        # Columns of a case-insensitive collation need no care: readings compares names by their bytes.
-        rows = self._asked(
-            "WITH RECURSIVE based AS ("
-            "  SELECT attnum, attname, atttypid AS kind, atttypmod AS size FROM pg_attribute"
-            "  WHERE attrelid = to_regclass(%s) AND attnum > 0 AND NOT attisdropped"
-            "  UNION ALL SELECT attnum, attname, typbasetype, typtypmod"
-            "  FROM based JOIN pg_type ON pg_type.oid = kind WHERE typtype = 'd'"
-            ") SELECT attname, CASE WHEN typtype = 'e' THEN 'enum'"
-            "  WHEN typname = 'citext' THEN 'citext' ELSE format_type(kind, size) END "
-            "FROM based JOIN pg_type ON pg_type.oid = kind WHERE typtype <> 'd' ORDER BY attnum",
-            (self.engine.text(relation),),
-        )
-        return dict(rows)
+        return dict(self._asked(_QUERIES["columns"], (self.engine.text(relation),)))
 
     def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
         """Return the tables and views of a schema with their columns, names of tables in lower case.
@@ -290,20 +236,10 @@ class PostgresDriver(DbapiDriver):
                 "The search_path of this PostgreSQL user names no schema that is there; give --schema, "
                 "or make the schema."
             )
-        rows = self._asked(
-            "SELECT lower(relname), array_agg(attname::text ORDER BY attnum) FROM pg_class "
-            "JOIN pg_namespace ON pg_namespace.oid = relnamespace "
-            "JOIN pg_attribute ON attrelid = pg_class.oid AND attnum > 0 AND NOT attisdropped "
-            "WHERE relkind IN ('r', 'v', 'm', 'p', 'f') AND nspname = %s "
-            "GROUP BY relname",
-            (schema,),
-        )
-        return {name: tuple(columns) for name, columns in rows}
+        return by_table(self._asked(_QUERIES["relations"], (schema,)))
 
     def rows_at_once(self) -> int:
-        ((memory,),) = self._asked(
-            "SELECT setting::bigint * 1024 FROM pg_settings WHERE name = 'work_mem'"
-        )
+        ((memory,),) = self._asked(_QUERIES["memory"])
         return max(int(memory) // _PER_READING, _AT_LEAST)
 
     def problem(self, error: Exception) -> UserError | None:
@@ -337,9 +273,7 @@ class PostgresDriver(DbapiDriver):
     def _set(self, settings: Mapping[str, str]) -> None:
         """Change settings of the connection, and remember what they were the first time."""
         for name, value in settings.items():
-            ((before, _),) = self._asked(
-                "SELECT current_setting(%s), set_config(%s, %s, false)", (name, name, value)
-            )
+            ((before, _),) = self._asked(_QUERIES["setting"], (name, name, value))
             self._settings.setdefault(name, before)
 
     @contextlib.contextmanager
@@ -368,12 +302,15 @@ class PostgresDriver(DbapiDriver):
     def _searching(self, path: str, locally: bool = True) -> tuple[str, str | None]:
         """Look names up on a path; return the one before, and its current schema."""
         with self._cursor() as cursor:
-            ((before, schema, _),) = cursor.execute(_PIN, (path, locally), prepare=False).fetchall()
+            ((before, schema, _),) = cursor.execute(
+                _QUERIES["pin"], (path, locally), prepare=False
+            ).fetchall()
         return before, schema
 
     @contextlib.contextmanager
-    def _planned(self, settings: Mapping[str, str]) -> Iterator[None]:
+    def _planned(self, way: str) -> Iterator[None]:
         """Let statements be planned otherwise."""
+        settings = _AT_WORK[way]
         self._set(settings)
         try:
             yield

@@ -11,7 +11,7 @@ import pytest
 import gam_db
 from gam_db import Calibration, Parameters, Source
 from gam_db.checking import look_at, must_be_fixed, propose
-from gam_db.checking.proposal import Proposal, Still
+from gam_db.checking.proposal import Proposal, Proposed
 from gam_db.engines.duckdb_session import DuckSession
 from looks import HALF, SECOND, SHORT, figures, said, table, wave
 
@@ -307,7 +307,7 @@ def test_the_figures_of_what_stood_still() -> None:
     row = figures(stood(30, 25), calibration=Calibration(fraction=0.5))
     told = ("still_after", "calibration_still", "still_runs", "longest_run")
     assert tuple(row[name] for name in told) == (25, 7, 2, 30)
-    assert proposal_of(stood(30, 25)).still == Still(
+    assert proposal_of(stood(30, 25)).still == Proposed(
         25, "1.4 % of calibration at most stood still, in 2 runs of at most 30 samples"
     )
 
