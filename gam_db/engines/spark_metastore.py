@@ -1,7 +1,7 @@
 """Tables in the metastore of the user's own session: Parquet, or Delta or Iceberg where it has them."""
 
 import secrets
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import sqlglot
@@ -9,7 +9,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.base import Engine
-from gam_db.engines.spark_rewriting import Run, same_keys, staying, write_beside
+from gam_db.engines.spark_rewriting import Rewriting, same_keys
 
 #: In how many schemas tables are looked for, beside the current one.
 _SCHEMAS = 50
@@ -22,18 +22,12 @@ def format_of(session: Any) -> str:
     return next((name for name in ("delta", "iceberg") if name in said), "parquet")
 
 
-class MetastoreTables:
-    """Tables and views of the metastore.
+class MetastoreTables(Rewriting):
+    """Tables and views of the metastore, in a form: ``parquet``, ``delta`` or ``iceberg``."""
 
-    Args:
-        session: ours, beside the user's.
-        run: runs a statement of it.
-        engine: how trees become text.
-        form: ``parquet``, ``delta`` or ``iceberg``.
-    """
-
-    def __init__(self, session: Any, run: Run, engine: Engine, form: str) -> None:
-        self._session, self._run, self._engine, self._form = session, run, engine, form
+    def __init__(self, session: Any, run: Callable[[str], Any], engine: Engine, form: str) -> None:
+        super().__init__(session, run, engine)
+        self._form = form
 
     def ready(self, text: str) -> None:
         """Do nothing: Spark knows them."""
@@ -49,12 +43,11 @@ class MetastoreTables:
 
     def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
         """Delete rows by their keys: Delta and Iceberg do, a Parquet table is pointed to other files."""
-        shown = table.sql(dialect="spark")
         if self._form != "parquet":
-            self._run(self._engine.text(_merge(table, keys, found)))
+            self._do(_merge(table, keys, found))
             return
-        columns = self._session.table(shown).columns
-        rows = staying(self._run, self._engine, table, columns, keys, found)
+        columns = self._columns(table)
+        rows = self.staying(table, columns, keys, found)
         if rows is not None:
             self._exchange(table, columns, rows)
 
@@ -62,9 +55,9 @@ class MetastoreTables:
         """Write what a Parquet table is to have to other files, and point it to them."""
         before = self._place(table)
         after = f"{before.rstrip('/')}-{secrets.token_hex(4)}"
-        write_beside(self._run, self._engine, table, columns, rows, after)
+        self.write_beside(table, columns, rows, after)
         moved = exp.AlterSet(location=template.text(after))
-        self._run(self._engine.text(exp.Alter(this=table.copy(), kind="TABLE", actions=[moved])))
+        self._do(exp.Alter(this=table.copy(), kind="TABLE", actions=[moved]))
         self._remove(before)
 
     def names(self) -> list[tuple[str, ...]]:
@@ -89,9 +82,8 @@ class MetastoreTables:
         for row in self._session.catalog.listTables(shown):
             if not row.isTemporary:
                 table = exp.Table(this=template.name(row.name), db=template.name(name))
-                self._run(self._engine.text(exp.Refresh(this=table.copy(), kind="TABLE")))
-                columns = self._session.table(table.sql(dialect="spark")).columns
-                found[row.name.casefold()] = tuple(columns)
+                self._do(exp.Refresh(this=table.copy(), kind="TABLE"))
+                found[row.name.casefold()] = self._columns(table)
         return found
 
     def close(self) -> None:
@@ -99,7 +91,7 @@ class MetastoreTables:
 
     def _place(self, table: exp.Table) -> str:
         asked = exp.Describe(this=table.copy(), style="EXTENDED", kind="TABLE")
-        rows = self._run(self._engine.text(asked)).collect()
+        rows = self._do(asked).collect()
         return next(str(row[1]) for row in reversed(rows) if row[0] == "Location")
 
     def _remove(self, place: str) -> None:

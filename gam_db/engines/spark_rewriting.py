@@ -9,57 +9,57 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.engines.base import Engine
 
-Run = Callable[[str], Any]
 
-
-def staying(
-    run: Run,
-    engine: Engine,
-    table: exp.Table,
-    columns: Sequence[str],
-    keys: Sequence[str],
-    found: exp.Query,
-) -> exp.Query | None:
-    """Return the rows of a table that stay; None if none are to go.
+class Rewriting:
+    """What tables have in common, wherever Spark keeps them.
 
     Args:
-        run: runs a statement.
+        session: of Spark, for this connection alone.
+        run: runs a statement of it.
         engine: how trees become text.
-        table: with the rows.
-        columns: of the table.
-        keys: its columns whose values are looked for.
-        found: the keys of the rows that go.
     """
-    same = same_keys(keys)
-    rows = exp.select(*(exp.column(template.name(name), table="staying") for name in columns))
-    rows = rows.from_(table.copy().as_("staying"))
-    doomed = exp.Subquery(this=found.copy(), alias=exp.TableAlias(this=exp.to_identifier("gone")))
-    any_row = rows.join(doomed.copy(), on=same.copy(), join_type="left semi").limit(1)
-    if run(engine.text(any_row)).isEmpty():
-        return None
-    return rows.join(doomed, on=same, join_type="left anti")
 
+    def __init__(self, session: Any, run: Callable[[str], Any], engine: Engine) -> None:
+        self._session, self._run, self._engine = session, run, engine
 
-def write_beside(
-    run: Run, engine: Engine, table: exp.Table, columns: Sequence[str], rows: exp.Query, place: str
-) -> None:
-    """Write rows that a table is to have to a folder that is not there yet."""
-    beside = table.copy()
-    beside.set("this", template.name(f"{table.name}_{secrets.token_hex(4)}"))
-    like = exp.Create(
-        this=beside,
-        kind="TABLE",
-        properties=exp.Properties(
-            expressions=[
-                exp.LikeProperty(this=table.copy()),
-                exp.LocationProperty(this=template.text(place)),
-            ]
-        ),
-    )
-    names = [template.name(name) for name in columns]
-    run(engine.text(like))
-    run(engine.text(exp.Insert(this=exp.Schema(this=beside.copy(), expressions=names), expression=rows)))
-    run(engine.text(exp.Drop(tables=[beside.copy()], kind="TABLE")))
+    def _do(self, tree: exp.Expr) -> Any:
+        return self._run(self._engine.text(tree))
+
+    def _columns(self, table: exp.Table) -> tuple[str, ...]:
+        return tuple(self._session.table(table.sql(dialect="spark")).columns)
+
+    def staying(
+        self, table: exp.Table, columns: Sequence[str], keys: Sequence[str], found: exp.Query
+    ) -> exp.Query | None:
+        """Return the rows of a table that stay; None if none are to go.
+
+        Args:
+            table: with the rows.
+            columns: of the table.
+            keys: its columns whose values are looked for.
+            found: the keys of the rows that go.
+        """
+        same = same_keys(keys)
+        rows = exp.select(*(exp.column(template.name(name), table="staying") for name in columns))
+        rows = rows.from_(table.copy().as_("staying"))
+        doomed = exp.Subquery(this=found.copy(), alias=exp.TableAlias(this=exp.to_identifier("gone")))
+        any_row = rows.join(doomed.copy(), on=same.copy(), join_type="left semi").limit(1)
+        if self._do(any_row).isEmpty():
+            return None
+        return rows.join(doomed, on=same, join_type="left anti")
+
+    def write_beside(
+        self, table: exp.Table, columns: Sequence[str], rows: exp.Query, place: str
+    ) -> None:
+        """Write rows that a table is to have to a folder that is not there yet."""
+        beside = table.copy()
+        beside.set("this", template.name(f"{table.name}_{secrets.token_hex(4)}"))
+        placed = [exp.LikeProperty(this=table.copy()), exp.LocationProperty(this=template.text(place))]
+        properties = exp.Properties(expressions=placed)
+        self._do(exp.Create(this=beside, kind="TABLE", properties=properties))
+        names = [template.name(name) for name in columns]
+        self._do(exp.Insert(this=exp.Schema(this=beside.copy(), expressions=names), expression=rows))
+        self._do(exp.Drop(tables=[beside.copy()], kind="TABLE"))
 
 
 def same_keys(keys: Sequence[str]) -> exp.Expr:

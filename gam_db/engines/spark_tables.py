@@ -19,22 +19,19 @@ from gam_db.engines.base import Engine
 from gam_db.engines.refusals import CONFLICT
 from gam_db.engines.spark_folder import Entry, Folder
 from gam_db.engines.spark_opening import scratch
-from gam_db.engines.spark_rewriting import Run, staying, write_beside
+from gam_db.engines.spark_rewriting import Rewriting
 from gam_db.errors import ConflictError, EngineError
 
 
-class FolderTables:
-    """Tables in a folder: known to the session when a statement names them, and again if they changed.
+class FolderTables(Rewriting):
+    """Tables in a folder.
 
-    Args:
-        session: of Spark, for this connection alone.
-        run: runs a statement of it.
-        engine: how trees become text.
-        folder: with the catalogue.
+    They are known to the session when a statement names them, and again if they changed.
     """
 
-    def __init__(self, session: Any, run: Run, engine: Engine, folder: Folder) -> None:
-        self._session, self._run, self._engine, self._folder = session, run, engine, folder
+    def __init__(self, session: Any, run: Callable[[str], Any], engine: Engine, folder: Folder) -> None:
+        super().__init__(session, run, engine)
+        self._folder = folder
         self._known: dict[str, tuple[Entry, int]] = {}
         self._schemas: set[str] = set()
         self._database = f"gam_{secrets.token_hex(6)}"
@@ -74,9 +71,7 @@ class FolderTables:
     def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
         """Write the rows that stay to another folder, and let the table be that."""
         self.ready(f"{table.name} {self._engine.text(found)}")
-        self._exchange(
-            table, lambda columns: staying(self._run, self._engine, table, columns, keys, found)
-        )
+        self._exchange(table, lambda columns: self.staying(table, columns, keys, found))
 
     def _exchange(self, table: exp.Table, rows_of: Callable[[Sequence[str]], exp.Query | None]) -> None:
         """Write what a table is to have, if it is to change, to another folder, and let it be that."""
@@ -86,8 +81,7 @@ class FolderTables:
         if rows is None:
             return
         data = self._folder.new_data(entry.schema, entry.name)
-        place = str(self._folder.path / data)
-        write_beside(self._run, self._engine, table, entry.columns, rows, place)
+        self.write_beside(table, entry.columns, rows, str(self._folder.path / data))
         if self._folder.entries().get(entry.key) != entry or _files(self._folder.place(entry)) != before:
             self._folder.sweep(entry.schema, entry.name, [entry.data or ""])
             raise ConflictError(CONFLICT)
@@ -117,8 +111,7 @@ class FolderTables:
             self._forget(key)
         for schema in self._schemas:
             gone = exp.Table(db=template.name(schema))
-            drop = exp.Drop(tables=[gone], kind="SCHEMA", exists=True, cascade=True)
-            self._run(self._engine.text(drop))
+            self._do(exp.Drop(tables=[gone], kind="SCHEMA", exists=True, cascade=True))
 
     def _tell_named(self, text: str, entries: Mapping[str, Entry], told: set[str]) -> None:
         """Let Spark know what a statement names, and before a view all that it reads."""
@@ -135,8 +128,7 @@ class FolderTables:
         changed = _changed(self._folder.place(entry)) if entry.data else 0
         if known and known[0] == entry:
             if known[1] != changed:
-                refresh = exp.Refresh(this=_table(entry.name, entry.schema), kind="TABLE")
-                self._run(self._engine.text(refresh))
+                self._do(exp.Refresh(this=_table(entry.name, entry.schema), kind="TABLE"))
                 self._known[key] = entry, changed
             return
         if known:
@@ -149,8 +141,7 @@ class FolderTables:
     def _forget(self, key: str) -> None:
         entry, _ = self._known.pop(key)
         kind = "VIEW" if entry.data is None else "TABLE"
-        drop = exp.Drop(tables=[_table(entry.name, entry.schema)], kind=kind, exists=True)
-        self._run(self._engine.text(drop))
+        self._do(exp.Drop(tables=[_table(entry.name, entry.schema)], kind=kind, exists=True))
 
     def _note(self, tree: exp.Expr) -> None:
         """Remember how a table is after rows of ours were written: Spark has looked at it again."""
@@ -178,7 +169,7 @@ class FolderTables:
         self.ready(tree.sql(dialect="spark"))
         self._run(self._placed(dataclasses.replace(entry, statement=tree.sql(dialect="spark"))))
         tree.set("expression", None)
-        columns = tuple(self._session.table(_table(target.name, schema).sql(dialect="spark")).columns)
+        columns = self._columns(_table(target.name, schema))
         kept = dataclasses.replace(entry, columns=columns, statement=tree.sql(dialect="spark"))
         self._folder.put(kept)
         self._known[kept.key] = kept, _changed(self._folder.place(kept))
@@ -197,9 +188,7 @@ class FolderTables:
         target = tree.find(exp.Table)
         assert target is not None
         self._run(text)
-        columns = tuple(
-            self._session.table(_table(target.name, target.db or None).sql(dialect="spark")).columns
-        )
+        columns = self._columns(_table(target.name, target.db or None))
         entry = Entry(target.db or None, target.name, text, columns, None)
         self._folder.put(entry)
         self._known[entry.key] = entry, 0
@@ -218,8 +207,7 @@ class FolderTables:
         place = scratch() / f"{self._database}_{len(self._schemas)}"
         where = exp.Properties(expressions=[exp.LocationProperty(this=template.text(str(place)))])
         made = exp.Table(db=template.name(schema))
-        make = exp.Create(this=made, kind="SCHEMA", exists=True, properties=where)
-        self._run(self._engine.text(make))
+        self._do(exp.Create(this=made, kind="SCHEMA", exists=True, properties=where))
         self._schemas.add(schema)
 
     def _placed(self, entry: Entry) -> str:

@@ -18,7 +18,7 @@ import harness
 from gam_db.engines.session import Session
 from gam_db.engines.spark import OVER
 from gam_db.engines.spark_driver import SparkDriver
-from gam_db.engines.spark_rewriting import write_beside
+from gam_db.engines.spark_rewriting import Rewriting
 from gam_db.errors import EngineError, GamError, SourceError, UserError
 from gam_db.pipeline import filled, place
 from gam_db.stored.migrations import rendered
@@ -138,11 +138,13 @@ def test_rows_that_come_while_a_table_is_rewritten_are_not_lost(
         do(session, "CREATE TABLE counts (n BIGINT) USING PARQUET")
         do(session, "INSERT INTO counts (n) SELECT 1 AS n")
 
+        write_beside = Rewriting.write_beside
+
         def interrupted(*arguments: Any) -> None:
             write_beside(*arguments)
             do(other, "INSERT INTO counts (n) SELECT 3 AS n")
 
-        monkeypatch.setattr("gam_db.engines.spark_tables.write_beside", interrupted)
+        monkeypatch.setattr(Rewriting, "write_beside", interrupted)
         gone = sqlglot.parse_one("SELECT 1 AS n")
         assert isinstance(gone, exp.Query)
         with pytest.raises(EngineError, match="Another connection"):
