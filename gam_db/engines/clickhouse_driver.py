@@ -21,7 +21,9 @@ from gam_db.engines.clickhouse import ENGINE, create_table, temporary_table
 from gam_db.engines.clickhouse_address import EXTRA, folder, is_locked, server
 from gam_db.engines.clickhouse_errors import MARK, problem
 from gam_db.engines.driver import Driver, at_work, by_table
-from gam_db.errors import EngineError, LockedError, SourceError, UserError
+from gam_db.engines.refusals import refusal
+from gam_db.engines.session import first_line
+from gam_db.errors import EngineError, SourceError, UserError
 from gam_db.extras import needed
 
 #: Conditions beside the equality of a join need no permission since then.
@@ -68,18 +70,11 @@ def connected(target: Any, writable: bool) -> "ClickHouseDriver":
         client = package.get_client(**wanted)
         return ClickHouseDriver(client, address, owned=True)
     except package.driver.exceptions.ClickHouseError as error:
-        if is_locked(wanted.get("path")):
-            raise LockedError(
-                f"{address} is open in another process; only one can open a folder of chdb at a time. "
-                "Wait for it to end, or take a server."
-            ) from error
-        if "already initialized with path" in str(error):
-            raise EngineError(
-                f"{address} cannot be opened beside another folder of chdb in one process; close that "
-                "one first."
-            ) from error
-        raise problem(error, address) or EngineError(
-            f"{address} cannot be opened: {str(error).partition(chr(10))[0]}"
+        said = "locked" if is_locked(wanted.get("path")) else str(error)
+        raise (
+            refusal("clickhouse_connecting", said, address=address)
+            or problem(error, address)
+            or EngineError(f"{address} cannot be opened: {first_line(error)}")
         ) from error
 
 

@@ -21,9 +21,9 @@ from gam_db.engines.duckdb_files import (
 from gam_db.engines.duckdb_journal import Journal
 from gam_db.engines.duckdb_opening import check_settings, opened, rows_at_once
 from gam_db.engines.duckdb_reading import file_reader, is_csv_reader, is_text_file
-from gam_db.engines.refusals import CONFLICT, FULL, READ_ONLY, refusal
+from gam_db.engines.refusals import FULL, refusal
 from gam_db.engines.session import first_line
-from gam_db.errors import ConflictError, EngineError, SourceError, UserError
+from gam_db.errors import EngineError, SourceError, UserError
 from gam_db.form import Form
 from gam_db.source import paths_of, shown_relation
 
@@ -78,16 +78,11 @@ class DuckDriver(Driver):
         try:
             self.connection.execute(statement)
         except duckdb.Error as error:
-            if self.problem(error) is not None:
-                raise
             # Of a commit that the disk had no room for, DuckDB says that the transaction failed.
-            if isinstance(error, duckdb.IOException) or "Could not write file" in str(error):
-                raise EngineError(FULL) from error
-            if isinstance(error, duckdb.TransactionException):
-                raise ConflictError(CONFLICT) from error
-            if "read-only" in str(error):
-                raise EngineError(READ_ONLY) from error
-            raise
+            told = refusal("duckdb_writing", type(error).__name__, str(error))
+            if self.problem(error) is not None or told is None:
+                raise
+            raise told from error
 
     def fetch(self, query: str) -> pa.Table:
         return self.connection.sql(query).to_arrow_table()

@@ -12,8 +12,9 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.duckdb_journal import Journal, journal_of, put_back
+from gam_db.engines.refusals import refused
 from gam_db.engines.session import unwritable
-from gam_db.errors import EngineError, LockedError, SourceError
+from gam_db.errors import EngineError, SourceError
 
 _UNITS = {"bytes": 1, "KiB": 2**10, "MiB": 2**20, "GiB": 2**30, "TiB": 2**40}
 
@@ -43,31 +44,13 @@ def opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:
     try:
         return _with_our_checkpoints(duckdb.connect(str(path), read_only=not writable))
     except duckdb.Error as error:
-        reason = str(error)
-        if "Corrupt database file" in reason:
-            kept = journal_of(path.resolve())
-            if kept.exists():
-                raise EngineError(
-                    f"{path} was left half written by a process that was killed. {kept.name} beside it "
-                    "holds what puts it right: run any command of gam as a user who may write both."
-                ) from error
-            raise EngineError(
-                f"{path} is damaged: DuckDB cannot read a block of it. Its disk failed or was full, or "
-                "another program was killed just when it wrote the file's list of contents over the "
-                "old one. Take a copy that is whole, or make the monitor anew in another file."
-            ) from error
-        if "lock on file" in reason:
-            raise LockedError(
-                f"{path} is open in another process; while one writes a DuckDB file, no other can open "
-                "it. Wait for it to end, or read a copy."
-            ) from error
-        target = path if path.exists() else path.parent
-        if writable and not os.access(
-            target, os.W_OK, effective_ids=os.access in os.supports_effective_ids
-        ):
-            raise EngineError(f"{path} cannot be written: you may only read it.") from error
-        raise EngineError(
-            f"{path} cannot be opened as a DuckDB file; is it one, and is its disk full?"
+        journal, target = journal_of(path.resolve()), path if path.exists() else path.parent
+        may_write = os.access(target, os.W_OK, effective_ids=os.access in os.supports_effective_ids)
+        raise refused(
+            *("duckdb_opening", f"{error}{' journal' * journal.exists()}"),
+            *(["unwritable"] if writable and not may_write else []),
+            path=path,
+            journal=journal.name,
         ) from error
 
 

@@ -16,9 +16,9 @@ from gam_db.address import shown
 from gam_db.engines.dbapi import DbapiDriver
 from gam_db.engines.driver import at_work, by_table
 from gam_db.engines.mariadb import COLLATION, ENGINE
-from gam_db.engines.refusals import OPEN
+from gam_db.engines.refusals import OPEN, refused
 from gam_db.engines.session import check_columns
-from gam_db.errors import EngineError, LostConnectionError
+from gam_db.errors import EngineError
 from gam_db.extras import needed
 
 OLDEST = (10, 11)
@@ -26,9 +26,6 @@ PORT = 3306
 
 #: Seconds to wait for a server.
 PATIENCE = 15
-
-#: What PyMySQL calls a server that is not there.
-_UNREACHED = 2003
 
 _SETTINGS, _QUERIES = at_work("mariadb")["settings"], at_work("mariadb")["queries"]
 
@@ -65,12 +62,7 @@ def connected(target: Any, writable: bool) -> "MariaDriver":
     except ValueError:
         raise EngineError(f"{place} cannot be read: a port is a number, and %40 stands for @.") from None
     except pymysql.err.OperationalError as error:
-        if error.args[0] == _UNREACHED:
-            raise LostConnectionError(f"{place} does not answer: is it running?") from None
-        raise EngineError(
-            f"{place} does not let this user in, or has no such database; the password stands in "
-            "MYSQL_PWD."
-        ) from None
+        raise refused("mariadb_connecting", str(error.args[0]), place=place) from None
     return MariaDriver(pymysql, connection, owned=True)
 
 
