@@ -16,7 +16,8 @@ from gam_db.bits import Bits
 from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.method import Method
 from gam_db.method.scoring import visited_slots
-from gam_db.method.vectors import coordinates, is_outside, stream_slots
+from gam_db.method.slots import coordinates
+from gam_db.method.vectors import is_outside, stream_slots
 from gam_db.pipeline import Step, filled
 from gam_db.running import Running
 

@@ -7,6 +7,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.method.resolved import Method
+from gam_db.method.slots import following
 from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline, union_of
 
@@ -52,13 +53,25 @@ class OfSet:
         name: str | None = None,
         tables: Mapping[str, str] | None = None,
     ) -> None:
-        """Add the step of one file, reading the steps of the same set where there are such."""
+        """Add the step of one file, reading the steps of the same set where there are such.
+
+        Slots that follow from the parameters are filled by their names (:mod:`gam_db.method.slots`).
+        """
         inputs = {}
         for table in template.load(path).tables:
             step = (tables or {}).get(table, table)
             own = self.named(step)
             inputs[table] = own if own in self.steps.steps else step
-        self.steps.fill(self.named(name or path.rpartition("/")[2]), path, slots, inputs)
+        self.steps.fill(
+            self.named(name or path.rpartition("/")[2]), path, self.slots(path, slots or {}), inputs
+        )
+
+    def slots(self, path: str, given: Mapping[str, template.Slot]) -> dict[str, template.Slot]:
+        """Return the slots of a file: those that are given, and what follows from the parameters."""
+        names = template.load(path).slots - given.keys()
+        own = {"settings_no": self.number, "max_gap": self.method.gaps[self.number]}
+        mine = {name: of for name, of in own.items() if name in names}
+        return {**mine, **following(self.setting, names), **given}
 
 
 def add_stacked(

@@ -100,9 +100,8 @@ def add_replay(steps: Pipeline) -> None:
 
 def add_judgements(steps: Pipeline, method: Method, instant_of: TimeNode) -> None:
     """Add what is judged, over *frozen_limits*; the last steps are *judgements* and *episodes*."""
-    for number, setting in enumerate(method.settings):
-        slots: dict[str, template.Slot] = {"buckets": setting.window // setting.bucket_length}
-        OfSet(steps, method, number).add("alarms/judged_windows", slots)
+    for number in range(len(method.settings)):
+        OfSet(steps, method, number).add("alarms/judged_windows")
     join_sets(steps, method, ("judged_windows",))
     add_judged(steps, instant_of)
 

@@ -2,19 +2,16 @@
 
 from sqlglot import exp
 
-from gam_db import template
-from gam_db.method.adding import OfSet, add
-from gam_db.method.vectors import add_short_vectors, add_vectors, code_of
+from gam_db.method.adding import OfSet
+from gam_db.method.vectors import add_short_vectors, add_vectors
 
 
 def add_calibration(one: OfSet) -> None:
     """Add bounds, calibration vectors and support of one set (section 3, Eq. 1 and Eq. 3)."""
-    setting = one.setting
-    add_bounds(one)
+    one.add("support/bounds")
     add_breaks(one)
     if one.method.is_unbroken(one.number) and all(len(rule.allowed) <= 1 for rule in one.method.rules):
-        codes = {"code": code_of(setting)}
-        one.add("calibration/calibration_codes", codes)
+        one.add("calibration/calibration_codes")
         add_short_vectors(one, "calibration_")
         vectors, learnable = "vectors", "calibration/learnable_short"
     else:
@@ -24,28 +21,10 @@ def add_calibration(one: OfSet) -> None:
     one.add("support/support")
 
 
-def add_bounds(one: OfSet) -> None:
-    """Add the range of the channels of one set, with what later steps must know of the set."""
-    setting = one.setting
-    said: dict[str, template.Slot] = {
-        **{"settings_no": one.number, "bins": setting.grid, "window": setting.window},
-        "target_floor": float(setting.target_floor),
-    }
-    add(one.steps, "support/bounds", said, name=one.named("bounds"))
-
-
 def add_breaks(one: OfSet) -> None:
     """Add where segments begin, for one set."""
-    gap = one.method.gaps[one.number]
-    if gap is None:
-        add(one.steps, "source/unbroken", name=one.named("breaks"))
-    else:
-        add(
-            one.steps,
-            "source/breaks",
-            {"settings_no": one.number, "max_gap": gap},
-            name=one.named("breaks"),
-        )
+    is_unbroken = one.method.gaps[one.number] is None
+    one.add("source/unbroken" if is_unbroken else "source/breaks", name="breaks")
 
 
 def until_calibration_end() -> exp.Expr:

@@ -12,7 +12,6 @@ from sqlglot import exp
 from gam_db.bits import Bits
 from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.method.adding import OfSet, add
-from gam_db.method.calibration import add_bounds
 from gam_db.method.certificate import add_judgement
 from gam_db.method.delays import CALIBRATION, COMPLETE, INCOMPLETE, Ways, add_coded, add_delays
 from gam_db.method.delays import KEPT as KEPT_BY
@@ -91,7 +90,7 @@ def add_names(steps: Pipeline, slicing: Slicing) -> None:
 def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
     """Add support, buckets and certificate of one set, after :func:`add_census`."""
     setting = one.setting
-    add_bounds(one)
+    one.add("support/bounds")
     add_run_up(one, {"samples": "edge_samples"})
     one.add("census/scale")
     scored = one.named(SCORED)
@@ -116,7 +115,7 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
     add_placed(one, parts, trusting=True)
     add_bucket_counts(one)
     add_judgement(one)
-    one.add("census/known_codes", {"settings_no": one.number})
+    one.add("census/known_codes")
     add_short_vectors(one, "known_")
     known = {"marked_vectors": "known_vectors"}
     one.add("certificate/missing_vectors", tables=known)

@@ -20,8 +20,7 @@ def add_judgement(one: OfSet, by_halves: bool = False) -> None:
             they are many; else all grids are made of the finest in one statement.
     """
     setting = one.setting
-    one.add("certificate/learnt", {"window": setting.window})
-    for name in ("visits", "block_sizes", "cells", "blocks", "cell_shares", "learning"):
+    for name in ("learnt", "visits", "block_sizes", "cells", "blocks", "cell_shares", "learning"):
         one.add(f"certificate/{name}")
     bins = {k: -(-setting.grid // 2**k) for k in range(setting.grid.bit_length() + 1)}
     rungs = [k for k in bins if k == 0 or bins[k] >= 2]
@@ -58,7 +57,4 @@ def add_judgement(one: OfSet, by_halves: bool = False) -> None:
     one.add("certificate/ladder")
     one.add("certificate/spread")
     for name in ("finest", "outlook"):
-        one.add(
-            f"certificate/{name}",
-            {"target_floor": float(setting.target_floor), "least_vectors": setting.least_vectors},
-        )
+        one.add(f"certificate/{name}")

@@ -19,8 +19,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import FAR_AHEAD
 from gam_db.method.adding import OfSet
-from gam_db.method.vectors import add_short_vectors, cell_slots, code_of
-from gam_db.parameters import Parameters
+from gam_db.method.vectors import add_short_vectors
 from gam_db.pipeline import filled
 
 #: What is kept before vectors are made of it, body by body.
@@ -36,8 +35,6 @@ PROOFS = {
 #: The vectors that are made, by their prefix: of calibration, and the scored ones of channels without
 #: and with missing samples.
 CALIBRATION, COMPLETE, INCOMPLETE = "calibration_", "complete_", "incomplete_"
-
-_OF_BODY = ("span", "known", "cell_key", "outside")
 
 
 @dataclass(frozen=True)
@@ -57,13 +54,8 @@ class Ways:
 
 def add_coded(one: OfSet, body: str) -> None:
     """Add what vectors of one set are made of, once, where a body keeps it."""
-    setting = one.setting
-    slots: dict[str, dict[str, template.Slot]] = {
-        "coded": {"code": code_of(setting)},
-        "runs": {"span": setting.span},
-    }
     for name in KEPT[body]:
-        one.add(f"{body}/{name}", slots[name])
+        one.add(f"{body}/{name}")
 
 
 def add_delays(one: OfSet, prefix: str, body: str | None, rows: str) -> None:
@@ -75,35 +67,28 @@ def add_delays(one: OfSet, prefix: str, body: str | None, rows: str) -> None:
         body: a folder of ``sql/``; None for windows.
         rows: the step that holds the readings of the vectors, for windows.
     """
-    setting = one.setting
     if body is not None:
-        query = _BODIES[body](setting, prefix)
+        query = _BODIES[body](one, prefix)
         tables = {name: one.named(name) for name in KEPT[body]}
         one.steps.add(one.named(f"{prefix}vectors"), query, "", tables)
         return
-    slots: dict[str, template.Slot] = {"code": code_of(setting), "read": _read(prefix)}
-    codes = f"{prefix}codes"
-    one.add("census/codes", slots, codes, {"readings": rows})
+    one.add("census/codes", {"read": _read(prefix)}, f"{prefix}codes", {"readings": rows})
     add_short_vectors(one, prefix, trusting=True, carried=("support_id",))
 
 
-def _by_row(setting: Parameters, prefix: str) -> exp.Query:
+def _by_row(one: OfSet, prefix: str) -> exp.Query:
     """Return the vectors of a prefix by the numbers of rows."""
+    setting = one.setting
     is_taught = prefix == CALIBRATION
     first, last = ("first_row", "taught_row") if is_taught else ("start_row", "last_row")
     others = range(1, setting.m)
-    query = filled(
-        "rowids/vectors",
-        {
-            **_slots(setting),
-            "first_row": exp.column(first, table="run"),
-            "last_row": exp.column(last, table="run"),
-            "delayed": [
-                exp.alias_(exp.column("code", table=f"delayed_{k}"), f"code_{k}") for k in others
-            ],
-            "read": exp.true() if is_taught else _is_complete(prefix, "run"),
-        },
-    )
+    slots: dict[str, template.Slot] = {
+        "first_row": exp.column(first, table="run"),
+        "last_row": exp.column(last, table="run"),
+        "delayed": [exp.alias_(exp.column("code", table=f"delayed_{k}"), f"code_{k}") for k in others],
+        "read": exp.true() if is_taught else _is_complete(prefix, "run"),
+    }
+    query = filled("rowids/vectors", one.slots("rowids/vectors", slots))
     (joined,) = (one for one in query.find_all(exp.Select) if one.args.get("joins"))
     for k in others:
         row = exp.column("rowid", table=f"delayed_{k}")
@@ -114,28 +99,21 @@ def _by_row(setting: Parameters, prefix: str) -> exp.Query:
     return query
 
 
-def _in_arrays(setting: Parameters, prefix: str) -> exp.Query:
+def _in_arrays(one: OfSet, prefix: str) -> exp.Query:
     """Return the vectors of a prefix by arrays."""
+    setting = one.setting
     is_taught = prefix == CALIBRATION
     delayed: list[exp.Expr] = []
     for k in range(setting.m):
         place = {"place": setting.span - k * setting.tau + 1}
         delayed.append(exp.alias_(template.fill("arrays/delayed", place), f"code_{k}"))
-    return filled(
-        "arrays/vectors",
-        {
-            **_slots(setting),
-            "time_from": exp.column("taught_from" if is_taught else "read_from"),
-            "time_to": exp.column("taught_to") if is_taught else FAR_AHEAD,
-            "delayed": delayed,
-            "coordinates": [exp.column(f"code_{k}") for k in range(setting.m)],
-            "read": _is_complete(prefix) if not is_taught else _is_there("taught_from"),
-        },
-    )
-
-
-def _slots(setting: Parameters) -> dict[str, template.Slot]:
-    return {name: slot for name, slot in cell_slots(setting).items() if name in _OF_BODY}
+    slots: dict[str, template.Slot] = {
+        "time_from": exp.column("taught_from" if is_taught else "read_from"),
+        "time_to": exp.column("taught_to") if is_taught else FAR_AHEAD,
+        "delayed": delayed,
+        "read": _is_complete(prefix) if not is_taught else _is_there("taught_from"),
+    }
+    return filled("arrays/vectors", one.slots("arrays/vectors", slots))
 
 
 def _read(prefix: str) -> exp.Expr:
@@ -158,4 +136,4 @@ def _is_there(name: str) -> exp.Expr:
     return exp.Not(this=exp.Is(this=exp.column(name), expression=exp.null()))
 
 
-_BODIES: dict[str, Callable[[Parameters, str], exp.Query]] = {"rowids": _by_row, "arrays": _in_arrays}
+_BODIES: dict[str, Callable[[OfSet, str], exp.Query]] = {"rowids": _by_row, "arrays": _in_arrays}

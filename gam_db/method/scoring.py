@@ -8,7 +8,7 @@ from gam_db import template
 from gam_db.bits import Bits
 from gam_db.method.adding import OfSet
 from gam_db.method.delays import COMPLETE, INCOMPLETE
-from gam_db.method.vectors import add_short_vectors, add_vectors, code_of
+from gam_db.method.vectors import add_short_vectors, add_vectors
 from gam_db.parameters import Parameters
 from gam_db.pipeline import union_of
 
@@ -46,7 +46,7 @@ def add_novelty(
 def add_scoring(one: OfSet, bits: Bits | None = None) -> None:
     """Add Eq. 4 and the running counts of Eq. 2 of one set, a row per scored vector."""
     add_numbered(one, bits)
-    one.add("health/window_counts", {"window": one.setting.window})
+    one.add("health/window_counts")
 
 
 def add_numbered(one: OfSet, bits: Bits | None = None, carried: Sequence[str] = ()) -> None:
@@ -61,8 +61,7 @@ def add_numbered(one: OfSet, bits: Bits | None = None, carried: Sequence[str] = 
 
 def add_run_up(one: OfSet, tables: Mapping[str, str] | None = None) -> None:
     """Add from where on the channels of one set are read to be scored."""
-    slots = {"span": one.setting.reach}
-    one.add("score/run_up", slots, tables=tables)
+    one.add("score/run_up", {"span": one.setting.reach}, tables=tables)
 
 
 def add_buckets(
@@ -142,9 +141,7 @@ def visited_slots(
 
 def add_bucket_counts(one: OfSet, tables: Mapping[str, str] | None = None) -> None:
     """Add Eq. 2 of one set at bucket ends, over the step *buckets* or what stands for it."""
-    setting = one.setting
-    slots = {"buckets": setting.window // setting.bucket_length, "window": setting.window}
-    one.add("health/bucket_counts", slots, tables=tables)
+    one.add("health/bucket_counts", tables=tables)
 
 
 def _add_complete_scoring(one: OfSet, marks: Sequence[str], bits: Bits | None) -> None:
@@ -152,10 +149,7 @@ def _add_complete_scoring(one: OfSet, marks: Sequence[str], bits: Bits | None) -
     prefix = COMPLETE
     _add_short_vectors(one, prefix, bool(marks))
     renamed = {"vectors": f"{prefix}vectors"}
-    slots: dict[str, template.Slot] = {
-        "span": one.setting.span,
-        "carried": [_carried(mark) for mark in marks],
-    }
+    slots: dict[str, template.Slot] = {"carried": [_carried(mark) for mark in marks]}
     one.add("score/monitored_complete", slots, f"{prefix}monitored", renamed)
     carried = [_carried(name) for name in ("number", *marks)]
     add_novelty(one, carried, bits, prefix)
@@ -179,10 +173,7 @@ def add_incomplete(one: OfSet, marks: Sequence[str], bits: Bits | None, by_sets:
 
 def _add_short_vectors(one: OfSet, prefix: str, trusting: bool = False) -> None:
     """Add codes and vectors of the channels with, or without, missing samples."""
-    slots: dict[str, template.Slot] = {
-        "code": code_of(one.setting),
-        "read": exp.column("complete", table="scale").eq(int(prefix == COMPLETE)),
-    }
+    slots = {"read": exp.column("complete", table="scale").eq(int(prefix == COMPLETE))}
     one.add("support/codes", slots, f"{prefix}codes")
     add_short_vectors(one, prefix, trusting)
 

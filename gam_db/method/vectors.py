@@ -7,6 +7,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import LONG_AGO
 from gam_db.method.adding import OfSet
+from gam_db.method.slots import following, outside
 from gam_db.parameters import Parameters
 
 
@@ -18,23 +19,23 @@ def add_vectors(one: OfSet, prefix: str, read: exp.Expr, carried: Sequence[str] 
     """
     setting = one.setting
     codes = f"{prefix or 'marked_'}codes"
-    coded: dict[str, template.Slot] = {"code": code_of(setting), "read": read}
-    coded["carried"] = [] if setting.still_after is None else [exp.column("value")]
+    carried_code = [] if setting.still_after is None else [exp.column("value")]
     ks = range(1, setting.m)
     delayed = [_delayed(name, k, setting) for name in ("code", "calibrating") for k in ks]
-    one.add("support/marked_codes", coded, codes)
-    slots = {name: slot for name, slot in cell_slots(setting).items() if name != "next_span"}
-    slots |= {"touching": _touching(setting), "long_ago": LONG_AGO}
-    slots |= {"carried": [exp.column(name) for name in carried], "context": _context(setting)}
+    one.add("support/marked_codes", {"read": read, "carried": carried_code}, codes)
     if carried:
         delayed.append(exp.alias_(template.fill("embedding/still_so_far"), "still_so_far"))
     if setting.still_after is not None:
         moving, marked = f"{prefix or 'marked_'}moving_codes", {"marked_codes": codes}
-        after: dict[str, template.Slot] = {"still_after": setting.still_after}
-        one.add("embedding/moving_codes", after, moving, marked)
+        one.add("embedding/moving_codes", name=moving, tables=marked)
         codes = moving
     made, renamed = f"{prefix or 'marked_'}vectors", {"marked_codes": codes}
-    slots["delayed"] = delayed
+    slots: dict[str, template.Slot] = {
+        "touching": _touching(setting),
+        "carried": [exp.column(name) for name in carried],
+        "context": _context(setting),
+        "delayed": delayed,
+    }
     one.add("embedding/marked_vectors", slots, made, renamed)
 
 
@@ -65,63 +66,21 @@ def add_short_vectors(
         whole = exp.or_(whole, doubled)
     one.add(
         "embedding/vectors",
-        {
-            **{name: slot for name, slot in cell_slots(setting).items() if name != "span"},
-            "delayed": delayed,
-            "carried": travelling,
-            "whole": whole,
-        },
+        {"delayed": delayed, "carried": travelling, "whole": whole},
         f"{prefix}vectors",
         {"codes": f"{prefix}codes"},
     )
 
 
-def code_of(setting: Parameters) -> exp.Expr:
-    """Return support/code.sql cast to the narrowest integer: it is what a window has to sort."""
-    largest = setting.grid + 2
-    narrow = "SMALLINT" if largest < 2**15 else "INT" if largest < 2**31 else "BIGINT"
-    return exp.cast(template.fill("support/code", {"bins": setting.grid}), narrow)
-
-
 def stream_slots(setting: Parameters) -> dict[str, template.Slot]:
     """Return the slots of streams/vectors.sql that follow from the parameters alone."""
     delayed = [_in_stored_order("code", k, setting) for k in range(1, setting.m)]
-    slots = {"cell_key": cell_slots(setting)["cell_key"], "coordinates": coordinates(setting)}
-    return {**slots, "delayed": delayed, "code": code_of(setting)}
-
-
-def coordinates(setting: Parameters) -> list[exp.Expr]:
-    """Return the columns of a vector's codes, the newest first."""
-    return [exp.column(f"code_{k}") for k in range(setting.m)]
+    return {**following(setting, ("cell_key", "coordinates", "code")), "delayed": delayed}
 
 
 def is_outside(setting: Parameters) -> exp.Expr:
     """Return 1 where one of these lies outside the calibrated range, else 0."""
-    outside = cell_slots(setting)["outside"]
-    assert isinstance(outside, exp.Expr)
-    return _flag(outside)
-
-
-def cell_slots(setting: Parameters) -> dict[str, template.Slot]:
-    """Return the slots of vectors that follow from the parameters, over code_0 ... code_(m-1)."""
-    codes = coordinates(setting)
-    return {
-        "span": setting.span,
-        "next_span": max(setting.span - 1, 0),
-        "known": exp.and_(*(template.fill("embedding/known", {"code": code}) for code in codes)),
-        "cell_key": template.added(
-            [
-                template.fill("embedding/cell_term", {"code": code, "weight": setting.radix**k})
-                for k, code in enumerate(codes)
-            ]
-        ),
-        "outside": exp.or_(
-            *(
-                template.fill("embedding/outside", {"code": code, "above": setting.grid + 2})
-                for code in codes
-            )
-        ),
-    }
+    return _flag(outside(setting))
 
 
 def _touching(setting: Parameters) -> exp.Expr:

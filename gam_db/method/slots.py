@@ -1,0 +1,69 @@
+"""What follows from parameters, by the names of the slots in ``sql/`` that take it."""
+
+from collections.abc import Callable, Collection, Mapping
+
+from sqlglot import exp
+
+from gam_db import template
+from gam_db.clock import LONG_AGO
+from gam_db.parameters import Parameters
+
+
+def following(setting: Parameters, names: Collection[str]) -> dict[str, template.Slot]:
+    """Return those of some slots that follow from the parameters."""
+    return {name: _FOLLOWS[name](setting) for name in names if name in _FOLLOWS}
+
+
+def code_of(setting: Parameters) -> exp.Expr:
+    """Return support/code.sql cast to the narrowest integer: it is what a window has to sort."""
+    largest = setting.grid + 2
+    narrow = "SMALLINT" if largest < 2**15 else "INT" if largest < 2**31 else "BIGINT"
+    return exp.cast(template.fill("support/code", {"bins": setting.grid}), narrow)
+
+
+def coordinates(setting: Parameters) -> list[exp.Expr]:
+    """Return the columns of a vector's codes, the newest first."""
+    return [exp.column(f"code_{k}") for k in range(setting.m)]
+
+
+def outside(setting: Parameters) -> exp.Expr:
+    """Return the condition that one of these lies outside the calibrated range."""
+    above = setting.grid + 2
+    return exp.or_(
+        *(
+            template.fill("embedding/outside", {"code": code, "above": above})
+            for code in coordinates(setting)
+        )
+    )
+
+
+def _known(setting: Parameters) -> exp.Expr:
+    return exp.and_(*(template.fill("embedding/known", {"code": one}) for one in coordinates(setting)))
+
+
+def _cell_key(setting: Parameters) -> exp.Expr:
+    return template.added(
+        [
+            template.fill("embedding/cell_term", {"code": code, "weight": setting.radix**k})
+            for k, code in enumerate(coordinates(setting))
+        ]
+    )
+
+
+_FOLLOWS: Mapping[str, Callable[[Parameters], template.Slot]] = {
+    "bins": lambda setting: setting.grid,
+    "window": lambda setting: setting.window,
+    "stride": lambda setting: setting.bucket_length,
+    "buckets": lambda setting: setting.window // setting.bucket_length,
+    "span": lambda setting: setting.span,
+    "next_span": lambda setting: max(setting.span - 1, 0),
+    "still_after": lambda setting: setting.still_after,
+    "target_floor": lambda setting: float(setting.target_floor),
+    "least_vectors": lambda setting: setting.least_vectors,
+    "long_ago": lambda _: LONG_AGO,
+    "code": code_of,
+    "coordinates": coordinates,
+    "known": _known,
+    "cell_key": _cell_key,
+    "outside": outside,
+}
