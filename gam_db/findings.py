@@ -175,25 +175,32 @@ def need_attention(rows: Iterable[Row]) -> bool:
     return any(urgent for urgent, _ in known) or {verdict for _, verdict in known} <= {"no_data"}
 
 
+def by_channel(rows: pa.Table) -> dict[tuple[str, str], slice]:
+    """Return where the rows of each channel are, which lie beside one another."""
+    if not rows.num_rows:
+        return {}
+    names = [rows[role].combine_chunks().dictionary_encode() for role in ("asset", "channel")]
+    asset, channel = (np.asarray(name.indices) for name in names)
+    changed = (np.diff(asset) != 0) | (np.diff(channel) != 0)
+    edges = [0, *(np.flatnonzero(changed) + 1).tolist(), rows.num_rows]
+    return {
+        (rows["asset"][start].as_py(), rows["channel"][start].as_py()): slice(start, end)
+        for start, end in itertools.pairwise(edges)
+    }
+
+
 def _courses(
     buckets: pa.Table, settings: Mapping[tuple[str, str], Parameters]
 ) -> dict[tuple[str, str], Course]:
     """Cut the buckets, which come in order, into one course per channel."""
-    if not buckets.num_rows:
-        return {}
-    names = [buckets[role].combine_chunks().dictionary_encode() for role in ("asset", "channel")]
-    codes = [np.asarray(name.indices) for name in names]
-    changed = (np.diff(codes[0]) != 0) | (np.diff(codes[1]) != 0)
-    edges = [0, *(np.flatnonzero(changed) + 1).tolist(), buckets.num_rows]
-    hi = buckets["hi"].to_numpy()
-    novel = buckets["novel"].to_numpy()
-    out_of_range = buckets["out_of_range"].to_numpy()
+    hi, novel, out_of_range = (
+        buckets[name].to_numpy(zero_copy_only=False) for name in ("hi", "novel", "out_of_range")
+    )
     courses = {}
-    for start, end in itertools.pairwise(edges):
-        name = (buckets["asset"][start].as_py(), buckets["channel"][start].as_py())
-        setting = settings[name]
+    for name, mine in by_channel(buckets).items():
+        setting, start, end = settings[name], mine.start, mine.stop
         window = slice(max(start, end - setting.window // setting.bucket_length), end)
-        course = hi[start:end]
+        course = hi[mine]
         is_complete = not np.isnan(course[-1])
         courses[name] = Course(
             hi=course,
@@ -201,7 +208,7 @@ def _courses(
             vectors=len(course) * setting.bucket_length,
             novel=int(novel[window].sum()),
             out_of_range=int(out_of_range[window].sum()),
-            has_moved=bool(novel[start:end].any()),
+            has_moved=bool(novel[mine].any()),
             since=buckets["first_time"][start].as_py(),
             time=buckets["last_time"][end - 1].as_py(),
         )

@@ -151,6 +151,11 @@ class Engine:
     by_sets: bool = False
     most_in_set: exp.Query | None = None
 
+    def is_too_old(self, version: str) -> bool:
+        """Tell whether a version is older than the oldest that is accepted."""
+        oldest = [int(part) for part in (self.oldest or "0").split(".")]
+        return [int(part) for part in version.split(".")[: len(oldest)]] < oldest
+
     def micros_of(self, kind: TimeKind, column: exp.Expr) -> exp.Expr:
         """Return the integer time of a column that tells time in a way."""
         return self.counted(column) if kind.is_counter else self.micros(kind, column)

@@ -26,9 +26,6 @@ from gam_db.engines.session import first_line
 from gam_db.errors import EngineError, SourceError, UserError
 from gam_db.extras import needed
 
-#: Conditions beside the equality of a join need no permission since then.
-OLDEST = (24, 12)
-
 #: Seconds that a session may wait for its next statement.
 _IDLE = 3_600
 
@@ -101,10 +98,10 @@ class ClickHouseDriver(Driver):
         exceptions = needed("clickhouse_connect.driver.exceptions", EXTRA)
         self.errors: tuple[type[Exception], ...] = (exceptions.ClickHouseError, OSError, pa.ArrowInvalid)
         version = str(client.server_version)
-        if tuple(int(part) for part in version.split(".")[:2]) < OLDEST:
+        if ENGINE.is_too_old(version):
             raise EngineError(
                 f"{address} is ClickHouse {version}, which is too old; gam-db needs "
-                f"{'.'.join(map(str, OLDEST))} or later."
+                f"{ENGINE.oldest} or later."
             )
         # Requests without a session would each have temporary tables of their own.
         self._settings: dict[str, str] = {"session_timeout": str(_IDLE)}

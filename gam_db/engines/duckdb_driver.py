@@ -27,8 +27,6 @@ from gam_db.errors import EngineError, SourceError, UserError
 from gam_db.form import Form
 from gam_db.source import paths_of, shown_relation
 
-OLDEST = (2, 0)
-
 #: The log goes into the file when it has grown beyond so many bytes, and when the file is closed.
 LARGE_LOG = 2**24
 
@@ -46,10 +44,9 @@ class DuckDriver(Driver):
     errors = (duckdb.Error,)
 
     def __init__(self, target: Any, threads: int | None, writable: bool) -> None:
-        if tuple(int(part) for part in duckdb.__version__.split(".")[:2]) < OLDEST:
+        if ENGINE.is_too_old(duckdb.__version__):
             raise EngineError(
-                f"DuckDB {duckdb.__version__} is too old; gam-db needs "
-                f"{'.'.join(map(str, OLDEST))} or later."
+                f"DuckDB {duckdb.__version__} is too old; gam-db needs {ENGINE.oldest} or later."
             )
         self.owned = not isinstance(target, duckdb.DuckDBPyConnection)
         if self.owned:

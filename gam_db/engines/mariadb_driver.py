@@ -21,7 +21,6 @@ from gam_db.engines.session import check_columns
 from gam_db.errors import EngineError
 from gam_db.extras import needed
 
-OLDEST = (10, 11)
 PORT = 3306
 
 #: Seconds to wait for a server.
@@ -81,9 +80,8 @@ class MariaDriver(DbapiDriver):
         self._lent: set[str] = set()
         self._types = pymysql.constants.FIELD_TYPE
         ((version,),) = self._asked("SELECT VERSION()")
-        found = tuple(int(part) for part in version.split("-")[0].split(".")[:2])
-        if "MariaDB" not in version or found < OLDEST:
-            raise EngineError(f"The server is {version}; gam-db needs MariaDB 10.11 or later.")
+        if "MariaDB" not in version or ENGINE.is_too_old(version):
+            raise EngineError(f"The server is {version}; gam-db needs MariaDB {ENGINE.oldest} or later.")
         if self.in_transaction():
             raise EngineError(OPEN)
         self._before = self._asked(_QUERIES["settings"])[0]

@@ -18,16 +18,14 @@ import pyarrow.csv
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.engines import postgres_types
 from gam_db.engines.dbapi import DbapiDriver
 from gam_db.engines.driver import at_work, by_table
 from gam_db.engines.postgres import ENGINE, PATH
 from gam_db.engines.postgres_refusals import of_connecting, of_statement
+from gam_db.engines.postgres_types import ARROW, travelling
 from gam_db.engines.refusals import refused
 from gam_db.errors import EngineError, SourceError, UserError
 from gam_db.extras import needed
-
-OLDEST = (14,)
 
 _AT_WORK = at_work("postgres")
 _QUERIES = _AT_WORK["queries"]
@@ -128,17 +126,15 @@ class PostgresDriver(DbapiDriver):
         with self._planned("planned"), self._safely(), self._cursor(binary=True) as cursor:
             cursor.execute(query, prepare=False)
             names = [column.name for column in cursor.description]
-            types = [column.type_code for column in cursor.description]
-            schema = pa.schema(list(zip(names, map(postgres_types.arrow_type, types), strict=True)))
+            kinds = [ARROW.get(column.type_code) for column in cursor.description]
             chunks = []
             while rows := cursor.fetchmany(_FETCHED):
-                columns = zip(*rows, strict=True)
-                arrays = [
-                    postgres_types.arrow_column(column, number)
-                    for column, number in zip(columns, types, strict=True)
-                ]
-                chunks.append(pa.Table.from_arrays(arrays, names=names))
-        return pa.concat_tables(chunks, promote_options="permissive") if chunks else schema.empty_table()
+                arrays = map(pa.array, zip(*rows, strict=True), kinds)
+                chunks.append(pa.Table.from_arrays(list(arrays), names=names))
+        if not chunks:
+            schema = [(name, kind or pa.string()) for name, kind in zip(names, kinds, strict=True)]
+            return pa.schema(schema).empty_table()
+        return pa.concat_tables(chunks, promote_options="permissive")
 
     def begin(self) -> None:
         """Begin a transaction.
@@ -173,7 +169,7 @@ class PostgresDriver(DbapiDriver):
         self._count(table)
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
-        travelling, types = postgres_types.travelling(rows)
+        sent, types = travelling(rows)
         columns = [
             exp.ColumnDef(
                 this=template.name(name),
@@ -184,7 +180,7 @@ class PostgresDriver(DbapiDriver):
         ]
         self.execute(self.engine.text(self._temporary(exp.Schema(this=table, expressions=columns))))
         written = io.BytesIO()
-        pyarrow.csv.write_csv(travelling, written, pyarrow.csv.WriteOptions(include_header=False))
+        pyarrow.csv.write_csv(sent, written, pyarrow.csv.WriteOptions(include_header=False))
         sql = self._psycopg.sql
         target_name = sql.Identifier(*(part.name for part in table.parts))
         copy = sql.SQL("COPY {} FROM STDIN (FORMAT CSV)").format(target_name)
@@ -264,10 +260,10 @@ class PostgresDriver(DbapiDriver):
         status = self._psycopg.pq.TransactionStatus
         if self._connection.info.transaction_status in (status.INERROR, status.ACTIVE):
             raise refused("postgres", "25P02")
-        version = (self._connection.info.server_version // 10_000,)
-        if version < OLDEST:
+        version = str(self._connection.info.server_version // 10_000)
+        if ENGINE.is_too_old(version):
             raise EngineError(
-                f"PostgreSQL {version[0]} is too old; gam-db needs PostgreSQL {OLDEST[0]} or later."
+                f"PostgreSQL {version} is too old; gam-db needs PostgreSQL {ENGINE.oldest} or later."
             )
 
     def _set(self, settings: Mapping[str, str]) -> None:

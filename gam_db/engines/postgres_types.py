@@ -1,8 +1,5 @@
 """How Arrow columns travel to PostgreSQL and back."""
 
-from collections.abc import Sequence
-from typing import Any
-
 import pyarrow as pa
 import pyarrow.compute as pc
 
@@ -10,7 +7,7 @@ from gam_db.engines.session import check_columns
 from gam_db.errors import SourceError
 
 #: the number of a type in PostgreSQL's catalogue -> what its values are in Arrow
-_ARROW = {
+ARROW = {
     16: pa.bool_(),
     **dict.fromkeys((20, 21, 23), pa.int64()),
     **dict.fromkeys((700, 701), pa.float64()),
@@ -22,21 +19,6 @@ _ARROW = {
 
 #: Longer names are cut off by PostgreSQL, with no more than a notice.
 _LONGEST_NAME = 63
-
-
-def arrow_column(values: Sequence[Any], number: int) -> pa.Array:
-    """Return fetched values as an Arrow array.
-
-    Args:
-        values: as psycopg gives them.
-        number: of their type, in PostgreSQL's catalogue.
-    """
-    return pa.array(values, _ARROW.get(number))
-
-
-def arrow_type(number: int) -> pa.DataType:
-    """Return the Arrow type of a column without any row; that of text where it is not known."""
-    return _ARROW.get(number, pa.string())
 
 
 def travelling(rows: pa.Table) -> tuple[pa.Table, dict[str, str]]:

@@ -21,10 +21,9 @@ from urllib.parse import unquote, urlsplit
 
 from gam_db.engines.refusals import refused
 from gam_db.engines.session import first_line
+from gam_db.engines.spark import ENGINE
 from gam_db.errors import EngineError
 from gam_db.extras import needed
-
-OLDEST = (3, 5)
 
 #: Set in every session of ours, beside the user's.
 _SETTINGS = {
@@ -142,11 +141,8 @@ def as_before(session: Any) -> Iterator[None]:
 
 
 def _set(session: Any, base: Any) -> Any:
-    found = tuple(int(part) for part in session.version.split(".")[:2])
-    if found < OLDEST:
-        raise EngineError(
-            f"Spark {session.version} is too old; gam-db needs {'.'.join(map(str, OLDEST))} or later."
-        )
+    if ENGINE.is_too_old(session.version):
+        raise EngineError(f"Spark {session.version} is too old; gam-db needs {ENGINE.oldest} or later.")
     for name, value in _SETTINGS.items():
         session.conf.set(name, value)
     if base.sparkContext.master.startswith("local"):

@@ -19,9 +19,6 @@ from gam_db.engines.refusals import OPEN
 from gam_db.engines.sqlite import ENGINE
 from gam_db.errors import EngineError
 
-#: Window functions, hints on WITH entries and mathematical functions are all there.
-OLDEST = (3, 35)
-
 #: How long a writer waits for another one, in seconds.
 PATIENCE = 30
 
@@ -37,10 +34,9 @@ def connected(target: Any, writable: bool) -> "SqliteDriver":
     Raises:
         EngineError: it cannot be opened, is no SQLite database, or this SQLite is too old.
     """
-    if sqlite3.sqlite_version_info < OLDEST:
+    if ENGINE.is_too_old(sqlite3.sqlite_version):
         raise EngineError(
-            f"SQLite {sqlite3.sqlite_version} is too old; gam-db needs {'.'.join(map(str, OLDEST))} or "
-            "later."
+            f"SQLite {sqlite3.sqlite_version} is too old; gam-db needs {ENGINE.oldest} or later."
         )
     if isinstance(target, sqlite3.Connection):
         if target.in_transaction:

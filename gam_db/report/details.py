@@ -16,6 +16,7 @@ from gam_db.calibration import Calibration
 from gam_db.clock import FAR_AHEAD
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, nearest
+from gam_db.findings import by_channel
 from gam_db.parameters import Parameters
 from gam_db.pipeline import filled
 from gam_db.report import states
@@ -173,17 +174,13 @@ def growth(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[tuple[str
         *(exp.column(of).isin(*(template.text(name) for name in said)) for of, said in names.items())
     )
     rows = state.fetch("report/growth", {"monitor": template.text(monitor), "chosen": chosen})
-    places: dict[tuple[str, str], list[int]] = {}
-    for place, name in enumerate(
-        zip(rows["asset"].to_pylist(), rows["channel"].to_pylist(), strict=True)
-    ):
-        places.setdefault(name, []).append(place)
-    return {
-        (row["asset"], row["channel"]): _growth(
-            rows.take(pa.array(places.get((row["asset"], row["channel"]), []), pa.int64()))
-        )
-        for row in signals
-    }
+    places, nowhere = by_channel(rows), slice(0, 0)
+    found = {}
+    for row in signals:
+        name = (row["asset"], row["channel"])
+        mine = places.get(name, nowhere)
+        found[name] = _growth(rows.slice(mine.start, mine.stop - mine.start))
+    return found
 
 
 def cells(state: Reads, signals: Sequence[Row], raw: bool) -> dict[int, Row]:

@@ -20,7 +20,11 @@ PARAMETERS = Parameters(m=3, tau=2, bins=14, window=360, stride=36, max_gap="10 
 CALIBRATION = Calibration(duration="8 d")
 TIME_ZONE = "Europe/Berlin"
 
-SIGNALS = ("current", "force", "position", "speed", "temperature")
+#: signal -> its level, and how far it swings
+SIGNALS = {
+    **{"current": (22.0, 18.0), "force": (1200.0, 950.0), "position": (400.0, 320.0)},
+    **{"speed": (90.0, 60.0), "temperature": (41.0, 8.0)},
+}
 
 #: When the page of it says that it was made: the morning after the last reading.
 END = START + dt.timedelta(days=DAYS, hours=5)
@@ -52,18 +56,10 @@ def telemetry() -> pa.Table:
         for channel in SIGNALS:
             what, day = happens.get(channel, happens.get("*", ("calm", 0.0)))
             value, kept = _signal(f"{machine}/{channel}", channel, what, day, count)
-            parts.append(
-                pa.table(
-                    {
-                        "asset": pa.array([machine] * int(kept.sum()))
-                        .dictionary_encode()
-                        .cast(pa.string()),
-                        "channel": pa.array([channel] * int(kept.sum())),
-                        "time": pa.array(time[kept], pa.timestamp("us", "UTC")),
-                        "value": pa.array(value[kept]),
-                    }
-                )
-            )
+            names = [pa.repeat(name, int(kept.sum())) for name in (machine, channel)]
+            times = pa.array(time[kept], pa.timestamp("us", "UTC"))
+            columns = [*names, times, pa.array(value[kept])]
+            parts.append(pa.table(columns, names=["asset", "channel", "time", "value"]))
     return pa.concat_tables(parts)
 
 
@@ -74,12 +70,7 @@ def _signal(
     chance = np.random.default_rng(zlib.crc32(name.encode()))
     days = np.arange(count) / A_DAY
     at = np.arange(count) + int(chance.integers(40))
-    scale = {"current": 18.0, "force": 950.0, "position": 320.0, "speed": 60.0, "temperature": 8.0}[
-        channel
-    ]
-    level = {"current": 22.0, "force": 1200.0, "position": 400.0, "speed": 90.0, "temperature": 41.0}[
-        channel
-    ]
+    level, scale = SIGNALS[channel]
     since = np.clip(days - day, 0, None)
     begun = days >= day
     period = 40 + int(chance.integers(4)) * 4

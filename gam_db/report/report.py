@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from gam_db import template
 from gam_db.clock import SECOND, TimeKind, length
 from gam_db.errors import ConfigurationError, UserError
+from gam_db.findings import by_channel
 from gam_db.parameters import pattern_matches
 from gam_db.report import details
 from gam_db.report.details import Reads
@@ -270,29 +271,20 @@ def _alarms(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[str, lis
 def _courses(state: Reads, monitor: str, signals: Sequence[Row]) -> list[dict[str, NDArray[Any]]]:
     """Return the buckets of each signal, in order."""
     rows = state.fetch("report/course", {"monitor": template.text(monitor)})
-    names = [rows[name].combine_chunks().dictionary_encode() for name in ("asset", "channel")]
-    tables = [{name: number for number, name in enumerate(one.dictionary.to_pylist())} for one in names]
-    asset, channel = (one.indices.to_numpy(zero_copy_only=False).astype(np.int64) for one in names)
-    many = max(1, len(tables[1]))
-    key = asset * many + channel
-    order = np.lexsort((rows["bucket"].to_numpy(), key))
+    places, nowhere = by_channel(rows), slice(0, 0)
     column = {
-        short: rows[name].to_numpy()[order]
+        short: rows[name].to_numpy()
         for short, name in (
             *(("first", "first_tick"), ("last", "last_tick")),
             *(("novel", "novel"), ("outside", "out_of_range")),
         )
     }
-    column["hi"] = rows["hi"].to_numpy(zero_copy_only=False).astype(np.float64)[order]
-    key = key[order]
+    column["hi"] = rows["hi"].to_numpy(zero_copy_only=False).astype(np.float64)
     courses = []
     for place, row in enumerate(signals):
-        row["place"] = place
-        mine = tables[0].get(row["asset"], -1) * many + tables[1].get(row["channel"], -1)
-        known = row["asset"] in tables[0] and row["channel"] in tables[1]
-        start, end = (np.searchsorted(key, mine, side) if known else 0 for side in ("left", "right"))
-        courses.append({name: values[start:end] for name, values in column.items()})
-        row["bucket_count"] = int(end - start)
+        mine = places.get((row["asset"], row["channel"]), nowhere)
+        row["place"], row["bucket_count"] = place, mine.stop - mine.start
+        courses.append({name: values[mine] for name, values in column.items()})
     return courses
 
 

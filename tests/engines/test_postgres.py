@@ -1,5 +1,6 @@
 """PostgreSQL's own ways: who is let in, what is refused and how it is said."""
 
+import dataclasses
 import sys
 import traceback
 from collections.abc import Iterator
@@ -12,6 +13,7 @@ from psycopg.rows import dict_row
 import gam_db
 import postgres_server
 from gam_db.engines import postgres_driver, postgres_refusals
+from gam_db.engines.postgres import ENGINE
 from gam_db.errors import EngineError, SourceError, UserError
 from gam_db.source import Source
 from small_plant import monitor, readings, whole
@@ -109,7 +111,7 @@ def test_without_the_driver(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_an_old_server(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
-    monkeypatch.setattr(postgres_driver, "OLDEST", (99,))
+    monkeypatch.setattr(postgres_driver, "ENGINE", dataclasses.replace(ENGINE, oldest="99"))
     with pytest.raises(EngineError, match=r"^PostgreSQL \d+ is too old; gam-db needs PostgreSQL 99"):
         gam_db.connect(url(name))
 
