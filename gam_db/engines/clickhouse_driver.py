@@ -20,7 +20,7 @@ from gam_db.engines.base import deletion
 from gam_db.engines.clickhouse import ENGINE, create_table, temporary_table
 from gam_db.engines.clickhouse_address import EXTRA, folder, is_locked, server
 from gam_db.engines.clickhouse_errors import MARK, problem
-from gam_db.engines.driver import Driver, at_work, by_table
+from gam_db.engines.driver import Driver, at_work, by_table, usual
 from gam_db.engines.refusals import refusal
 from gam_db.engines.session import first_line
 from gam_db.errors import EngineError, SourceError, UserError
@@ -135,7 +135,7 @@ class ClickHouseDriver(Driver):
 
     def fetch(self, query: str) -> pa.Table:
         try:
-            return types.fetched(self._client.query_arrow(query, settings=self._settings))
+            return usual(self._client.query_arrow(query, settings=self._settings))
         except Exception:
             # chdb puts what a refused query had written by then before the next answer, which is no
             # Arrow any more; the one after that is right again.

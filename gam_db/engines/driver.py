@@ -121,6 +121,36 @@ def at_work(engine: str) -> dict[str, dict[str, Any]]:
     return tomllib.loads(file.read_text(encoding="utf-8"))
 
 
+def usual(rows: pa.Table) -> pa.Table:
+    """Return rows with integers as int64, numbers as float64, names as string; all can be NULL.
+
+    Cause: ClickHouse counts in UInt64, takes the smallest type for a literal, and has columns that
+    cannot be NULL. Symptom: one and the same query gives rows of other types than other engines do.
+    """
+    return rows.cast(pa.schema([(field.name, _usual(field.type)) for field in rows.schema]))
+
+
+def _usual(arrow: pa.DataType) -> pa.DataType:
+    if pa.types.is_integer(arrow):
+        return pa.int64()
+    if pa.types.is_floating(arrow):
+        return pa.float64()
+    if pa.types.is_dictionary(arrow):
+        return _usual(arrow.value_type)
+    if is_text(arrow):
+        return pa.string()
+    if pa.types.is_timestamp(arrow) and arrow.tz is not None:
+        return pa.timestamp(arrow.unit, "UTC")
+    return arrow
+
+
+def is_text(arrow: pa.DataType) -> bool:
+    """Tell whether a column holds texts, in whatever form."""
+    return bool(
+        pa.types.is_string(arrow) or pa.types.is_large_string(arrow) or pa.types.is_string_view(arrow)
+    )
+
+
 def by_table(rows: Iterable[tuple[str, str]]) -> dict[str, tuple[str, ...]]:
     """Return the columns of tables; names of tables in lower case.
 

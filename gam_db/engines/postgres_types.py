@@ -3,6 +3,7 @@
 import pyarrow as pa
 import pyarrow.compute as pc
 
+from gam_db.engines.driver import is_text
 from gam_db.engines.session import check_columns
 from gam_db.errors import SourceError
 
@@ -60,7 +61,7 @@ def _travelling(column: pa.ChunkedArray) -> tuple[pa.ChunkedArray, str]:
         return column.cast(pa.float64()), "double precision"
     if pa.types.is_decimal(kind):
         return column.cast(pa.string()), "numeric"
-    if pa.types.is_string(kind) or pa.types.is_large_string(kind) or pa.types.is_string_view(kind):
+    if is_text(kind):
         return column.cast(pa.string()), 'text COLLATE "C"'
     if pa.types.is_date(kind):
         return column.cast(pa.date32()), "date"

@@ -13,7 +13,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.base import Engine
-from gam_db.engines.driver import Driver
+from gam_db.engines.driver import Driver, usual
 from gam_db.engines.refusals import READ_ONLY, refusal
 from gam_db.engines.spark import ENGINE, OVER
 from gam_db.engines.spark_folder import Folder
@@ -182,7 +182,7 @@ class SparkDriver(Driver):
     def _arrow(self, frame: Any) -> pa.Table:
         with quiet():
             rows: pa.Table = frame.toArrow()
-        return rows.cast(pa.schema([(field.name, _wide(field.type)) for field in rows.schema]))
+        return usual(rows)
 
 
 def problem(error: Exception) -> UserError | None:
@@ -203,9 +203,3 @@ def _checkpointed(frame: Any) -> Any:
     if frame.sparkSession.sparkContext._jsc.sc().getCheckpointDir().isDefined():
         return frame.checkpoint()
     return frame.localCheckpoint()
-
-
-def _wide(kind: pa.DataType) -> pa.DataType:
-    if pa.types.is_integer(kind):
-        return pa.int64()
-    return pa.float64() if pa.types.is_floating(kind) else kind
