@@ -13,7 +13,6 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.engines.duckdb_journal import Journal, journal_of, put_back
 from gam_db.engines.refusals import refused
-from gam_db.engines.session import unwritable
 from gam_db.errors import EngineError, SourceError
 
 _UNITS = {"bytes": 1, "KiB": 2**10, "MiB": 2**20, "GiB": 2**30, "TiB": 2**40}
@@ -157,7 +156,7 @@ def _written(path: Path) -> Iterator[None]:
     try:
         yield
     except (OSError, duckdb.IOException, duckdb.FatalException, duckdb.TransactionException) as error:
-        raise unwritable(path, error) from error
+        raise refused("results", str(error), path=path) from error
 
 
 def check_settings(connection: duckdb.DuckDBPyConnection) -> None:

@@ -13,7 +13,8 @@ from gam_db import template
 from gam_db.engines.duckdb_driver import DuckDriver
 from gam_db.engines.duckdb_files import metadata
 from gam_db.engines.duckdb_opening import attached, shut
-from gam_db.engines.session import Session, unwritable
+from gam_db.engines.refusals import refused
+from gam_db.engines.session import Session
 from gam_db.errors import SourceError, StatementError
 
 
@@ -85,7 +86,7 @@ class DuckSession(Session):
             self._run(copy)
             unfinished.replace(path)
         except (duckdb.IOException, OSError) as error:
-            raise unwritable(path, error) from error
+            raise refused("results", str(error), path=path) from error
         finally:
             unfinished.unlink(missing_ok=True)
 

@@ -7,26 +7,23 @@ more to it (:mod:`gam_db.engines.duckdb_session`): it reads files and Arrow tabl
 import contextlib
 import functools
 import itertools
-import secrets
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, Self, TypeVar
 
 import pyarrow as pa
-import pyarrow.parquet as pq
 from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.driver import Driver
 from gam_db.engines.refusals import CONFLICT as CONFLICT
-from gam_db.engines.refusals import OPEN, refused
+from gam_db.engines.refusals import OPEN
 from gam_db.errors import (
     EngineError,
     LostConnectionError,
     SourceError,
     StatementError,
-    UserError,
     nearest,
 )
 from gam_db.form import Form
@@ -34,11 +31,6 @@ from gam_db.source import is_file, table_names
 
 T = TypeVar("T")
 Row = dict[str, Any]
-
-
-def unwritable(path: Path, error: BaseException) -> UserError:
-    """Return why a target of results cannot be written, in the user's words."""
-    return refused("results", str(error), path=path)
 
 
 #: Numbers of the sessions that have tables, or had some that they could not drop. Temporary tables are
@@ -227,16 +219,10 @@ class Session:
         Raises:
             SourceError: the target cannot be written.
         """
-        import duckdb  # only for results beside another engine, and slow to load
+        from gam_db.engines.duckdb_session import DuckSession  # slow to load, and only wanted here
 
-        rows = self.fetch(query)
-        try:
-            if path.suffix in (".duckdb", ".db"):
-                _write_table(rows, path, table)
-            else:
-                _write_parquet(rows, path)
-        except (OSError, duckdb.Error) as error:
-            raise unwritable(path, error) from error
+        with DuckSession() as writer, writer.lent(self.fetch(query)) as rows:
+            writer.write(exp.select("*").from_(rows), path, table)
 
     def rows_at_once(self) -> int:
         """Return how many readings can be worked on at once within the memory of the engine."""
@@ -276,25 +262,6 @@ class Session:
             raise StatementError(
                 f"{self.engine.title} refused a statement: {first_line(error)}", statement
             ) from error
-
-
-def _write_parquet(rows: pa.Table, path: Path) -> None:
-    """Write beside the target and rename: what was there stays until all is written."""
-    unfinished = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
-    try:
-        pq.write_table(rows, unfinished, compression="zstd")
-        unfinished.replace(path)
-    finally:
-        unfinished.unlink(missing_ok=True)
-
-
-def _write_table(rows: pa.Table, path: Path, table: str) -> None:
-    from gam_db.engines.duckdb_session import DuckSession
-
-    target = exp.Table(this=template.name(table), db=template.name("main"))
-    with DuckSession(path, writable=True) as session, session.lent(rows) as lent:
-        query = exp.select("*").from_(lent)
-        session.execute(exp.Create(this=target, kind="TABLE", replace=True, expression=query))
 
 
 def first_line(error: BaseException | None) -> str:
