@@ -6,8 +6,6 @@ This module owns the command and its page. What figures mean is said by :func:`g
 from collections.abc import Sequence
 from typing import Annotated
 
-from rich.console import Console
-
 from gam_db.backtesting import backtest as tested
 from gam_db.calibration import Calibration
 from gam_db.cli import options, page
@@ -40,11 +38,7 @@ def backtest(
     with reading(settings, common) as (session, job, _):
         method = (job.parameters, job.calibration)
         found = tested(job.guess.source, *method, settings.alarms, spans, session)
-    page.tell(Exit.FINE, {**job.figures(), **found}, lambda out: _show(out, found), common)
-
-
-def _show(out: Console, found: Row) -> None:
-    page.say(out, *lines(found))
+    page.tell(Exit.FINE, {**job.figures(), **found}, lambda out: page.say(out, *lines(found)), common)
 
 
 def lines(found: Row) -> list[str]:

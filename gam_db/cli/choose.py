@@ -19,7 +19,7 @@ from rich.text import Text
 
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
-from gam_db.cli.chosen import TAU, chosen, written
+from gam_db.cli.chosen import chosen, written
 from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, healthy_part, reading
 from gam_db.cli.options import option
@@ -89,13 +89,6 @@ def _written(file: Path, job: Job) -> Iterator[str]:
 
 _ASKED = ("m", "bins", "window", "target_floor")
 
-_CAO = {
-    "saturated": "Cao: {m}",
-    "no_saturation": "Cao: not saturated",
-    "stochastic": "Cao: stochastic",
-    "none": "Cao: none",
-}
-
 
 def _show(out: Console, job: Job, found: Selection, common: options.Common) -> None:
     choices: list[Row] = found.choices.to_pylist()
@@ -139,7 +132,7 @@ def _lines(
         if one[lag] is not None
     )
     lines: list[tuple[str, str | page.Course]] = [
-        ("tau", f"{tau}: {TAU[one['tau_rule']]}" + (f" ({others})" if others else ""))
+        ("tau", f"{tau}: {page.WORDS['tau'][one['tau_rule']]}" + (f" ({others})" if others else ""))
     ]
     if len(lags) > 1:
         highest = max(row["ami"] for row in lags[1:])
@@ -165,12 +158,8 @@ def _lines(
 
 
 def _dimension(one: Row) -> str:
-    said = {
-        "fnn": f"{one['m_fnn']}: the first with at most 1 % false neighbours",
-        "noise_floor": "-: noise floor, neighbours part in every dimension",
-        "none": "-: no vector has a neighbour",
-    }
-    return f"{said[one['fnn_status']]}; {_CAO[one['cao_status']].format(m=one['m_cao'])}"
+    dimension = page.WORDS["dimension"][one["fnn_status"]].format(m=one["m_fnn"])
+    return f"{dimension}; {page.WORDS['cao'][one['cao_status']].format(m=one['m_cao'])}"
 
 
 def _window(one: Row, window: int) -> str:

@@ -17,6 +17,7 @@ from gam_db.calibration import WAYS, Calibration
 from gam_db.checking.words import number_of
 from gam_db.cli import toml_text
 from gam_db.cli.job import Job
+from gam_db.cli.page import WORDS
 from gam_db.cli.progress import working
 from gam_db.config import Settings, load
 from gam_db.connecting import connect
@@ -27,19 +28,6 @@ from gam_db.patterns import Name, grouped
 from gam_db.selection import Search, Selection, Studied, alone, selected_by_all
 from gam_db.setting import settings_of
 from gam_db.study import Study
-
-TAU = {
-    "given": "as given",
-    "first_minimum": "first minimum of mutual information",
-    "acf_1e": "first autocorrelation below 1/e",
-    "acf_zero": "first autocorrelation at or below zero",
-    "none": "no delay means anything: a sample tells nothing of the next",
-}
-_UNFOLDS = {
-    "fnn": "the first with at most 1 % false neighbours, or fewer where calibration fills no more",
-    "noise_floor": "neighbours part in every dimension, so what calibration fills",
-    "none": "no vector has a neighbour",
-}
 
 
 def chosen(settings: Settings, job: Job, search: Search, threads: int | None) -> Selection:
@@ -213,7 +201,10 @@ def _reason(members: Sequence[Row], count: int, job: Job) -> str:
         found = Counter(row[column] for row in members).most_common()
         return "; ".join(words[one] + (f" ({n})" if len(found) > 1 else "") for one, n in found)
 
-    parts = [f"tau: {counted('tau_rule', TAU)}", f"m: {counted('fnn_status', _UNFOLDS)}"]
+    parts = [
+        f"tau: {counted('tau_rule', WORDS['tau'])}",
+        f"m: {counted('fnn_status', WORDS['unfolds'])}",
+    ]
     floors = [row["recommended_floor"] for row in members if row["verdict"] != "needs_data"]
     if floors:
         most = f"{min(floors):.3f}" + (f" to {max(floors):.3f}" if max(floors) > min(floors) else "")

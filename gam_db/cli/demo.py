@@ -29,20 +29,6 @@ _SIMULATED = Settings(
     {"m": langevin.M, "tau": langevin.TAU, "bins": langevin.BINS, "window": langevin.WINDOW},
     {"fraction": langevin.CALIBRATION},
 )
-_INTRODUCTION = (
-    "A simulated machine: a controller moves it through five positions; after 40 % of the time two of "
-    "them begin to wear away, and the controller compensates. (The system is the paper's; its numbers "
-    "were chosen with the paper's row for this method in view, so this is an illustration, and no "
-    "evidence for that row.)"
-)
-_NEXT = (
-    "Next, on your own data: a Parquet or CSV file, or a table of a DuckDB file, with a column each for "
-    "the machine, the signal, the time and the reading (or one column per signal):"
-)
-_CALIBRATION = (
-    "Say when the machine was healthy by --calibration-duration '30 d' or --calibrate FROM/TO; all else "
-    "is in gam run --help."
-)
 
 
 def _report_plant(path: Path) -> None:
@@ -92,7 +78,7 @@ def demo(
         job, study = open_job(session, series, _SIMULATED, on_step, "simulated machine")
         found = findings(study)
     lines = page.console()
-    page.say(lines, _INTRODUCTION)
+    page.say(lines, page.WORDS["demo"]["introduction"])
     lines.print()
     show(lines, job, found)
     lines.print()
@@ -102,6 +88,6 @@ def demo(
         words.append(f"--calibration-fraction {langevin.CALIBRATION}")
         page.say(lines, f"The series is in {keep}. The same again, and the indicator written:")
         lines.print(f"    gam run {shlex.quote(str(keep))} {' '.join(words)}", soft_wrap=True)
-    page.say(lines, _NEXT)
+    page.say(lines, page.WORDS["demo"]["next"])
     lines.print("    gam run recording.parquet")
-    page.say(lines, _CALIBRATION)
+    page.say(lines, page.WORDS["demo"]["calibration"])

@@ -7,8 +7,10 @@ import dataclasses
 import datetime as dt
 import json
 import math
+import tomllib
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from importlib.resources import files
 from typing import Any
 
 import numpy as np
@@ -33,16 +35,11 @@ PLAIN_BLOCKS = "_.,-=+*#"
 
 MARKS = {"proving": "!", "open": "!", "high": "!", "setup": "?", "waiting": "~"}
 _STYLES = {"!": "bold red", "?": "yellow", "~": "cyan"}
-_MEANINGS = {
-    "proving": "with a proving episode",
-    "open": "with an open episode",
-    "high": "above the limit",
-    "setup": "without a good enough calibration",
-    "waiting": "less than a window scored yet",
-    "standing": "standing still",
-    "ok": "ok",
-    "not assessed": "not assessable",
-}
+#: Words that mean the same wherever they stand, by what they are of.
+WORDS: Mapping[str, Mapping[str, str]] = tomllib.loads(
+    (files("gam_db.cli") / "words.toml").read_text(encoding="utf-8")
+)
+
 #: What makes the cell of a row: the name of its value, or a function of the row.
 Cell = str | Callable[[Row], Any]
 
@@ -341,7 +338,9 @@ def verdicts(supports: Iterable[Row]) -> str:
 def counted(rows: Iterable[Row]) -> str:
     """Return how many channels are what, in words, the most urgent first."""
     count = Counter(row["status"] for row in rows)
-    return ", ".join(f"{count[status]:,} {said}" for status, said in _MEANINGS.items() if count[status])
+    return ", ".join(
+        f"{count[status]:,} {said}" for status, said in WORDS["statuses"].items() if count[status]
+    )
 
 
 def advice(supports: Sequence[Row]) -> list[str]:
@@ -350,19 +349,12 @@ def advice(supports: Sequence[Row]) -> list[str]:
     Args:
         supports: a row per channel, with its verdict and finest_bins.
     """
-    lines = []
+    said, lines = WORDS["advice"], []
     if any(row["verdict"] == "no_data" for row in supports):
-        lines.append(
-            "no_data: say which part is healthy by --calibrate FROM/TO, --calibration-duration or "
-            "--calibration-fraction, where it holds data"
-        )
+        lines.append(said["no_data"])
     short = sum(row["verdict"] == "needs_data" or is_short(row) for row in supports)
     if short:
-        lines.append(
-            f"too little calibration in {short:,} of {len(supports):,}: say a longer healthy part by "
-            "--calibrate FROM/TO, --calibration-duration or --calibration-fraction; a grid so coarse "
-            "that it passes would see nothing"
-        )
+        lines.append(said["short"].format(short=short, all=len(supports)))
     too_fine = [row for row in supports if row["verdict"] == "too_fine" and not is_short(row)]
     grids = [row["finest_bins"] for row in too_fine]
     if grids:
@@ -371,10 +363,7 @@ def advice(supports: Sequence[Row]) -> list[str]:
             f"{bins} bins would do for {'all of them' if count == len(grids) else count}"
             for bins, count in steps
         )
-        lines.append(
-            f"grid too fine: {ladder} (--bins, or [[override]] in gam.toml); the coarser the grid, the "
-            "less it sees, so a longer calibration is better where it can be had"
-        )
+        lines.append(said["too_fine"].format(ladder=ladder))
     return lines
 
 
@@ -386,21 +375,8 @@ def legend(rows: Sequence[Row], everything: bool) -> str:
         everything: as for :func:`channels`.
     """
     said = [words for row in rows for words in row["remarks"]] if _tells(rows, everything) else []
-    words = [
-        "HI: share of the last window's vectors in states that calibration never visited.",
-        "Floor: what a healthy machine would show, from calibration itself.",
-    ]
     remarks = " ".join(said)
-    if "limit" in remarks:
-        words.append(
-            "Limit: twice the floor, the highest block of calibration or target_floor, whichever is "
-            "largest."
-        )
-    if "out of range" in remarks:
-        words.append("Out of range: holding a value beyond all those of calibration.")
-    if "incomplete" in remarks:
-        words.append("Incomplete: holding a missing sample, and left out.")
-    return " ".join(words)
+    return " ".join(of for word, of in WORDS["legend"].items() if word == "always" or word in remarks)
 
 
 def time_text(time: Any, zone: dt.tzinfo = dt.UTC, named: bool = False) -> str:
