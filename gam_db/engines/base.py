@@ -37,6 +37,12 @@ RangeRewrite = Callable[[TimeKind, exp.Expr, int | None, int | None], list[exp.E
 _WRITTEN: Lately[str] = Lately(3000)
 
 
+def temporary(made: exp.Expr, query: exp.Query | None = None, *storage: exp.Expr) -> exp.Create:
+    """Return a temporary table: of the rows of a query, or empty with the columns of a schema."""
+    properties = exp.Properties(expressions=[exp.TemporaryProperty(), *(one.copy() for one in storage)])
+    return exp.Create(this=made.copy(), kind="TABLE", expression=query, properties=properties)
+
+
 @dataclass(frozen=True)
 class Texts:
     """How an engine reads text: the nodes are NULL where a word does not fit.

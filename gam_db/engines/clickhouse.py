@@ -7,7 +7,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import TimeKind
-from gam_db.engines.base import Engine, called, counter, escape_by_backslash, table_as
+from gam_db.engines.base import Engine, called, counter, escape_by_backslash, table_as, temporary
 from gam_db.engines.storage import Addition, Definition, Filling, added_with_notes, with_notes
 from gam_db.engines.types import Types
 
@@ -64,14 +64,12 @@ def create_table(table: exp.Table, query: exp.Query) -> exp.Create:
 
 
 def temporary_table(table: exp.Expr, query: exp.Query | None = None) -> exp.Create:
-    """Return a temporary table in memory: the rows of a query, or empty with the columns of a schema.
+    """Return a temporary table in memory.
 
     Cause: a table on disk is written, merged and read again. Symptom: keeping twelve million rows takes
     twice as long, and a window over them too.
     """
-    held = [exp.TemporaryProperty(), exp.EngineProperty(this=exp.to_identifier("Memory"))]
-    properties = exp.Properties(expressions=held)
-    return exp.Create(this=table.copy(), kind="TABLE", properties=properties, expression=query)
+    return temporary(table, query, exp.EngineProperty(this=exp.to_identifier("Memory")))
 
 
 def define(definition: Definition) -> list[exp.Expr]:

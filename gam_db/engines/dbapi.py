@@ -10,6 +10,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db import template
+from gam_db.engines.base import temporary
 from gam_db.engines.driver import Driver
 from gam_db.engines.refusals import refusal
 from gam_db.errors import UserError
@@ -67,14 +68,15 @@ class DbapiDriver(Driver):
         return bool(self._connection.in_transaction)
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
-        self.execute(self.engine.text(self._temporary(table, query)))
+        self.execute(self.engine.text(temporary(table, query, *self.storage)))
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
         columns = [
             exp.ColumnDef(this=template.name(field.name), kind=self.type_of(field.type))
             for field in rows.schema
         ]
-        self.execute(self.engine.text(self._temporary(exp.Schema(this=table, expressions=columns))))
+        schema = exp.Schema(this=table, expressions=columns)
+        self.execute(self.engine.text(temporary(schema, None, *self.storage)))
         places = exp.Tuple(expressions=[exp.var(self.place) for _ in columns])
         insert = exp.Insert(this=table.copy(), expression=exp.Values(expressions=[places]))
         cursor = self._connection.cursor()
@@ -100,11 +102,6 @@ class DbapiDriver(Driver):
     def close(self) -> None:
         if self._owned:
             self._connection.close()
-
-    def _temporary(self, made: exp.Expr, query: exp.Query | None = None) -> exp.Create:
-        said = [exp.TemporaryProperty(), *(one.copy() for one in self.storage)]
-        properties = exp.Properties(expressions=said)
-        return exp.Create(this=made.copy(), kind="TABLE", expression=query, properties=properties)
 
     def _asked(self, statement: str, values: Sequence[Any] = ()) -> list[tuple[Any, ...]]:
         """Run a statement; return its rows, none of one that has none."""

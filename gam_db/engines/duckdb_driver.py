@@ -8,6 +8,7 @@ import duckdb
 import pyarrow as pa
 from sqlglot import exp
 
+from gam_db.engines.base import temporary
 from gam_db.engines.driver import Driver
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_files import (
@@ -130,9 +131,7 @@ class DuckDriver(Driver):
                 raise EngineError(FULL) from error
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
-        properties = exp.Properties(expressions=[exp.TemporaryProperty()])
-        create = exp.Create(this=table, kind="TABLE", expression=query, properties=properties)
-        self.connection.execute(self.engine.text(create))
+        self.connection.execute(self.engine.text(temporary(table, query)))
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
         """Let an Arrow table be read where it lies.

@@ -18,6 +18,7 @@ import pyarrow.csv
 from sqlglot import exp
 
 from gam_db import template
+from gam_db.engines.base import temporary
 from gam_db.engines.dbapi import DbapiDriver
 from gam_db.engines.driver import at_work, by_table
 from gam_db.engines.postgres import ENGINE, PATH
@@ -178,7 +179,7 @@ class PostgresDriver(DbapiDriver):
             )
             for name, kind in types.items()
         ]
-        self.execute(self.engine.text(self._temporary(exp.Schema(this=table, expressions=columns))))
+        self.execute(self.engine.text(temporary(exp.Schema(this=table, expressions=columns))))
         written = io.BytesIO()
         pyarrow.csv.write_csv(sent, written, pyarrow.csv.WriteOptions(include_header=False))
         sql = self._psycopg.sql
