@@ -19,28 +19,12 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlsplit
 
+from gam_db.engines.driver import at_work
 from gam_db.engines.refusals import refused
 from gam_db.engines.session import first_line
 from gam_db.engines.spark import ENGINE
 from gam_db.errors import EngineError
 from gam_db.extras import needed
-
-#: Set in every session of ours, beside the user's.
-_SETTINGS = {
-    "spark.sql.session.timeZone": "UTC",
-    "spark.sql.ansi.enabled": "true",
-    "spark.sql.storeAssignmentPolicy": "ANSI",
-    "spark.sql.parquet.outputTimestampType": "TIMESTAMP_MICROS",
-    # Asset 007 of a folder asset=007 is a name, not the number 7.
-    "spark.sql.sources.partitionColumnTypeInference.enabled": "false",
-}
-
-#: Without these a session in this process opens ports to the world and a web page.
-_LOCAL = {
-    "spark.ui.enabled": "false",
-    "spark.driver.host": "127.0.0.1",
-    "spark.driver.bindAddress": "127.0.0.1",
-}
 
 
 @dataclass(frozen=True)
@@ -143,7 +127,7 @@ def as_before(session: Any) -> Iterator[None]:
 def _set(session: Any, base: Any) -> Any:
     if ENGINE.is_too_old(session.version):
         raise EngineError(f"Spark {session.version} is too old; gam-db needs {ENGINE.oldest} or later.")
-    for name, value in _SETTINGS.items():
+    for name, value in at_work("spark")["settings"].items():
         session.conf.set(name, value)
     if base.sparkContext.master.startswith("local"):
         session.conf.set("spark.sql.shuffle.partitions", str(base.sparkContext.defaultParallelism))
@@ -158,11 +142,10 @@ def _started(master: str | None) -> Any:
     builder = needed("pyspark.sql", "spark").SparkSession.builder.appName("gam-db")
     if master is not None:
         builder = builder.master(master)
-    if master is None or master.startswith("local"):
-        for name, value in _LOCAL.items():
-            builder = builder.config(name, value)
-    builder = builder.config("spark.ui.showConsoleProgress", "false")
-    builder = builder.config("spark.driver.maxResultSize", "0")
+    is_local = master is None or master.startswith("local")
+    settings = at_work("spark")["started"] | (at_work("spark")["local"] if is_local else {})
+    for name, value in settings.items():
+        builder = builder.config(name, value)
     # A quarter of the memory, unless the settings of Spark say otherwise.
     os.environ.setdefault("SPARK_DRIVER_MEMORY", f"{max(_memory() // 4, 1)}g")
     said = scratch() / "java.log"
