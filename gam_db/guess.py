@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
+from gam_db import data
 from gam_db.address import shown
 from gam_db.engines.session import Session, arrow_table
 from gam_db.errors import SourceError, nearest
@@ -92,28 +93,10 @@ class SourceSettings(Form):
         return None if self.database is None else shown(self.database)
 
 
-#: role -> names that say it, in two strengths; a weak name counts only where no strong one is there.
-#: Case, spaces, underscores and a trailing id, name, no or nr do not matter.
+#: role -> names that say it, in two strengths.
 KNOWN: Mapping[str, tuple[frozenset[str], frozenset[str]]] = {
-    role: (frozenset(strong.split()), frozenset(weak.split()))
-    for role, strong, weak in (
-        (
-            "asset",
-            "asset machine robot device equipment maschine anlage bearing",
-            "unit line cell station plant object run serial engine",
-        ),
-        (
-            "channel",
-            "channel signal sensor tag joint variable kanal metric",
-            "parameter measure quantity series axis point item attribute",
-        ),
-        (
-            "time",
-            "time ts timestamp datetime zeit zeitstempel timeutc utc",
-            "t date datum instant tick ticks step sample seq sequence index",
-        ),
-        ("value", "value reading measurement wert messwert", "val x y v data amplitude level"),
-    )
+    role: (frozenset(said["strong"].split()), frozenset(said["weak"].split()))
+    for role, said in data.table("gam_db", "guess.toml").items()
 }
 _TAIL = re.compile(r"(?<=..)(id|name|number|no|nr)$")
 

@@ -1,11 +1,9 @@
 """What a note is, and how one is made of the channels it concerns; what it says is in ``notes.toml``."""
 
-import tomllib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache
-from importlib import resources
 
+from gam_db import data
 from gam_db.checking.look import Row
 from gam_db.checking.words import extent
 
@@ -49,7 +47,7 @@ def whole(subject: str, must: bool = False, **words: str | int) -> list[Note]:
 
 def sentence(subject: str) -> str:
     """Return what is said of a subject, with words in braces to be filled in."""
-    return _sentences()[subject]
+    return str(data.table("gam_db.checking", "notes.toml")[subject])
 
 
 class _Words(dict[str, str | int]):
@@ -59,9 +57,3 @@ class _Words(dict[str, str | int]):
 
     def __missing__(self, column: str) -> str:
         return extent([row[column] for row in self.rows])
-
-
-@cache
-def _sentences() -> dict[str, str]:
-    file = resources.files("gam_db.checking") / "notes.toml"
-    return tomllib.loads(file.read_text(encoding="utf-8"))

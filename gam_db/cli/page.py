@@ -7,10 +7,8 @@ import dataclasses
 import datetime as dt
 import json
 import math
-import tomllib
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from importlib.resources import files
 from typing import Any
 
 import numpy as np
@@ -23,6 +21,7 @@ from rich.table import Column, Table
 from rich.text import Text
 
 import gam_db
+from gam_db import data
 from gam_db.checking.words import number_of
 from gam_db.cli.options import SHOWN, Common
 from gam_db.clock import TimeKind, shown_length
@@ -36,9 +35,7 @@ PLAIN_BLOCKS = "_.,-=+*#"
 MARKS = {"proving": "!", "open": "!", "high": "!", "setup": "?", "waiting": "~"}
 _STYLES = {"!": "bold red", "?": "yellow", "~": "cyan"}
 #: Words that mean the same wherever they stand, by what they are of.
-WORDS: Mapping[str, Mapping[str, str]] = tomllib.loads(
-    (files("gam_db.cli") / "words.toml").read_text(encoding="utf-8")
-)
+WORDS: Mapping[str, Mapping[str, str]] = data.table("gam_db.cli", "words.toml")
 
 #: What makes the cell of a row: the name of its value, or a function of the row.
 Cell = str | Callable[[Row], Any]

@@ -3,15 +3,13 @@
 A driver owns what its client library wants; :mod:`gam_db.engines.session` owns what all do alike.
 """
 
-import tomllib
 from collections.abc import Iterable, Sequence
-from functools import cache
-from importlib import resources
 from typing import Any, Protocol
 
 import pyarrow as pa
 from sqlglot import exp
 
+from gam_db import data
 from gam_db.engines.base import Engine, deletion
 from gam_db.errors import SourceError, UserError
 from gam_db.form import Form
@@ -114,11 +112,9 @@ class Driver(Protocol):
         """Close the connection if it is ours."""
 
 
-@cache
 def at_work(engine: str) -> dict[str, dict[str, Any]]:
     """Return what a connection to an engine is set to, and what is asked of it: the file NAME.toml."""
-    file = resources.files("gam_db.engines") / f"{engine}.toml"
-    return tomllib.loads(file.read_text(encoding="utf-8"))
+    return data.table("gam_db.engines", f"{engine}.toml")
 
 
 def usual(rows: pa.Table) -> pa.Table:

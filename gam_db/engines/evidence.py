@@ -7,7 +7,8 @@ run, and ``python tests/tools/evidence.py`` writes version and date anew after r
 import csv
 from dataclasses import dataclass
 from functools import cache
-from importlib import resources
+
+from gam_db import data
 
 
 @dataclass(frozen=True)
@@ -34,6 +35,5 @@ class Evidence:
 @cache
 def evidence() -> dict[str, Evidence]:
     """Return the rows of the table, by engine, in its order."""
-    table = resources.files("gam_db.engines") / "evidence.csv"
-    lines = table.read_text(encoding="utf-8").splitlines()
+    lines = data.text("gam_db.engines", "evidence.csv").splitlines()
     return {row["engine"]: Evidence(**row) for row in csv.DictReader(lines)}

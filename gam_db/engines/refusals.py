@@ -7,9 +7,8 @@ of it (``*`` any text, ``?`` one character). Words in braces are filled in.
 import csv
 from fnmatch import fnmatchcase
 from functools import cache
-from importlib import resources
 
-from gam_db import errors
+from gam_db import data, errors
 from gam_db.errors import UserError
 
 READ_ONLY = "The database is open for reading only; it cannot be changed."
@@ -49,5 +48,4 @@ def refused(of: str, *told: str, **words: object) -> UserError:
 
 @cache
 def _table() -> list[dict[str, str]]:
-    table = resources.files("gam_db.engines") / "refusals.csv"
-    return list(csv.DictReader(table.read_text(encoding="utf-8").splitlines()))
+    return list(csv.DictReader(data.text("gam_db.engines", "refusals.csv").splitlines()))

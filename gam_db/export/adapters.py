@@ -4,12 +4,11 @@ This module owns a small table, ``adapters.toml``; what the SQL of an engine loo
 :mod:`gam_db.engines`.
 """
 
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from importlib.resources import files
 from typing import Any
 
+from gam_db import data
 from gam_db.errors import EngineError
 
 #: What the schema tests and the builds were really run on; the others are only rendered.
@@ -41,10 +40,7 @@ class Adapter:
 
 
 ADAPTERS = {
-    engine: Adapter(**said)
-    for engine, said in tomllib.loads(
-        (files("gam_db.export") / "adapters.toml").read_text(encoding="utf-8")
-    ).items()
+    engine: Adapter(**said) for engine, said in data.table("gam_db.export", "adapters.toml").items()
 }
 
 

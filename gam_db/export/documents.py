@@ -4,10 +4,9 @@ This module owns the words that dbt users know; it makes no SQL.
 """
 
 from collections.abc import Sequence
-from importlib import resources
 from typing import Any
 
-from gam_db import template
+from gam_db import data, template
 from gam_db.export import dictionary, yaml_text
 from gam_db.export.adapters import BUILT
 from gam_db.export.models import CALIBRATED, SOURCE, TABLE, Model, Modelled
@@ -124,21 +123,17 @@ def readme(of: Modelled, table: str) -> str:
         if of.engine.name in BUILT
         else "rendered for this engine, never yet built on it"
     )
-    return (
-        (resources.files("gam_db.export") / "readme.txt")
-        .read_text(encoding="utf-8")
-        .format(
-            name=project_name(of.prefix),
-            prefix=of.prefix,
-            version=__version__,
-            engine=of.engine.name,
-            adapter=of.adapter.package,
-            built=built,
-            stride=of.setting.stride,
-            window=of.setting.window_length,
-            taught=", ".join(f"{of.prefix}{model}" for model in CALIBRATED),
-            lookback=of.lookback,
-            unit="steps of the counter" if of.kind.is_counter else "microseconds",
-            table=table,
-        )
+    return data.text("gam_db.export", "readme.txt").format(
+        name=project_name(of.prefix),
+        prefix=of.prefix,
+        version=__version__,
+        engine=of.engine.name,
+        adapter=of.adapter.package,
+        built=built,
+        stride=of.setting.stride,
+        window=of.setting.window_length,
+        taught=", ".join(f"{of.prefix}{model}" for model in CALIBRATED),
+        lookback=of.lookback,
+        unit="steps of the counter" if of.kind.is_counter else "microseconds",
+        table=table,
     )

@@ -7,13 +7,12 @@ and the JSON is made by Grafana's own library.
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
-from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
 from sqlglot import exp
 
-from gam_db import template
+from gam_db import data, template
 from gam_db.engines import engine_named
 from gam_db.errors import ConfigurationError
 from gam_db.export import yaml_text
@@ -182,7 +181,7 @@ class _Target:
 
 def alert(engine: str, sql: str, uid: str) -> str:
     """Return the alert rule as YAML of Grafana's provisioning: one alert per signal that is above."""
-    said = json.loads((files("gam_db.export") / "alert.json").read_text(encoding="utf-8"))
+    said = json.loads(data.text("gam_db.export", "alert.json"))
     asked, _ = said["groups"][0]["rules"][0]["data"]
     asked["datasourceUid"] = uid
     asked["model"] |= {"rawSql": sql, **SOURCES[engine].rows}

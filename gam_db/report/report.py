@@ -10,7 +10,6 @@ import html
 import re
 import secrets
 from collections.abc import Sequence
-from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +18,7 @@ from numpy.typing import NDArray
 
 from gam_db import template
 from gam_db.clock import SECOND, TimeKind, length
+from gam_db.data import text as text_of
 from gam_db.errors import ConfigurationError, UserError
 from gam_db.findings import by_channel
 from gam_db.parameters import pattern_matches
@@ -164,11 +164,10 @@ def page(data: Row, title: str, script: str | None = None) -> str:
         title: of the window.
         script: another one than that which comes with gam-db.
     """
-    room = files("gam_db.report") / "page"
-    script = script or (room / "page.js").read_text(encoding="utf-8")
+    script = script or text_of("gam_db.report", "page/page.js")
     script = script.strip().replace("</script", "<\\/script")
-    style = (room / "page.css").read_text(encoding="utf-8").strip()
-    frame = (room / "page.html").read_text(encoding="utf-8")
+    style = text_of("gam_db.report", "page/page.css").strip()
+    frame = text_of("gam_db.report", "page/page.html")
     filled = {
         "title": html.escape(title),
         "script-hash": _hash(script),

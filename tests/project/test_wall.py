@@ -18,7 +18,7 @@ from gam_db.cli import app, commands
 PACKAGE = Path(gam_db.__file__).parent
 #: Lower modules first; a module may import what stands in lines above its own, and its own package.
 LAYERS = [
-    ["columns", "errors", "lately", "version"],
+    ["columns", "data", "errors", "lately", "version"],
     ["address", "clock", "extras", "langevin"],
     ["setting"],
     ["form", "units"],
