@@ -7,21 +7,10 @@ Nothing outside this folder asks which engine it is. What is known of an engine 
 import importlib
 
 from gam_db.engines.base import Engine
+from gam_db.engines.evidence import evidence
 from gam_db.errors import EngineError, nearest
 
-NAMES = (
-    "duckdb",
-    "sqlite",
-    "postgres",
-    "mariadb",
-    "clickhouse",
-    "spark",
-    "databricks",
-    "bigquery",
-    "snowflake",
-    "redshift",
-    "trino",
-)
+NAMES = tuple(evidence())
 
 
 def engine_named(name: str) -> Engine:
