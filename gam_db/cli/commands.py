@@ -8,40 +8,22 @@ import importlib
 import re
 from collections.abc import Iterable
 from importlib.metadata import EntryPoint, entry_points
-from pathlib import Path
 from typing import Any
 
 import typer
 from typer.core import TyperCommand
 from typer.main import get_command
 
+from gam_db import data
 from gam_db.errors import ConfigurationError
 
-WATCH, ONCE, LABORATORY = "Watch", "Once", "Laboratory"
+_LISTED: dict[str, dict[str, str]] = data.table("gam_db.cli", "commands.toml")
 
-#: panel -> where each of its commands is in gam_db.cli
-COMMANDS = {
-    WATCH: (
-        *("check:check", "init:init", "state:migrate", "calibrate:calibrate", "score:score"),
-        *("status:status", "alarms:alarms", "alarms:alarm", "alarms:label", "alarms:limits"),
-        *("report:report", "state:prune", "state:compact", "state:drop"),
-    ),
-    ONCE: (
-        *("once:run", "demo:demo", "backtest:backtest", "choose:select"),
-        *("warehouse:compile", "warehouse:export", "warehouse:engines"),
-    ),
-}
+#: What help says of the laboratory's commands.
+OF_LABORATORY = _LISTED["Laboratory"]
 
-#: What help says of the laboratory's commands, so that it reads nothing of the laboratory.
-OF_LABORATORY = {
-    "benchmark": "Measure gam-db on this machine: throughput (the default), the stored form, and other "
-    "engines.",
-    "evaluate": "Measure how well the health indicators of HEALTH show wear (paper, Eq. 5 to 9).",
-    "reproduce": "Run the paper's experiments again. Results are kept as files and used again, so that "
-    "what was interrupted goes on where it was.",
-    "simulate": "Write a simulated fleet of robots, or the paper's simulated system, with the truth "
-    "about it.",
-}
+#: command of the core -> its module
+MODULES = {**_LISTED["Watch"], **_LISTED["Once"]}
 
 
 def laboratory() -> list[EntryPoint]:
@@ -49,31 +31,23 @@ def laboratory() -> list[EntryPoint]:
     return sorted(entry_points(group="gam_db.commands"), key=lambda found: found.name)
 
 
-def places() -> dict[str, str]:
-    """Return where each command of the core is, by its name."""
-    return {place.partition(":")[2]: place for panel in COMMANDS.values() for place in panel}
-
-
 def listed() -> Iterable[TyperCommand]:
     """Return a stand-in of every command: its name, its panel and the first sentence of its help."""
-    said = [(name, _sentence(place)) for name, place in places().items()]
-    said += [
-        (found.name, OF_LABORATORY.get(found.name, f"Comes from {found.module}."))
-        for found in laboratory()
-    ]
-    panels = {place: panel for panel, commands in COMMANDS.items() for place in commands}
-    for name, sentence in said:
-        panel = panels.get(places().get(name, ""), LABORATORY)
+    said = [(name, _sentence(name), "Watch" if name in _LISTED["Watch"] else "Once") for name in MODULES]
+    for found in laboratory():
+        said.append(
+            (found.name, OF_LABORATORY.get(found.name, f"Comes from {found.module}."), "Laboratory")
+        )
+    for name, sentence, panel in said:
         yield TyperCommand(name, help=sentence, rich_help_panel=panel, rich_markup_mode="markdown")
 
 
-def _sentence(place: str) -> str:
+def _sentence(name: str) -> str:
     """Return the first sentence of a command's help, read without importing its module."""
-    module, _, name = place.partition(":")
-    text = (Path(__file__).parent / f"{module}.py").read_text(encoding="utf-8")
+    text = data.text("gam_db.cli", f"{MODULES[name]}.py")
     begun = rf'^(?:def {name}\(.*?"""|{name} = typer\.Typer\([^)]*help=")'
     found = re.search(rf'{begun}([^"]+?)(?:\n\n|")', text, re.DOTALL | re.MULTILINE)
-    assert found is not None, place
+    assert found is not None, name
     return " ".join(found[1].split())
 
 
@@ -83,9 +57,8 @@ def loaded(name: str) -> Any:
     Raises:
         ConfigurationError: it comes by an entry point whose module is not there.
     """
-    if name in places():
-        module, _, inside = places()[name].partition(":")
-        found = getattr(importlib.import_module(f"gam_db.cli.{module}"), inside)
+    if name in MODULES:
+        found = getattr(importlib.import_module(f"gam_db.cli.{MODULES[name]}"), name)
     else:
         entry = next(entry for entry in laboratory() if entry.name == name)
         try:

@@ -79,7 +79,7 @@ def said(*words: str) -> str:
 
 def with_database() -> Iterator[str]:
     """The commands that take an address."""
-    for name in commands.places():
+    for name in commands.MODULES:
         command = commands.loaded(name)
         many = getattr(command, "commands", {name: command}).values()
         if any("--database" in getattr(one, "opts", ()) for each in many for one in each.params):
