@@ -1,5 +1,6 @@
 """What is said of the engines is what the tests run: no more, and in the same versions."""
 
+import csv
 import datetime as dt
 import importlib
 import json
@@ -11,9 +12,12 @@ from typer.testing import CliRunner
 import engine_page
 import engines
 from evidence import version_of
+from gam_db import data
 from gam_db.cli import app
 from gam_db.engines import NAMES, engine_named
 from gam_db.engines.evidence import evidence
+from gam_db.engines.refusals import refusal
+from gam_db.errors import UserError
 
 ROOT = Path(__file__).parents[2]
 
@@ -51,6 +55,22 @@ def test_an_older_version_is_refused_where_the_table_says_so(name: str) -> None:
     first, *rest = map(int, engine.oldest.split("."))
     assert engine.is_too_old(".".join(map(str, (first - 1, *(99 for _ in rest), 99))))
     assert not engine.is_too_old(f"{engine.oldest}.1-some")
+
+
+def test_every_refusal_can_be_told() -> None:
+    """Each row has a class of errors of the user's, and no word that nobody fills in."""
+    rows = list(csv.DictReader(data.text("gam_db.engines", "refusals.csv").splitlines()))
+    words = {"path": "p", "journal": "j", "place": "p", "address": "a", "grant": "g", "name": "n"}
+    for row in rows:
+        sign = row["signs"].split("|")[0].replace("*", "").replace("[0-9]", "0")
+        told = refusal(row["of"], sign, **words, master="m", first_line="f")
+        assert isinstance(told, UserError), row
+        assert "{" not in str(told), row
+    open_ended = {row["of"] for row in rows if row["signs"] == "*"}
+    assert open_ended == {
+        *("duckdb_opening", "mariadb_connecting", "postgres_connecting", "spark_starting", "results")
+    }
+    assert refusal("sqlite", "no such table: x") is None
 
 
 def test_the_command_says_what_the_table_says() -> None:
