@@ -67,7 +67,9 @@ class Scope:
 
 
 @options.taking(
-    *(*options.STATE, "lookback", "park_after", "as_json", "quiet", "threads"), source=False, state=True
+    *(*options.STATE, "lookback", "append_only", "park_after", "as_json", "quiet", "threads"),
+    source=False,
+    state=True,
 )
 def score(
     settings: Settings,
@@ -160,6 +162,7 @@ def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:
         },
         "ranges": told(run.ranges, "earliest"),
         "channels": told(run.channels, "read_from", "read_to"),
+        "moved": run.moved,
         "parked": run.parked,
         "not_calibrated": [
             {"asset": asset, "channel": channel, "rows": rows}
@@ -187,6 +190,12 @@ def _lines(figures: Row, status: pa.Table | None, file: Path | None) -> Iterator
         yield f"would read {read}; nothing was written"
     else:
         yield f"read {read}; wrote {number_of(totals['buckets'], 'bucket')}, new or anew"
+    if figures["moved"]:
+        moved = number_of(figures["moved"], "channel")
+        yield (
+            f"{moved} in which rows came late or went, though the source is said only to grow, or of "
+            "which that is not known: read again as far as lookback"
+        )
     if figures["parked"]:
         parked = number_of(figures["parked"], "channel")
         yield f"{parked} parked: looked at once a day, or now by --everything"

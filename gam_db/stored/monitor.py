@@ -46,7 +46,9 @@ class Monitor(MonitorSettings):
 
     The contract: as long as no row arrives more than ``lookback`` behind the newest one of its channel
     that was read before, the stored buckets equal those of one run over everything, whatever the order
-    of batches, replays and crashes.
+    of batches, replays and crashes. Where ``append_only`` says that rows only come, in order, what was
+    read within ``lookback`` is counted instead of read again; in a channel whose count differs it is
+    read, so the same holds unless a row took the place of another.
 
     Its other keywords are those of :class:`MonitorSettings`.
 
@@ -173,6 +175,7 @@ class Monitor(MonitorSettings):
         kind = kind_of(self.state.monitor(self.name))
         wanted = Wanted(
             lookback=lengths.lookback(self.lookback, kind),
+            append_only=self.append_only,
             park_after=lengths.park_after(self.park_after, kind),
             repair_from=None if since is None else instant(since, kind, "since"),
             until=None if until is None else instant(until, kind, "until"),

@@ -108,9 +108,13 @@ def resumed(parked: Iterable[Row], names: Iterable[Row], lookback: int) -> list[
         for row in names
         if row["readings"] + row["without_time"] > row["missing_readings"]
     }
-    back = [row for row in parked if (row["asset"], row["channel"]) in alive]
-    newest = max((row["read_until"] for row in back), default=LONG_AGO)
-    return [_cohort(group, False) for group in alike(back, newest, lookback)]
+    return others([row for row in parked if (row["asset"], row["channel"]) in alive], lookback)
+
+
+def others(rows: Sequence[Row], lookback: int) -> list[Cohort]:
+    """Return the cohorts of channels that come in besides those of the plan."""
+    newest = max((row["read_until"] for row in rows), default=LONG_AGO)
+    return [_cohort(group, False) for group in alike(rows, newest, lookback)]
 
 
 def alike(rows: Sequence[Row], newest: int, lookback: int) -> list[list[Row]]:

@@ -7,13 +7,13 @@ that are now hidden go in the same. It counts only if nobody else wrote meanwhil
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import pyarrow as pa
 from sqlglot import exp
 
 from gam_db import look, template
-from gam_db.clock import FAR_AHEAD, shown_instant
+from gam_db.clock import FAR_AHEAD, LONG_AGO, shown_instant
 from gam_db.columns import counts, table_of
 from gam_db.errors import ConflictError, ParameterError, SourceError
 from gam_db.method.adding import add
@@ -23,12 +23,27 @@ from gam_db.source import AnySource
 from gam_db.stored.episodes import follow
 from gam_db.stored.explaining import explain
 from gam_db.stored.judging import judge
-from gam_db.stored.planning import Cohort, Row, assets_of, is_due, planned, portions, resumed
+from gam_db.stored.planning import Cohort, Row, assets_of, is_due, others, planned, portions, resumed
 from gam_db.stored.proving import verify, verify_daily
 from gam_db.stored.publishing import GONE, NOTHING, Snapshots, publication, snapshots, withdraw
-from gam_db.stored.reading import Reader, cohort_of, last_times, near, plan_rows, searched_plan_rows
+from gam_db.stored.reading import (
+    Reader,
+    cohort_of,
+    last_times,
+    near,
+    plan_rows,
+    read_ranges,
+    searched_plan_rows,
+)
 from gam_db.stored.state import State, kind_of, now
-from gam_db.stored.steps import PUBLISHED, can_trust, reading_steps, scoring_steps, setting_of
+from gam_db.stored.steps import (
+    PUBLISHED,
+    can_trust,
+    reading_steps,
+    scoring_steps,
+    setting_of,
+    unmoved_steps,
+)
 
 #: With fewer rows, looking for repeated instants first is cheaper than scoring some channels twice.
 TRUSTED_FROM = 2_000_000
@@ -43,6 +58,8 @@ class Wanted:
 
     Attributes:
         lookback: how far behind the newest bucket late rows are looked for, in the unit of time.
+        append_only: what was read within the lookback is counted, and read again only where the count
+            differs.
         park_after: see :mod:`gam_db.stored.planning`; None parks no channel.
         repair_from: score anew from this instant on; None for what the lookback asks for.
         until: read nothing newer; None for all there is.
@@ -53,6 +70,7 @@ class Wanted:
     """
 
     lookback: int
+    append_only: bool = False
     park_after: int | None = None
     repair_from: int | None = None
     until: int | None = None
@@ -69,6 +87,8 @@ class Report:
     Attributes:
         channels: a row per channel that was read: asset, channel, first_bucket, buckets (new or written
             anew), read_from, read_to (integer time), rows_read, context_rows, context_expected.
+        moved: of a source that is said to grow only: channels in which rows came late or went all the
+            same, or of which that is not known, so that they were read as others are.
         parked: channels that were not read.
         unknown_channels: rows of today that belong to no calibrated channel, by (asset, channel).
         nameless: rows of today without asset or channel.
@@ -77,6 +97,7 @@ class Report:
     """
 
     channels: list[Row] = field(default_factory=list)
+    moved: int = 0
     parked: int = 0
     unknown_channels: dict[tuple[str, str], int] = field(default_factory=dict)
     nameless: int = 0
@@ -120,6 +141,7 @@ class _Run:
         self.reader = Reader(state.session, source, kind_of(self.monitor), name)
         self.started = now()
         self.planned: Snapshots = {}
+        self.ranges: dict[int, list[Row]] = {}
         self.is_thorough = wanted.everything
         self.report = Report()
 
@@ -147,6 +169,8 @@ class _Run:
                 cohorts += back
                 again = {row["version_id"] for group in back for row in group.channels}
                 parked = [row for row in parked if row["version_id"] not in again]
+            cohort, moved = self._apart(cohort)
+            cohorts += moved
             counts = {(row["asset"], row["channel"]): row["readings"] for row in names}
             members = [(row["asset"], row["channel"]) for row in cohort.channels]
             if members:
@@ -179,13 +203,22 @@ class _Run:
         self.planned = snapshots(self.state)
         lookback = None if self.wanted.full else self.wanted.lookback
         begin, until = self.wanted.repair_from, self.wanted.until
-        rows = [] if lookback is None else plan_rows(self.state, monitor_id, lookback)
+        grows = self.wanted.append_only and bool(lookback) and begin is None
+        rows = [] if lookback is None else plan_rows(self.state, monitor_id, 0 if grows else lookback)
         if until is not None and any(row["first_scored"] > until for row in rows):
             # What lies after the end does not stay.
             begin = until + 1 if begin is None else min(begin, until + 1)
         if lookback is None or begin is not None:
+            grows = False
             rows = searched_plan_rows(self.state, monitor_id, lookback, begin)
-        chosen = [row for row in rows if self.wanted.chosen(row["asset"], row["channel"])]
+        if grows:
+            self.ranges = read_ranges(self.state, self.wanted.lookback)
+        allowed = 0 if grows else self.wanted.lookback
+        chosen = [
+            {**row, "lookback": allowed}
+            for row in rows
+            if self.wanted.chosen(row["asset"], row["channel"])
+        ]
         if self.wanted.repair_from is not None:
             ends = last_times(self.state, monitor_id)
             stored = [ends[row["version_id"]] for row in chosen if row["version_id"] in ends]
@@ -217,6 +250,42 @@ class _Run:
         if not rows and self.reader.is_empty():
             raise SourceError(look.NO_ROW)
         return rows
+
+    def _apart(self, cohort: Cohort) -> tuple[Cohort, list[Cohort]]:
+        """Take out the channels that are to be read again as far as rows may come late."""
+        asked = [
+            row
+            for row in cohort.channels
+            if row["lookback"] < self.wanted.lookback and row["read_until"] != LONG_AGO
+        ]
+        same = self._unmoved(asked, cohort.assets)
+        moved = {row["version_id"] for row in asked if row["channel_id"] not in same}
+        if not moved:
+            return cohort, []
+        self.report.moved += len(moved)
+        lookback = self.wanted.lookback
+        usual = plan_rows(self.state, self.monitor["monitor_id"], lookback)
+        again = [{**row, "lookback": lookback} for row in usual if row["version_id"] in moved]
+        left = tuple(row for row in cohort.channels if row["version_id"] not in moved)
+        return replace(cohort, channels=left), others(again, lookback)
+
+    def _unmoved(self, rows: Sequence[Row], assets: Sequence[str] | None) -> set[int]:
+        """Return the channels in which none of the rows that were read has come late, or gone."""
+        ranges = [
+            {**one, "channel_id": row["channel_id"]}
+            for row in rows
+            for one in self.ranges.get(row["version_id"], ())
+        ]
+        if not ranges:
+            return set()
+        self.on_step("counting what was read")
+        ends = [min(row["read_from"] for row in ranges), max(row["read_to"] for row in ranges)]
+        steps = unmoved_steps(self.reader.readings(assets, *ends))
+        cohort = cohort_of(rows, read_until=0, planned_from=0)
+        read = table_of(ranges, _RANGES)
+        with self.session.lent(cohort) as members, self.session.lent(read) as lent:
+            found = self.session.rows(steps.query("unmoved", {"cohort": members, "ranges": lent}))
+        return {row["channel_id"] for row in found}
 
     def _verify(self, cohort: Cohort) -> None:
         """Refuse to score by versions that are no longer what calibration froze."""
@@ -311,7 +380,6 @@ class _Run:
             "run_id": run_id,
             "started": self.started,
             "committed": now(),
-            "lookback": self.wanted.lookback,
             "deletes_hidden": int(self.session.transactions),
         }
         running.load("stamp", table_of([stamp], _STAMP))
@@ -386,4 +454,5 @@ class _Run:
 
 
 _NO_RECOUNT = counts("channel_id calibration_readings")
-_STAMP = counts("run_id started committed lookback deletes_hidden")
+_STAMP = counts("run_id started committed deletes_hidden")
+_RANGES = counts("channel_id run_id read_from read_to rows_read")

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from gam_db.clock import Length
-from gam_db.setting import LENGTH, TEXT, check, declared, setting
+from gam_db.setting import FLAG, LENGTH, TEXT, check, declared, setting
 from gam_db.stored import lengths
 from gam_db.stored.pruning import NOVEL_ROWS
 from gam_db.stored.tables import StateTables
@@ -35,6 +35,10 @@ class MonitorSettings:
         *(None, LENGTH, "how late a row may come"),
         usual=f"{lengths.LOOKBACK}, or 0 steps of a counter",
         example="1 h",
+    )
+    append_only: bool = setting(
+        *(False, FLAG, "rows only come, in order of time: what was read is counted, not read again"),
+        note="unless the count differs",
     )
     park_after: Length | Literal[False] | None = setting(
         *(

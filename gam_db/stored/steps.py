@@ -131,6 +131,20 @@ def reading_steps(rows: exp.Query, is_ranged: bool = True) -> Pipeline:
     return steps
 
 
+def unmoved_steps(rows: exp.Query) -> Pipeline:
+    """Return the steps that count again what was read; the last is *unmoved*.
+
+    Given by the caller are *cohort*, and *ranges*: what runs have read of its channels, and how many
+    rows they found.
+
+    Args:
+        rows: the step *readings*.
+    """
+    steps = reading_steps(rows, is_ranged=False)
+    add(steps, "stored/unmoved")
+    return steps
+
+
 @cache
 def scoring_steps(setting: Setting, kind: TimeKind, trusting: bool = False) -> Pipeline:
     """Return the steps from *identified* to the rows that are appended.
@@ -140,8 +154,8 @@ def scoring_steps(setting: Setting, kind: TimeKind, trusting: bool = False) -> P
     whose rows must not be appended.
 
     Given by the caller are the state tables, *identified*, *past_buckets*, *recount*, *stamp* (run_id,
-    started, committed, lookback), and *cohort*: the channels, from where on each is read and scored, and
-    the number of its first bucket.
+    started, committed, deletes_hidden), and *cohort*: the channels, from where on each is read and
+    scored, the number of its first bucket, and its lookback.
     """
     steps = _frozen()
     add_counting(steps, setting, kind, trusting=trusting)

@@ -16,7 +16,7 @@ SELECT
   CASE
     WHEN member.recounted = 1 THEN CASE WHEN again.hit = 1 THEN again.calibration_readings ELSE 0 END
   END AS calibration_readings,
-  stamp.lookback AS lookback,
+  member.lookback AS lookback,
   CASE
     WHEN ranged.hit = 1
       THEN CASE WHEN done.hit = 1 THEN done.settled_bucket ELSE member.first_bucket - 1 END

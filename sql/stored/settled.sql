@@ -1,5 +1,5 @@
 -- Settled: the last bucket of a run that no row within its lookback can change any more.
--- Reads:  new_buckets, stamp
+-- Reads:  new_buckets, cohort
 -- A row:  one version with such a bucket. All three figures grow from bucket to bucket.
 SELECT
   made.version_id AS version_id,
@@ -12,6 +12,6 @@ JOIN (
   FROM new_buckets
   GROUP BY version_id
 ) AS ending ON ending.version_id = made.version_id
-CROSS JOIN stamp
-WHERE made.last_time < ending.newest_time - stamp.lookback
+JOIN cohort AS member ON member.version_id = made.version_id
+WHERE made.last_time < ending.newest_time - member.lookback
 GROUP BY made.version_id

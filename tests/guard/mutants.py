@@ -114,6 +114,8 @@ _ABOUT = {
     "alarms/within": "test_backtest",
     "alarms/backtested": "test_backtest",
     "alarms/*": "test_alarms",
+    "stored/last_ranges": "test_append_only",
+    "stored/unmoved": "test_append_only",
     "stored/ladder_rows": "test_cells",
     "stored/expired_*": "test_pruning",
     "stored/bucket_ages": "test_pruning",

@@ -15,7 +15,7 @@ from gam_db.errors import ConfigurationError, InternalError
 from gam_db.lab.benchmark import stored_run, workload
 from gam_db.lab.benchmark.cli_stored import benchmarks
 from gam_db.lab.benchmark.engines import EMBEDDED
-from gam_db.lab.benchmark.incremental import AIM, RATIOS, SIDES
+from gam_db.lab.benchmark.incremental import AIM, GAINS, RATIOS, SIDES
 from gam_db.lab.benchmark.stored_run import FIRST, HOUR, SILENT, StoredJob
 
 pytestmark = pytest.mark.thorough
@@ -47,6 +47,9 @@ def test_an_hour_is_read_and_no_more(figures: dict[str, Any]) -> None:
     lookback = figures["workload"]["lookback_ticks"]
     stride = figures["workload"]["stride"]
     for name, side in sides.items():
+        if name == "script":
+            assert side["new_buckets"] == sides["large"]["new_buckets"]
+            continue
         new = HOUR * CHANNELS
         assert new < side["rows_in_range"] <= new + (CHANNELS + 1) * (lookback + 3 * stride)
         assert side["new_buckets"] >= new // stride - CHANNELS
@@ -65,6 +68,9 @@ def test_ratios_are_quotients_of_the_least_processor_seconds(figures: dict[str, 
     assert figures["aim"] == AIM
     for name, (above, below) in RATIOS.items():
         assert figures["ratios"][name] == pytest.approx(seconds[above] / seconds[below], abs=1e-3)
+    for name, (above, below, aim) in GAINS.items():
+        assert figures["gains"][name] == pytest.approx(seconds[above] / seconds[below], abs=1e-3)
+        assert figures["gain_aims"][name] == aim
 
 
 def test_the_telemetry_takes_turns_and_falls_silent(tmp_path: Path) -> None:

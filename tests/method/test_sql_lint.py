@@ -646,6 +646,8 @@ def watch_once() -> None:
             monitor.migrate()
             monitor.calibrate()
             monitor.score()
+            monitor.append_only, monitor.lookback = True, 5
+            assert monitor.score().moved == 0
             assert monitor.health().num_rows > 0
             assert monitor.check_state().num_rows == 0
             assert monitor.status()["scored"].to_pylist() == [32]

@@ -72,6 +72,7 @@ def test_any_history_ends_in_the_tables_of_one_full_run(
     empty(connection)
     source = gam_db.Source("telemetry")
     reach: dict[str, Any] = {"lookback": told.lookback, "park_after": told.park_after}
+    reach["append_only"] = told.append_only
     with (
         pytest.MonkeyPatch.context() as patched,
         Monitor(connection, source, parameters, calibration, **reach) as monitor,

@@ -20,6 +20,7 @@ from gam_db.stored.steps import (
     scoring_steps,
     searched_plan_steps,
     soundness_steps,
+    unmoved_steps,
 )
 from sql_lint import Kind
 
@@ -50,9 +51,7 @@ def given() -> dict[str, sql_lint.Columns]:
         field.name: TYPES[{"int64": "BIGINT", "double": "DOUBLE", "string": "VARCHAR"}[str(field.type)]]
         for field in cohort.schema
     }
-    known["stamp"] = dict.fromkeys(
-        ("run_id", "started", "committed", "lookback", "deletes_hidden"), Kind.INTEGER
-    )
+    known["stamp"] = dict.fromkeys(("run_id", "started", "committed", "deletes_hidden"), Kind.INTEGER)
     telemetry = {"time": Kind.INTEGER, "value": Kind.DOUBLE}
     known["telemetry"] = telemetry | dict.fromkeys(TEXTS, Kind.OTHER)
     return known
@@ -87,6 +86,9 @@ def test_filled_steps_break_no_rule(setting: Setting) -> None:
         assert rough == [[step, " rough_decisions"] for step in ("outlook", "outlook", "verdicts")]
         if can_trust(setting, kind):
             assert broken(scoring_steps(setting, kind, trusting=True), dict(known)) == []
+    ranges = ("channel_id", "run_id", "read_from", "read_to", "rows_read")
+    read = given() | {"ranges": dict.fromkeys(ranges, Kind.INTEGER)}
+    assert broken(unmoved_steps(rows), read) == []
     assert broken(plan_steps(1, 5), given()) == []
     assert broken(soundness_steps(1, True), given()) == []
     wanted = {"wanted": {"version_id": Kind.INTEGER}}

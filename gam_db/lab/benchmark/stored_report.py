@@ -25,12 +25,15 @@ def incremental_lines(figures: dict[str, Any]) -> Iterator[str]:
     for side, one in figures["sides"].items():
         yield (
             _row(side, one["seconds"], one["processor_seconds"], one["peak_memory"])
-            + f"{one['rows_in_range']:12,}{one['rows_scanned']:12,}"
+            + "".join(f"{one.get(name, 0):12,}" for name in ("rows_in_range", "rows_scanned"))
         )
     for name in RATIOS:
         yield f"  {name:26}{figures['ratios'][name]:10.3f}  (aim: {figures['aim']})"
+    for name, gain in figures["gains"].items():
+        yield f"  {name:26}{gain:10.3f}  (aim: at least {figures['gain_aims'][name]})"
     for side, one in figures["sides"].items():
-        yield f"  seconds by step, {side}: {_steps(one['steps'])}"
+        if one["steps"]:
+            yield f"  seconds by step, {side}: {_steps(one['steps'])}"
 
 
 def memory_lines(figures: dict[str, Any]) -> Iterator[str]:

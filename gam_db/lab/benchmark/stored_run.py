@@ -18,7 +18,7 @@ import gam_db
 from gam_db import template
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import InternalError
-from gam_db.lab.benchmark import alone
+from gam_db.lab.benchmark import alone, extract_hour
 from gam_db.lab.benchmark.database import opened, statement
 from gam_db.lab.benchmark.inside import CALIBRATION, PARAMETERS, ProfiledSession, Steps
 from gam_db.stored.monitor import Monitor
@@ -40,8 +40,8 @@ class StoredJob:
     """What a process is to do.
 
     Attributes:
-        task: ``telemetry``, ``prepare``, ``leave_out``, ``score``, ``explain``, ``from_nothing``,
-            ``exact``, ``exact_whole`` or ``compare``.
+        task: ``telemetry``, ``prepare``, ``leave_out``, ``again``, ``score``, ``extract``, ``explain``,
+            ``from_nothing``, ``exact``, ``exact_whole``, ``compare`` or ``compare_hour``.
         source: the file of the telemetry.
         state: the file of the state.
         threads: of DuckDB; None for all there are.
@@ -52,6 +52,7 @@ class StoredJob:
         lookback, park_after: ticks; None for what a monitor takes without a word.
         memory_limit: of DuckDB; None for its own.
         left_out: assets that the monitor is not to watch.
+        append_only: of the monitor.
     """
 
     task: str
@@ -67,6 +68,7 @@ class StoredJob:
     park_after: int | None = None
     memory_limit: str | None = None
     left_out: tuple[str, ...] = ()
+    append_only: bool = False
 
     def run(self) -> dict[str, Any]:
         """Do the job in a fresh process and return its figures."""
@@ -79,7 +81,10 @@ def done(job: StoredJob) -> dict[str, Any]:
         "telemetry": _telemetry,
         "prepare": _prepare,
         "leave_out": _leave_out,
+        "again": _again,
         "score": _score,
+        "extract": _extract,
+        "compare_hour": _compare_hour,
         "explain": _explain,
         "from_nothing": _from_nothing,
         "exact": _exact,
@@ -126,6 +131,7 @@ def _monitor(job: StoredJob, session: DuckSession) -> Monitor:
         PARAMETERS,
         calibration,
         lookback=_length(job.lookback),
+        append_only=job.append_only,
         park_after=_length(job.park_after),
     )
 
@@ -141,6 +147,13 @@ def _prepare(job: StoredJob) -> dict[str, Any]:
         monitor.migrate()
         monitor.calibrate()
         monitor.score(until=FIRST + dt.timedelta(seconds=job.history - 1))
+    return {}
+
+
+def _again(job: StoredJob) -> dict[str, Any]:
+    """Score all but the last hour once more: from then on a source that only grows is not read again."""
+    with _session(job) as session:
+        _monitor(job, session).score(until=FIRST + dt.timedelta(seconds=job.history - 1))
     return {}
 
 
@@ -167,6 +180,25 @@ def _score(job: StoredJob) -> dict[str, Any]:
         "rows_in_range": sum(row["rows"] for row in report.ranges),
         "new_buckets": sum(row["buckets"] for row in report.channels),
     }
+
+
+def _extract(job: StoredJob) -> dict[str, Any]:
+    """Let the extract script do the same."""
+    with opened(Path(job.state), job.threads) as connection:
+        connection.execute(statement("attached", {"path": template.text(job.source)}))
+        return extract_hour.run(connection, (job.lookback or 0) * 1_000_000)
+
+
+def _compare_hour(job: StoredJob) -> dict[str, Any]:
+    """Compare what the extract script writes with what is scored, integer by integer."""
+    found = _extract(job)
+    with _session(job) as session:
+        _monitor(job, session).score()
+    with opened(Path(job.state), read_only=True) as connection:
+        ((missed,),) = connection.execute(statement("hour_missed")).fetchall()
+    if missed:
+        raise InternalError(f"The stored form and the extract script disagree in {missed} rows.")
+    return found
 
 
 def _explain(job: StoredJob) -> dict[str, Any]:

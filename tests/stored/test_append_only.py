@@ -1,0 +1,128 @@
+"""A source that is said to grow only: what was read is counted, and read again where that differs.
+
+That any history ends in the tables of one full run, late rows included, is shown with the others
+(test_incremental, test_stored_on_engines, test_mixed_histories): half of them say so of their source.
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+import duckdb
+import pytest
+
+import small_plant
+from gam_db.stored.monitor import Monitor
+from gam_db.stored.scoring import Report
+from small_plant import FIRST, LENGTH, readings, seen, source
+from visible import put
+
+LOOKBACK, STRIDE, CONTEXT = 40, 5, 3
+
+#: Rows of each channel that come from run to run.
+STEP = 20
+
+
+def monitor(connection: Any, append_only: bool = True) -> Monitor:
+    made = small_plant.monitor(connection)
+    made.lookback, made.append_only = LOOKBACK, append_only
+    return made
+
+
+@pytest.fixture
+def plant() -> Iterator[duckdb.DuckDBPyConnection]:
+    """A monitor that was scored twice since it was calibrated."""
+    with duckdb.connect() as connection:
+        source(connection, readings(0, FIRST))
+        monitor(connection).migrate()
+        monitor(connection).calibrate()
+        for start in (FIRST, FIRST + STEP):
+            put(connection, readings(start, start + STEP))
+            monitor(connection).score()
+        yield connection
+
+
+def grown(connection: duckdb.DuckDBPyConnection, append_only: bool = True) -> Report:
+    """Let a step of rows come, and score."""
+    (end,) = connection.execute("SELECT MAX(time) + 1 FROM telemetry").fetchall()[0]
+    put(connection, readings(end, end + STEP))
+    return monitor(connection, append_only).score()
+
+
+def finished(connection: duckdb.DuckDBPyConnection) -> None:
+    """Let all rows come, and compare with one run over everything."""
+    (end,) = connection.execute("SELECT MAX(time) + 1 FROM telemetry").fetchall()[0]
+    put(connection, readings(end, LENGTH))
+    monitor(connection).score()
+    assert seen(connection) == small_plant.whole()
+    assert monitor(connection).check_state().num_rows == 0
+
+
+def test_what_was_read_is_not_read_again(plant: duckdb.DuckDBPyConnection) -> None:
+    run = grown(plant)
+    assert run.moved == 0
+    assert {row["rows_read"] > STEP + STRIDE + CONTEXT + 1 for row in run.channels} == {False}
+    assert {row["rows_read"] > LOOKBACK for row in grown(plant, append_only=False).channels} == {True}
+    finished(plant)
+
+
+def test_a_channel_with_a_late_row_is_read_as_others_are(plant: duckdb.DuckDBPyConnection) -> None:
+    (end,) = plant.execute("SELECT MAX(time) FROM telemetry").fetchall()[0]
+    late = f"asset = 'b' AND time = {end + 5}"
+    grown(plant)
+    plant.execute(f"CREATE TABLE kept AS FROM telemetry WHERE {late}")
+    plant.execute(f"DELETE FROM telemetry WHERE {late}")
+    gone = grown(plant)
+    plant.execute("INSERT INTO telemetry FROM kept")
+    back = monitor(plant).score()
+    for run in (gone, back):
+        assert run.moved == 1
+        assert {row["asset"] for row in run.channels if row["rows_read"] > LOOKBACK} == {"b"}
+    assert grown(plant).moved == 0
+    finished(plant)
+
+
+def test_a_wrong_declaration_is_found_by_a_check(plant: duckdb.DuckDBPyConnection) -> None:
+    """A row went while another came: the count says nothing."""
+    grown(plant)
+    (end,) = plant.execute("SELECT MAX(time) FROM telemetry").fetchall()[0]
+    plant.execute(f"UPDATE telemetry SET value = 77 WHERE asset = 'c' AND time = {end - 15}")
+    assert grown(plant).moved == 0
+    grown(plant)
+    found = monitor(plant).check_state().to_pylist()
+    assert {(row["asset"], row["part"]) for row in found} == {("c", "scored")}
+    monitor(plant).score(since=found[0]["since"])
+    assert monitor(plant).check_state().num_rows == 0
+    grown(plant)
+    assert monitor(plant).check_state().num_rows == 0
+
+
+@pytest.mark.parametrize(
+    "lost",
+    [
+        "DELETE FROM gam_run WHERE version_id = 2 AND read_to < {end}",
+        "UPDATE gam_run SET read_from = read_to WHERE version_id = 2 AND read_to = {end}",
+        "UPDATE gam_run SET context_expected = 3 WHERE version_id = 2",
+    ],
+)
+def test_where_it_is_not_known_what_was_read_all_is_read(
+    plant: duckdb.DuckDBPyConnection, lost: str
+) -> None:
+    """Records went, leave a hole, or do not reach back to a run that read all there was."""
+    grown(plant)
+    (end,) = plant.execute("SELECT MAX(time) FROM telemetry").fetchall()[0]
+    if "DELETE" in lost:  # of runs of which no row is left
+        plant.execute(
+            "UPDATE gam_bucket SET run_id = (SELECT MAX(run_id) FROM gam_run WHERE version_id = 2) "
+            "WHERE version_id = 2"
+        )
+        plant.execute("UPDATE gam_run SET from_bucket = 0 WHERE version_id = 2")
+    plant.execute(lost.format(end=end))
+    assert grown(plant).moved == 1
+
+
+def test_a_lookback_that_grew_is_known_since_the_beginning(plant: duckdb.DuckDBPyConnection) -> None:
+    grown(plant, append_only=False)
+    longer = monitor(plant)
+    longer.lookback = 2 * LOOKBACK
+    assert longer.score().moved == 0
+    finished(plant)
