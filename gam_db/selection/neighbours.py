@@ -19,12 +19,15 @@ from gam_db.method.adding import add, add_stacked
 from gam_db.pipeline import Pipeline, filled, union_of
 from gam_db.selection.search import Search
 
-MOST_VECTORS = 2**16
+MOST_VECTORS = 2**15
 """Of more vectors of a channel, about so many take part."""
 _BOXED = 5
 """Coordinates with boxes at most: each triples the boxes beside one, and holds fewer vectors in them."""
-_FILLED = 3
-"""Coordinates that a series is taken to fill, when the first boxes are made."""
+_FILLED = 2
+"""Coordinates that a series is taken to fill, when the first boxes are made. Boxes too small cost a
+quick round more; in boxes too large, where samples lie close together, all are compared with all."""
+_COARSE = 5
+"""From so many halvings on boxes grow step by step: the larger they are, the dearer one too large."""
 ONE_BOX = 500
 """With so few samples at most, one round over all of them is cheaper than several."""
 _NUMBERED = 60
@@ -179,8 +182,8 @@ def _add_search(steps: Pipeline, d: int, usable: int, finest: int, waiting: Wait
         if not still:
             break
         # With fewer coordinates larger steps make the boxes grow no faster; few found: they may.
-        wider = max(_FILLED + 1 - len(boxed), 1) + (10 * (seeking - still) < seeking)
-        halvings = max(halvings - wider, 0)
+        is_few = 10 * (seeking - still) < seeking and halvings > _COARSE
+        halvings = max(halvings - max(4 - len(boxed), 1) - is_few, 0)
     steps.add(f"found_{d}", union_of(steps, nearest), template.load("selection/nearest").comment)
     return f"found_{d}", halvings if of_use is None else of_use
 
@@ -204,28 +207,29 @@ def _add_round(
             for place, j in enumerate(boxed)
         ]
     )
-    add(
-        steps,
-        "selection/measured",
-        {
-            "coordinates": [exp.column(f"u_{j}") for j in range(d)],
-            "box": box,
-            "aways": [_away(j) for j in range(d)],
-            "square": _square(d),
-            "largest": _largest(d),
-        },
-        f"measured_{size}",
-        {
-            "probes": f"probes_{d}",
-            "patterns": f"patterns_{d}",
-            "unsettled": sought,
-            "shifts": _shifts(steps, len(boxed) if halvings else 0, bits),
-        },
-    )
+    slots: dict[str, template.Slot] = {
+        "coordinates": [exp.column(f"u_{j}") for j in range(d)],
+        "box": box,
+        "aways": [_away(j) for j in range(d)],
+        "square": _square(d),
+        "largest": _largest(d),
+    }
+    given = {
+        "probes": f"probes_{d}",
+        "patterns": f"patterns_{d}",
+        "shifts": _shifts(steps, len(boxed) if halvings else 0, bits),
+    }
+
+    def measure(name: str, asked: str, settled: int) -> None:
+        said = {**slots, "settled": settled}
+        add(steps, "selection/measured", said, name, {**given, "asked": asked})
+
+    measure(f"measured_{size}", sought, settled=0)
     tables = {"unsettled": sought, "measured": f"measured_{size}"}
     reach = side**2 if halvings else _EVERYWHERE
     add(steps, "selection/rounds", {"reach": reach}, f"rounds_{size}", tables)
-    tables = {"rounds": f"rounds_{size}", "measured": f"measured_{size}"}
+    measure(f"reached_{size}", f"rounds_{size}", settled=1)
+    tables = {"rounds": f"rounds_{size}", "measured": f"reached_{size}"}
     add(steps, "selection/nearest", name=f"nearest_{size}", tables=tables)
     steps.small |= {f"rounds_{size}", f"nearest_{size}"}
 

@@ -34,7 +34,7 @@ class Selection:
             about so many, spread evenly, are paired with those a delay later, here and in cycles.
         dimensions: one row per embedding dimension m: reference_vectors, neighbours, skipped (found
             beyond others at distance zero), false_neighbours, false_share, Cao's e1 and e2. Beyond
-            2^16 samples about so many vectors, spread evenly, take part.
+            2^15 samples about so many vectors, spread evenly, take part.
         cycles: one row per delay of each scale of the autocorrelation: scale and delay in
             samples, n_pairs, acf.
         budget: one row per embedding dimension m: vectors, cells, floor, verdict, finest_bins (the

@@ -1,10 +1,11 @@
--- Measured: how far reference vectors that seek a neighbour are from every pattern in their box and the
--- boxes beside it that occurs outside the Theiler window (box-assisted search).
--- Reads:  probes, unsettled, shifts, patterns
+-- Measured: how far reference vectors that seek a neighbour, or found one in this round, are from every
+-- pattern in their box and the boxes beside it that occurs outside the Theiler window (box-assisted search).
+-- Reads:  probes, asked, shifts, patterns
 -- A row:  one reference vector and one pattern; square is the squared Euclidean distance, largest the
 --         one in the maximum norm. Early and late places are told apart by whoever reads this: on DuckDB
 --         a CASE of a column that was joined must not go into another join (docs/quirks.md).
--- Slots:  :coordinates  u_0 ... u_(d-1)
+-- Slots:  :settled      0 of those that seek, 1 of those that found
+--         :coordinates  u_0 ... u_(d-1)
 --         :box          the number of the box of a vector
 --         :aways        away_0 ... away_(d-1), the distances by coordinate
 --         :square, :largest  made of these
@@ -39,9 +40,9 @@ FROM (
         :coordinates,
         :box AS box
       FROM probes AS probe
-      JOIN unsettled AS waiting
+      JOIN asked AS waiting
         ON waiting.channel_id = probe.channel_id AND waiting.place = probe.place
-      WHERE waiting.settled = 0
+      WHERE waiting.settled = :settled
     ) AS boxed
     CROSS JOIN shifts AS step
   ) AS seeking
