@@ -17,7 +17,7 @@ from gam_db.engines.session import Session
 from gam_db.pipeline import Pipeline
 from gam_db.preparing import prepared
 from gam_db.source import AnySource, parsed_condition, under
-from gam_db.stored.planning import Row, by
+from gam_db.stored.planning import Row
 from gam_db.stored.state import State
 from gam_db.stored.steps import plan_steps, searched_plan_steps
 
@@ -116,25 +116,6 @@ def searched_plan_rows(
 
 def _planned(state: State, steps: Pipeline) -> list[Row]:
     return state.session.rows(steps.query("plan", state.tables.placed()))
-
-
-def read_ranges(state: State, lookback: int) -> dict[int, list[Row]]:
-    """Return what runs have read of each version within ``lookback`` of the newest time, newest first.
-
-    Versions are missing of which not all of that time is known.
-    """
-    found = by("version_id", state.rows("stored/last_ranges", {"lookback": lookback}))
-    known = {}
-    for version_id, ranges in found.items():
-        needed: list[Row] = []
-        for row in sorted(ranges, key=lambda row: -row["run_id"]):
-            if needed and row["read_to"] < needed[-1]["read_from"]:
-                break
-            needed.append(row)
-            if row["begins"] or row["read_from"] <= row["newest_time"] - lookback:
-                known[version_id] = needed
-                break
-    return known
 
 
 def last_times(state: State, monitor_id: int) -> dict[int, int]:

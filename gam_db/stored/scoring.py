@@ -22,6 +22,7 @@ from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
 from gam_db.stored.episodes import follow
 from gam_db.stored.explaining import explain
+from gam_db.stored.growing import read_ranges, unmoved
 from gam_db.stored.judging import judge
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due, others, planned, portions, resumed
 from gam_db.stored.proving import verify, verify_daily
@@ -32,7 +33,6 @@ from gam_db.stored.reading import (
     last_times,
     near,
     plan_rows,
-    read_ranges,
     searched_plan_rows,
 )
 from gam_db.stored.state import State, kind_of, now
@@ -42,7 +42,6 @@ from gam_db.stored.steps import (
     reading_steps,
     scoring_steps,
     setting_of,
-    unmoved_steps,
 )
 
 #: With fewer rows, looking for repeated instants first is cheaper than scoring some channels twice.
@@ -258,7 +257,9 @@ class _Run:
             for row in cohort.channels
             if row["lookback"] < self.wanted.lookback and row["read_until"] != LONG_AGO
         ]
-        same = self._unmoved(asked, cohort.assets)
+        if any(row["version_id"] in self.ranges for row in asked):
+            self.on_step("counting what was read")
+        same = unmoved(self.state, self.reader, self.ranges, asked, cohort.assets)
         moved = {row["version_id"] for row in asked if row["channel_id"] not in same}
         if not moved:
             return cohort, []
@@ -268,24 +269,6 @@ class _Run:
         again = [{**row, "lookback": lookback} for row in usual if row["version_id"] in moved]
         left = tuple(row for row in cohort.channels if row["version_id"] not in moved)
         return replace(cohort, channels=left), others(again, lookback)
-
-    def _unmoved(self, rows: Sequence[Row], assets: Sequence[str] | None) -> set[int]:
-        """Return the channels in which none of the rows that were read has come late, or gone."""
-        ranges = [
-            {**one, "channel_id": row["channel_id"]}
-            for row in rows
-            for one in self.ranges.get(row["version_id"], ())
-        ]
-        if not ranges:
-            return set()
-        self.on_step("counting what was read")
-        ends = [min(row["read_from"] for row in ranges), max(row["read_to"] for row in ranges)]
-        steps = unmoved_steps(self.reader.readings(assets, *ends))
-        cohort = cohort_of(rows, read_until=0, planned_from=0)
-        read = table_of(ranges, _RANGES)
-        with self.session.lent(cohort) as members, self.session.lent(read) as lent:
-            found = self.session.rows(steps.query("unmoved", {"cohort": members, "ranges": lent}))
-        return {row["channel_id"] for row in found}
 
     def _verify(self, cohort: Cohort) -> None:
         """Refuse to score by versions that are no longer what calibration froze."""
@@ -455,4 +438,3 @@ class _Run:
 
 _NO_RECOUNT = counts("channel_id calibration_readings")
 _STAMP = counts("run_id started committed deletes_hidden")
-_RANGES = counts("channel_id run_id read_from read_to rows_read")
