@@ -93,6 +93,7 @@ def test_dse_is_one_of_them(machine: Any) -> None:
     assert gam_db.scores_at_buckets(*machine[:3]).equals(buckets.select(columns))
 
 
+@pytest.mark.thorough
 @settings(max_examples=20)
 @given(case=cases())
 def test_centroid_on_any_source(case: Case) -> None:

@@ -25,6 +25,8 @@ EXAMPLES = 5
 
 def play(connection: duckdb.DuckDBPyConnection, monitor: Monitor, history: History) -> None:
     """Let a history happen."""
+    # Said here, since Hypothesis draws by the text of the test itself: other draws, fewer comparisons.
+    monitor.append_only = history.append_only
     put(connection, history.first)
     monitor.calibrate(limit=history.limit)
     for batch in history.batches:
@@ -72,7 +74,6 @@ def test_any_history_ends_in_the_tables_of_one_full_run(
     empty(connection)
     source = gam_db.Source("telemetry")
     reach: dict[str, Any] = {"lookback": told.lookback, "park_after": told.park_after}
-    reach["append_only"] = told.append_only
     with (
         pytest.MonkeyPatch.context() as patched,
         Monitor(connection, source, parameters, calibration, **reach) as monitor,
