@@ -10,11 +10,14 @@ from typing import Any
 import duckdb
 import pytest
 
+import comparisons
+import frozen
+import harness
 import small_plant
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.scoring import Report
 from small_plant import FIRST, LENGTH, readings, seen, source
-from visible import put
+from visible import BUCKETS, NOVEL, put, rows_of
 
 LOOKBACK, STRIDE, CONTEXT = 40, 5, 3
 
@@ -54,6 +57,12 @@ def finished(connection: duckdb.DuckDBPyConnection) -> None:
     put(connection, readings(end, LENGTH))
     monitor(connection).score()
     assert seen(connection) == small_plant.whole()
+    made = {"m": 2, "tau": 3, "bins": 4, "window": 20, "stride": 5}
+    method = harness.made(made, {"fraction": 0.7})
+    asked = (readings(0, FIRST), readings(0, LENGTH), *method)
+    harness.assert_same(frozen.buckets(*asked), rows_of(connection, BUCKETS), "buckets")
+    harness.assert_same(frozen.novel_cells(*asked), rows_of(connection, NOVEL), "novel cells")
+    comparisons.compared("duckdb", "stored", asked[1], *method, asked[0])
     assert monitor(connection).check_state().num_rows == 0
 
 
