@@ -94,7 +94,7 @@ def test_dse_is_one_of_them(machine: Any) -> None:
 
 
 @pytest.mark.thorough
-@settings(max_examples=20)
+@settings(max_examples=26)
 @given(case=cases())
 def test_centroid_on_any_source(case: Case) -> None:
     """Missing values, gaps, pools, overrides, several sets: the vectors are those of the method."""
