@@ -21,6 +21,8 @@ from visible import BUCKETS, NOVEL, put, rows_of
 
 LOOKBACK, STRIDE, CONTEXT = 40, 5, 3
 
+pytestmark = pytest.mark.thorough
+
 #: Rows of each channel that come from run to run.
 STEP = 20
 

@@ -23,6 +23,8 @@ from recorded_alarms import RECORDINGS
 from strategies import Row
 from visible import visible
 
+pytestmark = pytest.mark.thorough
+
 PARAMETERS = gam_db.Parameters(m=2, tau=1, bins=4, window=80, stride=4, still_after=5)
 FLEET = "SELECT asset, status, urgency, needs_attention, hi FROM gam_fleet ORDER BY asset"
 
