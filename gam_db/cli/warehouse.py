@@ -93,7 +93,12 @@ def _as_named(relation: Any, said: SourceSettings) -> AnySource:
     )
 
 
-export = typer.Typer(no_args_is_help=True, help="Write the method as a package of another tool.")
+export = typer.Typer(
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode="markdown",
+    help="Write the method as a package of another tool.",
+)
 
 
 @export.callback()

@@ -137,6 +137,8 @@ class _Throughput(TyperGroup):
 
 benchmarks = typer.Typer(
     cls=_Throughput,
+    add_completion=False,
+    rich_markup_mode="markdown",
     help="Measure gam-db on this machine: throughput (the default), the stored form, and other engines.",
 )
 benchmarks.command("throughput")(benchmark)

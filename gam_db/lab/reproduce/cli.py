@@ -20,6 +20,8 @@ from gam_db.lab.reproduce.results import FOLDER, Results
 
 reproduce = typer.Typer(
     no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode="markdown",
     help="Run the paper's experiments again. Results are kept as files and used again, so that what was "
     "interrupted goes on where it was.",
 )

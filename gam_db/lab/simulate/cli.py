@@ -24,6 +24,8 @@ from gam_db.lab.simulate.store import (
 
 simulate = typer.Typer(
     no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode="markdown",
     help="Write a simulated fleet of robots, or the paper's simulated system, with the truth about it.",
 )
 
