@@ -1,9 +1,13 @@
 """Optional libraries: imported where they are needed, never by ``import gam_db``."""
 
 import importlib
+import sys
 from typing import Any
 
 from gam_db.errors import UserError
+
+#: Libraries that use pandas, where it is installed, their own way.
+_USERS_OF_PANDAS = ("chdb", "pyspark", "sklearn")
 
 
 def needed(module: str, extra: str) -> Any:
@@ -16,8 +20,33 @@ def needed(module: str, extra: str) -> Any:
     Raises:
         UserError: it is not installed; the message says what to install.
     """
+    if module.partition(".")[0] in _USERS_OF_PANDAS:
+        give_pandas()
     try:
         return importlib.import_module(module)
     except ImportError as error:
         library = module.partition(".")[0].replace("sklearn", "scikit-learn")
         raise UserError(f'This needs {library}: pip install "gam-db[{extra}]".') from error
+
+
+class _WithoutPandas:
+    """Finds no pandas, for whoever asks."""
+
+    @staticmethod
+    def find_spec(name: str, *_: object) -> None:
+        if name == "pandas":
+            raise ModuleNotFoundError("No module named 'pandas'", name=name)
+
+
+def leave_pandas() -> None:
+    """Let nobody load pandas in this process: for a process of our own, which is given no frame.
+
+    Arrow would load it, wherever it is installed, to learn whether a list is one of its frames; that
+    takes longer than most commands do.
+    """
+    sys.meta_path.insert(0, _WithoutPandas)
+
+
+def give_pandas() -> None:
+    """Let pandas be loaded again, for a library that may want it."""
+    sys.meta_path[:] = [finder for finder in sys.meta_path if finder is not _WithoutPandas]

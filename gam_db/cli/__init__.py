@@ -25,6 +25,7 @@ from gam_db.errors import (
     UserError,
     printable,
 )
+from gam_db.extras import leave_pandas
 from gam_db.version import __version__
 
 #: What Typer raises for options it cannot parse; it does not export the name.
@@ -157,6 +158,7 @@ def of_every_command(
 
 def main() -> None:
     """Run the command line."""
+    leave_pandas()
     app()
 
 

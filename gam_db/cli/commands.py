@@ -16,6 +16,7 @@ from typer.main import get_command
 
 from gam_db import data
 from gam_db.errors import ConfigurationError
+from gam_db.extras import give_pandas
 
 _LISTED: dict[str, dict[str, str]] = data.table("gam_db.cli", "commands.toml")
 
@@ -60,6 +61,7 @@ def loaded(name: str) -> Any:
     if name in MODULES:
         found = getattr(importlib.import_module(f"gam_db.cli.{MODULES[name]}"), name)
     else:
+        give_pandas()
         entry = next(entry for entry in laboratory() if entry.name == name)
         try:
             found = entry.load()

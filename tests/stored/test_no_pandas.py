@@ -1,4 +1,4 @@
-"""A run makes its small tables without pandas, which Arrow would load to look at a list."""
+"""Nothing loads pandas, which Arrow would do to look at a list: neither a run nor a command."""
 
 import subprocess
 import sys
@@ -6,6 +6,7 @@ from pathlib import Path
 
 import duckdb
 import pyarrow as pa
+import pyarrow.parquet as pq
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -53,3 +54,44 @@ print(before, len(run.channels), "pandas" in sys.modules)
 """
     done = subprocess.run([sys.executable, "-c", asked], capture_output=True, text=True, check=True)
     assert done.stdout.split() == ["False", "4", "False"]
+
+
+@pytest.mark.parametrize(
+    "words", [["check"], ["run"], ["select"], ["init", "--force"], ["export", "grafana", "out"]]
+)
+def test_nor_does_a_command(words: list[str], tmp_path: Path) -> None:
+    pytest.importorskip("pandas")
+    pq.write_table(
+        pa.table({"time": range(900), "value": [i % 7 + i / 900 for i in range(900)]}),
+        tmp_path / "x.parquet",
+    )
+    said = words if words[0] == "export" else [*words, "x.parquet"]
+    asked = f"""
+import sys
+from gam_db.cli import main
+sys.argv = ["gam", *{said!r}]
+try:
+    main()
+finally:
+    print("pandas.core" in sys.modules, file=sys.stderr)
+"""
+    done = subprocess.run([sys.executable, "-c", asked], capture_output=True, text=True, cwd=tmp_path)
+    assert done.returncode in (0, 2), done.stderr
+    assert done.stderr.split()[-1] == "False"
+
+
+def test_who_wants_pandas_gets_it() -> None:
+    pytest.importorskip("pandas")
+    asked = """
+from gam_db import extras
+extras.leave_pandas()
+try:
+    import pandas
+except ImportError:
+    print("left")
+extras.needed("sklearn", "sklearn")
+import pandas
+print("given")
+"""
+    done = subprocess.run([sys.executable, "-c", asked], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["left", "given"]
