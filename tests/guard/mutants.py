@@ -15,6 +15,7 @@ the guard's own tests are not among those that run, and nor is what only reads t
 import argparse
 import contextlib
 import fnmatch
+import math
 import multiprocessing
 import multiprocessing.connection
 import os
@@ -42,8 +43,9 @@ FOLDERS = (
 #: Files of ``sql/`` -> the engine that runs them; DuckDB runs all others.
 _RUN_BY = {"rowids/*": "sqlite", "arrays/*": "clickhouse", "census/novelty_set": "sqlite"}
 
-#: Seconds after which a run is stopped: a mutant that never ends is caught, too.
-LONGEST = 600
+#: Seconds after which a run is stopped, or three times as many as the tests take with nothing changed: a
+#: mutant that never ends is caught, too.
+LONGEST = 600.0
 
 #: Files of tests in the order in which they run; after a bracket, only those
 #: of a file whose names hold a word.
@@ -249,7 +251,9 @@ def run(mutant: Mutant | None, folder: Path, told: Connection) -> None:
         told.send(watch.failed)
 
 
-def outcomes(mutants: Sequence[Mutant | None], processes: int) -> Iterator[Outcome]:
+def outcomes(
+    mutants: Sequence[Mutant | None], processes: int, longest: float = LONGEST
+) -> Iterator[Outcome]:
     """Yield what becomes of each mutant, in the order in which they are done; None is no change."""
     # What takes long to load is loaded once; nothing of gam_db or its tests may be.
     for name in ("duckdb", "hypothesis", "numpy", "pyarrow", "sqlglot", "typer"):
@@ -270,7 +274,7 @@ def outcomes(mutants: Sequence[Mutant | None], processes: int) -> Iterator[Outco
         multiprocessing.connection.wait(list(running), timeout=5)
         for sentinel, (process, mutant, ours, folder, began) in list(running.items()):
             seconds = time.monotonic() - began
-            if process.is_alive() and seconds < LONGEST:
+            if process.is_alive() and seconds < longest:
                 continue
             process.kill()
             process.join()
@@ -308,16 +312,16 @@ def main(words: Sequence[str] | None = None) -> int:
         print("\n".join(map(str, chosen)))
         return 0
     survivors: list[Mutant] = []
-    unchanged = [] if said.trust else [None]
-    for found in outcomes([*unchanged, *chosen], said.processes):
-        if found.mutant is None:
-            if found.caught_by is not None:
-                print(f"The tests fail with nothing changed: {found.caught_by}.")
-                return 2
-            continue
+    longest = LONGEST
+    for found in [] if said.trust else outcomes([None], 1, math.inf):
+        longest = max(longest, 3 * found.seconds)
+        if found.caught_by is not None:
+            print(f"The tests fail with nothing changed: {found.caught_by}.")
+            return 2
+    for found in outcomes(chosen, said.processes, longest):
         fate = f"caught by {found.caught_by}" if found.caught_by else "SURVIVED"
         print(f"{found.seconds:.0f} s  {found.mutant}: {fate}", flush=True)
-        if found.caught_by is None:
+        if found.mutant is not None and found.caught_by is None:
             survivors.append(found.mutant)
     print(f"{len(chosen) - len(survivors)} of {len(chosen)} mutants were caught.")
     print("\n".join(f"survived: {one}" for one in survivors))
