@@ -76,6 +76,10 @@ class Override:
         """Return the parameters that this override changes."""
         return dict(self.changed)
 
+    def names(self, asset: str, channel: str) -> bool:
+        """Tell whether its patterns name a channel."""
+        return pattern_matches(self.asset, asset) and pattern_matches(self.channel, channel)
+
 
 def _bins(of: Setting, name: str, value: Any) -> Any:
     if isinstance(value, str) and value != AUTO:
@@ -241,7 +245,7 @@ class Parameters:
     def of(self, asset: str, channel: str) -> "Parameters":
         """Return the parameters of one channel."""
         for one in self.overrides:
-            if pattern_matches(one.asset, asset) and pattern_matches(one.channel, channel):
+            if one.names(asset, channel):
                 return self.changed_by(one)
         return dataclasses.replace(self, overrides=())
 

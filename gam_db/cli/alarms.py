@@ -4,8 +4,9 @@ This module owns the commands and their pages; :mod:`gam_db.stored.alarms` does 
 """
 
 import datetime as dt
+import operator
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Annotated, Any
 
 import typer
@@ -103,7 +104,11 @@ def alarm(
             **{name: name for name in ("novel", "evidence", "height")},
         }
         page.table(out, judged, columns, lambda row: "!" if row["is_open"] else " ")
-        _show_bands(out, told["bands"])
+        if told["bands"]:
+            page.say(
+                out, "where it stands out (first five judgements, by the newest sample of a vector):"
+            )
+            page.table(out, told["bands"], _OF_BAND)
         _show_cells(out, told["cells"], kind, shown_in)
         if told["raw_rows"] is not None:
             page.say(out, "its rows in the source:")
@@ -141,19 +146,17 @@ def label(
             f"gam label takes ID KIND or ASSET, two times and KIND, not {len(words)} words: gam label 3 "
             "true_fault, or gam label robot_7 2026-03-01 2026-03-02 maintenance."
         )
+    name, first, kind = settings.monitor.name, words[0], words[-1]
+    of: Row = {"asset": first, "span": (words[1], words[2])} if len(words) == 4 else {}
+    if not of:
+        refusal = f"{first!r} is no number of an episode; of a machine say ASSET, two times and KIND."
+        of["episode"] = _read(int, first, refusal)
+    if until is not None:
+        refusal = f"--until is {until!r}; write 2026-03-14 or 2026-03-14T18:00."
+        of["until"] = _read(dt.datetime.fromisoformat, until, refusal)
     with state_of(settings, writable=True) as state:
-        found = stored.label(
-            state,
-            settings.monitor.name,
-            words[-1],
-            episode=_number(words[0]) if len(words) == 2 else None,
-            asset=words[0] if len(words) == 4 else None,
-            span=(words[1], words[2]) if len(words) == 4 else None,
-            note=note,
-            until=None if until is None else _end(until),
-            instead=instead,
-        )
-    figures = {"monitor": settings.monitor.name, "kind": words[-1], "episodes": found}
+        found = stored.label(state, name, kind, note=note, instead=instead, **of)
+    figures = {"monitor": name, "kind": kind, "episodes": found}
     told = ", ".join(map(str, found)) or "none yet"
     page.tell(Exit.FINE, figures, lambda out: page.say(out, f"episodes: {told}"), common)
 
@@ -187,9 +190,8 @@ def limits(
             "blocks": lambda row: row["blocks"] or 0,
             "no limit, since": lambda row: row["reason"] or "",
         }
-        marks = {True: " ", False: "?"}
         left = ("basis", "no limit, since")
-        page.table(out, shown, columns, lambda row: marks[row["reason"] is None], left)
+        page.table(out, shown, columns, lambda row: " " if row["reason"] is None else "?", left)
         page.cut(out, rows, common.everything)
 
     figures = {"monitor": settings.monitor.name, **promised(rows), "channels": rows}
@@ -205,17 +207,15 @@ def promised(rows: Sequence[Row]) -> Row:
     """
     judged = [row for row in rows if row["reason"] is None]
     stated = [row for row in judged if row["stated_rate"] is not None]
-    days = [row["judgements_per_day"] for row in stated]
-    rates = [row["stated_rate"] for row in stated]
+    days, rates = ([row[of] for row in stated] for of in ("judgements_per_day", "stated_rate"))
+    is_known = rates and None not in days
     return {
         "asked": sorted({row["asked"] for row in judged}),
         "judged": len(judged),
         "withheld": dict(Counter(row["reason"] for row in rows if row["reason"] is not None)),
         "basis": dict(Counter(row["basis"] for row in judged)),
         "stated": sum(rates) / len(rates) if rates else None,
-        "per_day": None
-        if not rates or None in days
-        else sum(rate * day for rate, day in zip(rates, days, strict=True)),
+        "per_day": sum(map(operator.mul, rates, days)) if is_known else None,
     }
 
 
@@ -227,8 +227,9 @@ def said_of(rows: Sequence[Row]) -> Iterator[str]:
         line = f"asked: {'; '.join(told['asked'])} ({bases})"
         if told["stated"] is not None:
             line += f"; can be stated: {1000 * told['stated']:.3g} per 1,000 judgements"
-        if told["per_day"]:
-            line += f", {_often(told['per_day'])} of all channels"
+        if often := told["per_day"]:
+            line += f", {often:.2g} a day" if often >= 1 else f", 1 in {1 / often:.2g} days"
+            line += " of all channels"
         yield line
     if told["basis"].get("none"):
         count = number_of(told["basis"]["none"], "channel")
@@ -237,26 +238,11 @@ def said_of(rows: Sequence[Row]) -> Iterator[str]:
         yield f"{number_of(count, 'channel')} without a limit: {reason}"
 
 
-def _often(per_day: float) -> str:
-    return f"{per_day:.2g} a day" if per_day >= 1 else f"1 in {1 / per_day:.2g} days"
-
-
-def _number(text: str) -> int:
+def _read(kind: Callable[[str], Any], text: str, refusal: str) -> Any:
     try:
-        return int(text)
+        return kind(text)
     except ValueError as error:
-        raise ConfigurationError(
-            f"{text!r} is no number of an episode; of a machine say ASSET, two times and KIND."
-        ) from error
-
-
-def _end(text: str) -> dt.datetime:
-    try:
-        return dt.datetime.fromisoformat(text)
-    except ValueError as error:
-        raise ConfigurationError(
-            f"--until is {text!r}; write 2026-03-14 or 2026-03-14T18:00."
-        ) from error
+        raise ConfigurationError(refusal) from error
 
 
 def _show_episodes(out: Console, rows: Sequence[Row], shown_in: dt.tzinfo) -> None:
@@ -266,6 +252,9 @@ def _show_episodes(out: Console, rows: Sequence[Row], shown_in: dt.tzinfo) -> No
     def rate(row: Row) -> str | None:
         stated: Any = row["stated_rate"]
         return row["basis"] if stated is None else f"{row['basis']}, {1000 * stated:.3g}"
+
+    def mark(row: Row) -> str:
+        return _MARKS.get(row["status"], "!") if row["needs_attention"] else " "
 
     columns: dict[str, page.Cell] = {
         "episode": lambda row: str(row["episode"]),
@@ -278,7 +267,7 @@ def _show_episodes(out: Console, rows: Sequence[Row], shown_in: dt.tzinfo) -> No
         "label": lambda row: row["label"] or "",
     }
     left = ("channel", "status", "basis, per 1,000", "label")
-    page.table(out, rows, columns, _mark, left)
+    page.table(out, rows, columns, mark, left)
     for row in {row["group"]: row for row in rows if row["signals_together"] > 1}.values():
         page.say(
             out,
@@ -291,22 +280,6 @@ def _show_episodes(out: Console, rows: Sequence[Row], shown_in: dt.tzinfo) -> No
             "proving: either calibration was no fair sample, or something changed right after it; gam "
             "label ID true_fault or false_alarm decides",
         )
-
-
-def _mark(row: Row) -> str:
-    return _MARKS.get(row["status"], "!") if row["needs_attention"] else " "
-
-
-def _show_bands(out: Console, rows: Sequence[Row]) -> None:
-    if rows:
-        page.say(out, "where it stands out (first five judgements, by the newest sample of a vector):")
-        columns: dict[str, page.Cell] = {
-            "value": _interval,
-            "novel": "novel",
-            "vectors": "visits",
-            "more than in calibration": lambda row: f"{row['excess']:,.1f}",
-        }
-        page.table(out, rows, columns)
 
 
 def _show_cells(out: Console, cells: Sequence[Row], kind: TimeKind, shown_in: dt.tzinfo) -> None:
@@ -330,6 +303,15 @@ def _interval(row: Row) -> str:
     if row["place"] == "within":
         return " to ".join(f"{end:.4g}" for end in ends)
     return f"{row['place']} {next(end for end in ends if end is not None):.4g}"
+
+
+#: What is told of a band of values.
+_OF_BAND: Mapping[str, page.Cell] = {
+    "value": _interval,
+    "novel": "novel",
+    "vectors": "visits",
+    "more than in calibration": lambda row: f"{row['excess']:,.1f}",
+}
 
 
 def _show_changes(out: Console, rows: Sequence[Row], shown_in: dt.tzinfo) -> None:

@@ -3,7 +3,6 @@
 This module owns the command and its page. What figures mean is said by :func:`gam_db.backtest`.
 """
 
-from collections.abc import Sequence
 from typing import Annotated
 
 from gam_db.backtesting import backtest as tested
@@ -69,17 +68,11 @@ def lines(found: Row) -> list[str]:
     said += [
         f"without a limit: {count:,} ({reason})" for reason, count in sorted(found["withheld"].items())
     ]
-    return [*said, *_raised(found["by_channel"])]
-
-
-def _raised(rows: Sequence[Row]) -> list[str]:
-    """Return the channels that were raised most often."""
-    most = sorted((row for row in rows if row["episodes"]), key=lambda row: -row["episodes"])
-    return [
-        f"raised: {' / '.join(filter(None, (row['asset'], row['channel'])))}: {row['episodes']:,} in "
-        f"{row['judgements']:,} judgements"
-        for row in most[:5]
-    ]
+    raised = [row for row in found["by_channel"] if row["episodes"]]
+    for row in sorted(raised, key=lambda row: -row["episodes"])[:5]:
+        name = " / ".join(filter(None, (row["asset"], row["channel"])))
+        said.append(f"raised: {name}: {row['episodes']:,} in {row['judgements']:,} judgements")
+    return said
 
 
 def _between(found: Row, lower: str, upper: str) -> str:

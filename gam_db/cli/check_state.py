@@ -21,6 +21,7 @@ from gam_db.stored.state import State, kind_of
 
 #: Parts that follow from the source, and of which is told what was counted.
 _MENDED = ("scored", "calibration")
+_EPOCH = dt.date(1970, 1, 1)
 
 
 def check_state(
@@ -61,7 +62,7 @@ def check_state(
         "checked_at": shown_instant(proof.proved_at, TimeKind.TIMESTAMP),
         "recorded": unkept is None,
         **{name: getattr(proof, name) for name in ("channels", "versions", "buckets")},
-        "differences": [{**row, "day": _day(row), "since": _since(row, kind)} for row in rows],
+        "differences": [_told(row, kind) for row in rows],
     }
     page.tell(Exit.ATTENTION if rows else Exit.FINE, figures, show, common)
 
@@ -86,7 +87,7 @@ def _show_differences(
         out, f"monitor {name}: {len(others):,} of {proof.channels:,} channels are not as they should be"
     )
     for row in common.of(rows):
-        page.say(out, f"  {_line(row, kind)}")
+        page.say(out, f"  {_line(_told(row, kind))}")
     page.cut(out, rows, common.everything)
     since = [row["since"] for row in rows if row["since"] is not None]
     if since:
@@ -102,37 +103,24 @@ def _show_differences(
         )
 
 
-def _line(row: Row, kind: TimeKind) -> str:
-    if row["part"] not in _MENDED:
-        return _damage(row, kind)
+def _line(row: Row) -> str:
+    """Return what is said of a difference, whose day and time are told."""
     named = printable(f"{row['asset']} {row['channel']}")
+    since = "" if row["since"] is None else f", from {row['since']} on"
+    if row["part"] not in _MENDED:
+        said = f"{row['part']}: {row['what']} ({row['differing']:,}){since}"
+        return said if row["asset"] is None else f"{named}: version {row['version']}: {said}"
     counted = f"{row['samples_then']:,} then, {row['samples_now']:,} now"
     if row["part"] == "calibration":
         return f"{named}: calibration: rows {counted}; {row['differing']:,} cells visited otherwise"
-    day = _day(row)
-    when = "" if day is None else f" {day}"
-    return (
-        f"{named}:{when} samples {counted}; {row['differing']:,} buckets differ, from "
-        f"{shown_instant(row['since'], kind)} on"
-    )
+    when = "" if row["day"] is None else f" {row['day']}"
+    return f"{named}:{when} samples {counted}; {row['differing']:,} buckets differ{since}"
 
 
-def _damage(row: Row, kind: TimeKind) -> str:
-    """Return what is said of a difference that the source did not make."""
-    said = f"{row['part']}: {row['what']} ({row['differing']:,})"
-    if row["since"] is not None:
-        said += f", from {shown_instant(row['since'], kind)} on"
-    if row["asset"] is None:
-        return said
-    named = printable(f"{row['asset']} {row['channel']}")
-    return f"{named}: version {row['version']}: {said}"
-
-
-def _day(row: Row) -> str | None:
-    if row["day"] is None:
-        return None
-    return (dt.date(1970, 1, 1) + dt.timedelta(days=row["day"])).isoformat()
-
-
-def _since(row: Row, kind: TimeKind) -> str | None:
-    return None if row["since"] is None else shown_instant(row["since"], kind)
+def _told(row: Row, kind: TimeKind) -> Row:
+    """Return a difference with its day and time as text."""
+    day, since = row["day"], row["since"]
+    return row | {
+        "day": None if day is None else (_EPOCH + dt.timedelta(days=day)).isoformat(),
+        "since": None if since is None else shown_instant(since, kind),
+    }

@@ -5,15 +5,15 @@ This module owns the command and its page. What results mean is said by
 """
 
 import dataclasses
-import math
 import shlex
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 import pyarrow as pa
+from numpy.typing import NDArray
 from rich.console import Console
 from rich.text import Text
 
@@ -71,23 +71,22 @@ def select(
 
     def show(out: Console) -> None:
         _show(out, job, found, common)
-        if write is not None:
-            page.say(out, *_written(write, whole))
+        if write is None:
+            return
+        file, named = printable(str(write)), f" --config {shlex.quote(str(write))}"
+        page.say(out, f"written: {file}; read it, then: gam run{named * (write != Path(DEFAULT_FILE))}")
+        if load(write).method()[1] != whole.calibration:
+            page.say(
+                out,
+                f"{file} says another calibration than the one that this was chosen from; what is "
+                "chosen fits that one",
+            )
 
     page.tell(code, figures, show, common)
 
 
-def _written(file: Path, job: Job) -> Iterator[str]:
-    named = "" if file == Path(DEFAULT_FILE) else f" --config {shlex.quote(str(file))}"
-    yield f"written: {printable(str(file))}; read it, then: gam run{named}"
-    if load(file).method()[1] != job.calibration:
-        yield (
-            f"{printable(str(file))} says another calibration than the one that this was chosen from; "
-            "what is chosen fits that one"
-        )
-
-
 _ASKED = ("m", "bins", "window", "target_floor")
+_LAGS = (("minimum", "ami_minimum"), ("acf < 1/e", "acf_1e"), ("acf <= 0", "acf_zero"))
 
 
 def _show(out: Console, job: Job, found: Selection, common: options.Common) -> None:
@@ -95,13 +94,12 @@ def _show(out: Console, job: Job, found: Selection, common: options.Common) -> N
     page.say(out, f"{printable(job.name)}: {number_of(len(choices), 'channel')}")
     page.say(out, job.columns_line())
     page.say(out, f"chosen from {healthy_part(job.calibration)}")
-    lags, dimensions = _by_channel(found.lags), _by_channel(found.dimensions)
-    budget = _by_channel(found.budget)
+    curves = [_by_channel(table) for table in (found.lags, found.dimensions, found.budget)]
     for one in common.of(choices):
         key = (one["asset"], one["channel"])
         out.print()
         out.print(Text(" ".join(map(printable, key)), style="bold"))
-        page.notes(out, _lines(one, lags[key], dimensions[key], budget[key], job))
+        page.notes(out, _lines(one, job.parameters.window, *(of[key] for of in curves)))
     for one in found.failures.to_pylist():
         out.print()
         name = f"{printable(one['asset'])} {printable(one['channel'])}"
@@ -112,25 +110,13 @@ def _show(out: Console, job: Job, found: Selection, common: options.Common) -> N
 
 
 def _lines(
-    one: Row,
-    lags: Sequence[Row],
-    dimensions: Sequence[Row],
-    budget: Sequence[Row],
-    job: Job,
+    one: Row, window: int, lags: Sequence[Row], dimensions: Sequence[Row], budget: Sequence[Row]
 ) -> list[tuple[str, str | page.Course]]:
     if one["verdict"] in ("constant", "no_data"):
         said = {"constant": "did not move", "no_data": "no usable sample or no whole vector"}
         return [("", f"{one['verdict']}: {said[one['verdict']]} in {one['samples']:,} samples")]
     tau = "-" if one["tau"] is None else one["tau"]
-    others = ", ".join(
-        f"{name} {one[lag]}"
-        for name, lag in (
-            ("minimum", "ami_minimum"),
-            ("acf < 1/e", "acf_1e"),
-            ("acf <= 0", "acf_zero"),
-        )
-        if one[lag] is not None
-    )
+    others = ", ".join(f"{name} {one[lag]}" for name, lag in _LAGS if one[lag] is not None)
     lines: list[tuple[str, str | page.Course]] = [
         ("tau", f"{tau}: {page.WORDS['tau'][one['tau_rule']]}" + (f" ({others})" if others else ""))
     ]
@@ -141,25 +127,21 @@ def _lines(
             ("", f"lags 1 to {lags[-1]['delay']}, up to {highest:.2f} nats"),
             ("acf", page.Course(_scaled([row["acf"] for row in lags[1:]]))),
         ]
-    lines.append(("m", _dimension(one)))
+    dimension = page.WORDS["dimension"][one["fnn_status"]].format(m=one["m_fnn"])
+    cao = page.WORDS["cao"][one["cao_status"]].format(m=one["m_cao"])
+    lines.append(("m", f"{dimension}; {cao}"))
     if dimensions:
         shares = [row["false_share"] for row in dimensions]
         shown = " ".join("-" if share is None else f"{100 * share:.1f}" for share in shares)
         lines.append(("", f"false neighbours, m = 1 to {len(shares)}: {shown} %"))
-    lines.append(("window", _window(one, job.parameters.window)))
+    lines.append(("window", _window(one, window)))
     if budget:
         grids = " ".join(
             "-" if row["finest_bins"] is None else str(row["finest_bins"]) for row in budget
         )
-        lines.append(
-            ("bins", f"finest grid that this calibration fills, m = 1 to {len(budget)}: {grids}")
-        )
+        filled = f"finest grid that this calibration fills, m = 1 to {len(budget)}: {grids}"
+        lines.append(("bins", filled))
     return [*lines, ("take", _together(one))]
-
-
-def _dimension(one: Row) -> str:
-    dimension = page.WORDS["dimension"][one["fnn_status"]].format(m=one["m_fnn"])
-    return f"{dimension}; {page.WORDS['cao'][one['cao_status']].format(m=one['m_cao'])}"
 
 
 def _window(one: Row, window: int) -> str:
@@ -194,11 +176,11 @@ def _by_channel(table: pa.Table) -> Mapping[tuple[str, str], list[Row]]:
     return rows
 
 
-def _scaled(curve: Sequence[float | None]) -> np.ndarray[Any, np.dtype[np.float64]]:
+def _scaled(curve: Sequence[float | None]) -> NDArray[np.float64]:
     """Return a curve between 0 and 1, whatever its range."""
-    points = np.array([math.nan if point is None else point for point in curve], dtype=np.float64)
+    points: NDArray[np.float64] = np.array(curve, np.float64)
     known = points[~np.isnan(points)]
     if not len(known) or known.max() == known.min():
         return points * 0
-    scaled: np.ndarray[Any, np.dtype[np.float64]] = (points - known.min()) / (known.max() - known.min())
-    return scaled
+    points = (points - known.min()) / (known.max() - known.min())
+    return points

@@ -23,7 +23,7 @@ from gam_db.config import Settings, load
 from gam_db.connecting import connect
 from gam_db.errors import ConfigurationError
 from gam_db.findings import Row
-from gam_db.parameters import Override, Parameters, pattern_matches
+from gam_db.parameters import Parameters, pattern_matches
 from gam_db.patterns import Name, grouped
 from gam_db.selection import Search, Selection, Studied, alone, selected_by_all
 from gam_db.setting import settings_of
@@ -60,12 +60,13 @@ def groups(
         window: of the file, in vectors; only others are said.
         own: what else is to be said of channels: channel -> key -> value.
     """
-    rows = {(row["asset"], row["channel"]): row for row in choices if row["recommended_m"] is not None}
-    rows = {name: row for name, row in rows.items() if row["verdict"] not in ("constant", "no_data")}
-    said = {
-        name: dict((own or {}).get(name, {}))
-        for name in ((row["asset"], row["channel"]) for row in choices)
+    rows = {
+        (row["asset"], row["channel"]): row
+        for row in choices
+        if row["recommended_m"] is not None and row["verdict"] not in ("constant", "no_data")
     }
+    names = [(row["asset"], row["channel"]) for row in choices]
+    said = {name: dict((own or {}).get(name, {})) for name in names}
     for names in _together(list(rows), job.calibration.pools):
         for key, of, column in _TAKEN:
             value = of([1 if rows[name][column] is None else rows[name][column] for name in names])
@@ -78,7 +79,7 @@ def groups(
     for (asset, channel), values in rules:
         first = {name: next(p for p, _ in rules if all(map(pattern_matches, p, name))) for name in kept}
         members = [rows[name] for name, p in first.items() if p == (asset, channel) and name in rows]
-        lines += ["", "[[override]]", *toml_text.comment(_reason(members, len(members), job))]
+        lines += ["", "[[override]]", *toml_text.comment(_reason(members, job))]
         lines += toml_text.entries({"asset": (asset, ""), "channel": (channel, "")})
         lines += toml_text.entries({key: (_plain(value), "") for key, value in values})
     return lines
@@ -113,7 +114,11 @@ def written(path: Path, settings: Settings, job: Job, choices: Sequence[Row]) ->
         text = "\n".join([*lines, *toml_text.entries(given), *healthy])
     window = known.parameters.get("window", Parameters().window)
     names = [(row["asset"], row["channel"]) for row in choices]
-    own = {name: _changes(known.overrides, name) for name in names}
+    taken = {key for key, _, _ in _TAKEN}  # what a file's own group says of these is chosen anew
+    own: dict[Name, dict[str, Any]] = {}
+    for name in names:
+        said = next((one.changes() for one in known.overrides if one.names(*name)), {})
+        own[name] = {key: of for key, of in said.items() if key not in taken}
     kept, among = [], False
     for line in text.splitlines():
         if re.match(r"\s*\[", line):
@@ -172,28 +177,18 @@ def save(path: Path, text: str) -> None:
         unfinished.unlink(missing_ok=True)
 
 
-def _changes(overrides: Sequence[Override], name: Name) -> dict[str, Any]:
-    """Return what a file's own override says of a channel, but for what is chosen anew."""
-    for one in overrides:
-        if pattern_matches(one.asset, name[0]) and pattern_matches(one.channel, name[1]):
-            chosen_keys = {key for key, _, _ in _TAKEN}
-            return {key: of for key, of in one.changes().items() if key not in chosen_keys}
-    return {}
-
-
 def _together(names: Sequence[Name], pools: Sequence[Sequence[str]]) -> list[list[Name]]:
     """Return the channels that learn together; one that has no pool stands alone."""
     found: dict[Any, list[Name]] = {}
     for name in names:
         pool = next(
-            (n for n, group in enumerate(pools) if any(pattern_matches(one, name[0]) for one in group)),
-            None,
+            (group for group in pools if any(pattern_matches(one, name[0]) for one in group)), None
         )
-        found.setdefault(name if pool is None else (pool, name[1], "pool"), []).append(name)
+        found.setdefault(name if pool is None else (pool, name[1]), []).append(name)
     return list(found.values())
 
 
-def _reason(members: Sequence[Row], count: int, job: Job) -> str:
+def _reason(members: Sequence[Row], job: Job) -> str:
     if not members:
         return "As before; nothing was chosen."
 
@@ -212,12 +207,11 @@ def _reason(members: Sequence[Row], count: int, job: Job) -> str:
     if len(floors) < len(members):
         short = number_of(len(members) - len(floors), "channel")
         parts.append(f"needs_data: no grid passes for {short}, calibrate longer")
-    if any(row["window_status"] == "short" for row in members):
-        longest = max(row["cycle_length"] for row in members if row["window_status"] == "short")
-        parts.append(f"window: five cycles of up to {longest:,} samples")
+    if cycles := [row["cycle_length"] for row in members if row["window_status"] == "short"]:
+        parts.append(f"window: five cycles of up to {max(cycles):,} samples")
     if job.calibration.pools:
         parts.append("one choice for all that learn together")
-    return f"{number_of(count, 'channel')}. {'. '.join(parts)}."
+    return f"{number_of(len(members), 'channel')}. {'. '.join(parts)}."
 
 
 def _plain(value: Any) -> Any:
