@@ -173,7 +173,9 @@ def _told(error: Exception, debug: bool, as_json: bool) -> int:
     is_usage = isinstance(error, _UsageError)
     said = error.message if is_usage else str(error)  # type: ignore[attr-defined]
     message = _legible(said)
-    exit_code = _meant(error)
+    exit_code = Exit.OUR_FAULT
+    if is_usage or isinstance(error, UserError):
+        exit_code = Exit.RUN_AGAIN if isinstance(error, RunAgainError) else Exit.USER_ERROR
     if exit_code == Exit.OUR_FAULT:
         kind = "" if type(error).__module__.startswith("gam_db") else f"{type(error).__name__}: "
         message = f"this is a fault of gam-db, not yours. {kind}{message.partition(chr(10))[0]} " + (
@@ -194,9 +196,3 @@ def _told(error: Exception, debug: bool, as_json: bool) -> int:
 def _legible(text: str) -> str:
     """Return the lines of a message without passwords, and without signs that a terminal would obey."""
     return "\n".join(map(printable, without_passwords(text).split("\n")))
-
-
-def _meant(error: Exception) -> Exit:
-    if isinstance(error, RunAgainError):
-        return Exit.RUN_AGAIN
-    return Exit.USER_ERROR if isinstance(error, (UserError, _UsageError)) else Exit.OUR_FAULT

@@ -60,15 +60,14 @@ def init(
     )
     save(out, text(seen, settings, out.parent, choices))
     code = Exit.ATTENTION if must_be_fixed(seen.notes) else Exit.FINE
-    page.tell(code, {}, lambda lines: _proposed(lines, seen, out), common)
 
+    def show(lines: Console) -> None:
+        page.say(lines, heading(seen))
+        if must := sum(note.must for note in seen.notes):
+            page.say(lines, f"{must} to be fixed first; gam check says what")
+        lines.print(f"written: {printable(str(out))}; read it, then: gam run", soft_wrap=True)
 
-def _proposed(lines: Console, seen: Seen, out: Path) -> None:
-    page.say(lines, heading(seen))
-    must = sum(note.must for note in seen.notes)
-    if must:
-        page.say(lines, f"{must} to be fixed first; gam check says what")
-    lines.print(f"written: {printable(str(out))}; read it, then: gam run", soft_wrap=True)
+    page.tell(code, {}, show, common)
 
 
 def text(
@@ -92,14 +91,18 @@ def text(
         lines += ["#", first, *more]
     lines += ["", "[source]", *toml_text.entries(_source(seen, settings, folder))]
     lines += ["", "[parameters]", *toml_text.entries(_parameters(seen, settings))]
-    proposed = _of_channels(seen, settings)
+    # What is proposed for channels of one name alone; of overrides only the first applies.
+    proposed: dict[str, dict[str, tuple[Any, str]]] = {}
+    for name, _, of_channels, _ in _unsaid(seen, settings):
+        for channel, one in of_channels.items():
+            proposed.setdefault(channel, {})[name] = one.value, one.reason
     if choices is not None:
-        values = {
-            channel: {name: value for name, (value, _) in said.items()}
-            for channel, said in proposed.items()
+        own = {
+            (row["asset"], row["channel"]): {
+                name: value for name, (value, _) in proposed.get(row["channel"], {}).items()
+            }
+            for row in choices
         }
-        names = ((row["asset"], row["channel"]) for row in choices)
-        own = {(asset, channel): values.get(channel, {}) for asset, channel in names}
         lines += groups(choices, seen.job, seen.job.parameters.window, own)
     else:
         for channel, said_own in proposed.items():
@@ -120,15 +123,6 @@ def _unsaid(seen: Seen, settings: Settings) -> list[tuple[str, Any, Mapping[str,
         ),
     )
     return [one for one in every if one[0] not in settings.parameters]
-
-
-def _of_channels(seen: Seen, settings: Settings) -> dict[str, dict[str, tuple[Any, str]]]:
-    """Return what is proposed for channels of one name alone; of overrides only the first applies."""
-    made: dict[str, dict[str, tuple[Any, str]]] = {}
-    for name, _, own, _ in _unsaid(seen, settings):
-        for channel, one in own.items():
-            made.setdefault(channel, {})[name] = one.value, one.reason
-    return made
 
 
 def _settled(seen: Seen, settings: Settings) -> Seen:

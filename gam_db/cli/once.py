@@ -95,7 +95,16 @@ def run(
     estimator = DSE if others is None else others.estimator_named(estimator).name
     relation = options.named_relation(settings)
     if report is not None:
-        _check_report(report, relation, estimator)
+        checked(report, "--report")
+        if not is_file(relation):
+            raise ConfigurationError(
+                "--report is of a file; of a table, gam calibrate, gam score and gam report make the "
+                "page."
+            )
+        if others is not None:
+            raise ConfigurationError(
+                f"--report is of {DSE}, which alone has a certificate; leave one out."
+            )
     results = [] if no_out else results_of(relation, settings.source.database, out, every, estimator)
     written = [str(one) for one in (*results, *([] if report is None else [report]))]
     shows: Callable[[Console], None]
@@ -108,7 +117,12 @@ def run(
                 longest = park_after(settings.monitor.park_after, study.method.kind)
                 found = findings(study, settings.alarms, longest)
                 code = Exit.ATTENTION if need_attention(found) else Exit.FINE
-                told = _figures(found)
+                told = {
+                    "channels": [{**row, "course": page.thinned(row["course"])} for row in found],
+                    "verdicts": Counter(row["verdict"] for row in found),
+                    "judged_by_episode": sum(row["judged_by"] == "episode" for row in found),
+                    "needs_attention": bool(code),
+                }
                 shows = partial(show, job=job, found=found, everything=everything, shown_in=shown_in)
             else:
                 others.add_estimator(study, estimator)
@@ -126,18 +140,12 @@ def run(
                 wishes = Wishes(title=Path(job.name).name)
                 method = (job.parameters, job.calibration, settings.alarms)
                 page_of(job.guess.source, *method, report, wishes, progress.on_step)
-    figures = {**job.figures(), **told, "written": written}
-    page.tell(code, figures, lambda lines: _written(lines, written), common)
 
+    def show_written(lines: Console) -> None:
+        for one in written:
+            lines.print(f"written: {printable(one)}", soft_wrap=True)
 
-def _check_report(report: Path, relation: Any, estimator: str) -> None:
-    checked(report, "--report")
-    if not is_file(relation):
-        raise ConfigurationError(
-            "--report is of a file; of a table, gam calibrate, gam score and gam report make the page."
-        )
-    if estimator != DSE:
-        raise ConfigurationError(f"--report is of {DSE}, which alone has a certificate; leave one out.")
+    page.tell(code, {**job.figures(), **told, "written": written}, show_written, common)
 
 
 def _others(estimator: str) -> Any:
@@ -171,15 +179,6 @@ def open_job(
     return job, Study(session, *asked, on_step=on_step, short_cuts=True)
 
 
-def _figures(found: Sequence[Row]) -> dict[str, Any]:
-    return {
-        "channels": [{**row, "course": page.thinned(row["course"])} for row in found],
-        "verdicts": Counter(row["verdict"] for row in found),
-        "judged_by_episode": sum(row["judged_by"] == "episode" for row in found),
-        "needs_attention": need_attention(found),
-    }
-
-
 def show(
     out: Console,
     job: Job,
@@ -197,7 +196,10 @@ def show(
     page.cut(out, found, everything, page.counted)
     out.print()
     page.say(out, f"verdicts: {page.verdicts(found)}")
-    page.say(out, f"channels: {page.counted(found)}{_judging(found)}")
+    judged = Counter(row["judged_by"] for row in found)
+    by = [(said, judged[name]) for name, said in _JUDGED_BY if judged[name]]
+    words = ", ".join(f"{said}: {count:,}" if len(by) > 1 else said for said, count in by)
+    page.say(out, f"channels: {page.counted(found)}{f'; judged by {words}' if words else ''}")
     if silent := sum(row["silent"] for row in found):
         page.say(out, f"silent: {silent:,}")
     if job.parameters.is_open:
@@ -205,48 +207,32 @@ def show(
         page.say(out, f"bins taken: {', '.join(f'{bins} for {count:,}' for bins, count in taken)}")
     page.say(out, *page.advice(found))
     ends = [row["last_time"] for row in found if isinstance(row["last_time"], int)]
-    unit = epoch_unit(min(ends), max(ends)) if ends else None
-    if unit is not None:
+    if ends and (unit := epoch_unit(min(ends), max(ends))):
         page.say(
             out,
             f"time looks like {SINCE_1970[unit][0]} since 1970, and is taken as a counter; --time-unit "
             f"{unit} makes calendar time of it",
         )
-    short = [
-        row
+    if short := sum(
+        row["hi_limit"] is not None and 0 < row["calibration_vectors"] < 8 * row["window"]
         for row in found
-        if row["hi_limit"] is not None and 0 < row["calibration_vectors"] < 8 * row["window"]
-    ]
-    if short:
+    ):
         page.say(
             out,
-            f"{len(short)} ready, but on a calibration shorter than 8 windows: their floors come from "
+            f"{short} ready, but on a calibration shorter than 8 windows: their floors come from "
             "blocks shorter than a window",
         )
     value = getattr(job.guess.source, "value", None)
-    beyond = [
-        row
-        for row in found
-        if (value or row["channel"]) in job.exact
+    if beyond := sum(
+        (value or row["channel"]) in job.exact
         and max(abs(row["calibrated_lo"] or 0), abs(row["calibrated_hi"] or 0)) >= EXACT_UP_TO
-    ]
-    if beyond:
-        page.say(out, f"{number_of(len(beyond), 'channel')} of {BEYOND}")
+        for row in found
+    ):
+        page.say(out, f"{number_of(beyond, 'channel')} of {BEYOND}")
     if not need_attention(found):
         page.say(out, "nothing needs attention")
     page.say(out, page.legend(found, everything))
 
 
-def _judging(found: Sequence[Row]) -> str:
-    """Return by what channels are judged, as the end of a line."""
-    counted = Counter(row["judged_by"] for row in found)
-    words = {"episode": "episodes", "indicator": "the health indicator and its limit"}
-    known = [(counted[name], said) for name, said in words.items() if counted[name]]
-    if len(known) < 2:
-        return "".join(f"; judged by {said}" for _, said in known)
-    return "; judged by " + ", ".join(f"{said}: {count:,}" for count, said in known)
-
-
-def _written(out: Console, written: Sequence[str]) -> None:
-    for one in written:
-        out.print(f"written: {printable(one)}", soft_wrap=True)
+#: Values of judged_by, and what they mean.
+_JUDGED_BY = (("episode", "episodes"), ("indicator", "the health indicator and its limit"))

@@ -79,12 +79,7 @@ def print_json(said: Any) -> None:
     """Print a value as JSON."""
     text = json.dumps(plain(said), ensure_ascii=False, indent=1)
     # JSON lets signs stand that a terminal obeys: those beyond ASCII that cannot be printed.
-    print("".join(sign if sign.isprintable() or sign == "\n" else escaped(sign) for sign in text))
-
-
-def escaped(sign: str) -> str:
-    """Return a sign as JSON spells it."""
-    return json.dumps(sign)[1:-1]
+    print("".join(one if one.isprintable() or one == "\n" else json.dumps(one)[1:-1] for one in text))
 
 
 def plain(value: Any) -> Any:
@@ -118,8 +113,7 @@ def notes(out: Console, said: Iterable[tuple[str, "str | Course"]]) -> None:
     """Print lines of prose, or courses, each behind a mark or a word."""
     grid = Table.grid(padding=(0, 1))
     for mark, line in said:
-        cell = Text(line) if isinstance(line, str) else line
-        grid.add_row(Text(mark, _STYLES.get(mark, "")), cell)
+        grid.add_row(Text(mark, _STYLES.get(mark, "")), Text(line) if isinstance(line, str) else line)
     _print(out, grid)
 
 
@@ -260,8 +254,12 @@ def channels(
     table(out, rows, columns, marked, ("verdict", "bins"))
     known = [row for row in rows if row["course_from"] is not None and row["last_time"] is not None]
     if known:
-        edges = min(row["course_from"] for row in known), max(row["last_time"] for row in known)
-        say(out, f"HI, 0 to 1: {spanned}, {_span(*edges, zone)}")
+        first, last = min(row["course_from"] for row in known), max(row["last_time"] for row in known)
+        line = f"HI, 0 to 1: {spanned}, from {time_text(first, zone)} to {time_text(last, zone)}"
+        if isinstance(first, dt.datetime):
+            micros = (_aware(last) - _aware(first)) // dt.timedelta(microseconds=1)
+            line += f" {zone}, {shown_length(micros, TimeKind.TIMESTAMP)}"
+        say(out, line)
     remarks(out, ((name(row), row["remarks"]) for row in rows), everything)
 
 
@@ -327,17 +325,17 @@ def cut(
 
 def verdicts(supports: Iterable[Row]) -> str:
     """Return how many calibrations have which verdict."""
-    count = Counter(row["verdict"] for row in supports)
     order = ("ready", "too_fine", "needs_data", "constant", "no_data")
-    return ", ".join(f"{count[name]:,} {name}" for name in order if count[name])
+    return _tally(Counter(row["verdict"] for row in supports), zip(order, order, strict=True))
 
 
 def counted(rows: Iterable[Row]) -> str:
     """Return how many channels are what, in words, the most urgent first."""
-    count = Counter(row["status"] for row in rows)
-    return ", ".join(
-        f"{count[status]:,} {said}" for status, said in WORDS["statuses"].items() if count[status]
-    )
+    return _tally(Counter(row["status"] for row in rows), WORDS["statuses"].items())
+
+
+def _tally(count: Mapping[str, int], words: Iterable[tuple[str, str]]) -> str:
+    return ", ".join(f"{count[name]:,} {said}" for name, said in words if count[name])
 
 
 def advice(supports: Sequence[Row]) -> list[str]:
@@ -349,12 +347,10 @@ def advice(supports: Sequence[Row]) -> list[str]:
     said, lines = WORDS["advice"], []
     if any(row["verdict"] == "no_data" for row in supports):
         lines.append(said["no_data"])
-    short = sum(row["verdict"] == "needs_data" or is_short(row) for row in supports)
-    if short:
+    if short := sum(row["verdict"] == "needs_data" or is_short(row) for row in supports):
         lines.append(said["short"].format(short=short, all=len(supports)))
-    too_fine = [row for row in supports if row["verdict"] == "too_fine" and not is_short(row)]
-    grids = [row["finest_bins"] for row in too_fine]
-    if grids:
+    too_fine = (row for row in supports if row["verdict"] == "too_fine" and not is_short(row))
+    if grids := [row["finest_bins"] for row in too_fine]:
         steps = [(bins, sum(other >= bins for other in grids)) for bins in sorted(set(grids))[::-1]]
         ladder = ", ".join(
             f"{bins} bins would do for {'all of them' if count == len(grids) else count}"
@@ -371,8 +367,7 @@ def legend(rows: Sequence[Row], everything: bool) -> str:
         rows: those of the page, with remarks.
         everything: as for :func:`channels`.
     """
-    said = [words for row in rows for words in row["remarks"]] if _tells(rows, everything) else []
-    remarks = " ".join(said)
+    remarks = " ".join(said for row in rows for said in row["remarks"] * _tells(rows, everything))
     return " ".join(of for word, of in WORDS["legend"].items() if word == "always" or word in remarks)
 
 
@@ -387,14 +382,6 @@ def time_text(time: Any, zone: dt.tzinfo = dt.UTC, named: bool = False) -> str:
 
 def _aware(time: dt.datetime) -> dt.datetime:
     return time if time.tzinfo is not None else time.replace(tzinfo=dt.UTC)
-
-
-def _span(first: Any, last: Any, zone: dt.tzinfo) -> str:
-    edges = f"from {time_text(first, zone)} to {time_text(last, zone)}"
-    if not isinstance(first, dt.datetime):
-        return edges
-    steps = (_aware(last) - _aware(first)) // dt.timedelta(microseconds=1)
-    return f"{edges} {zone}, {shown_length(steps, TimeKind.TIMESTAMP)}"
 
 
 def rise(trend: float | None) -> str:

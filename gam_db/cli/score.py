@@ -30,7 +30,7 @@ from gam_db.stored.copying import copy
 from gam_db.stored.differing import differing
 from gam_db.stored.scoring import Report
 from gam_db.stored.sources import relation_of
-from gam_db.stored.state import State, kind_of
+from gam_db.stored.state import kind_of
 
 
 @dataclass(frozen=True)
@@ -112,7 +112,10 @@ def score(
         if copy_to is not None:
             on_step(f"copying to {copy_to}")
             copy(session, monitor.tables, copy_to)
-        others = _differing(monitor.state, settings)
+        # Only a settings file can say that channels are to be calibrated otherwise.
+        is_said = settings.parameters or settings.calibration or settings.overrides
+        asked = (monitor.state, settings.monitor.name)
+        others = differing(*asked, *settings.method()) if is_said else []
     urgent = status is not None and need_attention(status.to_pylist())
     figures = {
         **place(settings),
@@ -136,13 +139,6 @@ def score(
         page.say(out, *_lines(figures, status, settings.file))
 
     page.tell(Exit.ATTENTION if urgent else Exit.FINE, figures, show, common)
-
-
-def _differing(state: State, settings: Settings) -> list[tuple[str, str]]:
-    """Return the channels that the settings file, if there is one, would calibrate otherwise."""
-    if not (settings.parameters or settings.calibration or settings.overrides):
-        return []
-    return differing(state, settings.monitor.name, *settings.method())
 
 
 def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:

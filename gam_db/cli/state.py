@@ -4,7 +4,6 @@ This module owns ``gam migrate``, ``gam prune``, ``gam compact`` and ``gam drop`
 :mod:`gam_db.stored` does the work.
 """
 
-from collections.abc import Sequence
 from functools import partial
 from typing import Annotated
 
@@ -21,7 +20,6 @@ from gam_db.engines import NAMES, engine_named
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row
 from gam_db.stored import dropping, migrations, pruning
-from gam_db.stored.dropping import Removal
 from gam_db.stored.migrations import Status
 from gam_db.stored.pruning import COUNTED, Retention
 from gam_db.stored.roles import Roles
@@ -89,23 +87,22 @@ def migrate(
 
 
 def _show_migrations(out: Console, tables: StateTables, found: Status) -> None:
-    rows = [vars(row) | {"by": f"gam-db {row.gam_version}"} for row in found.applied]
-    rows += [vars(one) | {"applied_at": None, "by": ""} for one in found.pending]
+    rows = [vars(one) | {"when": "pending", "by": ""} for one in found.pending]
+    rows[:0] = [
+        vars(one)
+        | {"when": page.time_text(told_time(one.applied_at, TimeKind.TIMESTAMP), named=True)}
+        | {"by": f"gam-db {one.gam_version}"}
+        for one in found.applied
+    ]
     columns: dict[str, page.Cell] = {
         "number": lambda row: str(row["number"]),
         "migration": "name",
-        "applied": lambda row: _when(row["applied_at"]),
+        "applied": "when",
         "by": "by",
     }
     page.table(out, rows, columns, left=("migration", "applied", "by"))
     pending = f"{len(found.pending)} pending; run `gam migrate`"
     page.say(out, f"{tables}*: {pending if found.pending else 'up to date'}")
-
-
-def _when(applied_at: int | None) -> str:
-    if applied_at is None:
-        return "pending"
-    return page.time_text(told_time(applied_at, TimeKind.TIMESTAMP), named=True)
 
 
 _KINDS = dict(zip(COUNTED, ("buckets", "novel cells", "runs", "support"), strict=True))
@@ -151,30 +148,24 @@ def compact(settings: Settings, common: options.Common) -> None:
 def _tell_sizes(sizes: pa.Table, monitor: str, dry_run: bool, common: options.Common) -> None:
     """Print how much there was and is of each channel."""
     rows = sizes.to_pylist()
+    said = {kind: f"rows of {word}" for kind, word in _KINDS.items()} | {"versions": "versions"}
+    counts = {kind: sum(row[kind] - row[f"{kind}_after"] for row in rows) for kind in said}
+    gone = ", ".join(f"{count:,} {said[kind]}" for kind, count in counts.items() if count)
+
+    def left(row: Row, kind: str) -> str:
+        after, before = row[f"{kind}_after"], row[kind]
+        return f"{after:,}" if after == before else f"{after:,} of {before:,}"
 
     def show(out: Console) -> None:
         columns: dict[str, page.Cell] = {"channel": lambda row: f"{row['asset']} {row['channel']}"}
-        columns |= {word: partial(_left, kind=kind) for kind, word in _KINDS.items()}
+        columns |= {word: partial(left, kind=kind) for kind, word in _KINDS.items()}
         page.table(out, common.of(rows), columns)
         page.cut(out, rows, common.everything)
         out.print()
-        page.say(out, _summary(rows, dry_run))
+        deleted = f"{'would delete' if dry_run else 'deleted'}: {gone}"
+        page.say(out, deleted if gone else "nothing to delete")
 
     page.tell(Exit.FINE, {"monitor": monitor, "dry_run": dry_run, "channels": rows}, show, common)
-
-
-def _left(row: Row, kind: str) -> str:
-    after, before = row[f"{kind}_after"], row[kind]
-    return f"{after:,}" if after == before else f"{after:,} of {before:,}"
-
-
-def _summary(rows: Sequence[Row], dry_run: bool) -> str:
-    said = {kind: f"rows of {word}" for kind, word in _KINDS.items()} | {"versions": "versions"}
-    counts = {kind: sum(row[kind] - row[f"{kind}_after"] for row in rows) for kind in said}
-    gone = [f"{count:,} {said[kind]}" for kind, count in counts.items() if count]
-    if not gone:
-        return "nothing to delete"
-    return f"{'would delete' if dry_run else 'deleted'}: {', '.join(gone)}"
 
 
 @options.taking("schema", "prefix", source=False, state=True)
@@ -194,21 +185,17 @@ def drop(
     with options.opened(settings) as session:
         found = dropping.removals(session, tables, name)
         if not yes:
-            _show_removals(tables, found, name)
+            out = page.console()
+            page.say(out, "This removes" if name is None else f"This removes, of monitor {name},")
+            columns: dict[str, page.Cell] = {
+                "table": lambda row: tables.shown(row["name"]),
+                "rows": lambda row: "view" if row["rows"] is None else str(row["rows"]),
+            }
+            page.table(out, list(map(vars, found)), columns)
             _ask(str(tables) if name is None else name)
         dropping.remove(session, found)
     said = f"{tables}*" if name is None else f"monitor {name} from {tables}*"
     print(f"removed: {printable(said)}")
-
-
-def _show_removals(tables: StateTables, found: Sequence[Removal], name: str | None) -> None:
-    out = page.console()
-    page.say(out, "This removes" if name is None else f"This removes, of monitor {name},")
-    columns: dict[str, page.Cell] = {
-        "table": lambda row: tables.shown(row["name"]),
-        "rows": lambda row: "view" if row["rows"] is None else str(row["rows"]),
-    }
-    page.table(out, list(map(vars, found)), columns)
 
 
 def _ask(expected: str) -> None:

@@ -5,7 +5,7 @@ This module owns the command and its page; :mod:`gam_db.stored.status` says what
 
 import datetime as dt
 from collections.abc import Iterator, Sequence
-from typing import Annotated, Any
+from typing import Annotated
 
 import pyarrow as pa
 import pyarrow.compute as pc
@@ -16,7 +16,7 @@ from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
 from gam_db.cli.monitors import heading, place
 from gam_db.cli.options import option
-from gam_db.clock import TimeKind, shown_instant, shown_length, zone
+from gam_db.clock import TimeKind, instant, shown_instant, shown_length, zone
 from gam_db.config import Settings
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, need_attention, share
@@ -47,12 +47,19 @@ def status(
         proof = stored_status.proved(session, settings.monitor.tables, name)
     unheard = stored_status.unheard_for(channels, silence, dt.datetime.now(dt.UTC))
     if asset is not None:
-        channels = _of_assets(channels, asset)
+        named = [pattern_matches(asset, one) for one in channels["asset"].to_pylist()]
+        if not any(named):
+            raise ConfigurationError(f"No asset of this monitor is called like {asset!r}.")
+        channels = channels.filter(pa.array(named))
+    proved = None
+    if proof is not None:
+        proved = vars(proof) | {"proved_at": shown_instant(proof.proved_at, TimeKind.TIMESTAMP)}
+        del proved["extent"]
     urgent, assets = need_attention(channels.to_pylist()), stored_status.by_asset(channels)
     figures = {
         **place(settings),
         "no_data_for_seconds": None if unheard is None else unheard.total_seconds(),
-        "proved": None if proof is None else _proved(proof),
+        "proved": proved,
         "channels": channels,
         "assets": assets,
         **raised(channels),
@@ -64,7 +71,8 @@ def status(
         rows = channels.to_pylist()
         page.say(out, f"{heading(settings)}: {page.amount(rows)}, newest data {newest}")
         if unheard is not None:
-            page.say(out, _silence(unheard))
+            length = shown_length(unheard // dt.timedelta(microseconds=1), TimeKind.TIMESTAMP)
+            page.say(out, f"no data at all for {length}: is the source filled, and is gam score run?")
         page.say(out, _proof(proof, dt.datetime.now(dt.UTC)))
         out.print()
         if not rows:
@@ -80,32 +88,13 @@ def status(
     page.tell(Exit.ATTENTION if urgent else Exit.FINE, figures, show, common)
 
 
-def _of_assets(channels: pa.Table, pattern: str) -> pa.Table:
-    named = [pattern_matches(pattern, asset) for asset in channels["asset"].to_pylist()]
-    found = channels.filter(pa.array(named, pa.bool_()))
-    if not found.num_rows:
-        raise ConfigurationError(f"No asset of this monitor is called like {pattern!r}.")
-    return found
-
-
-def _silence(unheard: dt.timedelta) -> str:
-    length = shown_length(unheard // dt.timedelta(microseconds=1), TimeKind.TIMESTAMP)
-    return f"no data at all for {length}: is the source filled, and is gam score run?"
-
-
 def _proof(proof: Proof | None, now: dt.datetime) -> str:
     if proof is None:
         return "the state was never compared with its source; gam check --state does it"
-    epoch = dt.datetime(1970, 1, 1, tzinfo=dt.UTC)
-    age = (now - epoch) // dt.timedelta(microseconds=1) - proof.proved_at
+    age = instant(now, TimeKind.TIMESTAMP, "now") - proof.proved_at
     ago = shown_length(age, TimeKind.TIMESTAMP)
     found = f"{proof.differences:,} differences" if proof.differences else "no difference"
     return f"the state was last compared with its source {ago} ago: {found} (gam check --state)"
-
-
-def _proved(proof: Proof) -> dict[str, Any]:
-    said = {name: value for name, value in vars(proof).items() if name != "extent"}
-    return {**said, "proved_at": shown_instant(proof.proved_at, TimeKind.TIMESTAMP)}
 
 
 def _show_assets(out: Console, rows: Sequence[Row], common: options.Common) -> None:

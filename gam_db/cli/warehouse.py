@@ -165,23 +165,15 @@ def engines(as_json: options.Json = False) -> None:
     *Executed* means that the tests run there and compare every integer; *rendered*, that the SQL is only
     made. Version and date are those of the last run of the tests.
     """
-    found = [_known(name) for name in NAMES]
+    found = []
+    for name in NAMES:
+        engine, told = engine_named(name), ("title", "oldest", "extra", "transactions", "limits")
+        known = {one: getattr(engine, one) for one in told}
+        found.append({**dataclasses.asdict(evidence()[name]), **known})
     if as_json:
         page.print_json(found)
     else:
         _show(page.console(), found)
-
-
-def _known(name: str) -> dict[str, Any]:
-    engine = engine_named(name)
-    return {
-        **dataclasses.asdict(evidence()[name]),
-        "title": engine.title,
-        "oldest": engine.oldest,
-        "extra": engine.extra,
-        "transactions": engine.transactions,
-        "limits": engine.limits,
-    }
 
 
 def _show(out: Console, found: list[dict[str, Any]]) -> None:
