@@ -3,12 +3,12 @@
 This module owns which signals are shown in detail, and what of the source is read for them.
 """
 
+import itertools
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Protocol
 
 import numpy as np
 import pyarrow as pa
-from numpy.typing import NDArray
 from sqlglot import exp
 
 from gam_db import template
@@ -90,18 +90,15 @@ def read(
     """
     wanted, pieces_wanted, lengths = [], [], []
     for number, (row, course) in enumerate(zip(signals, courses, strict=True)):
-        begin = row["learnt_from"]
-        if begin is None:
-            begin = int(course["first"][0]) if len(course["first"]) else end
+        seen = int(course["first"][0]) if len(course["first"]) else end
+        begin = seen if row["learnt_from"] is None else row["learnt_from"]
         lengths.append(max((end - begin + 1) / STRETCHES, 1e-9))
         named = {"number": number, "asset": row["asset"], "channel": row["channel"]}
         wanted.append({**named, "first_tick": begin, "stretch_length": lengths[-1]})
         healthy = row["calibration_end"] if row["calibration_end"] is not None else begin
-        onset = {"piece": "onset", "about_tick": onset_of(row, course, end), "last_tick": FAR_AHEAD}
-        pieces_wanted += [
-            {**named, "piece": "healthy", "about_tick": healthy, "last_tick": healthy},
-            {**named, **onset},
-        ]
+        ends = ("healthy", healthy, healthy), ("onset", onset_of(row, course, end), FAR_AHEAD)
+        for piece, about, last in ends:
+            pieces_wanted.append({**named, "piece": piece, "about_tick": about, "last_tick": last})
     narrowed = source
     if source.asset is not None:
         names = sorted({row["asset"] for row in signals})
@@ -156,12 +153,10 @@ def _pieces(rows: pa.Table, many: int) -> dict[int, Row]:
     number, piece = rows["number"].to_numpy(), np.array(rows["piece"].to_pylist(), dtype=object)
     time = rows["time"].to_numpy()
     value = rows["value"].to_numpy(zero_copy_only=False).astype(np.float64)
-    found: dict[int, Row] = {}
-    for one in range(many):
-        found[one] = {}
-        for name in ("healthy", "onset"):
-            mine = (number == one) & (piece == name)
-            found[one][name] = (time[mine], value[mine])
+    found: dict[int, Row] = {one: {} for one in range(many)}
+    for one, name in itertools.product(found, ("healthy", "onset")):
+        mine = (number == one) & (piece == name)
+        found[one][name] = (time[mine], value[mine])
     return found
 
 
@@ -179,7 +174,15 @@ def growth(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[tuple[str
     for row in signals:
         name = (row["asset"], row["channel"])
         mine = places.get(name, nowhere)
-        found[name] = _growth(rows.slice(mine.start, mine.stop - mine.start))
+        steps = np.arange(mine.start, mine.stop)
+        if len(steps) > GROWN:  # a picture has room for no more
+            steps = steps[np.unique(np.linspace(0, len(steps) - 1, GROWN).round().astype(np.int64))]
+        of = rows.take(pa.array(steps))
+        found[name] = {
+            "time": ticks(of["last_tick"].to_numpy()),
+            "healthy": counts(of["healthy"].to_numpy()),
+            "new": counts(of["novel"].to_numpy()),
+        }
     return found
 
 
@@ -261,71 +264,39 @@ def detail(state: Reads, row: Row, course: Any, raw: tuple[Row, Row] | None) -> 
         "learntTo": tick(row["calibration_end"]),
         "blocks": [[one["block"], one["vectors"], one["novel"]] for one in blocks],
     }
-    if raw is not None:
-        healthy = state.fetch("report/healthy_keys", {"support_id": row["support_id"]})
-        told |= _raw(*raw, row, healthy["cell_key"].to_numpy())
+    if raw is None:
+        return told
+    told["envelope"], pieces = raw
+    healthy = state.fetch("report/healthy_keys", {"support_id": row["support_id"]})
+    keys = healthy["cell_key"].to_numpy()
+    for name, piece in (("calm", "healthy"), ("onset", "onset")):
+        time, value = pieces[piece]
+        is_new = packed(states.are_new(time, value, row, keys), "u1")
+        told[name] = {"time": ticks(time), "value": packed(value, "f8"), "new": is_new}
     return told
-
-
-def _raw(envelope: Row, pieces: Row, row: Row, healthy: NDArray[Any]) -> Row:
-    told: Row = {"envelope": envelope}
-    for name in ("healthy", "onset"):
-        time, value = pieces[name]
-        is_new = states.are_new(time, value, row, healthy)
-        told["calm" if name == "healthy" else "onset"] = {
-            "time": ticks(time),
-            "value": packed(value, "f8"),
-            "new": packed(is_new, "u1"),
-        }
-    return told
-
-
-def _growth(rows: pa.Table) -> Row:
-    """Return the growth at no more points than a picture has room for."""
-    if rows.num_rows > GROWN:
-        places = np.unique(np.linspace(0, rows.num_rows - 1, GROWN).round().astype(np.int64))
-        rows = rows.take(pa.array(places))
-    return {
-        "time": ticks(rows["last_tick"].to_numpy()),
-        "healthy": counts(rows["healthy"].to_numpy()),
-        "new": counts(rows["novel"].to_numpy()),
-    }
 
 
 def summary(row: Mapping[str, Any], raw: bool) -> Row:
     """Return what the list says of a signal; its calibrated range only if raw readings may be in it."""
-    window = row["window_length"]
-    before = row["novel_window_before"]
-    novel = row["novel_in_window"]
+    before, novel = row["novel_window_before"], row["novel_in_window"]
     return {
-        "name": row["channel"],
-        "verdict": row["verdict"],
-        "status": row["status"],
-        "isAbove": row["is_above"],
-        "by": row["judged_by"],
-        "episode": row["episode_id"],
-        "hi": row["hi"],
-        "limit": row["hi_limit"],
-        "before": None if before is None else before / window,
-        "floor": row["floor"],
-        "since": tick(row["since_tick"]),
-        "atLeast": row["at_least"],
-        "silent": tick(row["silent_for"]),
+        **{name: row[of] for name, of in _LISTED.items()},
+        **{name: tick(row[of]) for name, of in _LISTED_TIMES},
+        **{name: row[of] if raw else None for name, of in _LISTED_RANGE},
+        "before": None if before is None else before / row["window_length"],
         "outside": None if not novel else short(row["out_of_range_in_window"] / novel),
         "fresh": int(row["is_new"]),
         "rising": int(row["is_rising"]),
-        "at": tick(row["data_tick"]),
-        "low": row["calibrated_lo"] if raw else None,
-        "high": row["calibrated_hi"] if raw else None,
-        "cells": row["cells"],
-        "vectors": row["calibration_vectors"],
-        "finest": row["finest_bins"],
-        "needed": row["vectors_needed"],
-        "m": row["m"],
-        "tau": row["tau"],
-        "bins": row["bins"],
-        "window": window,
-        "stride": row["stride"],
-        "version": row["version_no"],
-        "target": row["target_floor"],
     }
+
+
+#: What the list calls the columns of a signal.
+_LISTED = {
+    one: one for one in ("verdict", "status", "hi", "floor", "cells", "m", "tau", "bins", "stride")
+}
+_LISTED |= {"name": "channel", "isAbove": "is_above", "atLeast": "at_least", "by": "judged_by"}
+_LISTED |= {"episode": "episode_id", "limit": "hi_limit", "vectors": "calibration_vectors"}
+_LISTED |= {"finest": "finest_bins", "needed": "vectors_needed", "window": "window_length"}
+_LISTED |= {"version": "version_no", "target": "target_floor"}
+_LISTED_TIMES = (("since", "since_tick"), ("silent", "silent_for"), ("at", "data_tick"))
+_LISTED_RANGE = (("low", "calibrated_lo"), ("high", "calibrated_hi"))

@@ -43,6 +43,10 @@ MOST_ALARMS = 2000
 _OF_ALARM = {name: name for name in ("status", "label", "note", "evidence", "height")}
 _OF_ALARM |= {"id": "episode_id", "proving": "is_proving"}
 
+#: What is told of each machine, as the view calls it.
+_OF_MACHINE = {name: name for name in ("asset", "signals", "judged", "above", "together")}
+_OF_MACHINE["notJudged"] = "not_judged"
+
 #: A place of the frame that is filled.
 _PLACE = re.compile(r"\{\{([a-z-]+)\}\}")
 
@@ -88,25 +92,18 @@ def write(
     if wishes.raw and source is not None and picked:
         on_step("reading raw readings of the signals in detail")
         try:
-            raw = details.read(
-                state.session, source, picked, [courses[row["place"]] for row in picked], last
-            )
-            why = None
+            theirs = [courses[row["place"]] for row in picked]
+            raw, why = details.read(state.session, source, picked, theirs, last), None
         except UserError as error:
             why = f"the source could not be read: {str(error).partition(';')[0]}"
     on_step("writing the page")
     columns = COLUMNS if len(signals) <= MANY else FEW_COLUMNS
-    rows = [
-        strip(
-            (course["first"], course["last"], course["hi"]),
-            row["hi_limit"],
-            None
-            if row["learnt_from"] is None or row["calibration_end"] is None
-            else (row["learnt_from"], row["calibration_end"]),
-            (first, last, columns),
-        )
-        for row, course in ((row, courses[row["place"]]) for row in signals)
-    ]
+    rows = []
+    for row, course in zip(signals, courses, strict=True):
+        spans, learnt = (course["first"], course["last"], course["hi"]), None
+        if row["learnt_from"] is not None and row["calibration_end"] is not None:
+            learnt = row["learnt_from"], row["calibration_end"]
+        rows.append(strip(spans, row["hi_limit"], learnt, (first, last, columns)))
     shown, grown = {}, details.growth(state, monitor, picked)
     cells = details.cells(state, picked, wishes.raw)
     for number, row in enumerate(picked):
@@ -233,22 +230,15 @@ def _is_new(row: Row, course: dict[str, NDArray[Any]], kind: TimeKind, newest: i
 
 def _machines(state: Reads, monitor: str, signals: Sequence[Row]) -> list[Row]:
     """Return the machines, the one with the most urgent signal first."""
-    order: dict[str, int] = {}
-    for row in signals:
-        order.setdefault(row["asset"], len(order))
+    order = dict.fromkeys(row["asset"] for row in signals)
     found = {
         row["asset"]: row
         for row in state.fetch("report/machines", {"monitor": template.text(monitor)}).to_pylist()
     }
     return [
         {
-            "asset": name,
-            "signals": found[name]["signals"],
-            "judged": found[name]["judged"],
-            "above": found[name]["above"],
-            "notJudged": found[name]["not_judged"],
+            **{told: found[name][of] for told, of in _OF_MACHINE.items()},
             "since": tick(found[name]["since_tick"]),
-            "together": found[name]["together"],
             "at": tick(found[name]["data_tick"]),
         }
         for name in order
@@ -271,13 +261,8 @@ def _courses(state: Reads, monitor: str, signals: Sequence[Row]) -> list[dict[st
     """Return the buckets of each signal, in order."""
     rows = state.fetch("report/course", {"monitor": template.text(monitor)})
     places, nowhere = by_channel(rows), slice(0, 0)
-    column = {
-        short: rows[name].to_numpy()
-        for short, name in (
-            *(("first", "first_tick"), ("last", "last_tick")),
-            *(("novel", "novel"), ("outside", "out_of_range")),
-        )
-    }
+    names = {"first": "first_tick", "last": "last_tick", "novel": "novel", "outside": "out_of_range"}
+    column = {short: rows[name].to_numpy() for short, name in names.items()}
     column["hi"] = rows["hi"].to_numpy(zero_copy_only=False).astype(np.float64)
     courses = []
     for place, row in enumerate(signals):
@@ -291,16 +276,15 @@ def _frame(
     signals: Sequence[Row], courses: Sequence[Any], kind: TimeKind, wishes: Wishes
 ) -> tuple[int, int]:
     """Return the first and the last instant that strips show."""
-    known = [row["learnt_from"] for row in signals] + [
-        int(course["first"][0]) for course in courses if len(course["first"])
-    ]
-    ends = [row["data_tick"] for row in signals]
-    ends += [int(course["last"][-1]) for course in courses if len(course["last"])]
-    ends = [end for end in ends if end is not None] or [
-        row["calibration_end"] for row in signals if row["calibration_end"] is not None
-    ]
-    last = max(ends, default=0)
-    first = min((one for one in known if one is not None), default=last - 1)
+
+    def known(name: str) -> list[int]:
+        return [row[name] for row in signals if row[name] is not None]
+
+    seen = [course for course in courses if len(course["first"])]
+    begins = known("learnt_from") + [int(course["first"][0]) for course in seen]
+    ends = known("data_tick") + [int(course["last"][-1]) for course in seen]
+    last = max(ends or known("calibration_end"), default=0)
+    first = min(begins, default=last - 1)
     if wishes.since is not None:
         first = max(first, last - length(wishes.since, kind, "since"))
     return min(first, last - 1), last
