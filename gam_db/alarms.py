@@ -244,7 +244,13 @@ def chosen_limits(work: Work, alarms: Alarms, kind: TimeKind) -> list[Row]:
     replayed, counted = _replayed(work, members)
     for row in members:
         family = row["family_no"]
-        row |= high(row, _height(row, replayed.get(family), counted[family]))
+        height = Height(UNSTATED, "none")
+        if row["basis"] != "none":
+            height = by_table(row["rate"], row["blocks"])
+            if family in replayed:
+                height = by_replay(row["rate"], replayed[family], counted[family])
+            height = Height(height.quarters, row["basis"] or height.basis)
+        row |= high(row, height)
     for row in rows:
         row["family"] = row["family_no"]
         if row["reason"] is not None:
@@ -259,15 +265,12 @@ def day_of(kind: TimeKind) -> int | None:
 
 def assess(row: Row, day: int | None) -> None:
     """Add to a row of *learnt_limits* its judgements a day, and why there is no limit."""
-    row["judgements_per_day"] = _per_day(row, day)
+    row["judgements_per_day"] = None
+    if day is not None and row["calibration_length"]:
+        in_all = row["window_length"] * row["calibration_length"]
+        row["judgements_per_day"] = float(row["vectors"] * day / in_all)
     row["reason"] = _reason(row, day)
     row["order_ratio"] = row["order_ratio"] if row["blocks"] >= _ORDERED_BLOCKS else None
-
-
-def _per_day(row: Row, day: int | None) -> float | None:
-    if day is None or not row["calibration_length"]:
-        return None
-    return float(row["vectors"] * day / (row["window_length"] * row["calibration_length"]))
 
 
 def _reason(row: Row, day: int | None) -> str | None:
@@ -328,17 +331,6 @@ def _replayed(work: Work, members: Sequence[Row]) -> tuple[dict[int, int], Mappi
         for row in work.rows("counted_replay"):
             counted[row["family_no"]][row["quarters"]] = row["episodes"]
     return enough, counted
-
-
-def _height(row: Row, judged: int | None, counted: Mapping[int, int]) -> Height:
-    if row["basis"] == "none":
-        return Height(UNSTATED, "none")
-    height = (
-        by_table(row["rate"], row["blocks"])
-        if judged is None
-        else by_replay(row["rate"], judged, counted)
-    )
-    return Height(height.quarters, row["basis"] or height.basis)
 
 
 def high(row: Row, height: Height) -> Row:

@@ -68,7 +68,10 @@ class Settings:
         the other may lie.
         """
         own = self.source.relation
-        if relation is None or own is None or own == relation or _same_path(own, relation):
+        if relation is None or own is None or own == relation:
+            return self
+        here, there = (list(map(os.path.abspath, paths_of(one))) for one in (own, relation))
+        if is_file(own) and here == there:
             return self
         source = SourceSettings(database=self.source.database)
         return dataclasses.replace(self, source=source, is_of_another=True)
@@ -138,11 +141,6 @@ def load(path: Path | None = None, folder: Path | None = None) -> Settings:
         return _settings(document, path)
     except UserError as error:
         raise ConfigurationError(f"{path}: {error}") from error
-
-
-def _same_path(*relations: str | tuple[str, ...]) -> bool:
-    one, other = (list(map(os.path.abspath, paths_of(relation))) for relation in relations)
-    return is_file(relations[0]) and one == other
 
 
 def _check_where(source: SourceSettings) -> None:

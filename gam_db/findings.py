@@ -4,6 +4,7 @@ What is high, and what needs attention, is said by ``sql/judgement/``. This modu
 a recording just studied and for what is stored of a monitor alike. It knows no terminal.
 """
 
+import datetime as dt
 import itertools
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -98,15 +99,12 @@ def findings(study: Study, alarms: Alarms | None = None, longest: int | None = N
         said = finding({**learnt_of, **row}, setting.span, setting.window, course)
         said["remarks"] += [*at_end(row, since, kind), *_of_episode(row)]
         del said["behind"]
-        said["still_since"] = None if since is None else _told(since, kind)
+        still = None if since is None else told_time(since, kind)
+        if isinstance(still, dt.datetime) and not kind.has_zone:
+            still = still.replace(tzinfo=None)  # as the source tells time
+        said["still_since"] = still
         found.append({**said, "last_time": None if course is None else course.time})
     return found
-
-
-def _told(tick: int, kind: TimeKind) -> Any:
-    """Return integer time as the source tells time."""
-    told = told_time(tick, kind)
-    return told if isinstance(told, int) or kind.has_zone else told.replace(tzinfo=None)
 
 
 def ended(end: int | None, newest: int | None, longest: int | None) -> Row:
@@ -225,7 +223,11 @@ def _remarks(row: Row, span: int, window: int, course: Course | None) -> list[st
         elif limit is not None and hi > limit:
             alone = row["judged_by"] == "episode" and row["is_above"] == 0
             so_far = ", without an episode so far" if alone else ""
-            remarks.append(f"above its limit of {share(limit)}{_out_of_range(course)}{so_far}")
+            left = ""  # the calibrated range, which any threshold would see
+            if course.novel:
+                part = 100 * course.out_of_range / course.novel
+                left = f", {part:.0f} % of the novel vectors out of range"
+            remarks.append(f"above its limit of {share(limit)}{left}{so_far}")
         elif limit is not None and course.highest is not None and course.highest > limit:
             remarks.append(f"below its limit of {share(limit)} now, was up to {share(course.highest)}")
     if row.get("missing_vectors"):
@@ -296,10 +298,3 @@ def _more(vectors_needed: int | None) -> str:
     if vectors_needed is None:
         return "how much more it takes cannot be told yet"
     return f"it takes about {vectors_needed:,} more vectors"
-
-
-def _out_of_range(course: Course) -> str:
-    """Tell whether values left the calibrated range, which any threshold would see, or their order."""
-    if not course.novel:
-        return ""
-    return f", {100 * course.out_of_range / course.novel:.0f} % of the novel vectors out of range"

@@ -215,7 +215,10 @@ class _Guesser:
             calendars = [name for name, kind in kinds.items() if kind and not kind.is_counter]
             if len(calendars) == 1:
                 return self._take("time", calendars[0])
-            fitting = [name for name, kind in kinds.items() if kind or self._counts(name)]
+            is_said = self.said.time_unit is not None  # then numbers may be times, too
+            fitting = [
+                name for name, kind in kinds.items() if kind or (is_said and self._is_number(name))
+            ]
             found = self._by_name("time", calendars or fitting or self.free)
             if found is None:
                 many = f"{_listed(calendars)} could each be" if calendars else "No column looks like"
@@ -264,7 +267,7 @@ class _Guesser:
 
     def _by_name(self, role: str, among: Iterable[str], weak: bool = True) -> str | None:
         for names in KNOWN[role] if weak else KNOWN[role][:1]:
-            found = [name for name in among if _plain(name) in names or _bare(name) in names]
+            found = [name for name in among if {plain := _plain(name), _TAIL.sub("", plain)} & names]
             if len(found) > 1:
                 raise self._unclear(f"{_listed(found)} could each be {_WHAT[role]}", (role,))
             if found:
@@ -285,10 +288,6 @@ class _Guesser:
                 return found
         return []
 
-    def _counts(self, name: str) -> bool:
-        """Tell whether a column holds numbers that were said to be times."""
-        return self.said.time_unit is not None and self._is_number(name)
-
     def _is_number(self, name: str) -> bool:
         return self.session.engine.types.is_numeric(self.columns[name])
 
@@ -307,10 +306,6 @@ class _Guesser:
 
 def _plain(name: str) -> str:
     return "".join(sign for sign in name.casefold() if sign.isalnum())
-
-
-def _bare(name: str) -> str:
-    return _TAIL.sub("", _plain(name))
 
 
 def _listed(names: Sequence[str]) -> str:

@@ -5,8 +5,10 @@ This module owns the rate and the choice of a height from a few counts. It knows
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
+
+import numpy as np
 
 from gam_db.errors import ParameterError
 
@@ -108,18 +110,11 @@ def by_replay(rate: float, judgements: int, episodes: Mapping[int, int]) -> Heig
 def by_table(rate: float, blocks: int) -> Height:
     """Return the height for a channel of at least 8 blocks by the table for normal blocks."""
     asked = min(max(rate, 1 / 5000), 1 / 300)
-    heights = [(row, _between(min(blocks, _BLOCKS[-1]), _BLOCKS, columns)) for row, columns in _TABLE]
+    heights = [(row, float(np.interp(blocks, _BLOCKS, columns))) for row, columns in _TABLE]
     upper = next(i for i, (row, _) in enumerate(heights[1:]) if asked >= row or i == len(heights) - 2)
     (high, first), (low, second) = heights[upper], heights[upper + 1]
     share = (math.log(high) - math.log(asked)) / (math.log(high) - math.log(low))
     return Height(_in_quarters(first + share * (second - first)), "table")
-
-
-def _between(at: float, places: Sequence[float], values: Sequence[float]) -> float:
-    """Return a value between those of two places in a row."""
-    right = next(i for i in range(1, len(places)) if at <= places[i])
-    share = (at - places[right - 1]) / (places[right] - places[right - 1])
-    return values[right - 1] + share * (values[right] - values[right - 1])
 
 
 def _carried_on(expected: float, episodes: Mapping[int, int]) -> float | None:

@@ -4,16 +4,16 @@ This module owns what becomes of a column by its type and by what was said of ho
 section 2), and what is said of words that do not fit. All forms of the method read through it.
 """
 
+import contextlib
 import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from sqlglot import exp
 
 from gam_db import look, template
 from gam_db.clock import SINCE_1970, TimeKind
-from gam_db.engines.session import Session
+from gam_db.engines.session import Row, Session
 from gam_db.errors import SourceError
 from gam_db.form import LOOKED_AT, formats_for_times, options_for_numbers, shortened
 from gam_db.source import AnySource, parsed_condition, read_from
@@ -108,20 +108,21 @@ def _changes(
         elif texts is not None and types.is_text(columns[name]):
             words = _but_nulls(column, source.null)
             changes[name] = texts.number(words, source)
-            _check_numbers(session, source, name, columns[name], words, changes[name], stored)
+            found = _misfits(session, source, words, changes[name], stored)
+            _check_numbers(source, name, columns[name], found)
         elif source.null and types.is_numeric(columns[name]):
-            numbers = [
-                template.node_of(number) for number in map(_number, source.null) if number is not None
-            ]
+            numbers = []
+            for word in source.null:
+                with contextlib.suppress(ValueError):
+                    numbers.append(template.node_of(float(word)))
             if numbers:
                 missing = exp.In(this=exp.cast(column.copy(), "DOUBLE"), expressions=numbers)
                 changes[name] = exp.Case(ifs=[exp.If(this=missing, true=exp.null())], default=column)
     time = columns[source.time]
     if texts is not None and types.is_text(time):
         words = _but_nulls(template.column(source.time), source.null)
-        meant = texts.instant(words, source.time_format)
-        _check_times(session, source, time, words, meant, stored)
-        changes[source.time] = meant
+        meant = changes[source.time] = texts.instant(words, source.time_format)
+        _check_times(source, time, _misfits(session, source, words, meant, stored))
     elif source.time_unit and types.is_numeric(time):
         changes[source.time] = _since_1970(session, source, time)
     elif texts is not None and not source.time_format and not types.is_numeric(time):
@@ -135,13 +136,6 @@ def _but_nulls(column: exp.Expr, nulls: Sequence[str] | None) -> exp.Expr:
         return column
     missing = exp.In(this=column.copy(), expressions=[template.text(word) for word in nulls])
     return exp.Case(ifs=[exp.If(this=exp.Not(this=missing), true=column)])
-
-
-def _number(word: str) -> float | None:
-    try:
-        return float(word)
-    except ValueError:
-        return None
 
 
 def _since_1970(session: Session, source: AnySource, type_name: str) -> exp.Expr:
@@ -170,9 +164,9 @@ def _since_1970(session: Session, source: AnySource, type_name: str) -> exp.Expr
     return session.engine.instant_of(TimeKind.TIMESTAMP, micros)
 
 
-def misfits(
+def _misfits(
     session: Session, source: AnySource, words: exp.Expr, meant: exp.Expr, stored: exp.Expr
-) -> list[dict[str, Any]]:
+) -> list[Row]:
     """Return the first words of a column that have no meaning; see ``sql/source/misfits.sql``."""
     condition = parsed_condition(source.where)
     slots: dict[str, template.Slot] = {"words": words, "meant": meant, "condition": condition}
@@ -181,21 +175,12 @@ def misfits(
     return session.rows(query)
 
 
-def _check_numbers(
-    session: Session,
-    source: AnySource,
-    name: str,
-    type_name: str,
-    words: exp.Expr,
-    meant: exp.Expr,
-    stored: exp.Expr,
-) -> None:
+def _check_numbers(source: AnySource, name: str, type_name: str, found: list[Row]) -> None:
     """Refuse a column of text that was not said to hold numbers, or holds other words, too.
 
     Raises:
         SourceError: it does.
     """
-    found = misfits(session, source, words, meant, stored)
     if source.reads_words and not found:
         return
     role = "value" if name == getattr(source, "value", None) else "channel"
@@ -204,29 +189,23 @@ def _check_numbers(
         raise SourceError(
             f"{said}All its words are: --decimal . reads them. Cast it in a view otherwise."
         )
-    if found[0]["of_all"] == found[0]["texts"] and not any(_digits(row["word"]) for row in found):
+    words = [row["word"] for row in found]
+    if found[0]["of_all"] == found[0]["texts"] and not any(map(str.isdigit, "".join(words))):
+        shown = ", ".join(map(shortened, words[:5])) + ", ..." * (len(words) > 5)
         raise SourceError(
-            f"{said}It holds words only, {_some(found)}: for a channel of states give a view with a "
+            f"{said}It holds words only, {shown}: for a channel of states give a view with a "
             "number for each (CASE ... WHEN), or cast it in a view if that is what it holds."
         )
-    proposed = options_for_numbers(row["word"] for row in found)
+    proposed = options_for_numbers(words)
     raise SourceError(f"{said}{_first(found)}; {proposed} would read them. Cast it in a view otherwise.")
 
 
-def _check_times(
-    session: Session,
-    source: AnySource,
-    type_name: str,
-    words: exp.Expr,
-    meant: exp.Expr,
-    stored: exp.Expr,
-) -> None:
+def _check_times(source: AnySource, type_name: str, found: list[Row]) -> None:
     """Refuse words that are no times in ISO 8601, or as was said.
 
     Raises:
         SourceError: there are some.
     """
-    found = misfits(session, source, words, meant, stored)
     if not found:
         return
     wanted = f"a time like {source.time_format!r}" if source.time_format else "a time in ISO 8601"
@@ -257,22 +236,14 @@ def _check_order(session: Session, source: AnySource, stored: exp.Expr) -> None:
             continue
         words = template.column(source.time)
         as_text = session.engine.retyped(stored, {source.time: "VARCHAR"})
-        if not misfits(session, source, words, texts.instant(words, other), as_text):
+        if not _misfits(session, source, words, texts.instant(words, other), as_text):
             raise SourceError(
                 f"The times in {source.time!r} can be read in two ways; say which is meant: "
                 f"--time-format {way!r} or --time-format {other!r}."
             )
 
 
-def _digits(word: str) -> bool:
-    return any(sign.isdigit() for sign in word)
-
-
-def _some(found: list[dict[str, Any]]) -> str:
-    return ", ".join(shortened(row["word"]) for row in found[:5]) + (", ..." if len(found) > 5 else "")
-
-
-def _first(found: list[dict[str, Any]]) -> str:
+def _first(found: list[Row]) -> str:
     """Return the first word that did not fit, and how many there are like it."""
     first = found[0]
     same = f", {first['of_word']:,} times" if first["of_word"] > 1 else ""

@@ -85,7 +85,8 @@ class Study:
         if short_cuts and not is_streamed and trusting.serves(self.method):
             slicing = trusting.sliced(self.running)
             self.running.steps = self._opening(slicing)
-        names = self._looked()
+        self.running.keep("names")
+        names = session.fetch(self.steps.query("names", self.running.placed))
         (look.check_rows if strict else look.check_clock)(names)
         bits = self._bits_for(names.num_rows)
         ways = Ways() if slicing is None else self._ways(names)
@@ -192,10 +193,6 @@ class Study:
         time, kind = template.column(source.time), self.method.kind
         conditions = engine.in_range(kind, time, earliest, latest)
         return engine.readings(under(source, *conditions), relation, kind)
-
-    def _looked(self) -> pa.Table:
-        self.running.keep("names")
-        return self.session.fetch(self.steps.query("names", self.running.placed))
 
 
 @contextlib.contextmanager
