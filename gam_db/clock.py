@@ -94,16 +94,19 @@ def instant(value: object, kind: TimeKind, what: str) -> int:
             raise ParameterError(
                 f"{what} is {value!r}, which is no time; write it like 2026-03-01T06:00:00."
             ) from None
-    if isinstance(value, dt.datetime):
-        zoned = value if value.tzinfo else value.replace(tzinfo=dt.UTC)
-        return (zoned - _EPOCH) // _MICROSECOND
     if isinstance(value, dt.date):
-        midnight = dt.datetime(value.year, value.month, value.day, tzinfo=dt.UTC)
-        return (midnight - _EPOCH) // _MICROSECOND
+        if not isinstance(value, dt.datetime):
+            value = dt.datetime(value.year, value.month, value.day)
+        return (aware(value) - _EPOCH) // _MICROSECOND
     raise ParameterError(
         f"{what} is {value!r}, but the source tells time by timestamps; give a datetime or a text "
         "like 2026-03-01T06:00:00."
     )
+
+
+def aware(time: dt.datetime) -> dt.datetime:
+    """Return a time with its zone; UTC where it says none."""
+    return time if time.tzinfo is not None else time.replace(tzinfo=dt.UTC)
 
 
 def shown_instant(tick: int, kind: TimeKind) -> str:

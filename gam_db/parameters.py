@@ -65,12 +65,9 @@ class Override:
         for name in changes:
             if name not in known:
                 raise ParameterError(f"There is no parameter {name!r}{nearest(name, known)}")
-        for name, value in (
-            ("asset", asset),
-            ("channel", channel),
-            ("changed", tuple(sorted(changes.items(), key=lambda change: change[0]))),
-        ):
-            object.__setattr__(self, name, value)
+        object.__setattr__(self, "asset", asset)
+        object.__setattr__(self, "channel", channel)
+        object.__setattr__(self, "changed", tuple(sorted(changes.items())))
 
     def changes(self) -> dict[str, Any]:
         """Return the parameters that this override changes."""

@@ -4,9 +4,8 @@ Their figures are those of the views of a monitor, or of what ``gam run`` wrote;
 but which stretch of time a bucket falls into. The page of ``gam report`` needs none of this.
 """
 
-from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pyarrow as pa
@@ -23,13 +22,6 @@ from gam_db.stored.monitor import Monitor
 STRETCHES = 240
 
 _ENDING = ".parquet"
-
-
-class _Results(NamedTuple):
-    """What is drawn: rows of the indicator, and the limit of each signal."""
-
-    rows: pa.Table
-    limits: Mapping[tuple[str, str], float | None]
 
 
 def signal(results: Monitor | str | Path, asset: str, channel: str) -> Any:
@@ -75,7 +67,7 @@ def fleet(results: Monitor | str | Path) -> Any:
     asset, channel = _texts(rows, "asset"), _texts(rows, "channel")
     limit = np.array([limits[name] for name in zip(asset, channel, strict=True)], dtype=float)
     hi = rows["hi"].to_numpy(zero_copy_only=False).astype(float)
-    judged = ~np.isnan(limit) & ~np.isnan(hi)
+    judged = ~np.isnan(limit + hi)
     if not judged.any():
         raise ConfigurationError("No signal can be judged yet: none has a limit and a full window.")
     time = rows["time"].cast(pa.int64()).to_numpy()
@@ -109,15 +101,15 @@ def _texts(rows: pa.Table, column: str) -> NDArray[Any]:
     return np.array(rows[column].to_pylist(), dtype=object)
 
 
-def _read(results: Monitor | str | Path) -> _Results:
+def _read(results: Monitor | str | Path) -> tuple[pa.Table, dict[tuple[str, str], float | None]]:
+    """Return what is drawn: rows of the indicator, and the limit of each signal."""
     if isinstance(results, Monitor):
         rows, known = results.health(), results.status()
         time = rows["last_tick"] if rows["last_time"].null_count == rows.num_rows else rows["last_time"]
         rows = rows.select(["asset", "channel", "hi"]).append_column("time", time)
     else:
         rows, known = _of_file(Path(results))
-    limits = {(row["asset"], row["channel"]): row["hi_limit"] for row in known.to_pylist()}
-    return _Results(rows, limits)
+    return rows, {(row["asset"], row["channel"]): row["hi_limit"] for row in known.to_pylist()}
 
 
 def _of_file(path: Path) -> tuple[pa.Table, pa.Table]:

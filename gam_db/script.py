@@ -6,7 +6,6 @@ script holds and in which order; it needs no connection and no driver.
 """
 
 import dataclasses
-import functools
 from collections.abc import Callable, Iterator
 
 import pyarrow as pa
@@ -23,11 +22,14 @@ from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline
 from gam_db.setting import settings_of
 from gam_db.source import (
+    ONLY_ASSET,
     AnySource,
     Source,
     WideSource,
     declared_kind,
     is_file,
+    named_by,
+    parsed_condition,
     paths_of,
     shown_relation,
     table_names,
@@ -83,9 +85,7 @@ def render(
     steps = _steps(method, source, relation, chosen)
     head = [
         f"gam-db, form {form}, for {chosen.name}. {_described(parameters)}",
-        f"Time: {kind.value}"
-        + ("" if found else ", assumed; say time_kind='timestamp' if it is not")
-        + ".",
+        f"Time: {kind.value}" + ("." if found else ", assumed; say time_kind='timestamp' if it is not."),
         "A cell is novel if healthy operation never visited it; the health indicator is the share of "
         "novel vectors among the last W scored ones.",
     ]
@@ -96,7 +96,13 @@ def render(
     if chosen.macros:
         named = dataclasses.replace(source, where=_only_channel(source))
         only = _steps(method, named, relation, chosen)
-    place = functools.partial(_placed, schema, prefix)
+
+    def place(name: str) -> exp.Table:
+        table = exp.to_table(f"{prefix}{name}")
+        if schema is not None:
+            table.set("db", template.name(schema))
+        return table
+
     parts = _view_statements(steps, only, method, chosen, place)
     body = "\n".join(
         f"{_commented(comment.splitlines())}\n{chosen.text(statement, pretty=True)};\n"
@@ -147,13 +153,6 @@ def _table_of(step: str) -> str:
     return stem if number.isdigit() else step
 
 
-def _placed(schema: str | None, prefix: str, name: str) -> exp.Table:
-    table = exp.to_table(f"{prefix}{name}")
-    if schema is not None:
-        table.set("db", template.name(schema))
-    return table
-
-
 def _drop(kind: str, table: exp.Table) -> exp.Drop:
     return exp.Drop(tables=[table.copy()], kind=kind, exists=True)
 
@@ -173,20 +172,13 @@ def _macro(name: exp.Table, query: exp.Query) -> exp.Create:
 
 def _only_channel(source: AnySource) -> exp.Expr:
     """Return the condition of the table macro: the user's own, and the names it is called with."""
-    from gam_db.source import ONLY_ASSET, parsed_condition
-
     conditions = [parsed_condition(source.where)]
-    asset = template.text(ONLY_ASSET) if source.asset is None else template.column(source.asset)
-    named = [(asset, HEALTH_OF[0])]
+    names = [named_by(source.asset, ONLY_ASSET)]
     if isinstance(source, Source):
-        channel = (
-            template.text(source.value) if source.channel is None else template.column(source.channel)
-        )
-        named.append((channel, HEALTH_OF[1]))
-    for column, argument in named:
-        conditions.append(
-            exp.EQ(this=exp.cast(column, "VARCHAR"), expression=exp.column(exp.to_identifier(argument)))
-        )
+        names.append(named_by(source.channel, source.value))
+    for name, argument in zip(names, HEALTH_OF, strict=False):
+        asked = exp.column(exp.to_identifier(argument))
+        conditions.append(exp.EQ(this=exp.cast(name, "VARCHAR"), expression=asked))
     return exp.paren(exp.and_(*conditions))
 
 
@@ -238,13 +230,9 @@ def _looked_at(
         raise SourceError("A script needs a table that the engine holds, not an Arrow table.")
     if declared is not None:
         return source, declared, True
-    given = [
-        calibration.duration,
-        calibration.score_from,
-        *(end for pair in calibration.intervals or () for end in pair),
-        *(end for pair in calibration.exclude for end in pair),
-        *(variant.max_gap for variant in parameters.variants()),
-    ]
+    pairs = (*(calibration.intervals or ()), *calibration.exclude)
+    given = [calibration.duration, calibration.score_from, *(end for pair in pairs for end in pair)]
+    given += [variant.max_gap for variant in parameters.variants()]
     calendar = any(value is not None and looks_like_calendar(value) for value in given)
     return source, TimeKind.TIMESTAMP if calendar else TimeKind.COUNTER, calendar
 

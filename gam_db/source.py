@@ -139,26 +139,28 @@ def readings(
         unpivots: whether the engine can make a row of each of many columns by itself.
     """
     condition = parsed_condition(source.where)
-    asset = template.text(ONLY_ASSET) if source.asset is None else template.column(source.asset)
+    asset = named_by(source.asset, ONLY_ASSET)
     if unpivots and len(source.value_columns) >= UNPIVOTED_FROM:
         time = micros_of(template.column(source.time))
         return _unpivoted(source, relation, {"asset": asset, "time": time, "condition": condition})
     branches: list[exp.Query] = []
     for value in source.value_columns:
-        named_by = source.channel if isinstance(source, Source) else None
-        filled = template.fill(
-            "source/readings",
-            {
-                "asset": asset,
-                "channel": template.text(value) if named_by is None else template.column(named_by),
-                "time": micros_of(template.column(source.time)),
-                "reading": template.column(value),
-                "condition": condition,
-            },
-        )
+        slots: dict[str, template.Slot] = {
+            "asset": asset,
+            "channel": named_by(source.channel if isinstance(source, Source) else None, value),
+            "time": micros_of(template.column(source.time)),
+            "reading": template.column(value),
+            "condition": condition,
+        }
+        filled = template.fill("source/readings", slots)
         read_from(relation, filled)
         branches.append(filled)  # type: ignore[arg-type]
     return branches[0] if len(branches) == 1 else exp.union(*branches, distinct=False)
+
+
+def named_by(column: str | None, otherwise: str) -> exp.Expr:
+    """Return the column that holds a name; the name itself where there is none."""
+    return template.text(otherwise) if column is None else template.column(column)
 
 
 def _unpivoted(source: AnySource, relation: exp.Expr, said: Mapping[str, exp.Expr]) -> exp.Query:

@@ -24,7 +24,7 @@ import gam_db
 from gam_db import data
 from gam_db.checking.words import number_of
 from gam_db.cli.options import SHOWN, Common
-from gam_db.clock import TimeKind, shown_length
+from gam_db.clock import TimeKind, aware, shown_length
 from gam_db.errors import printable
 from gam_db.findings import Row, is_short, share
 
@@ -257,7 +257,7 @@ def channels(
         first, last = min(row["course_from"] for row in known), max(row["last_time"] for row in known)
         line = f"HI, 0 to 1: {spanned}, from {time_text(first, zone)} to {time_text(last, zone)}"
         if isinstance(first, dt.datetime):
-            micros = (_aware(last) - _aware(first)) // dt.timedelta(microseconds=1)
+            micros = (aware(last) - aware(first)) // dt.timedelta(microseconds=1)
             line += f" {zone}, {shown_length(micros, TimeKind.TIMESTAMP)}"
         say(out, line)
     remarks(out, ((name(row), row["remarks"]) for row in rows), everything)
@@ -377,11 +377,7 @@ def time_text(time: Any, zone: dt.tzinfo = dt.UTC, named: bool = False) -> str:
         return "-"
     if not isinstance(time, dt.datetime):
         return f"{time:,}"
-    return f"{_aware(time).astimezone(zone):%Y-%m-%d %H:%M}{f' {zone}' * named}"
-
-
-def _aware(time: dt.datetime) -> dt.datetime:
-    return time if time.tzinfo is not None else time.replace(tzinfo=dt.UTC)
+    return f"{aware(time).astimezone(zone):%Y-%m-%d %H:%M}{f' {zone}' * named}"
 
 
 def rise(trend: float | None) -> str:

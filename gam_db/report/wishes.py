@@ -5,19 +5,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from gam_db.clock import Length, zone
+from gam_db.clock import Length, aware, zone
 from gam_db.errors import ConfigurationError, ParameterError
 from gam_db.setting import COLUMNS, COUNT, FLAG, LENGTH, TEXT, Kind, check, declared, setting
 
 
 def _instant(name: str, given: Any) -> dt.datetime:
     try:
-        found = given if isinstance(given, dt.datetime) else dt.datetime.fromisoformat(given)
+        return aware(given if isinstance(given, dt.datetime) else dt.datetime.fromisoformat(given))
     except (TypeError, ValueError):
         raise ParameterError(
             f"{name} is {given!r}; give a time such as 2026-03-30T05:00:00+00:00."
         ) from None
-    return found if found.tzinfo is not None else found.replace(tzinfo=dt.UTC)
 
 
 #: An error names the option, or the keyword.
