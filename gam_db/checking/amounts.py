@@ -11,9 +11,10 @@ PART = 0.1
 
 def amounts(look: Look, proposal: Proposal) -> list[Note]:
     """Return the notes on amounts."""
+    why = "; is the condition right?" * (look.source.where is not None)
     return [
         *_nameless(look),
-        *_none(look),
+        *([] if look.channels else whole("nothing", True, why=why)),
         *_partial(look),
         *_calibration(look),
         *_windows(look, proposal),
@@ -26,12 +27,6 @@ def _nameless(look: Look) -> list[Note]:
         return []
     counts = ", ".join(f"{count:,} without {role}" for role, count in found.items())
     return whole("nameless", True, found=counts, column=look.source.columns[next(iter(found))])
-
-
-def _none(look: Look) -> list[Note]:
-    if look.channels:
-        return []
-    return whole("nothing", True, why="; is the condition right?" * (look.source.where is not None))
 
 
 def _partial(look: Look) -> list[Note]:

@@ -1,14 +1,15 @@
 """Notes on time: the clock, repeated instants, pauses, irregular sampling."""
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
+from itertools import filterfalse
 
 from gam_db.checking.look import Look, Row
 from gam_db.checking.note import Note, noted, whole
 from gam_db.checking.proposal import Proposal
 from gam_db.checking.sampling import REGULAR_WITHIN, is_irregular, is_on_change
-from gam_db.checking.words import extent, instant, number_of, percent, spoken
+from gam_db.checking.words import extent, instant, number_of, percent, reaching, spoken
 from gam_db.clock import SECOND, SINCE_1970, TimeKind, epoch_unit, is_of_our_time
 
 MANY_CONFLICTS = 0.1
@@ -19,11 +20,13 @@ _HOUR = 3_600 * SECOND
 def times(look: Look, proposal: Proposal) -> list[Note]:
     """Return the notes on time."""
     spaced = [row for row in look.channels if row["typical_step"] is not None]
+    alike = [row for row in look.channels if row["samples"] == 1 and row["repeated"]]
+    cut = [row for row in spaced if (gap := look.gap(row)) is not None and gap < row["typical_step"]]
     return [
-        *_one_instant(look.channels),
+        *noted("one_instant", alike, must=len(alike) == len(look.channels)),
         *_clock(look),
         *_repeated(look),
-        *_short_gap(look, spaced),
+        *noted("short_gap", cut, must=True, usual=partial(_usual_step, look.kind)),
         *_pauses(look, spaced, proposal),
         *_irregular(spaced, look.kind),
         *_rates(spaced, look.kind),
@@ -34,11 +37,6 @@ def is_heeded(look: Look, row: Row) -> bool:
     """Tell whether max_gap tells the pauses of a channel from its steps."""
     gap = look.gap(row)
     return gap is not None and row["longest_step"] <= gap < row["shortest_pause"]
-
-
-def _one_instant(rows: Sequence[Row]) -> list[Note]:
-    alike = [row for row in rows if row["samples"] == 1 and row["repeated"]]
-    return noted("one_instant", alike, must=len(alike) == len(rows))
 
 
 def _clock(look: Look) -> list[Note]:
@@ -61,14 +59,10 @@ def _clock(look: Look) -> list[Note]:
 
 def _repeated(look: Look) -> list[Note]:
     """Instants that are there more than once, with different values or with the same."""
-    rows = look.channels
-    many = [row for row in rows if row["conflicts"] and _has_many_conflicts(row)]
-    few = [row for row in rows if row["conflicts"] and not _has_many_conflicts(row)]
-    repeating = [
-        row
-        for row in rows
-        if row["repeated"] > row["conflicts"] and row["samples"] > 1 and not _has_many_conflicts(row)
-    ]
+    many = [row for row in look.channels if row["conflicts"] and _has_many_conflicts(row)]
+    others = [row for row in look.channels if not _has_many_conflicts(row)]
+    few = [row for row in others if row["conflicts"]]
+    repeating = [row for row in others if row["repeated"] > row["conflicts"] and row["samples"] > 1]
 
     def share(found: Sequence[Row]) -> str:
         return percent(sum(row["conflicts"] for row in found) / sum(row["samples"] for row in found))
@@ -99,11 +93,6 @@ def _autumn(kind: TimeKind, rows: Sequence[Row]) -> str:
     return "; about an hour of them, as local time has when clocks go back: store UTC"
 
 
-def _short_gap(look: Look, rows: Sequence[Row]) -> list[Note]:
-    found = [row for row in rows if (gap := look.gap(row)) is not None and gap < row["typical_step"]]
-    return noted("short_gap", found, must=True, usual=partial(_usual_step, look.kind))
-
-
 def _pauses(look: Look, rows: Sequence[Row], proposal: Proposal) -> list[Note]:
     found = [row for row in rows if row["pauses"] and not is_irregular(row)]
 
@@ -128,19 +117,14 @@ def _pauses(look: Look, rows: Sequence[Row], proposal: Proposal) -> list[Note]:
 
 
 def _irregular(rows: Sequence[Row], kind: TimeKind) -> list[Note]:
+    def step(edge: Callable[[Iterable[int]], int], of: str) -> Callable[[Sequence[Row]], str]:
+        return lambda found: spoken(edge(row[of] for row in found), kind)
+
+    short, long = step(min, "short_step"), step(max, "long_step")
     irregular = [row for row in rows if is_irregular(row)]
-    on_change = [row for row in irregular if is_on_change(row)]
-
-    def short(found: Sequence[Row]) -> str:
-        return spoken(min(row["short_step"] for row in found), kind)
-
-    def long(found: Sequence[Row]) -> str:
-        return spoken(max(row["long_step"] for row in found), kind)
-
-    others = [row for row in irregular if not is_on_change(row)]
     return [
-        *noted("on_change", on_change, short=short, long=long),
-        *noted("irregular", others, short=short, long=long),
+        *noted("on_change", list(filter(is_on_change, irregular)), short=short, long=long),
+        *noted("irregular", list(filterfalse(is_on_change, irregular)), short=short, long=long),
     ]
 
 
@@ -159,5 +143,4 @@ def _rates(rows: Sequence[Row], kind: TimeKind) -> list[Note]:
 
 def _usual_step(kind: TimeKind, rows: Sequence[Row]) -> str:
     steps = [row["typical_step"] for row in rows]
-    least, most = spoken(min(steps), kind), spoken(max(steps), kind)
-    return least if least == most else f"{least} to {most}"
+    return reaching(spoken(min(steps), kind), spoken(max(steps), kind))

@@ -57,6 +57,7 @@ def values(look: Look) -> list[Note]:
         if (value or row["channel"]) in look.exact
         and max(abs(row["lowest"]), abs(row["highest"])) >= EXACT_UP_TO
     ]
+    names = ", ".join(map(repr, look.number_texts))
     nowhere = len(empty) == len(look.channels)
     meaning = "; is it the right value column?" if nowhere else ": not assessable"
     return [
@@ -85,11 +86,7 @@ def values(look: Look) -> list[Note]:
             least=lambda found: min(levels(row) or 0 for row in found),
         ),
         *noted("beyond", beyond),
-        *(
-            whole("number_texts", names=", ".join(map(repr, look.number_texts)))
-            if look.number_texts
-            else ()
-        ),
+        *(whole("number_texts", names=names) if names else ()),
     ]
 
 

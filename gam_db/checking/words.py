@@ -61,8 +61,12 @@ def number_of(count: int, thing: str) -> str:
 
 def extent(values: Sequence[int]) -> str:
     """Return the least and the greatest of some counts: '3', or '3 to 17'."""
-    least, most = min(values), max(values)
-    return f"{least:,}" if least == most else f"{least:,} to {most:,}"
+    return reaching(f"{min(values):,}", f"{max(values):,}")
+
+
+def reaching(least: str, most: str) -> str:
+    """Return from where to where something reaches, in words; one of them where both are the same."""
+    return least if least == most else f"{least} to {most}"
 
 
 def percent(share: float) -> str:

@@ -47,7 +47,7 @@ def groups(
     choices: Sequence[Row],
     job: Job,
     window: int,
-    own: Mapping[Name, Mapping[str, Any]] | None = None,
+    own: Mapping[Name, Mapping[str, Any]],
 ) -> list[str]:
     """Return the lines of the ``[[override]]`` groups that say what was chosen.
 
@@ -66,7 +66,7 @@ def groups(
         if row["recommended_m"] is not None and row["verdict"] not in ("constant", "no_data")
     }
     names = [(row["asset"], row["channel"]) for row in choices]
-    said = {name: dict((own or {}).get(name, {})) for name in names}
+    said = {name: {**own.get(name, {})} for name in names}
     for names in _together(list(rows), job.calibration.pools):
         for key, of, column in _TAKEN:
             value = of([1 if rows[name][column] is None else rows[name][column] for name in names])

@@ -35,7 +35,8 @@ def add_budget(steps: Pipeline, method: Method, search: Search) -> None:
     """
     general = method.settings[0]
     fitting = [m for m in range(1, search.m_max + 1) if general.radix**m <= LARGEST_KEY]
-    sets = dataclasses.replace(method, parameters=_beside(general, fitting[-1]))
+    beside = Override(m=fitting[-1], tau=general.tau + 1)  # a set with a name of its own
+    sets = dataclasses.replace(method, parameters=dataclasses.replace(general, overrides=[beside]))
     steps.small |= sets.small() | {"learners", "budget", "joint"}
     learners = [filled("selection/learners", {"m": m, "window": general.window}) for m in fitting]
     taught = [
@@ -66,11 +67,6 @@ def add_results(steps: Pipeline, method: Method) -> None:
     add(steps, "selection/choices", {"bins": general.grid, "window": general.window})
     for name in ("lag_curve", "dimension_curve", "cycle_curve", "budget_curve"):
         add(steps, f"selection/{name}")
-
-
-def _beside(general: Parameters, m: int) -> Parameters:
-    """Return parameters of two sets, the general one and one of dimension m with a name of its own."""
-    return dataclasses.replace(general, overrides=[Override(m=m, tau=general.tau + 1)])
 
 
 def _cell_key(setting: Parameters, m: int) -> exp.Expr:

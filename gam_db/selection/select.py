@@ -65,13 +65,14 @@ def selected(study: Study, search: Search) -> Selection:
     add_samples(steps, search)
     extents = study.rows("extents")
     usable = max((one["usable"] for one in extents), default=0)
-    add_delays(
-        steps,
-        search,
-        samples=max((one["samples"] for one in extents), default=0),
-    )
+    add_delays(steps, search, max((one["samples"] for one in extents), default=0))
     add_embedding(steps, search, study.method.settings[0].grid)
-    add_dimensions(steps, search, min(usable, MOST_VECTORS), lambda step: _waiting(study.table(step)))
+
+    def waiting(step: str) -> tuple[int, int]:
+        (row,) = study.rows(step)
+        return row["vectors"], row["waiting"]
+
+    add_dimensions(steps, search, min(usable, MOST_VECTORS), waiting)
     add_budget(steps, study.method, search)
     add_results(steps, study.method)
     return Selection(
@@ -81,8 +82,3 @@ def selected(study: Study, search: Search) -> Selection:
         cycles=study.table("cycle_curve"),
         budget=study.table("budget_curve"),
     )
-
-
-def _waiting(counted: pa.Table) -> tuple[int, int]:
-    (row,) = counted.to_pylist()
-    return row["vectors"], row["waiting"]
