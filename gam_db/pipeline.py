@@ -215,11 +215,8 @@ def union_of(
     columns = columns or pipeline.steps[parts[0]].query.named_selects
     selects: list[exp.Query] = []
     for part in parts:
-        selects.append(
-            exp.select(*(exp.column(exp.to_identifier(name)) for name in columns)).from_(
-                exp.Table(this=exp.to_identifier(part))
-            )
-        )
+        named = exp.select(*(exp.column(exp.to_identifier(name)) for name in columns))
+        selects.append(named.from_(exp.Table(this=exp.to_identifier(part))))
     return selects[0] if len(selects) == 1 else exp.union(*selects, distinct=False)
 
 

@@ -109,7 +109,7 @@ class Streams:
     def _learn(self) -> bool:
         """Give the timeline and the vectors of calibration; tell whether they are as they should be."""
         method, running = self.method, self.running
-        channels = self._channels()
+        channels = running.rows("channels")
         quotas = {
             row["channel_id"]: 0 if rule.fraction is None else int(rule.fraction * row["readings"])
             for row in channels
@@ -169,7 +169,7 @@ class Streams:
         """Give the scored vectors, grouped; tell whether they are what they should be."""
         method, running, bits = self.method, self.running, self.running.session.engine.bits
         assert bits is not None
-        channels = self._channels()
+        channels = running.rows("channels")
         for number, setting in enumerate(method.settings):
             held, visited = (method.named(step, number) for step in ("support_bits", SCORING))
             running.keep(held)
@@ -204,9 +204,6 @@ class Streams:
             if running.largest(visited, "doubled"):
                 return False
         return True
-
-    def _channels(self) -> list[Row]:
-        return self.running.rows("channels")
 
     def _bounds(self, number: int) -> dict[int, Row]:
         """Return the bounds of the channels of a set that have a range."""

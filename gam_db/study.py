@@ -88,7 +88,11 @@ class Study:
         self.running.keep("names")
         names = session.fetch(self.steps.query("names", self.running.placed))
         (look.check_rows if strict else look.check_clock)(names)
-        bits = self._bits_for(names.num_rows)
+        # Supports are kept as bits where those of so many channels have room.
+        grids = (one.radix**one.m for one in self.method.settings)
+        bits = session.engine.bits
+        if bits is not None and not all(bits.serve(cells, names.num_rows) for cells in grids):
+            bits = None
         ways = Ways() if slicing is None else self._ways(names)
         self.running.steps = self._steps(bits, slicing, ways)
         self._short_cut: Streams | Trust | None = None
@@ -177,12 +181,6 @@ class Study:
             steps.small |= {"readings"}
         return steps
 
-    def _bits_for(self, channels: int) -> Bits | None:
-        """Return how the engine keeps supports as bits, where those of so many channels have room."""
-        bits = self.session.engine.bits
-        grids = (setting.radix**setting.m for setting in self.method.settings)
-        return bits if bits and all(bits.serve(cells, channels) for cells in grids) else None
-
     def _prepare(self, step: str) -> None:
         if self._short_cut is not None:
             self._short_cut.prepare(step)
@@ -245,13 +243,12 @@ def _found(asked: Parameters, rough: Study) -> Parameters:
         if one.bins == AUTO:
             bins = min(rungs.get(name, usual), one.grid)
             said[name] = dataclasses.replace(one, bins=bins)
-    rules = [(pattern, vars(one)) for pattern, one in grouped(said)]
-    whole = [one for pattern, one in rules if pattern == ("*", "*")]
-    general = dataclasses.replace(asked, **{**whole[0], "overrides": ()}) if whole else asked.finest()
+    rules, everything = grouped(said), ("*", "*")
+    general = next((one for pattern, one in rules if pattern == everything), asked.finest())
     overrides = [
-        Override(*pattern, **{key: one[key] for key in settings_of(Parameters)})
+        Override(*pattern, **{key: getattr(one, key) for key in settings_of(Parameters)})
         for pattern, one in rules
-        if pattern != ("*", "*")
+        if pattern != everything
     ]
     return dataclasses.replace(general, overrides=overrides)
 

@@ -64,8 +64,8 @@ class Trust:
     ) -> None:
         self.method, self.running, self._ways, self._made = method, running, ways, made
         self._careful, self._between = careful, between
-        self.holds = True
-        self._is_proven = False
+        self._sets = range(len(method.settings))
+        self.holds, self._is_proven = True, False
         declared = [rule.allowed[0][0] for rule in method.rules if rule.declared_end is not None]
         first = min((start for start in names["earliest"].to_pylist() if start is not None), default=0)
         if any(first < start for start in declared):
@@ -91,10 +91,6 @@ class Trust:
             self._hand_over()
         else:
             self._give_up()
-
-    @property
-    def _sets(self) -> range:
-        return range(len(self.method.settings))
 
     def _proves(self) -> bool:
         """Tell whether every sample is in a vector, and none is marked."""

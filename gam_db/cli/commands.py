@@ -34,11 +34,10 @@ def laboratory() -> list[EntryPoint]:
 
 def listed() -> Iterable[TyperCommand]:
     """Return a stand-in of every command: its name, its panel and the first sentence of its help."""
-    said = [(name, _sentence(name), "Watch" if name in _LISTED["Watch"] else "Once") for name in MODULES]
-    for found in laboratory():
-        said.append(
-            (found.name, OF_LABORATORY.get(found.name, f"Comes from {found.module}."), "Laboratory")
-        )
+    said = [(name, _sentence(name), panel) for panel in ("Watch", "Once") for name in _LISTED[panel]]
+    for entry in laboratory():
+        sentence = OF_LABORATORY.get(entry.name, f"Comes from {entry.module}.")
+        said.append((entry.name, sentence, "Laboratory"))
     for name, sentence, panel in said:
         yield TyperCommand(name, help=sentence, rich_help_panel=panel, rich_markup_mode="markdown")
 

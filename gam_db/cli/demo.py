@@ -31,18 +31,6 @@ _SIMULATED = Settings(
 )
 
 
-def _report_plant(path: Path) -> None:
-    """Write the page of the simulated plant."""
-    session = connect()
-    with session, working(session) as on_step:
-        on_step("simulating a plant")
-        wishes = Wishes(title="A simulated plant", time_zone=plant.TIME_ZONE, made=plant.END)
-        asked = (Source(plant.telemetry()), plant.PARAMETERS, plant.CALIBRATION, Alarms(), path, wishes)
-        figures = page_of(*asked, on_step)
-    told(page.console(), figures)
-    page.say(page.console(), "Open it in a browser; it needs no network.")
-
-
 def demo(
     keep: Annotated[
         Path | None,
@@ -62,10 +50,18 @@ def demo(
 
     With --out it writes the series, with --report the page of a simulated plant, and nothing else.
     """
+    lines = page.console()
     if report is not None:
         if keep is not None:
             raise ConfigurationError("--report and --out are of different machines; leave one out.")
-        _report_plant(checked(report, "--report"))
+        path = checked(report, "--report")
+        with working(connect()) as on_step:
+            on_step("simulating a plant")
+            wishes = Wishes(title="A simulated plant", time_zone=plant.TIME_ZONE, made=plant.END)
+            method = (plant.PARAMETERS, plant.CALIBRATION, Alarms())
+            figures = page_of(Source(plant.telemetry()), *method, path, wishes, on_step)
+        told(lines, figures)
+        page.say(lines, "Open it in a browser; it needs no network.")
         return
     if keep is not None and (keep.suffix != ".parquet" or not keep.parent.is_dir()):
         raise ConfigurationError(f"--out is {keep}; give a name in .parquet, in a folder that is there.")
@@ -77,7 +73,6 @@ def demo(
         series = langevin.series()
         job, study = open_job(session, series, _SIMULATED, on_step, "simulated machine")
         found = findings(study)
-    lines = page.console()
     page.say(lines, page.WORDS["demo"]["introduction"])
     lines.print()
     show(lines, job, found)

@@ -31,7 +31,7 @@ def add_vectors(one: OfSet, prefix: str, read: exp.Expr, carried: Sequence[str] 
         codes = moving
     made, renamed = f"{prefix or 'marked_'}vectors", {"marked_codes": codes}
     slots: dict[str, template.Slot] = {
-        "touching": _touching(setting),
+        "touching": exp.or_(*(exp.column(f"calibrating_{k}").eq(1) for k in range(setting.m))),
         "carried": [exp.column(name) for name in carried],
         "context": _context(setting),
         "delayed": delayed,
@@ -74,17 +74,13 @@ def add_short_vectors(
 
 def stream_slots(setting: Parameters) -> dict[str, template.Slot]:
     """Return the slots of streams/vectors.sql that follow from the parameters alone."""
-    delayed = [_in_stored_order("code", k, setting) for k in range(1, setting.m)]
+    delayed = [_delayed("code", k, setting, "streams/delayed") for k in range(1, setting.m)]
     return {**following(setting, ("cell_key", "coordinates", "code")), "delayed": delayed}
 
 
 def is_outside(setting: Parameters) -> exp.Expr:
     """Return 1 where one of these lies outside the calibrated range, else 0."""
     return _flag(outside(setting))
-
-
-def _touching(setting: Parameters) -> exp.Expr:
-    return exp.or_(*(exp.column(f"calibrating_{k}").eq(1) for k in range(setting.m)))
 
 
 def _context(setting: Parameters) -> exp.Expr:
@@ -100,11 +96,6 @@ def _flag(condition: exp.Expr) -> exp.Expr:
     return template.case([(condition.copy(), 1)], 0)
 
 
-def _in_stored_order(name: str, k: int, setting: Parameters) -> exp.Expr:
-    delay = template.fill("streams/delayed", {"column": exp.column(name), "delay": k * setting.tau})
-    return exp.alias_(delay, f"{name}_{k}")
-
-
-def _delayed(name: str, k: int, setting: Parameters) -> exp.Expr:
-    delay = template.fill("embedding/delayed", {"column": exp.column(name), "delay": k * setting.tau})
+def _delayed(name: str, k: int, setting: Parameters, path: str = "embedding/delayed") -> exp.Expr:
+    delay = template.fill(path, {"column": exp.column(name), "delay": k * setting.tau})
     return exp.alias_(delay, f"{name}_{k}")

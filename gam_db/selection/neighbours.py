@@ -34,6 +34,7 @@ _NUMBERED = 60
 """Bits for the number of a box: one word, with room for the boxes beside the range."""
 _BITS = 24
 """Of a coordinate: it is an integer, in units of 2^-24 of the range."""
+_SIDES = (("here", "seeking"), ("there", "pattern"))
 _EVERYWHERE = 2**62
 """A squared distance beyond all between vectors."""
 
@@ -164,7 +165,10 @@ def _add_search(steps: Pipeline, d: int, usable: int, finest: int, waiting: Wait
     bits = _NUMBERED // len(boxed)
     sought = f"unsettled_{d}"
     add(steps, "selection/unsettled", name=sought, tables={"probes": f"probes_{d}"})
-    halvings = min(_first(usable, d), finest, bits - 1)
+    halvings = 0
+    if usable > ONE_BOX:  # a vector to a box, were they spread evenly
+        spread = math.floor(math.log2(3 * usable ** (1 / min(d, _FILLED))))
+        halvings = min(spread, _BITS, finest, bits - 1)
     of_use, everybody = None, 0
     nearest = []
     while True:
@@ -207,11 +211,12 @@ def _add_round(
             for place, j in enumerate(boxed)
         ]
     )
+    aways = [exp.column(f"away_{j}") for j in range(d)]
     slots: dict[str, template.Slot] = {
         "coordinates": [exp.column(f"u_{j}") for j in range(d)],
         "box": box,
         "aways": [_away(j) for j in range(d)],
-        "square": _square(d),
+        "square": template.added([exp.Mul(this=away, expression=away.copy()) for away in aways]),
         "largest": _largest(d),
     }
     given = {
@@ -250,26 +255,9 @@ def _shifts(steps: Pipeline, coordinates: int, bits: int) -> str:
     return name
 
 
-def _first(usable: int, d: int) -> int:
-    """Return how often the range is halved at first: a vector to a box, were they spread evenly."""
-    if usable <= ONE_BOX:
-        return 0
-    filled = min(d, _FILLED)
-    return min(_BITS, math.floor(math.log2(3 * usable ** (1 / filled))))
-
-
 def _away(j: int) -> exp.Expr:
-    sides = {
-        "here": exp.column(f"u_{j}", table="seeking"),
-        "there": exp.column(f"u_{j}", table="pattern"),
-    }
+    sides = {name: exp.column(f"u_{j}", table=of) for name, of in _SIDES}
     return exp.alias_(template.fill("selection/away", sides), f"away_{j}")
-
-
-def _square(d: int) -> exp.Expr:
-    """Return the squared Euclidean distance."""
-    aways = [exp.column(f"away_{j}") for j in range(d)]
-    return template.added([exp.Mul(this=away, expression=away.copy()) for away in aways])
 
 
 def _largest(d: int) -> exp.Expr:
