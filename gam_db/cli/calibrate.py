@@ -88,9 +88,8 @@ def _job(session: Session, settings: Settings, is_new: bool) -> Job:
     if not is_new:
         migrations.require(session, tables)
         state = State(session, tables)
-        names = (row for row in state.monitors() if row["name"] == settings.monitor.name)
-        known = next(names, None)
-        if known is not None:
+        names = {row["name"]: row for row in state.monitors()}
+        if known := names.get(settings.monitor.name):
             said = _remembered(said, known, list(dict.fromkeys(channels_of(state, known))))
     if said.relation is None:
         raise ConfigurationError(

@@ -162,9 +162,8 @@ def taking(
         own = dict(inspect.signature(command, eval_str=True).parameters)
         del own["settings"]
         passed = own.pop("relation", None) is not None
-        classes: dict[str, Any] = {
-            name: one.annotation for name, one in own.items() if is_dataclass(one.annotation)
-        }
+        named = {name: one.annotation for name, one in own.items()}
+        classes: dict[str, Any] = {name: of for name, of in named.items() if is_dataclass(of)}
         own = {name: one for name, one in own.items() if name not in classes}
         known = dict(taken)
         for section, of in classes.items():
@@ -211,10 +210,8 @@ def _options(name: str, section: str, one: Setting) -> Iterator[inspect.Paramete
     """Yield the option of a setting, and the one that says there is none."""
     kind = one.takes
     is_flag = kind.option is bool
-    yield _parameter(
-        *(name, bool if is_flag else kind.option | None, _typer(name, section, one)),
-        default=False if is_flag else None,
-    )
+    made = _typer(name, section, one)
+    yield _parameter(name, bool, made, False) if is_flag else _parameter(name, kind.option | None, made)
     if kind.none and one.off is not None:
         said = f"{one.off[1][0].upper()}{one.off[1][1:]}."
         yield _parameter(f"no_{name}", bool, option(f"--no-{name}", said, _PANELS[section]), False)

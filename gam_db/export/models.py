@@ -121,17 +121,10 @@ class Modelled:
     @property
     def setting(self) -> Setting:
         """The parameters of all channels."""
-        setting = self.method.settings[0]
-        return Setting(
-            m=setting.m,
-            tau=setting.tau,
-            bins=setting.grid,
-            window_length=setting.window,
-            stride=setting.bucket_length,
-            max_gap=self.method.gaps[0],
-            has_start=any(rule.score_from is not None for rule in self.method.rules),
-            still_after=setting.still_after,
-        )
+        one, gap = self.method.settings[0], self.method.gaps[0]
+        has_start = any(rule.score_from is not None for rule in self.method.rules)
+        figures = (one.m, one.tau, one.grid, one.window, one.bucket_length)
+        return Setting(*figures, gap, has_start, one.still_after)
 
     @cached_property
     def settings_hash(self) -> str:

@@ -72,7 +72,8 @@ def add_census(steps: Pipeline, method: Method, slicing: Slicing) -> None:
     add_channels(steps, method)
     reach = max(1, *(setting.span for setting in method.settings))
     add(steps, "census/edges", {"reach": reach})
-    _add_identified(steps, "near_edges", EDGES)
+    _add_readings(steps, EDGES)
+    add(steps, "source/identified", {"read": exp.true()}, "near_edges", {"readings": EDGES})
     add(steps, "census/edge_samples")
     add(steps, "census/series")
     add_intervals(steps)
@@ -131,9 +132,3 @@ def _add_readings(steps: Pipeline, name: str) -> None:
     """Add the readings of a range of time."""
     columns = steps.steps["readings"].query.named_selects
     steps.add(name, union_of(steps, ["readings"], columns), "Readings: those of a range of time.")
-
-
-def _add_identified(steps: Pipeline, name: str, rows: str) -> None:
-    """Add the readings of a range of time, by the channel's number."""
-    _add_readings(steps, rows)
-    add(steps, "source/identified", {"read": exp.true()}, name, {"readings": rows})

@@ -25,35 +25,15 @@ def add_source(steps: Pipeline, method: Method) -> None:
 
 def add_channels(steps: Pipeline, method: Method) -> None:
     """Add the channels, each with the numbers of its parameters, its rule and its pool."""
-    add(
-        steps,
-        "source/channels",
-        {
-            "settings_no": _chosen(
-                [
-                    (named_like("asset", override.asset), named_like("channel", override.channel), n)
-                    for override, n in zip(
-                        method.parameters.overrides,
-                        (method.settings.index(variant) for variant in method.parameters.variants()[1:]),
-                        strict=True,
-                    )
-                ]
-            ),
-            "calibration_no": _chosen(
-                [
-                    (named_like("asset", asset), None, number)
-                    for number, asset in enumerate(method.assets, start=1)
-                ]
-            ),
-            "pool_no": _chosen(
-                [
-                    (named_like("asset", asset), None, number)
-                    for number, group in enumerate(method.pools, start=1)
-                    for asset in group
-                ]
-            ),
-        },
-    )
+    _, *variants = method.parameters.variants()
+    settings = [
+        (one.asset, one.channel, method.settings.index(variant))
+        for one, variant in zip(method.parameters.overrides, variants, strict=True)
+    ]
+    rules = [(asset, "*", number) for number, asset in enumerate(method.assets, start=1)]
+    pools = [(asset, "*", n) for n, group in enumerate(method.pools, start=1) for asset in group]
+    numbers = {"settings_no": settings, "calibration_no": rules, "pool_no": pools}
+    add(steps, "source/channels", {name: _chosen(cases) for name, cases in numbers.items()})
 
 
 def add_intervals(steps: Pipeline) -> None:
@@ -89,11 +69,12 @@ def add_rules(steps: Pipeline, method: Method) -> None:
         add(steps, "calibration/undeclared", name="declared")
 
 
-def _chosen(cases: Sequence[tuple[exp.Expr | None, exp.Expr | None, int]]) -> exp.Expr:
-    """Return the number of the first case whose conditions hold, else 0; None always holds."""
+def _chosen(cases: Sequence[tuple[str, str, int]]) -> exp.Expr:
+    """Return the number of the first case whose patterns of asset and channel are met, else 0."""
     asked: list[tuple[exp.Expr, int]] = []
-    for first, second, number in cases:
-        conditions = [condition for condition in (first, second) if condition is not None]
+    for asset, channel, number in cases:
+        met = (named_like("asset", asset), named_like("channel", channel))
+        conditions = [condition for condition in met if condition is not None]
         if not conditions:
             return template.case(asked, number)
         asked.append((exp.and_(*conditions), number))
@@ -106,8 +87,7 @@ def named_like(column: str, pattern: str) -> exp.Expr | None:
         return None if pattern else exp.EQ(this=exp.column(column), expression=template.text(""))
     if "*" not in pattern and "?" not in pattern:
         return exp.EQ(this=exp.column(column), expression=template.text(pattern))
-    escaped = "".join(
-        {"*": "%", "?": "_"}.get(sign, f"!{sign}" if sign in "%_!" else sign) for sign in pattern
-    )
-    like = exp.Like(this=exp.column(column), expression=template.text(escaped))
+    escaped = str.maketrans({"*": "%", "?": "_", "%": "!%", "_": "!_", "!": "!!"})
+    text = template.text(pattern.translate(escaped))
+    like = exp.Like(this=exp.column(column), expression=text)
     return exp.Escape(this=like, expression=template.text("!"))

@@ -230,18 +230,15 @@ def _is_new(row: Row, course: dict[str, NDArray[Any]], kind: TimeKind, newest: i
 
 def _machines(state: Reads, monitor: str, signals: Sequence[Row]) -> list[Row]:
     """Return the machines, the one with the most urgent signal first."""
-    order = dict.fromkeys(row["asset"] for row in signals)
-    found = {
-        row["asset"]: row
-        for row in state.fetch("report/machines", {"monitor": template.text(monitor)}).to_pylist()
-    }
+    rows = state.fetch("report/machines", {"monitor": template.text(monitor)}).to_pylist()
+    found = {row["asset"]: row for row in rows}
     return [
         {
             **{told: found[name][of] for told, of in _OF_MACHINE.items()},
             "since": tick(found[name]["since_tick"]),
             "at": tick(found[name]["data_tick"]),
         }
-        for name in order
+        for name in dict.fromkeys(row["asset"] for row in signals)
     ]
 
 

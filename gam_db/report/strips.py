@@ -52,8 +52,7 @@ def strip(
     if len(begins):
         left = column_of(begins, first, last, columns)
         right = column_of(ends, first, last, columns)
-        covered = np.zeros(columns, bool)
-        value = np.zeros(columns, np.uint8)
+        covered, value = np.zeros(columns, bool), np.zeros(columns, np.uint8)
         # A bucket goes on over a pause: of one that takes long only the two ends are known.
         taken = np.asarray(ends, np.float64) - np.asarray(begins, np.float64)
         paused = taken > 3 * max(float(np.median(taken)), 1.0)
@@ -67,7 +66,6 @@ def strip(
         bytes_of = np.where(known, coded(np.where(known, hi, 0), limit), 0)
         np.maximum.at(value, place, bytes_of[which].astype(np.uint8))
         row[value > 0] = value[value > 0]
-        inside = np.zeros(columns, bool)
-        inside[left.min() : right.max() + 1] = True
-        row[inside & ~covered & (row == NOTHING)] = PAUSE
+        inside = slice(left.min(), right.max() + 1)
+        row[inside][~covered[inside] & (row[inside] == NOTHING)] = PAUSE
     return row
