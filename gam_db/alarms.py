@@ -231,8 +231,13 @@ def chosen_limits(work: Work, alarms: Alarms, kind: TimeKind) -> list[Row]:
     near = [row for (_, g), row in sorted(found.items()) if g == NEAR]
     for row in near:
         assess(row, day_of(kind))
+    ratios: dict[int, list[int]] = defaultdict(list)
+    for row in near:
+        if row["reason"] is None and row["order_ratio"] is not None:
+            ratios[row["family_no"]].append(row["order_ratio"])
+    drifting = {family for family, known in ratios.items() if sum(known) > _DRIFTING * len(known)}
     rows = [
-        {**row, **_based(row, _is_drifting(row["family_no"], near))} if row["reason"] is None else row
+        {**row, **_based(row, row["family_no"] in drifting)} if row["reason"] is None else row
         for row in near
     ]
     members = [row for row in rows if row["reason"] is None]
@@ -288,15 +293,6 @@ def _reason(row: Row, day: int | None) -> str | None:
     return None
 
 
-def _is_drifting(family: int, rows: Sequence[Row]) -> bool:
-    ratios = [
-        row["order_ratio"]
-        for row in rows
-        if row["family_no"] == family and row["reason"] is None and row["order_ratio"] is not None
-    ]
-    return bool(sum(ratios) > _DRIFTING * len(ratios))
-
-
 def _based(row: Row, drifting: bool) -> Row:
     """Return g of a channel, and its basis where that is known before a height is."""
     if drifting:
@@ -312,11 +308,11 @@ def _replayed(work: Work, members: Sequence[Row]) -> tuple[dict[int, int], Mappi
     for row in members:
         if row["basis"] != "none":
             families[row["family_no"]].append(row)
-    judged = {family: sum(row["blocks"] for row in rows) for family, rows in families.items()}
     enough = {
-        family: count
-        for family, count in judged.items()
-        if len(families[family]) >= _REPLAYED_CHANNELS and count >= _REPLAYED_JUDGEMENTS
+        family: judged
+        for family, rows in families.items()
+        if len(rows) >= _REPLAYED_CHANNELS
+        and (judged := sum(row["blocks"] for row in rows)) >= _REPLAYED_JUDGEMENTS
     }
     counted: dict[int, dict[int, int]] = defaultdict(dict)
     if enough:

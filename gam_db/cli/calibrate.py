@@ -143,11 +143,8 @@ def _absolute(relation: str | tuple[str, ...]) -> str | tuple[str, ...]:
 
 def _show(out: Console, where: str, job: Job, rows: Sequence[Row], everything: bool) -> None:
     if not rows:
-        page.say(out, where)
-        page.say(
-            out,
-            "nothing to do: every channel has a version with these settings; --again learns them anew",
-        )
+        done = "every channel has a version with these settings; --again learns them anew"
+        page.say(out, where, f"nothing to do: {done}")
         return
     versions = page.amount(rows, "new version")
     page.say(out, f"{where}, from {printable(job.name)}: {versions}{job.settings}")

@@ -208,11 +208,8 @@ def show(
     page.say(out, *page.advice(found))
     ends = [row["last_time"] for row in found if isinstance(row["last_time"], int)]
     if ends and (unit := epoch_unit(min(ends), max(ends))):
-        page.say(
-            out,
-            f"time looks like {SINCE_1970[unit][0]} since 1970, and is taken as a counter; --time-unit "
-            f"{unit} makes calendar time of it",
-        )
+        like = f"time looks like {SINCE_1970[unit][0]} since 1970, and is taken as a counter"
+        page.say(out, f"{like}; --time-unit {unit} makes calendar time of it")
     if short := sum(
         row["hi_limit"] is not None and 0 < row["calibration_vectors"] < 8 * row["window"]
         for row in found
