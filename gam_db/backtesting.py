@@ -90,11 +90,8 @@ def figures(asked: str, rows: Sequence[Row], found: list[Row]) -> Row:
     episodes, judgements = int(raised.sum()), int(judged.sum())
     lower, upper = poisson_ends(episodes)
     drawn = _drawn(raised, judged)
-    stated = [
-        (limit["stated_rate"] * row["judgements"], row["judgements"])
-        for limit, row in zip(mine, found, strict=True)
-        if limit["stated_rate"] is not None
-    ]
+    pairs = [(limit["stated_rate"], row["judgements"]) for limit, row in zip(mine, found, strict=True)]
+    stated = [(rate * count, count) for rate, count in pairs if rate is not None]
     mean = sum(one for one, _ in stated) / sum(one for _, one in stated) if stated else None
     days = [row["judgements_per_day"] for row in mine]
     a_day = None if None in days else float(sum(days))
@@ -102,8 +99,8 @@ def figures(asked: str, rows: Sequence[Row], found: list[Row]) -> Row:
     bases: dict[str, Row] = {}
     for limit, row in zip(mine, found, strict=True):
         counted = bases.setdefault(limit["basis"], {"channels": 0, "judgements": 0, "episodes": 0})
-        for name, more in (("channels", 1), *((name, row[name]) for name in ("judgements", "episodes"))):
-            counted[name] += more
+        for name in counted:
+            counted[name] += row.get(name, 1)  # a row is a channel
     return {
         "asked": asked,
         "stated": mean,

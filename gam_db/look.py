@@ -96,13 +96,11 @@ def check_rows(names: pa.Table) -> None:
         for role in ("asset", "channel")
     }
     nameless["time"] = sum(row["without_time"] for row in rows)
-    found = [f"{count} without {role}" for role, count in nameless.items() if count]
-    if found:
+    if found := {role: f"{count} without {role}" for role, count in nameless.items() if count}:
         raise SourceError(
-            f"The source has rows that belong nowhere: {', '.join(found)} (NULL, or an infinite "
-            "time). Leave them out by where=, for example "
-            f'where="{next(role for role, count in nameless.items() if count)} IS NOT NULL" with '
-            "your column's name, or mend them."
+            f"The source has rows that belong nowhere: {', '.join(found.values())} (NULL, or an "
+            "infinite time). Leave them out by where=, for example "
+            f'where="{next(iter(found))} IS NOT NULL" with your column\'s name, or mend them.'
         )
     check_clock(names)
 

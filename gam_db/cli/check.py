@@ -108,13 +108,12 @@ def _figures(seen: Seen) -> Row:
 def _show(out: Console, seen: Seen, common: options.Common) -> None:
     job, look = seen.job, seen.look
     page.say(out, *(heading(seen) + job.settings, *job.lines()))
-    marks: dict[tuple[str, str], str] = {}
-    for note in seen.notes:
-        for name in note.channels:
-            marks[name] = "!" if note.must else marks.get(name, "?")
+    noted = {name for note in seen.notes for name in note.channels}
+    urgent = {name for note in seen.notes for name in note.channels if note.must}
 
     def mark(row: Row) -> str:
-        return marks.get((row["asset"], row["channel"]), " ")
+        name = (row["asset"], row["channel"])
+        return "!" if name in urgent else "?" if name in noted else " "
 
     out.print()
     page.notes(out, (("!" if note.must else "-", note_line(note, look)) for note in seen.notes))
@@ -124,7 +123,18 @@ def _show(out: Console, seen: Seen, common: options.Common) -> None:
     if not rows:
         return
     shown = common.of(rows)
-    columns = {"channel": page.name_in(rows), **_columns(look)}
+    columns: dict[str, page.Cell] = {
+        "channel": page.name_in(rows),
+        "samples": "samples",
+        "step": lambda row: _step(row, look),
+        "pauses": lambda row: row["pauses"] or None,
+        "missing": lambda row: percent(row["missing"] / row["samples"]) if row["missing"] else None,
+        "least": lambda row: _value(row["lowest"]),
+        "most": lambda row: _value(row["highest"]),
+        "values": "values_seen",
+        "still": _still,
+        "cycle": lambda row: row["cycle_length"] or None,
+    }
     empty = [
         heading for heading in columns if all(page.cell(row, columns[heading]) == "-" for row in shown)
     ]
@@ -164,21 +174,6 @@ def note_line(note: Note, look: Look) -> str:
 _LEAST_SAYING = ("values", "still", "most", "least")
 
 
-def _columns(look: Look) -> dict[str, page.Cell]:
-    """Return what the table says of channels, by its headings."""
-    return {
-        "samples": "samples",
-        "step": lambda row: _step(row, look),
-        "pauses": lambda row: row["pauses"] or None,
-        "missing": lambda row: percent(row["missing"] / row["samples"]) if row["missing"] else None,
-        "least": lambda row: _value(row["lowest"]),
-        "most": lambda row: _value(row["highest"]),
-        "values": "values_seen",
-        "still": _still,
-        "cycle": lambda row: row["cycle_length"] or None,
-    }
-
-
 def _step(row: Any, look: Look) -> str | None:
     """Return the usual step in time, and how far nine tenths of the steps are from it at most."""
     if row["typical_step"] is None:
@@ -206,9 +201,8 @@ def _ending(seen: Seen) -> list[str]:
     """Return what is to be done now."""
     proposal, look = seen.proposal, seen.look
     must = sum(note.must for note in seen.notes)
-    lines = []
-    if must:
-        lines.append(f"{number_of(must, 'point')} marked ! must be fixed before anything is learnt")
+    points = f"{number_of(must, 'point')} marked ! must be fixed before anything is learnt"
+    lines = [points] if must else []
     if not look.channels:
         return lines
     said = look.method.parameters

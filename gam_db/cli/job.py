@@ -90,11 +90,7 @@ class Job:
         """Return the same for --json."""
         source = self.guess.source
         is_long = isinstance(source, Source)
-        columns: dict[str, Any] = {"asset": source.asset, "time": source.time}
-        if isinstance(source, Source):
-            columns |= {"channel": source.channel, "value": source.value}
-        else:
-            columns["channels"] = source.value_columns
+        of = ("channel", "value") if is_long else ("channels",)
         overrides = [
             {"asset": one.asset, "channel": one.channel, **one.changes()}
             for one in self.parameters.overrides
@@ -103,7 +99,7 @@ class Job:
             "source": {
                 "name": self.name,
                 "layout": "long" if is_long else "wide",
-                "columns": columns,
+                "columns": {role: getattr(source, role) for role in ("asset", "time", *of)},
                 "guessed": self.guess.guessed,
                 "where": source.where,
                 "written": source.written,
