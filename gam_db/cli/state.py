@@ -87,13 +87,11 @@ def migrate(
 
 
 def _show_migrations(out: Console, tables: StateTables, found: Status) -> None:
-    rows = [vars(one) | {"when": "pending", "by": ""} for one in found.pending]
-    rows[:0] = [
-        vars(one)
-        | {"when": page.time_text(told_time(one.applied_at, TimeKind.TIMESTAMP), named=True)}
-        | {"by": f"gam-db {one.gam_version}"}
-        for one in found.applied
-    ]
+    rows = []
+    for one in found.applied:
+        when = page.time_text(told_time(one.applied_at, TimeKind.TIMESTAMP), named=True)
+        rows.append(vars(one) | {"when": when, "by": f"gam-db {one.gam_version}"})
+    rows += [vars(one) | {"when": "pending", "by": ""} for one in found.pending]
     columns: dict[str, page.Cell] = {
         "number": lambda row: str(row["number"]),
         "migration": "name",
