@@ -72,6 +72,7 @@ _ABOUT = {
     "streams/*": "test_streaming",
     "source/unpivoted": "test_wide",
     "source/misfits": "test_files",
+    "source/*_term": "test_written",
     "census/*": "test_trusting",
     "rowids/*": "test_trusting",
     "arrays/*": "test_trusting",
