@@ -126,19 +126,24 @@ def columns() -> Iterator[tuple[str, str, bool]]:
             yield name, column.name, not present
 
 
-def other(column: str, value: Any) -> Any:
+def other(column: str, value: Any, less: bool = False) -> Any:
     """A value that is not this one, and near it unless it is a key or a length."""
     if value is None:
         return "1" if column == "reason" else 1
     if isinstance(value, str):
         return f"{value}0"
+    if less:
+        return value - 1
     if isinstance(value, float):
         return value + 0.125
     return value + (10**6 if column.endswith("_id") or column == "lookback" else 1)
 
 
 #: What is done to a row of a channel.
-CHANGED, EMPTIED, DELETED, DOUBLED = "changed", "NULL", "deleted", "twice"
+CHANGED, LESSENED, EMPTIED, DELETED, DOUBLED = "changed", "smaller", "NULL", "deleted", "twice"
+
+#: Tables of what was learnt: a figure that is too small is found there as well as one that is too large.
+LEARNT = ("bounds", "block", "ladder", "support", "extent", "limit", "bucket", "judgement")
 
 
 @dataclass(frozen=True)
@@ -162,10 +167,12 @@ class Case:
             all_rows.remove(row)
         elif self.done == DOUBLED:
             all_rows.append(dict(row))
-        elif self.done == EMPTIED and row[self.column] is None:
+        elif self.done in (EMPTIED, LESSENED) and row[self.column] is None:
             return False
+        elif self.done == EMPTIED:
+            row[self.column] = None
         else:
-            row[self.column] = None if self.done == EMPTIED else other(self.column, row[self.column])
+            row[self.column] = other(self.column, row[self.column], self.done == LESSENED)
         return True
 
 
@@ -176,7 +183,12 @@ def cases() -> list[Case]:
         for table, column, may_be_null in columns()
         if table not in SHARED
         for which in CHOSEN[table]
-        for done in ((CHANGED, EMPTIED) if may_be_null else (CHANGED,))
+        for done in (CHANGED, EMPTIED, LESSENED)
+        if (done != EMPTIED or may_be_null)
+        and (
+            done != LESSENED
+            or (table in LEARNT and "INT" in kinds()[table, column] and column[-3:] != "_id")
+        )
     ]
     whole = [
         Case(table, which, done)
@@ -284,7 +296,7 @@ def find_all(engine: str) -> None:
     found = {row["asset"] for row in differing(monitor)}
     missed = {case.place for asset, case in asked.items() if asset not in found | untouched}
     assert missed == {place for place in MAY_DIFFER if place[0] in CHOSEN}
-    emptied = {case.place for asset, case in asked.items() if asset in untouched}
+    emptied = {asked[asset].place for asset in untouched if asked[asset].done == EMPTIED}
     assert emptied <= {
         *(("version", f"{column} IS NULL") for column in ("max_gap", "score_from")),
         ("run", "withdrawn IS NULL"),
