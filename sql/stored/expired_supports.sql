@@ -15,4 +15,4 @@ LEFT JOIN (
   ) AS going ON going.version_id = version.version_id
   WHERE CASE WHEN going.hit = 1 THEN 0 ELSE 1 END = 1
 ) AS staying ON staying.support_id = pruned.support_id
-WHERE pruned.goes = 1 AND CASE WHEN staying.hit = 1 THEN 0 ELSE 1 END = 1
+WHERE CASE WHEN staying.hit = 1 THEN 0 ELSE 1 END = 1

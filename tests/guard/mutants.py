@@ -51,7 +51,8 @@ LONGEST = 600.0
 #: of a file whose names hold a word.
 _METHOD = ("test_spec", "test_agreement", "test_streaming", "test_trusting", "test_wide")
 _STORED = (
-    *("test_falsified", "test_checksums", "test_learnt", "test_outside_the_contract", "test_pruning"),
+    *("test_falsified", "test_several_monitors", "test_checksums", "test_learnt", "test_pruning"),
+    "test_outside_the_contract",
     *("test_cli_stored", "test_cli_state", "test_planning", "test_fleet", "test_visible", "test_faults"),
     *("test_status", "test_standing", "test_judged", "test_copying", "test_migrations"),
     *("test_migrate_and_drop", "test_check_notes", "test_onset", "test_cells", "test_report"),
@@ -69,6 +70,16 @@ _ABOUT = {
     "rowids/*": "test_trusting",
     "arrays/*": "test_trusting",
     "certificate/*": "test_spec[certificate",
+    "embedding/context": "test_incremental[still",
+    "embedding/moving_codes": "test_spec[still",
+    "embedding/still_so_far": "test_standing",
+    "embedding/moving_*": "test_standing",
+    "health/novel_cells": "test_incremental[short",
+    "stored/bounds": "test_outside_the_contract",
+    "stored/channels": "test_outside_the_contract",
+    "stored/plan": "test_clocks_and_replays",
+    "stored/pla[n]": "test_incremental[still",
+    "stored/expired_unplaced": "test_clocks_and_replays",
     "judgement/standing": "test_standing",
     "judgement/*": "test_judged",
     "report/*": "test_report",
@@ -125,7 +136,7 @@ _ABOUT = {
     "stored/last_reads": "test_planning",
     "stored/wanted_names": "test_planning",
     "stored/health_rows": "test_cli_stored",
-    "stored/doubled": "test_faults",
+    "stored/doubled": "test_two_writers",
     "stored/last_numbers": "test_cli_stored",
     "stored/migration_record": "test_migrations",
 }

@@ -279,7 +279,12 @@ def find_all(engine: str) -> None:
     """Spoil something in each of many channels, and look whether each is found."""
     asked = {f"c{number:03}": case for number, case in enumerate(cases())}
     monitor = made(engine, list(asked))
+    # Pruning that was cut short may leave the record of an earlier one beside its own.
+    earlier = {"first_bucket": 0, "first_novel": 0}
+    known = stored(monitor, "horizon")
+    monitor.state.append_rows("horizon", [{**row, **earlier} for row in known.to_pylist()])
     assert differing(monitor) == []
+    put_back(monitor, "horizon", known)
     owned = owners(monitor)
     untouched = set()
     for table in CHOSEN:

@@ -11,7 +11,9 @@ from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import ConfigurationError, EngineError, ParameterError
 from gam_db.stored import pruning
 from gam_db.stored.pruning import COUNTED, Retention, prune
+from gam_db.stored.state import first_run_at, now
 from gam_db.stored.status import status
+from gam_db.stored.steps import DAY
 from gam_db.stored.tables import TABLES as ALL
 from gam_db.stored.tables import StateTables
 from stored_rows import STEP, Plant, Version, emptied
@@ -193,7 +195,9 @@ def test_a_version_goes_with_what_only_it_had_learnt(session: DuckSession) -> No
     first, second = plant.channel(monitor, "R1", "j1"), plant.channel(monitor, "R2", "j1")
     old = [plant.support(cells=[2, 3]), pooled, plant.support(cells=[4])]
     for number, learnt in enumerate(old, start=1):
-        plant.run(plant.version(first, learnt, number), [{}])
+        version = plant.version(first, learnt, number)
+        plant.run(version, [{}])
+        plant.add("horizon", version_id=version.version_id, first_bucket=0, first_novel=0)
     plant.version(second, pooled)
     for learnt in old:
         plant.add(
@@ -211,6 +215,7 @@ def test_a_version_goes_with_what_only_it_had_learnt(session: DuckSession) -> No
     prune(session, TABLES, retention=Retention(keep_versions=0))
     assert [row[0] for row in rows(session, "version", "version_no, channel_id")] == [1, 3]
     assert len(rows(session, "calibration")) == len(rows(session, "run")) + 1 == 2
+    assert rows(session, "horizon", "version_id") == [(version.version_id,)]
     for table in ("support", "bounds", "block", "ladder"):
         assert {row[0] for row in rows(session, table)} == {pooled, old[2]}
 
@@ -221,6 +226,8 @@ def test_records_of_runs_go_unless_they_still_tell_something(session: DuckSessio
     first = plant.run(version, [{}] * 6, read_to=3 * STEP)
     plant.run(version, [{}] * 3, from_bucket=3, calibration_readings=999)
     counted = plant.run(version, [{}] * 3, from_bucket=3, calibration_readings=1000)
+    plant.run(version, [{}] * 2, from_bucket=4, settled_bucket=3)
+    settled = plant.run(version, [{}] * 2, from_bucket=4, settled_bucket=3)
     differing = plant.run(version, [{}] * 2, from_bucket=4, context_rows=9)
     plant.run(version, [{}], from_bucket=5, read_to=900 * STEP)
     furthest = plant.run(version, [{}], from_bucket=5, read_to=900 * STEP)
@@ -228,12 +235,33 @@ def test_records_of_runs_go_unless_they_still_tell_something(session: DuckSessio
         newest = plant.run(version, [{}], from_bucket=5)
     plant.write(emptied(session, TABLES), TABLES)
     prune(session, TABLES)
-    left = [first, counted, differing, furthest, newest]
+    left = [first, counted, settled, differing, furthest, newest]
     assert [row[0] for row in rows(session, "run", "run_id")] == left
-    plant.run(version, [{}] * 4, from_bucket=5)
+    plant.run(version, [{}] * 4, from_bucket=5, settled_bucket=8)
     plant.write(session, TABLES)
     prune(session, TABLES, retention=Retention(keep=0, lookback=0))
     assert differing not in [row[0] for row in rows(session, "run", "run_id")]
+
+
+def test_without_transactions_what_a_run_left_without_end_waits_for_a_day(
+    session: DuckSession, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It may still be at work, unless a later one of its channel has finished."""
+    monkeypatch.setattr(session, "transactions", False)
+    plant = Plant()
+    version = plant.version(plant.channel(plant.monitor(), "R1", "j1"), plant.support())
+    plant.ids = first_run_at(now() - 2 * DAY)
+    plant.run(version, [{}] * 3, committed=False)
+    plant.ids = first_run_at(now())
+    plant.run(version, [{}] * 2, committed=False)
+    finished = plant.run(version, [{}] * 3)
+    young = plant.run(version, [{}] * 2, from_bucket=3, committed=False)
+    other = plant.version(plant.channel(1, "R2", "j1"), plant.support())
+    plant.ids = first_run_at(now() - 2 * DAY)
+    plant.run(other, [{}] * 3, committed=False)
+    plant.write(emptied(session, TABLES), TABLES)
+    prune(session, TABLES)
+    assert {row[2] for row in rows(session, "bucket")} == {finished, young}
 
 
 def test_what_cannot_be_pruned_is_refused(session: DuckSession) -> None:

@@ -201,6 +201,7 @@ class Plant:
             "context_rows": 1,
             "context_expected": 1 if from_bucket else None,
             "calibration_readings": None,
+            "settled_bucket": None,
             "lookback": 0,
             "started": 0,
             "committed": run,
