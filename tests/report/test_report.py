@@ -208,6 +208,36 @@ def test_readings_are_new_where_the_score_says(tmp_path: Path) -> None:
             assert marked == count
 
 
+def test_a_detail_is_of_its_own_signal_and_no_other(tmp_path: Path) -> None:
+    """C turns to what is healthy for D; E and F are one pool; a stretch holds several readings."""
+    turns = {"C": 1500, "D": 0, "E": 3000, "F": 3000}
+    rows: list[Any] = [
+        (asset, "x", time, float(time % 5 if time < turn else 4 - time % 5) + (time == 2001))
+        for asset, turn in turns.items()
+        for time in range(3000)
+    ]
+    calibration = gam_db.Calibration(intervals=[(0, 999)], pool=[["E", "F"]])
+    source = gam_db.Source(scripts.telemetry(session := DuckSession(), rows).name)
+    monitor = gam_db.Monitor(session, source, PARAMETERS, calibration)
+    monitor.migrate()
+    monitor.calibrate()
+    monitor.score()
+    monitor.report(tmp_path / "page.html", Wishes(details=4, made=MADE))
+    data = data_of(tmp_path / "page.html")
+    for place, machine in enumerate(data["machine"]):
+        asset, detail = data["machines"]["asset"][machine], data["details"][str(place)]
+        assert sum(vectors for _, vectors, _ in detail["blocks"]) == 996
+        width = detail["envelope"]["length"]
+        held: dict[int, list[float]] = {}
+        for time, value in ((row[2], row[3]) for row in rows if row[0] == asset and row[2] >= 4):
+            held.setdefault(int((time - 4) / width), []).append(value)
+        for of, edge in (("low", min), ("high", max)):
+            shown = unpacked(detail["envelope"][of], "f4")
+            assert {at: shown[at] for at in held} == {at: edge(values) for at, values in held.items()}
+        if asset == "C":
+            assert unpacked(detail["onset"]["new"], "u1").sum() > 400
+
+
 def test_the_same_tables_make_the_same_bytes_on_every_engine(engine: str, tmp_path: Path) -> None:
     wishes = Wishes(title="Plant", details=3, made=MADE, time_zone="Europe/Berlin")
     pages = []
