@@ -72,13 +72,13 @@ _ABOUT = {
     "certificate/*": "test_spec[certificate",
     "embedding/context": "test_incremental[still",
     "embedding/moving_codes": "test_spec[still",
-    "embedding/still_so_far": "test_standing",
-    "embedding/moving_*": "test_standing",
+    "embedding/still_so_far": "test_incremental[still",
+    "embedding/moving_*": "test_incremental[still",
     "health/novel_cells": "test_incremental[short",
     "stored/bounds": "test_outside_the_contract",
     "stored/channels": "test_outside_the_contract",
     **{f"stored/{name}": "test_clocks_and_replays" for name in ("plan", "recount", "seen")},
-    **{f"stored/{name}": "test_standing" for name in ("still*", "no_stillness")},
+    **{f"stored/{name}": "test_incremental[still" for name in ("still*", "no_stillness")},
     **{
         f"stored/{name}": "test_incremental[short"
         for name in ("repeated_instants", "trusted_timeline", "restart")

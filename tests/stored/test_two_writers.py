@@ -21,11 +21,15 @@ import frozen
 import gam_db
 import harness
 import scripts
+import stored_rows
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.errors import ConflictError, UserError
 from gam_db.running import Listener
 from gam_db.stored import publishing
 from gam_db.stored.monitor import Monitor
+from gam_db.stored.state import State
+from gam_db.stored.tables import StateTables
 from strategies import Row
 from visible import BUCKETS, NOVEL, visible
 
@@ -339,3 +343,16 @@ def run_ids(plant: Plant) -> int:
     """Return how many runs have rows since the first one."""
     counted = "SELECT COUNT(DISTINCT run_id) - 1 AS runs FROM gam_run WHERE withdrawn IS NULL"
     return int(visible(plant.monitor(), counted)[0]["runs"])
+
+
+@pytest.mark.parametrize("kind", ["monitor", "channel", "version"])
+def test_a_key_that_is_there_twice_is_told(kind: str) -> None:
+    """Without transactions two writers may both have given it."""
+    plant = stored_rows.Plant()
+    plant.version(plant.channel(plant.monitor(), "R1", "j1"), plant.support())
+    (row,) = plant.tables[kind]
+    plant.tables[kind].append(dict(row))
+    with DuckSession() as session:
+        plant.write(session, StateTables())
+        found = State(session, StateTables()).fetch("stored/doubled").to_pylist()
+    assert found == [{"kind": kind, "doubled_id": row[f"{kind}_id"]}]
