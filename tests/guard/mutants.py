@@ -41,7 +41,10 @@ FOLDERS = (
 )
 
 #: Files of ``sql/`` -> the engine that runs them; DuckDB runs all others.
-_RUN_BY = {"rowids/*": "sqlite", "arrays/*": "clickhouse", "census/novelty_set": "sqlite"}
+_RUN_BY = {
+    **{"rowids/*": "sqlite", "arrays/*": "clickhouse", "census/novelty_set": "sqlite"},
+    "stored/withdrawal": "clickhouse",
+}
 
 #: Seconds after which a run is stopped, if no others are asked for; at least three times as many as the
 #: tests take with nothing changed. Of one that was stopped nothing is known: it counts as a survivor.
@@ -77,7 +80,7 @@ _ABOUT = {
     "health/novel_cells": "test_incremental[short",
     "stored/bounds": "test_outside_the_contract",
     "stored/channels": "test_outside_the_contract",
-    **{f"stored/{name}": "test_clocks_and_replays" for name in ("plan", "recount", "seen")},
+    **{f"stored/{name}": "test_clocks_and_replays" for name in ("plan", "seen")},
     **{f"stored/{name}": "test_incremental[still" for name in ("still*", "no_stillness")},
     **{
         f"stored/{name}": "test_incremental[short"
@@ -85,7 +88,7 @@ _ABOUT = {
     },
     "stored/run_up": "test_incremental[pauses",
     "stored/re[lp]e*": "test_check_state",
-    "stored/withdrawal": "test_two_writers",
+    "stored/withdrawal": "test_clickhouse_writers",
     "streams/in_order": "test_trusting",
     "stored/pla[n]": "test_incremental[still",
     "stored/expired_unplaced": "test_clocks_and_replays",

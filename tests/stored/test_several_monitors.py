@@ -9,7 +9,7 @@ import scripts
 from gam_db.stored import alarms
 from gam_db.stored.monitor import Monitor
 from strategies import Row
-from test_falsified import ALARMS, CALM, ENDS, LOOKBACK, PARAMETERS, made
+from test_falsified import ALARMS, CALIBRATED, CALM, ENDS, LOOKBACK, PARAMETERS, made
 
 #: One name before, one after that of the monitor that is asked; the keys of both come after its own.
 BESIDE = ("a", "z")
@@ -40,6 +40,7 @@ def test_a_monitor_says_the_same_of_its_channels_beside_others() -> None:
     scripts.arrive(monitor.session, exp.to_table(str(monitor.source.relation)), rows)
     alone = answers(monitor)
     assert len(alone["alarms"]) == 2
+    assert {row["calibration_rows"] for row in alone["status"]} == {CALIBRATED + 1}
     assert alone["left_out"].keys() == {"one"}
     assert alone["new"][1].keys() == {("three", "x")}
     for name in BESIDE:

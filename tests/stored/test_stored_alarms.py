@@ -260,6 +260,8 @@ class Plant:
 
     def told(self) -> list[tuple[int, str]]:
         changes = alarms.events(self.monitor.state, "default").to_pylist()
+        for later, row in enumerate(reversed(changes)):
+            assert alarms.events(self.monitor.state, "default", row["seq"]).num_rows == later
         return [(row["episode_id"], row["what"]) for row in changes]
 
     def now(self) -> list[tuple[int, str, bool]]:
