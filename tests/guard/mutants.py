@@ -3,9 +3,9 @@
 ``mutants.txt`` lists the changes. Each is made in a copy of the tree in a temporary folder, never here,
 and the tests of DuckDB run there until one fails. By hand, from the root of the checkout:
 
-    python -m tests.guard.mutants                      all of them, in some twenty minutes
+    python -m tests.guard.mutants                      all of them, in two hours
     python -m tests.guard.mutants stored/plan cert*    those of some files
-    python -m tests.guard.mutants --processes 2        two at a time
+    python -m tests.guard.mutants --processes 2        two at a time, in half of it
     python -m tests.guard.mutants --list               only show them
 
 It ends with 1 if a mutant survives. A fingerprint of a text would catch them all and prove nothing, so
