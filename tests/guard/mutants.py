@@ -257,7 +257,8 @@ def run(mutant: Mutant | None, folder: Path, told: Connection) -> None:
     watch = Watch()
     changed = "" if mutant is None else mutant.file
     engine = next((one for glob, one in _RUN_BY.items() if fnmatch.fnmatch(changed, glob)), "")
-    words = [*_WORDS, "--engines", engine or "duckdb"]
+    # Its files lie in its folder: a disk that a test mounted there when it was stopped hinders no other.
+    words = [*_WORDS, "--engines", engine or "duckdb", "--basetemp", str(folder / "temporary")]
     with (folder / "output.txt").open("w") as output, contextlib.redirect_stdout(output):
         for name in tests_of(mutant):  # one after another: collecting them all takes longer than most
             file, _, word = name.partition("[")
