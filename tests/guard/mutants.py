@@ -42,7 +42,9 @@ FOLDERS = (
 
 #: Files of ``sql/`` -> the engine that runs them; DuckDB runs all others.
 _RUN_BY = {
-    **{"rowids/*": "sqlite", "arrays/*": "clickhouse", "census/novelty_set": "sqlite"},
+    "rowids/*": "sqlite",
+    "census/novelty_set": "sqlite",
+    "arrays/*": "clickhouse",
     "stored/withdrawal": "clickhouse",
 }
 

@@ -184,6 +184,15 @@ class Case:
         return True
 
 
+def ways(table: str, column: str, may_be_null: bool) -> Iterator[str]:
+    """Give what can be wrong with a column."""
+    yield CHANGED
+    if may_be_null:
+        yield EMPTIED
+    if table in LEARNT and "INT" in kinds()[table, column] and not column.endswith("_id"):
+        yield LESSENED
+
+
 def cases() -> list[Case]:
     """Return what can be wrong in the rows of a channel."""
     changed = [
@@ -191,12 +200,7 @@ def cases() -> list[Case]:
         for table, column, may_be_null in columns()
         if table not in SHARED
         for which in CHOSEN[table]
-        for done in (CHANGED, EMPTIED, LESSENED)
-        if (done != EMPTIED or may_be_null)
-        and (
-            done != LESSENED
-            or (table in LEARNT and "INT" in kinds()[table, column] and column[-3:] != "_id")
-        )
+        for done in ways(table, column, may_be_null)
     ]
     whole = [
         Case(table, which, done)

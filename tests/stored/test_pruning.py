@@ -258,9 +258,10 @@ def test_what_was_pruned_before_that_was_recorded_is_found_when_the_state_goes_u
     recorded = rows(session, "horizon")
     assert recorded == [(version.version_id, 1, 4)]
     session.connection.execute("DELETE FROM gam_horizon")
-    query = checksums.first_rows("horizon")
-    assert query is not None
-    place(query := query.copy(), TABLES.placed())
+    made = checksums.first_rows("horizon")
+    assert made is not None
+    query = made.copy()
+    place(query, TABLES.placed())
     assert [tuple(row.values()) for row in session.rows(query)] == recorded
 
 
