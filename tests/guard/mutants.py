@@ -54,6 +54,7 @@ LONGEST = 600.0
 
 #: Files of tests in the order in which they run; after a bracket, only those
 #: of a file whose names hold a word.
+_BY_HAND = ("test_method_by_hand", "test_stored_by_hand")
 _METHOD = ("test_spec", "test_agreement", "test_streaming", "test_trusting", "test_wide")
 _STORED = (
     *("test_falsified", "test_several_monitors", "test_checksums", "test_learnt", "test_pruning"),
@@ -214,10 +215,10 @@ def listed(file: Path = LIST) -> list[Mutant]:
 def tests_of(mutant: Mutant | None) -> list[str]:
     """Return which tests may catch it, file by file, those that most likely do first."""
     if mutant is None:
-        return [*_METHOD, *_STORED]
+        return [*_BY_HAND, *_METHOD, *_STORED]
     first = [name for glob, name in _ABOUT.items() if fnmatch.fnmatch(mutant.file, glob)]
     after = _STORED if mutant.file.startswith("stored/") else (*_METHOD, *_STORED)
-    return list(dict.fromkeys([*first, *after]))
+    return list(dict.fromkeys([*_BY_HAND, *first, *after]))
 
 
 class Watch:
