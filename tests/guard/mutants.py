@@ -54,7 +54,7 @@ LONGEST = 600.0
 
 #: Files of tests in the order in which they run; after a bracket, only those
 #: of a file whose names hold a word.
-_BY_HAND = ("test_method_by_hand", "test_stored_by_hand")
+_BY_HAND = ("test_method_by_hand", "test_stored_by_hand", "test_report_by_hand")
 _METHOD = ("test_spec", "test_agreement", "test_streaming", "test_trusting", "test_wide")
 _STORED = (
     *("test_falsified", "test_several_monitors", "test_checksums", "test_learnt", "test_pruning"),

@@ -453,3 +453,44 @@ def test_alarms_are_told_newest_first_with_all_that_was_noted() -> None:
     alarms = rows(f"monitor {names}", ("gam", 1, *one), ("gam", 2, *two), ("other", 3, *two))
     found = step("stored/alarm_rows", {"monitor": "gam"}, stored_alarm=alarms)
     assert found == [(2, *two), (1, *one)]
+
+
+def test_a_version_is_checked_with_what_the_newest_records_say_of_it() -> None:
+    """The furthest horizon; the newest run that read, and the newest that counted calibration."""
+    names = (
+        "version_id channel_id support_id parent_id version_no status reason m tau bins window_length "
+        "stride max_gap still_after score_from target_floor least_vectors calibration_end first_scored "
+        "calibration_readings run_up_from"
+    )
+
+    def version(
+        number: int, channel: int, still_after: int | None
+    ) -> tuple[int | str | float | None, ...]:
+        settings = (3, 4, 8, 10, 2, None, still_after, None, 0.05, 1)
+        return (number, channel, 40, None, 1, "active", "first calibration", *settings, 90, 91, 30, 80)
+
+    found = step(
+        "stored/checked",
+        {"monitor_id": 1},
+        stored_version=rows(
+            names, version(1, 3, None), version(2, 3, 6), version(3, 4, None), version(4, 5, None)
+        ),
+        stored_channel=rows(
+            "channel_id monitor_id asset channel", (3, 1, "a", "x"), (4, 1, "b", "x"), (5, 2, "a", "x")
+        ),
+        stored_bounds=rows("support_id calibrated_lo calibrated_hi", (40, 0.5, 2.5), (41, 0.0, 9.0)),
+        stored_horizon=rows(
+            "version_id first_bucket first_novel", (2, 5, 6), (2, 8, 9), (2, 7, 7), (3, 1, 1)
+        ),
+        stored_finished_run=rows(
+            "version_id run_id read_to settled_bucket calibration_readings",
+            *((2, 1, 100, 4, 31), (2, 2, 200, 5, None), (2, 3, None, None, 32)),
+            *((3, 1, 110, 4, None), (3, 4, 90, 3, None)),
+        ),
+    )
+    # version_id, context_rows, lo, hi, is_active, first_bucket, first_novel, read_to, counted_readings
+    assert [(row[0], row[-9], *row[-7:]) for row in found] == [
+        (1, 8, 0.5, 2.5, 0, 0, 0, None, None),
+        (2, 13, 0.5, 2.5, 1, 8, 9, 200, 32),
+        (3, 8, 0.5, 2.5, 1, 1, 1, 90, None),
+    ]
