@@ -3,7 +3,7 @@
 ``mutants.txt`` lists the changes. Each is made in a copy of the tree in a temporary folder, never here,
 and the tests of DuckDB run there until one fails. By hand, from the root of the checkout:
 
-    python -m tests.guard.mutants                      all of them, in two hours
+    python -m tests.guard.mutants                      all of them, in an hour
     python -m tests.guard.mutants stored/plan cert*    those of some files
     python -m tests.guard.mutants --processes 2        two at a time, in half of it
     python -m tests.guard.mutants --list               only show them
