@@ -14,6 +14,7 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
+import speed_page
 from gam_db.errors import ConfigurationError, InternalError
 from gam_db.lab.benchmark import alone, equal, extract, inside, workload
 from gam_db.lab.benchmark.cli import benchmark
@@ -43,6 +44,22 @@ def figures() -> dict[str, Any]:
     read: dict[str, Any] = json.loads(answer.stdout)
     assert tempfile.gettempdir() not in answer.stdout
     return read
+
+
+def test_the_page_has_a_row_for_each_case(figures: dict[str, Any]) -> None:
+    lines = speed_page.throughput(figures)
+    assert [line.split(" | ")[:2] for line in lines[2:]] == [["| by channel", "1"], ["| by time", "1"]]
+    assert f"{figures['cases'][0]['extract_over_sql']:.2f} (" in lines[2]
+    assert "| visited | " in "\n".join(speed_page.steps(figures))
+
+
+def test_tables_of_the_page_are_replaced_between_their_marks() -> None:
+    page = speed_page.PAGE.read_text(encoding="utf-8")
+    for table in speed_page.TABLES:
+        page = speed_page.written(page, table, [f"| {table} |"])
+        assert f"<!-- {table} -->\n\n| {table} |\n\n<!-- end of {table} -->" in page
+    with pytest.raises(ValueError, match="marks of nothing"):
+        speed_page.written(page, "nothing", [])
 
 
 def test_every_case_has_every_figure(figures: dict[str, Any]) -> None:

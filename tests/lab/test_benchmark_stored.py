@@ -9,6 +9,7 @@ import duckdb
 import pytest
 from typer.testing import CliRunner
 
+import speed_page
 from gam_db.cli import app
 from gam_db.engines.clickhouse_address import folder
 from gam_db.errors import ConfigurationError, InternalError
@@ -63,6 +64,14 @@ def test_an_hour_is_read_and_no_more(figures: dict[str, Any]) -> None:
     assert sides["large"]["rows_in_range"] == sides["small"]["rows_in_range"]
 
 
+def test_the_page_shows_an_hour(figures: dict[str, Any]) -> None:
+    lines = speed_page.hour(figures)
+    assert lines[0] == "| side | seconds | rows in range | rows scanned |"
+    assert [line.split()[1] for line in lines[2 : 2 + len(SIDES)]] == list(SIDES)
+    ratio = figures["gains"]["script_over_append_only"]
+    assert lines[-1] == f"| script over append only | {ratio:.2f} | at least 1.5 |"
+
+
 def test_ratios_are_quotients_of_the_least_processor_seconds(figures: dict[str, Any]) -> None:
     seconds = {side: one["processor_seconds"]["min"] for side, one in figures["sides"].items()}
     assert figures["aim"] == AIM
@@ -103,7 +112,10 @@ def test_stored_and_exact_hold_the_same_integers(tmp_path: Path) -> None:
         *("--order", "time", "--json"),
     )
     assert answer.exit_code == 0, answer.stderr
-    (case,) = json.loads(answer.stdout)["cases"]
+    figures = json.loads(answer.stdout)
+    (case,) = figures["cases"]
+    (row,) = speed_page.stored(figures)[2:]
+    assert row.startswith("| by time | 1 | ")
     assert case["integers_equal"]
     assert case["buckets"] == 2 * (7000 * 4 // 5 // 100)
     seconds = {name: one["median"] for name, one in case["seconds"].items()}
@@ -164,7 +176,11 @@ def test_engines_are_compared_on_equal_integers() -> None:
     words = ("engines", "duckdb", "sqlite", "--channels", "2", "--samples", "12000", "--repeat", "1")
     answer = invoked(*words, "--json")
     assert answer.exit_code == 0, answer.stderr
-    first, second = json.loads(answer.stdout)["cases"]
+    figures = json.loads(answer.stdout)
+    first, second = figures["cases"]
+    head, _, *rows = speed_page.engines(figures)
+    assert head == "| engine | gam | extract | floor | gam / floor | extract / gam |"
+    assert [row.split()[1] for row in rows[:2]] == ["duckdb", "sqlite"]
     assert (first["engine"], second["engine"]) == ("duckdb", "sqlite")
     assert first["sums"] == second["sums"]
     assert first["sums"]["novel"] > 0
