@@ -3,6 +3,7 @@
 This module owns how errors are told.
 """
 
+import gc
 import json
 import sys
 import time
@@ -158,6 +159,7 @@ def of_every_command(
 
 def main() -> None:
     """Run the command line."""
+    gc.set_threshold(100_000, 20, 100)  # a command ends soon; looking for circles takes a tenth of it
     leave_pandas()
     app()
 
