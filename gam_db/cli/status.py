@@ -58,7 +58,7 @@ def status(
     urgent, assets = need_attention(channels.to_pylist()), stored_status.by_asset(channels)
     figures = {
         **place(settings),
-        "no_data_for_seconds": None if unheard is None else unheard.total_seconds(),
+        "no_data_for_seconds": None if unheard is None else unheard / 1e6,
         "proved": proved,
         "channels": channels,
         "assets": assets,
@@ -71,7 +71,7 @@ def status(
         rows = channels.to_pylist()
         page.say(out, f"{heading(settings)}: {page.amount(rows)}, newest data {newest}")
         if unheard is not None:
-            length = shown_length(unheard // dt.timedelta(microseconds=1), TimeKind.TIMESTAMP)
+            length = shown_length(unheard, TimeKind.TIMESTAMP)
             page.say(out, f"no data at all for {length}: is the source filled, and is gam score run?")
         page.say(out, _proof(proof, dt.datetime.now(dt.UTC)))
         out.print()

@@ -175,6 +175,7 @@ def label(
     monitor_id, time = monitor["monitor_id"], kind_of(monitor)
     _check_kind(kind, until)
     ends = None if span is None else _ticks(span, time)
+    ends_at = None if until is None else instant(until, TimeKind.TIMESTAMP, "until")
     with state.session.transaction():
         if state.session.transactions:
             state.lock(monitor_id)
@@ -212,7 +213,7 @@ def label(
                 "label_id": 1 + max((one["label_id"] for one in given), default=0),
             },
             **{"episode_id": episode, "asset": asset, "time_from": ends[0], "time_to": ends[1]},
-            **{"kind": kind, "note": note, "until": _micros(until), "created": now()},
+            **{"kind": kind, "note": note, "until": ends_at, "created": now()},
         }
         state.append_rows("label", [row])
         log = Log(monitor_id, records)
@@ -279,13 +280,6 @@ def _ticks(span: tuple[Instant, Instant], kind: TimeKind) -> tuple[int, int]:
             f"{shown_instant(start, kind)}."
         )
     return start, end
-
-
-def _micros(until: dt.datetime | None) -> int | None:
-    if until is None:
-        return None
-    aware = until if until.tzinfo else until.replace(tzinfo=dt.UTC)
-    return (aware - dt.datetime(1970, 1, 1, tzinfo=dt.UTC)) // dt.timedelta(microseconds=1)
 
 
 def _episode(number: int, records: Sequence[Row]) -> Row:

@@ -15,7 +15,7 @@ import pyarrow.compute as pc
 from numpy.typing import NDArray
 from sqlglot import exp
 
-from gam_db.clock import Length, TimeKind, shown_instant
+from gam_db.clock import Length, TimeKind, instant, shown_instant
 from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns
 from gam_db.engines.session import Session
 from gam_db.findings import ORDER, Course, Row, at_end, ended, finding
@@ -143,8 +143,8 @@ def by_asset(channels: pa.Table) -> pa.Table:
 
 def unheard_for(
     channels: pa.Table, park_after: Length | Literal[False] | None, now: dt.datetime
-) -> dt.timedelta | None:
-    """Return for how long no channel at all had data, where that is longer than ``park_after``.
+) -> int | None:
+    """Return for how many microseconds no channel at all had data, if more than ``park_after``.
 
     It says that the source is not filled any more, or that nobody scores it. None where the source
     counts time, since a counter tells no hour.
@@ -158,9 +158,8 @@ def unheard_for(
     if pa.types.is_integer(told.type) or told.null_count == len(told):
         return None
     longest = lengths.park_after(park_after, TimeKind.TIMESTAMP)
-    newest = pc.max(told.cast(pa.int64())).as_py()
-    behind = (now - dt.datetime(1970, 1, 1, tzinfo=dt.UTC)) - dt.timedelta(microseconds=newest)
-    return behind if longest is not None and behind > dt.timedelta(microseconds=longest) else None
+    behind = instant(now, TimeKind.TIMESTAMP, "now") - int(pc.max(told.cast(pa.int64())).as_py())
+    return behind if longest is not None and behind > longest else None
 
 
 def _fetched(
