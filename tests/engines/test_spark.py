@@ -38,10 +38,14 @@ def spark() -> Session:
 
 @pytest.fixture
 def theirs(spark: Session) -> Any:
-    """A session of a user, whose clocks show New York's time."""
+    """A session of a user, whose clocks show New York's time.
+
+    It makes programs of its queries, as Spark does by itself: else it cannot list its tables.
+    """
     from pyspark.sql import SparkSession
 
     session = SparkSession.builder.getOrCreate().newSession()
+    session.conf.set("spark.sql.codegen.factoryMode", "FALLBACK")
     session.conf.set("spark.sql.session.timeZone", "America/New_York")
     return session
 

@@ -28,11 +28,11 @@ import frozen
 import gam_db
 import harness
 import spark_victim
-from gam_db.engines import engine_named
+from gam_db.engines.duckdb_session import DuckSession
 from gam_db.engines.spark_folder import Folder
-from gam_db.stored.migration_files import files
-from gam_db.stored.tables import VIEWS, StateTables
+from gam_db.stored.tables import StateTables
 from killed_plant import CALIBRATION, PARAMETERS, plant
+from stored_rows import emptied
 from strategies import Row
 from victims import Moment, is_at_work
 from visible import BUCKETS, NOVEL, rows_of
@@ -75,22 +75,14 @@ def is_killed(moment: Moment, folder: Path, arrived: int) -> bool:
 
 def look(folder: Path) -> Seen:
     """Return what is visible in the folder, by DuckDB."""
-    kept = Folder(folder, writable=False)
+    kept, tables = Folder(folder, writable=False), StateTables()
     with duckdb.connect() as connection:
+        emptied(DuckSession(connection), tables)
         for entry in kept.entries().values():
-            if entry.data is None:
+            if entry.data is None or entry.name == tables.table("migration").name:
                 continue
-            parts = sorted(kept.place(entry).glob("*.parquet"))
-            columns = ", ".join(f"{name} BIGINT" for name in entry.columns)
-            if parts:
-                rows = connection.read_parquet([str(part) for part in parts])
-                rows.create(entry.name)
-            else:
-                connection.execute(f"CREATE TABLE {entry.name} ({columns})")
-        for migration in files():
-            if migration.name in VIEWS:
-                create, *_ = migration.statements(engine_named("duckdb"), StateTables())
-                connection.execute(create.sql(dialect="duckdb"))
+            if parts := [str(part) for part in sorted(kept.place(entry).glob("*.parquet"))]:
+                connection.execute(f"INSERT INTO {entry.name} BY NAME FROM read_parquet(?)", [parts])
         return by_channel([rows_of(connection, BUCKETS), rows_of(connection, NOVEL)])
 
 
