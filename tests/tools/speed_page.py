@@ -1,6 +1,6 @@
 """The tables of docs/speed.md: ``python tests/tools/speed_page.py [TABLE...]``, on a quiet machine.
 
-Each table is what one ``gam benchmark`` command measures here and now, forty minutes for all of them. It
+Each table is what one ``gam benchmark`` command measures here and now, half an hour for all of them. It
 takes the place of the one between its marks; the sentences around it are written by hand.
 """
 
