@@ -3,7 +3,7 @@
 ``mutants.txt`` lists the changes. Each is made in a copy of the tree in a temporary folder, never here,
 and the tests of DuckDB run there until one fails. By hand, from the root of the checkout:
 
-    python -m tests.guard.mutants                      all of them, in an hour
+    python -m tests.guard.mutants                      all of them, in an hour or two
     python -m tests.guard.mutants stored/plan cert*    those of some files
     python -m tests.guard.mutants --processes 2        two at a time, in half of it
     python -m tests.guard.mutants --list               only show them
@@ -52,8 +52,8 @@ _RUN_BY = {
 #: tests take with nothing changed. Of one that was stopped nothing is known: it counts as a survivor.
 LONGEST = 600.0
 
-#: Files of tests in the order in which they run; after a bracket, only those
-#: of a file whose names hold a word.
+#: Files of tests in the order in which they run, those of single files of SQL first; after a bracket,
+#: only those of a file whose names hold a word.
 _BY_HAND = ("test_method_by_hand", "test_stored_by_hand", "test_report_by_hand")
 _METHOD = ("test_spec", "test_agreement", "test_streaming", "test_trusting", "test_wide")
 _STORED = (
