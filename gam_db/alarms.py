@@ -14,7 +14,7 @@ import pyarrow as pa
 
 from gam_db.calibration import Calibration
 from gam_db.clock import TimeKind, length
-from gam_db.columns import COUNT, SHARE, WORD, columns, counts
+from gam_db.columns import COUNT, SHARE, WORD, columns, counts, table_of
 from gam_db.errors import ParameterError
 from gam_db.heights import LEAST, MOST, STATED_FROM, UNSTATED, Height, Rate, by_replay, by_table
 from gam_db.method.adding import add
@@ -177,7 +177,7 @@ def _asked(
     with studied(source, parameters, calibration, engine) as study:
         rows = limits_of(study, alarms or Alarms())
         if step == "limits":
-            return with_units(pa.Table.from_pylist(rows, schema=_LIMITS), study.method.kind)
+            return with_units(table_of(rows, _LIMITS), study.method.kind)
         judge(study, rows)
         return with_units(study.table(step), study.method.kind)
 
@@ -185,7 +185,7 @@ def _asked(
 def judge(study: Study, rows: Sequence[Row]) -> list[Row]:
     """Let a study judge by limits, as :func:`limits_of` returns them; return those that there are."""
     frozen = [row for row in rows if row["reason"] is None]
-    study.load("frozen_limits", pa.Table.from_pylist(frozen, schema=FROZEN))
+    study.load("frozen_limits", table_of(frozen, FROZEN))
     add_judgements(study.steps, study.method, study.instant_of)
     return frozen
 
@@ -198,7 +198,7 @@ def add_status(study: Study, alarms: Alarms) -> None:
     """
     rows = limits_of(study, alarms)
     judge(study, rows)
-    study.load("limit_reasons", pa.Table.from_pylist(rows, schema=_REASONS))
+    study.load("limit_reasons", table_of(rows, _REASONS))
     add(study.steps, "judgement/raised")
     add_judged(study.steps, "raised")
     add_standing(study.steps, study.method)
@@ -321,7 +321,7 @@ def _replayed(work: Work, members: Sequence[Row]) -> tuple[dict[int, int], Mappi
             for family in enough
             for row in families[family]
         ]
-        work.load("members", pa.Table.from_pylist(asked, schema=_MEMBERS))
+        work.load("members", table_of(asked, _MEMBERS))
         work.load("heights", pa.table({"quarters": pa.array(range(LEAST, MOST + 1), pa.int64())}))
         add_replay(work.steps)
         for row in work.rows("counted_replay"):

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pyarrow as pa
+from numpy.typing import NDArray
 
 COUNT, SHARE, WORD, TRUTH = pa.int64(), pa.float64(), pa.string(), pa.bool_()
 
@@ -27,7 +28,7 @@ def table_of(rows: Sequence[Mapping[str, Any]], schema: pa.Schema) -> pa.Table:
 
     Args:
         rows: values by the names of their columns.
-        schema: integers, doubles and texts.
+        schema: integers, doubles, texts and truths.
     """
     arrays = [_array([row.get(one.name) for row in rows], one.type) for one in schema]
     return pa.Table.from_arrays(arrays, schema=schema)
@@ -35,13 +36,19 @@ def table_of(rows: Sequence[Mapping[str, Any]], schema: pa.Schema) -> pa.Table:
 
 def _array(values: Sequence[Any], of: pa.DataType) -> pa.Array:
     there = np.fromiter((value is not None for value in values), bool, len(values))
-    valid = pa.py_buffer(np.packbits(there, bitorder="little"))
+    valid = _bits(there)
     if of == WORD:
         texts = [b"" if value is None else value.encode() for value in values]
         ends = np.fromiter(accumulate(map(len, texts), initial=0), np.int32, len(texts) + 1)
         held = [pa.py_buffer(ends), pa.py_buffer(b"".join(texts))]
+    elif of == TRUTH:
+        held = [_bits(np.fromiter(map(bool, values), bool, len(values)))]
     else:
         numbers = (0 if value is None else value for value in values)
         kind = np.int64 if of == COUNT else np.float64
         held = [pa.py_buffer(np.fromiter(numbers, kind, len(values)))]
     return pa.Array.from_buffers(of, len(values), [valid, *held])
+
+
+def _bits(truths: NDArray[np.bool_]) -> pa.Buffer:
+    return pa.py_buffer(np.packbits(truths, bitorder="little"))

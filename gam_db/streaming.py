@@ -30,8 +30,9 @@ STREAMED_FROM = 50_000
 #: Channels of one statement.
 MOST_CHANNELS = 256
 
-#: The steps that streams give: the vectors of calibration, and the scored ones, grouped.
-LEARNING, SCORING = "learnable", "visited"
+#: The steps that streams give: the vectors of calibration, then the scored ones, grouped, or, where none
+#: are asked for, from where on they would be read.
+LEARNING, SCORING, RUN_UP = "learnable", "visited", "run_up"
 
 Row = dict[str, Any]
 Slots = dict[str, template.Slot]
@@ -94,13 +95,20 @@ class Streams:
             and all(row["in_order"] and not row["missing_readings"] for row in names)
         )
 
+    def begin_anew(self) -> None:
+        """Go on with other channels, whose steps are not there yet."""
+        self._done.clear()
+        self._reached = {}
+
     def prepare(self, step: str) -> None:
         """Give the steps before one what streams make of them, if it needs them."""
         steps, method = self.running.steps, self.method
-        for part, give in ((LEARNING, self._learn), (SCORING, self._score)):
+        giving = (LEARNING, self._learn), (SCORING, self._score), (RUN_UP, self._reach_back)
+        for part, give in giving:
             needed = {one.name for one in steps.needed([step], self.running.placed)}
             own = {method.named(part, number) for number in range(len(method.settings))}
-            if self.holds and part not in self._done and needed & own:
+            asked = part not in self._done and bool(needed & own)
+            if self.holds and asked and (part == LEARNING or LEARNING in self._done):
                 self._done.add(part)
                 self.holds = give()
                 if not self.holds:
@@ -179,18 +187,14 @@ class Streams:
                 continue
             first = {row["channel_id"]: bounds[row["channel_id"]]["first_scored"] for row in members}
             starts = self._reached if setting.span else first
-            looked_for = [
-                self._filled("run_up", row, first_scored=first[row["channel_id"]], span=setting.span)
-                for row in members
-                if row["channel_id"] not in starts
-            ]
+            unknown = [row for row in members if row["channel_id"] not in starts]
+            looked_for = self._run_up(unknown, number, bounds)
             found = self._asked(looked_for, number) if looked_for else []
             starts = {**starts, **{row["channel_id"]: row["read_from"] for row in found}}
             grouped = visited_slots(setting, trusting=True) | {"outside": is_outside(setting)}
             scored = []
             for row in members:
-                start = starts[row["channel_id"]]
-                read_from = first[row["channel_id"]] if start is None else start
+                read_from = starts[row["channel_id"]]
                 slots: Slots = {
                     **{name: row[name] for name in ("channel_id", "support_id")},
                     "before": setting.span,
@@ -204,6 +208,25 @@ class Streams:
             if running.largest(visited, "doubled"):
                 return False
         return True
+
+    def _reach_back(self) -> bool:
+        """Give the run-up of all channels."""
+        channels = self.running.rows("channels")
+        for number in range(len(self.method.settings)):
+            bounds = self._bounds(number)
+            members = [row for row in channels if row["channel_id"] in bounds]
+            if members:
+                self._give(self.method.named(RUN_UP, number), self._run_up(members, number, bounds))
+        return True
+
+    def _run_up(self, members: Sequence[Row], number: int, bounds: Mapping[int, Row]) -> list[exp.Query]:
+        """Return the run-up of each of some channels."""
+        span = self.method.settings[number].span
+        asked = [(row, bounds[row["channel_id"]]) for row in members]
+        return [
+            self._filled("run_up", row, **_range(of), first_scored=of["first_scored"], span=span)
+            for row, of in asked
+        ]
 
     def _bounds(self, number: int) -> dict[int, Row]:
         """Return the bounds of the channels of a set that have a range."""

@@ -51,6 +51,8 @@ class Study:
         short_cuts: read channels that are stored in order of time in that order
             (:mod:`gam_db.streaming`), and take it on trust that no instant occurs twice
             (:mod:`gam_db.trusting`); not for who changes what the steps read.
+        on_trust: of the two, take the second as well; not for who asks for calibration alone, which
+            proves nothing of what comes after it.
 
     Raises:
         UserError: anything of the source, the parameters or the calibration that cannot be used.
@@ -65,6 +67,7 @@ class Study:
         on_step: Listener = unheard,
         strict: bool = True,
         short_cuts: bool = False,
+        on_trust: bool = True,
     ) -> None:
         self.session, self._named = session, source.relation
         self._is_lent = not isinstance(source.relation, (str, Path, tuple, list))
@@ -72,7 +75,7 @@ class Study:
         self.relation, self.columns, self.source = read.stored, read.columns, read.source
         said = None
         if parameters.is_open:
-            listening = (on_step, strict, short_cuts)
+            listening = (on_step, strict, short_cuts, on_trust)
             rough = Study(session, source, parameters.finest(), calibration, *listening)
             said, parameters = parameters, _found(parameters, rough)
             rough.forget()
@@ -82,7 +85,7 @@ class Study:
         self.running = Running(session, self._opening(), on_step=on_step)
         is_streamed = short_cuts and seems_ordered(self.method, self.running)
         slicing = None
-        if short_cuts and not is_streamed and trusting.serves(self.method):
+        if short_cuts and on_trust and not is_streamed and trusting.serves(self.method):
             slicing = trusting.sliced(self.running)
             self.running.steps = self._opening(slicing)
         self.running.keep("names")
@@ -107,6 +110,11 @@ class Study:
     def steps(self) -> Pipeline:
         """The steps of the study."""
         return self.running.steps
+
+    @property
+    def is_ordered(self) -> bool:
+        """Tell whether channels are to be read as they are stored."""
+        return isinstance(self._short_cut, Streams) and self._short_cut.holds
 
     @property
     def is_streamed(self) -> bool:
@@ -180,6 +188,12 @@ class Study:
         if is_file(self._named) and not paths_of(self._named)[0].lower().endswith((".parquet", ".pq")):
             steps.small |= {"readings"}
         return steps
+
+    def begin_anew(self) -> None:
+        """Forget what was made of channels: others have the step *names* now."""
+        self.running.forget(but=("names", "ordered", "readings"))
+        if isinstance(self._short_cut, Streams):
+            self._short_cut.begin_anew()
 
     def _prepare(self, step: str) -> None:
         if self._short_cut is not None:

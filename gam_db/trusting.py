@@ -14,7 +14,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.clock import FAR_AHEAD
-from gam_db.columns import counts
+from gam_db.columns import counts, table_of
 from gam_db.method import Method
 from gam_db.method.census import EDGES, SCORED, TAUGHT, Slicing, serves
 from gam_db.method.delays import PROOFS, Ways
@@ -146,7 +146,7 @@ class Trust:
         self.running.steps = self._careful()
         self.running.forget(but=self.running.steps.steps)
         timeline = [{"repeats": 0, **{name: row[name] for name in _OF_SERIES}} for row in series]
-        self.running.load("timeline", pa.Table.from_pylist(timeline, schema=_TIMELINE))
+        self.running.load("timeline", table_of(timeline, _TIMELINE))
 
     def _give_up(self) -> None:
         self.holds = False

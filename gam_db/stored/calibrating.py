@@ -14,7 +14,7 @@ import pyarrow as pa
 from gam_db import template
 from gam_db.calibration import Calibration, Rule, subtract
 from gam_db.clock import LONG_AGO, Instant
-from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns
+from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns, table_of
 from gam_db.errors import CalibrationError
 from gam_db.method import Method
 from gam_db.method.adding import add
@@ -86,9 +86,12 @@ def calibrate(
     running, steps = study.running, study.steps
     keys = state.keys()
     monitor = _monitor(state, study, name, keys)
-    add(steps, "stored/recount")
+    add(steps, "stored/repeating_calibration")
+    add(steps, "stored/recount", tables={"calibration": "repeating_calibration"})
+    add(steps, "stored/first_count")
     add_judged(steps, "limited", "unscored")
-    add(steps, "stored/version_rows", {"long_ago": LONG_AGO, "created": now()})
+    said_now = {"long_ago": LONG_AGO, "created": now()}
+    add(steps, "stored/version_rows", said_now, tables={"recount": "first_count"})
     add_learnt_limits(steps, study.method, ())
     add_bands(steps)
     for part in ("calibration", "bounds", "block", "ladder", "support", "buffered", "band"):
@@ -111,15 +114,13 @@ def calibrate(
     names = running.placed["names"]
     readings = {(row["asset"], row["channel"]): row["readings"] for row in found}
     groups = list(whole_pools(due, readings, limit or state.session.rows_at_once()))
-    if len(groups) > 1 or not study.method.kind.is_counter:
+    if not study.is_ordered and (len(groups) > 1 or not study.method.kind.is_counter):
         # Five steps read a group's rows. Unless the engine can leave out what they do not need (other
         # groups, or what follows calibration, which it cannot tell by timestamps), they are copied once.
         steps.small |= {"identified"}
     for group in groups:
-        running.forget(but=("names", "readings"))
-        wanted = state.session.load(
-            pa.table({role: [row[role] for row in group] for role in ("asset", "channel")})
-        )
+        study.begin_anew()
+        wanted = state.session.load(table_of(group, _NAMED))
         asked = filled("stored/wanted_names")
         place(asked, {"names": names, "wanted": wanted})
         running.placed["names"] = state.session.keep("wanted_names", asked)
@@ -128,7 +129,7 @@ def calibrate(
         state.session.forget(wanted)
         running.placed["names"] = names
     made.sort(key=lambda row: (row["asset"], row["channel"]))
-    return pa.Table.from_pylist(made, schema=_RESULT)
+    return table_of(made, _RESULT)
 
 
 def without(
@@ -293,18 +294,19 @@ def _write(
                 "method_hash": method,
             }
         )
-    loaded = state.session.load(pa.Table.from_pylist(numbering, schema=_NUMBERING))
+    loaded = state.session.load(table_of(numbering, _NUMBERING))
     running.placed["numbering"] = loaded
-    queries = {part: running.query(f"{part}_rows") for part in _WRITTEN}
+    # The support first: what reads its cells reads channels in stored order, where they can be.
+    queries = {part: study.query(f"{part}_rows") for part in ("support", *_WRITTEN)}
     running.on_step("writing")
     with state.alone(keys):
         if channels:
             state.append_rows("channel", channels)
-        for part, query in queries.items():
-            state.append(part, query)
+        for part in _WRITTEN:
+            state.append(part, queries[part])
     verdicts = {row["channel_id"]: row for row in running.rows("unscored")}
     ranges = {row["channel_id"]: row for row in running.rows("bounds")}
-    running.forget(but=("names", "readings"))
+    study.begin_anew()
     del running.placed["numbering"]
     state.session.forget(loaded)
     return [
@@ -330,6 +332,7 @@ def _left_out(said: Rule, used: Rule, end: int | None) -> int:
     return sum(end is not None and start <= end for start, _ in gone)
 
 
+_NAMED = columns((WORD, "asset channel"))
 _NUMBERING = columns(
     (COUNT, "channel_id stored_channel_id version_id stored_support_id parent_id version_no m tau bins"),
     (COUNT, "window_length stride max_gap still_after least_vectors score_from"),

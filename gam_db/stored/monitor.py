@@ -19,6 +19,7 @@ from gam_db.alarms import Alarms
 from gam_db.calibration import Calibration
 from gam_db.checking import look_at
 from gam_db.clock import Instant, Length, instant
+from gam_db.columns import table_of
 from gam_db.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, UserError
@@ -128,7 +129,8 @@ class Monitor(MonitorSettings):
         """
         migrations.require(self.session, self.state.tables)
         healthy = without(self.calibration, stored_alarms.left_out(self.state, self.name))
-        study = Study(self.session, self.source, self.parameters, healthy, on_step)
+        asked = self.parameters, healthy, on_step
+        study = Study(self.session, self.source, *asked, short_cuts=True, on_trust=False)
         try:
             self.asked.asked(study.method.kind)
             made = calibrate(self.state, study, self.name, again, limit, self.calibration)
@@ -297,7 +299,7 @@ class Monitor(MonitorSettings):
         if again:
             with self.session.transaction():
                 limits.make(self.state, self.name, self.asked, reason, lambda _: True)
-        return pa.Table.from_pylist(stored_alarms.limits(self.state, self.name), schema=limits.SHOWN)
+        return table_of(stored_alarms.limits(self.state, self.name), limits.SHOWN)
 
     def _repr_html_(self) -> str:
         """Return the status as a table for a notebook, or why there is none; all names are escaped."""

@@ -13,6 +13,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db import look, template
+from gam_db.bits import Bits
 from gam_db.clock import FAR_AHEAD, LONG_AGO, shown_instant
 from gam_db.columns import counts, table_of
 from gam_db.errors import ConflictError, ParameterError, SourceError
@@ -45,7 +46,10 @@ from gam_db.stored.steps import (
 )
 
 #: With fewer rows, looking for repeated instants first is cheaper than scoring some channels twice.
-TRUSTED_FROM = 2_000_000
+TRUSTED_FROM = 200_000
+
+#: Supports are kept as bits where they take no more of them than so many times the rows to be scored.
+BITS_OF_A_ROW = 512
 
 #: Steps of a run that its judgements are made of.
 _JUDGED = ("cohort", "stamp", "new_buckets")
@@ -185,9 +189,10 @@ class _Run:
             self._verify(cohort)
             limit = wanted.limit or self.session.rows_at_once()
             for group in portions(cohort.channels, counts, limit):
-                trusts = self._trusts(group, counts)
-                rest = self._score(group, cohort, True) if trusts else group
-                self._score(rest, cohort, False)
+                read = sum(counts.get((row["asset"], row["channel"]), 0) for row in group)
+                trusts = read >= TRUSTED_FROM and can_trust(setting_of(group[0]), self.reader.kind)
+                rest = self._score(group, cohort, read, True) if trusts else group
+                self._score(rest, cohort, read, False)
         self.report.parked = len(parked)
         self.report.undated = self._undated()
         if not dry_run:
@@ -301,16 +306,19 @@ class _Run:
             elif (row["asset"], row["channel"]) not in known and row["readings"]:
                 self.report.unknown_channels[row["asset"], row["channel"]] = row["readings"]
 
-    def _trusts(self, group: Sequence[Row], counts: Mapping[tuple[str, str], int]) -> bool:
-        """Tell whether a group is to be scored on trust: it has many rows."""
-        rows = sum(counts.get((row["asset"], row["channel"]), 0) for row in group)
-        return rows >= TRUSTED_FROM and can_trust(setting_of(group[0]), self.reader.kind)
+    def _bits(self, group: Sequence[Row], read: int) -> Bits | None:
+        """Return how the engine keeps supports as bits; None where they take much beside the rows."""
+        bits, setting = self.session.engine.bits, setting_of(group[0])
+        cells, supports = setting.radix**setting.m, len({row["support_id"] for row in group})
+        is_little = cells * supports <= BITS_OF_A_ROW * read
+        return bits if bits is not None and is_little and bits.serve(cells, supports) else None
 
-    def _score(self, group: list[Row], cohort: Cohort, trusting: bool) -> list[Row]:
+    def _score(self, group: list[Row], cohort: Cohort, read: int, trusting: bool) -> list[Row]:
         """Score channels of one setting, in four stages; return those that did not deserve trust."""
         if not group:
             return []
-        steps = scoring_steps(setting_of(group[0]), self.reader.kind, trusting)
+        setting = setting_of(group[0])
+        steps = scoring_steps(setting, self.reader.kind, trusting, self._bits(group, read))
         with Running(self.session, steps, self.state.tables.placed(), self.on_step) as running:
             self._read(running, group, cohort)
             repeating = self._repeating(running, group) if trusting else []

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 from sqlglot import exp
 
 from gam_db import template
+from gam_db.bits import Bits
 from gam_db.calibration import Calibration
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.method import Method
@@ -21,7 +22,7 @@ from gam_db.method.alarms import add_bands, add_counted, add_rejudged, band_of
 from gam_db.method.calibration import add_breaks, until_calibration_end
 from gam_db.method.certificate import add_judgement
 from gam_db.method.resolved import SMALL_OF_SET
-from gam_db.method.scoring import add_bucket_counts, add_buckets, add_numbered
+from gam_db.method.scoring import add_bucket_counts, add_buckets, add_numbered, add_support_bits
 from gam_db.method.vectors import add_vectors
 from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline, union_of
@@ -36,7 +37,7 @@ PUBLISHED = ("bucket_rows", "novel_rows", "run_rows")
 KEPT = frozenset(
     (
         *("identified", "timeline", "collapsed", "seen", "run_up", "breaks"),
-        *("visited", "buckets", "new_buckets", "recount", "stillness"),
+        *("support_bits", "visited", "buckets", "new_buckets", "recount", "stillness"),
     )
 )
 
@@ -63,6 +64,11 @@ class Setting(NamedTuple):
     max_gap: int | None
     has_start: bool
     still_after: int | None = None
+
+    @property
+    def radix(self) -> int:
+        """R = bins + 3, the codes a sample can have (method, section 3)."""
+        return self.bins + 3
 
 
 def setting_of(version: Mapping[str, Any]) -> Setting:
@@ -146,19 +152,21 @@ def unmoved_steps(rows: exp.Query) -> Pipeline:
 
 
 @cache
-def scoring_steps(setting: Setting, kind: TimeKind, trusting: bool = False) -> Pipeline:
+def scoring_steps(
+    setting: Setting, kind: TimeKind, trusting: bool = False, bits: Bits | None = None
+) -> Pipeline:
     """Return the steps from *identified* to the rows that are appended.
 
     Looking whether an instant occurs twice takes a pass over all times. A ``trusting`` run takes it that
     none does, and finds out on the way: *repeated_instants* holds the channels that deserved no trust,
-    whose rows must not be appended.
+    whose rows must not be appended. With ``bits`` supports are kept so, and cells are looked up in them.
 
     Given by the caller are the state tables, *identified*, *past_buckets*, *recount*, *stamp* (run_id,
     started, committed, deletes_hidden), and *cohort*: the channels, from where on each is read and
     scored, the number of its first bucket, and its lookback.
     """
     steps = _frozen()
-    add_counting(steps, setting, kind, trusting=trusting)
+    add_counting(steps, setting, kind, trusting=trusting, bits=bits)
     _add_stillness(steps, setting)
     if trusting:
         add(steps, "stored/repeated_instants")
@@ -170,7 +178,12 @@ def scoring_steps(setting: Setting, kind: TimeKind, trusting: bool = False) -> P
 
 
 def add_counting(
-    steps: Pipeline, setting: Setting, kind: TimeKind, has_past: bool = True, trusting: bool = False
+    steps: Pipeline,
+    setting: Setting,
+    kind: TimeKind,
+    has_past: bool = True,
+    trusting: bool = False,
+    bits: Bits | None = None,
 ) -> None:
     """Add the steps from *identified* to *new_buckets* and *bucket_counts*.
 
@@ -180,9 +193,11 @@ def add_counting(
         kind: how the source tells time.
         has_past: whether there may be buckets that stay (*stored_visible_bucket*).
         trusting: take it that no instant occurs twice; see :func:`scoring_steps`.
+        bits: how supports are kept as bits; None to look cells up in the table.
     """
     of_set = _add_samples(steps, setting, kind, trusting)
-    _add_new_buckets(of_set, trusting)
+    add_support_bits(of_set, bits)
+    _add_new_buckets(of_set, trusting, bits)
     buckets = "new_buckets"
     if has_past:
         length = setting.window_length // setting.stride
@@ -333,17 +348,17 @@ def _add_samples(
     return of_set
 
 
-def _add_new_buckets(of_set: OfSet, trusting: bool = False) -> None:
+def _add_new_buckets(of_set: OfSet, trusting: bool = False, bits: Bits | None = None) -> None:
     steps, setting = of_set.steps, of_set.setting
     add(steps, "stored/seen")
     add(steps, "stored/run_up", {"span": setting.span})
     ends = {"position": "end_position", "context_time": "context_time"}
     is_told = setting.still_after is not None
     if not of_set.method.is_short(0):
-        add_numbered(of_set, carried=["still_so_far"] * is_told)
+        add_numbered(of_set, bits, carried=["still_so_far"] * is_told)
     if is_told:
         ends["still_so_far"] = "end_still"
-    add_buckets(of_set, ends, trusting)
+    add_buckets(of_set, ends, trusting, bits)
     add(steps, "stored/bucket_ends")
     add(steps, "stored/new_buckets")
 
