@@ -1,21 +1,22 @@
-"""Sources that are said to grow only: what was read within the lookback is counted, not read again.
+"""What was read within the lookback is added up again, not read again, where it comes to the same.
 
-Why that is enough, and what it does not find, is said in docs/decisions.md.
+Why that is enough is said in docs/decisions.md.
 """
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 
-from gam_db.columns import counts, table_of
+from gam_db.columns import COUNT, SHARE, columns, table_of
 from gam_db.stored.planning import Row, by
 from gam_db.stored.reading import Reader, cohort_of
 from gam_db.stored.state import State
 from gam_db.stored.steps import unmoved_steps
 
-_RANGES = counts("channel_id run_id read_from read_to rows_read")
+_RANGES = columns((COUNT, "channel_id run_id summed_from read_to read_sum bins"), (SHARE, "lo hi"))
 
 
 def read_ranges(state: State, lookback: int) -> dict[int, list[Row]]:
-    """Return what runs have read of each version within ``lookback`` of the newest time, newest first.
+    """Return what runs have summed of each version within ``lookback`` of the newest time, newest first.
 
     Versions are missing of which not all of that time is known.
     """
@@ -24,10 +25,10 @@ def read_ranges(state: State, lookback: int) -> dict[int, list[Row]]:
     for version_id, ranges in found.items():
         needed: list[Row] = []
         for row in sorted(ranges, key=lambda row: -row["run_id"]):
-            if needed and row["read_to"] < needed[-1]["read_from"]:
+            if needed and row["read_to"] < needed[-1]["summed_from"]:
                 break
             needed.append(row)
-            if row["begins"] or row["read_from"] <= row["newest_time"] - lookback:
+            if row["begins"] or row["summed_from"] <= row["newest_time"] - lookback:
                 known[version_id] = needed
                 break
     return known
@@ -39,8 +40,9 @@ def unmoved(
     read: Mapping[int, Sequence[Row]],
     rows: Sequence[Row],
     assets: Sequence[str] | None,
+    counted: bool,
 ) -> set[int]:
-    """Return the channels in which none of the rows that were read has come late, or gone.
+    """Return the channels in which nothing of what was read came late, went or changed.
 
     Args:
         state: the state tables.
@@ -48,18 +50,16 @@ def unmoved(
         read: what :func:`read_ranges` returns.
         rows: the channels to look at, as planned.
         assets: those of the channels, where not all are read.
+        counted: whether rows are only counted.
     """
-    ranges = [
-        {**one, "channel_id": row["channel_id"]}
-        for row in rows
-        for one in read.get(row["version_id"], ())
-    ]
+    ranges = [{**row, **one} for row in rows for one in read.get(row["version_id"], ())]
     if not ranges:
         return set()
-    ends = [min(row["read_from"] for row in ranges), max(row["read_to"] for row in ranges)]
-    steps = unmoved_steps(reader.readings(assets, *ends))
+    ends = [min(row["summed_from"] for row in ranges), max(row["read_to"] for row in ranges)]
+    steps = unmoved_steps(reader.readings(assets, *ends), counted)
     cohort = cohort_of(rows, read_until=0, planned_from=0)
     session, table = state.session, table_of(ranges, _RANGES)
     with session.lent(cohort) as members, session.lent(table) as lent:
         found = session.rows(steps.query("unmoved", {"cohort": members, "ranges": lent}))
-    return {row["channel_id"] for row in found}
+    asked = Counter(row["channel_id"] for row in ranges)
+    return {row["channel_id"] for row in found if row["alike"] == asked[row["channel_id"]]}

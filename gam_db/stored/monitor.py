@@ -47,9 +47,9 @@ class Monitor(MonitorSettings):
 
     The contract: as long as no row arrives more than ``lookback`` behind the newest one of its channel
     that was read before, the stored buckets equal those of one run over everything, whatever the order
-    of batches, replays and crashes. Where ``append_only`` says that rows only come, in order, what was
-    read within ``lookback`` is counted instead of read again; in a channel whose count differs it is
-    read, so the same holds unless a row took the place of another.
+    of batches, replays and crashes. What was read within ``lookback`` is added up again, time and code,
+    and read again in a channel whose sum differs. Where ``append_only`` says that rows only come, in
+    order, it is only counted, so the same holds unless a row took the place of another.
 
     Its other keywords are those of :class:`MonitorSettings`.
 

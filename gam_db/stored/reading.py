@@ -4,7 +4,7 @@ This module owns the conditions on the source's own columns, and the table that 
 which channels are read from where on.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Sequence
 from typing import Any
 
 import pyarrow as pa
@@ -96,15 +96,18 @@ class Reader:
         return self._engine.readings(source, self._relation, self.kind)
 
 
-def plan_rows(state: State, monitor_id: int, lookback: int) -> list[Row]:
-    """Return from where on each version must be read, by what its last run recorded.
+def plan_rows(
+    state: State, monitor_id: int, lookback: int, among: Container[int] | None = None
+) -> list[Row]:
+    """Return from where on each version, or one among some, must be read, as its last run recorded.
 
     Where a run allowed for rows less late than ``lookback``, buckets have to be looked at, and are.
     """
     rows = _planned(state, plan_steps(monitor_id, lookback))
+    rows = [row for row in rows if among is None or row["version_id"] in among]
     if any(row["read_until"] != LONG_AGO and not row["restarts"] for row in rows):
-        return searched_plan_rows(state, monitor_id, lookback)
-    return rows
+        rows = searched_plan_rows(state, monitor_id, lookback)
+    return [row for row in rows if among is None or row["version_id"] in among]
 
 
 def searched_plan_rows(
@@ -163,14 +166,16 @@ def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
         said = {
             name: value[number] if isinstance(value, list) else value for name, value in columns.items()
         }
-        made.append({"lookback": 0, **row, "recounted": 0, "settled": 0, "novel_from": 0, **said})
+        made.append(
+            {"lookback": 0, "late_by": 0, **row, "recounted": 0, "settled": 0, "novel_from": 0, **said}
+        )
     return table_of(made, _COHORT)
 
 
 _COHORT = columns(
     (COUNT, "channel_id version_id support_id first_bucket first_scored read_from read_until"),
     (COUNT, "context_expected calibration_end oldest_bucket recounted settled planned_from novel_from"),
-    (COUNT, "lookback"),
+    (COUNT, "lookback late_by"),
     (WORD, "asset channel"),
     (SHARE, "lo hi"),
 )

@@ -61,8 +61,8 @@ class Wanted:
 
     Attributes:
         lookback: how far behind the newest bucket late rows are looked for, in the unit of time.
-        append_only: what was read within the lookback is counted, and read again only where the count
-            differs.
+        append_only: what was read within the lookback is counted; else it is summed up, which costs more
+            and tells a changed value, too. It is read again where that differs.
         park_after: see :mod:`gam_db.stored.planning`; None parks no channel.
         repair_from: score anew from this instant on; None for what the lookback asks for.
         until: read nothing newer; None for all there is.
@@ -91,7 +91,7 @@ class Report:
         channels: a row per channel that was read: asset, channel, first_bucket, buckets (new or written
             anew), read_from, read_to (integer time), rows_read, context_rows, context_expected.
         moved: of a source that is said to grow only: channels in which rows came late or went all the
-            same, or of which that is not known, so that they were read as others are.
+            same, or of which that is not known, so that they were read again as far as lookback.
         parked: channels that were not read.
         unknown_channels: rows of today that belong to no calibrated channel, by (asset, channel).
         nameless: rows of today without asset or channel.
@@ -144,7 +144,7 @@ class _Run:
         self.reader = Reader(state.session, source, kind_of(self.monitor), name)
         self.started = now()
         self.planned: Snapshots = {}
-        self.ranges: dict[int, list[Row]] = {}
+        self.sums, self.ranges = False, dict[int, list[Row]]()
         self.is_thorough = wanted.everything
         self.report = Report()
 
@@ -207,19 +207,19 @@ class _Run:
         self.planned = snapshots(self.state)
         lookback = None if self.wanted.full else self.wanted.lookback
         begin, until = self.wanted.repair_from, self.wanted.until
-        grows = self.wanted.append_only and bool(lookback) and begin is None
-        rows = [] if lookback is None else plan_rows(self.state, monitor_id, 0 if grows else lookback)
+        self.sums = bool(lookback) and begin is None
+        rows = [] if lookback is None else plan_rows(self.state, monitor_id, 0)
         if until is not None and any(row["first_scored"] > until for row in rows):
             # What lies after the end does not stay.
             begin = until + 1 if begin is None else min(begin, until + 1)
         if lookback is None or begin is not None:
-            grows = False
+            self.sums = False
             rows = searched_plan_rows(self.state, monitor_id, lookback, begin)
-        if grows:
+        if self.sums:
             self.ranges = read_ranges(self.state, self.wanted.lookback)
-        allowed = 0 if grows else self.wanted.lookback
+        # What is settled is so for a run that adds up what it does not read again.
         chosen = [
-            {**row, "lookback": allowed}
+            {**row, "lookback": 0, "late_by": self.wanted.lookback}
             for row in rows
             if self.wanted.chosen(row["asset"], row["channel"])
         ]
@@ -260,18 +260,19 @@ class _Run:
         asked = [
             row
             for row in cohort.channels
-            if row["lookback"] < self.wanted.lookback and row["read_until"] != LONG_AGO
+            if self.sums and row["lookback"] < row["late_by"] and row["read_until"] != LONG_AGO
         ]
         if any(row["version_id"] in self.ranges for row in asked):
-            self.on_step("counting what was read")
-        same = unmoved(self.state, self.reader, self.ranges, asked, cohort.assets)
+            self.on_step("adding up what was read")
+        counted = self.wanted.append_only
+        same = unmoved(self.state, self.reader, self.ranges, asked, cohort.assets, counted)
         moved = {row["version_id"] for row in asked if row["channel_id"] not in same}
         if not moved:
             return cohort, []
-        self.report.moved += len(moved)
+        self.report.moved += len(moved) if counted else 0
         lookback = self.wanted.lookback
-        usual = plan_rows(self.state, self.monitor["monitor_id"], lookback)
-        again = [{**row, "lookback": lookback} for row in usual if row["version_id"] in moved]
+        usual = plan_rows(self.state, self.monitor["monitor_id"], lookback, moved)
+        again = [{**row, "lookback": lookback, "late_by": lookback} for row in usual]
         left = tuple(row for row in cohort.channels if row["version_id"] not in moved)
         return replace(cohort, channels=left), others(again, lookback)
 
@@ -318,7 +319,8 @@ class _Run:
         if not group:
             return []
         setting = setting_of(group[0])
-        steps = scoring_steps(setting, self.reader.kind, trusting, self._bits(group, read))
+        how = (trusting, self._bits(group, read), self.wanted.append_only)
+        steps = scoring_steps(setting, self.reader.kind, *how)
         with Running(self.session, steps, self.state.tables.placed(), self.on_step) as running:
             self._read(running, group, cohort)
             repeating = self._repeating(running, group) if trusting else []

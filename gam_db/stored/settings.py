@@ -37,8 +37,7 @@ class MonitorSettings:
         example="1 h",
     )
     append_only: bool = setting(
-        *(False, FLAG, "rows only come, in order of time: what was read is counted, not read again"),
-        note="unless the count differs",
+        *(False, FLAG, "rows only come, in order of time: those read are counted, not compared")
     )
     park_after: Length | Literal[False] | None = setting(
         *(

@@ -137,29 +137,40 @@ def reading_steps(rows: exp.Query, is_ranged: bool = True) -> Pipeline:
     return steps
 
 
-def unmoved_steps(rows: exp.Query) -> Pipeline:
-    """Return the steps that count again what was read; the last is *unmoved*.
+def unmoved_steps(rows: exp.Query, counted: bool) -> Pipeline:
+    """Return the steps that add up again what was read; the last is *unmoved*.
 
-    Given by the caller are *cohort*, and *ranges*: what runs have read of its channels, and how many
-    rows they found.
+    Given by the caller are *cohort*, and *ranges*: what runs have read of its channels, and its sum.
 
     Args:
         rows: the step *readings*.
+        counted: whether rows are only counted.
     """
     steps = reading_steps(rows, is_ranged=False)
-    add(steps, "stored/unmoved")
+    code = template.fill("support/code", {"bins": exp.column("bins")})
+    add(steps, "stored/unmoved", {"code": code, "mark": _mark(counted)})
     return steps
+
+
+def _mark(counted: bool) -> exp.Expr:
+    """Return what one reading adds to the sum of what was read."""
+    return template.node_of(1) if counted else template.fill("stored/read_mark")
 
 
 @cache
 def scoring_steps(
-    setting: Setting, kind: TimeKind, trusting: bool = False, bits: Bits | None = None
+    setting: Setting,
+    kind: TimeKind,
+    trusting: bool = False,
+    bits: Bits | None = None,
+    counted: bool = False,
 ) -> Pipeline:
     """Return the steps from *identified* to the rows that are appended.
 
     Looking whether an instant occurs twice takes a pass over all times. A ``trusting`` run takes it that
     none does, and finds out on the way: *repeated_instants* holds the channels that deserved no trust,
     whose rows must not be appended. With ``bits`` supports are kept so, and cells are looked up in them.
+    What was read is ``counted``, or summed up (stored/read_sums.sql).
 
     Given by the caller are the state tables, *identified*, *past_buckets*, *recount*, *stamp* (run_id,
     started, committed, deletes_hidden), and *cohort*: the channels, from where on each is read and
@@ -170,6 +181,11 @@ def scoring_steps(
     _add_stillness(steps, setting)
     if trusting:
         add(steps, "stored/repeated_instants")
+    if counted or setting.still_after is None:
+        slots = {"code": template.fill("support/code", {"bins": setting.bins}), "mark": _mark(counted)}
+        add(steps, "stored/read_sums", slots)
+    else:
+        add(steps, "stored/no_sums", name="read_sums")
     for name in ("past_counts", "new_counts", "settled"):
         add(steps, f"stored/{name}")
     for part in PUBLISHED:

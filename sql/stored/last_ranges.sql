@@ -1,32 +1,23 @@
--- Last ranges: what runs have read, as far back as rows may come late; the runs since the last that allowed for such
--- rows, or read all there was.
--- Reads:  stored_finished_run
--- A row:  one run of one version; begins = 1 if nothing before it needs to be known.
+-- Last ranges: what runs have summed up of what they read, as far back as rows may come late.
+-- Reads:  stored_finished_run, stored_run
+-- A row:  one run of one version; begins = 1 if it read all there was, so that nothing before it needs to be known.
 -- Slots:  :lookback  how late a row may come, in the unit of time
 SELECT
   run.version_id AS version_id,
   run.run_id AS run_id,
-  run.read_from AS read_from,
+  summed.summed_from AS summed_from,
   run.read_to AS read_to,
-  run.rows_read AS rows_read,
-  chain.newest_time AS newest_time,
-  CASE WHEN run.run_id = chain.first_id THEN 1 ELSE 0 END AS begins
+  summed.read_sum AS read_sum,
+  ending.newest_time AS newest_time,
+  CASE WHEN run.context_expected IS NULL AND summed.summed_from = run.read_from THEN 1 ELSE 0 END AS begins
 FROM stored_finished_run AS run
 JOIN (
-  SELECT
-    version_id,
-    MAX(earlier.read_to) AS newest_time,
-    MAX(
-      CASE
-        WHEN earlier.lookback >= :lookback OR earlier.context_expected IS NULL THEN earlier.run_id
-        ELSE -1
-      END
-    ) AS first_id
+  SELECT version_id, MAX(earlier.read_to) AS newest_time
   FROM stored_finished_run AS earlier
   WHERE earlier.settled_bucket IS NOT NULL
   GROUP BY version_id
-) AS chain ON chain.version_id = run.version_id
+) AS ending ON ending.version_id = run.version_id
+JOIN stored_run AS summed ON summed.version_id = run.version_id AND summed.run_id = run.run_id
 WHERE run.settled_bucket IS NOT NULL
-  AND chain.first_id >= 0
-  AND run.run_id >= chain.first_id
-  AND run.read_to > chain.newest_time - :lookback
+  AND summed.read_sum IS NOT NULL
+  AND run.read_to > ending.newest_time - :lookback

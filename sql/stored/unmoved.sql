@@ -1,18 +1,40 @@
--- Unmoved: the channels whose ranges hold as many rows as when they were read, so that none came late or went.
+-- Unmoved: how many of its ranges add up to what they did when they were read, so that in them nothing came late, went
+-- or changed.
 -- Reads:  identified, ranges
--- A row:  one channel.
-SELECT channel_id
+-- A row:  one channel of which a range does.
+-- Slots:  :code  the expression of support/code.sql, of bins that a range has as a column
+--         :mark  what one reading adds; see stored/read_sums.sql
+SELECT channel_id, CAST(COUNT(*) AS BIGINT) AS alike
 FROM (
   SELECT
     ranged.channel_id AS channel_id,
     ranged.run_id AS run_id,
-    ranged.rows_read AS rows_then,
-    CAST(
-      SUM(CASE WHEN reading.time BETWEEN ranged.read_from AND ranged.read_to THEN 1 ELSE 0 END) AS BIGINT
-    ) AS rows_now
+    ranged.read_sum AS sum_then,
+    CAST(SUM(marked.mark) AS BIGINT) AS sum_now
   FROM ranges AS ranged
-  JOIN identified AS reading ON reading.channel_id = ranged.channel_id
-  GROUP BY ranged.channel_id, ranged.run_id, ranged.rows_read
-) AS counted
+  JOIN (
+    SELECT channel_id, time, :mark AS mark
+    FROM (
+      SELECT channel_id, time, :code AS code
+      FROM (
+        SELECT
+          reading.channel_id AS channel_id,
+          reading.time AS time,
+          reading.value AS value,
+          scale.lo AS lo,
+          scale.hi AS hi,
+          scale.bins AS bins
+        FROM identified AS reading
+        JOIN (
+          SELECT channel_id, MIN(asked.lo) AS lo, MIN(asked.hi) AS hi, MIN(asked.bins) AS bins
+          FROM ranges AS asked
+          GROUP BY channel_id
+        ) AS scale ON scale.channel_id = reading.channel_id
+      ) AS read_again
+    ) AS coded
+  ) AS marked
+    ON marked.channel_id = ranged.channel_id AND marked.time BETWEEN ranged.summed_from AND ranged.read_to
+  GROUP BY ranged.channel_id, ranged.run_id, ranged.read_sum
+) AS summed
+WHERE sum_now = sum_then
 GROUP BY channel_id
-HAVING SUM(CASE WHEN counted.rows_now = counted.rows_then THEN 0 ELSE 1 END) = 0

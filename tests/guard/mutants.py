@@ -138,6 +138,7 @@ _ABOUT = {
     "alarms/*": "test_alarms",
     "stored/last_ranges": "test_append_only",
     "stored/unmoved": "test_append_only",
+    "stored/*_sums": "test_append_only",
     "stored/ladder_rows": "test_cells",
     "stored/expired_*": "test_pruning",
     "stored/bucket_ages": "test_pruning",

@@ -72,7 +72,8 @@ def test_what_was_read_is_not_read_again(plant: duckdb.DuckDBPyConnection) -> No
     run = grown(plant)
     assert run.moved == 0
     assert {row["rows_read"] > STEP + STRIDE + CONTEXT + 1 for row in run.channels} == {False}
-    assert {row["rows_read"] > LOOKBACK for row in grown(plant, append_only=False).channels} == {True}
+    whole = grown(plant, append_only=False)
+    assert {row["rows_read"] > LOOKBACK for row in whole.channels} == {True}, "other sums than counts"
     finished(plant)
 
 
@@ -111,14 +112,15 @@ def test_a_wrong_declaration_is_found_by_a_check(plant: duckdb.DuckDBPyConnectio
     "lost",
     [
         "DELETE FROM gam_run WHERE version_id = 2 AND read_to < {end}",
-        "UPDATE gam_run SET read_from = read_to WHERE version_id = 2 AND read_to = {end}",
-        "UPDATE gam_run SET context_expected = 3 WHERE version_id = 2",
+        "UPDATE gam_run SET summed_from = read_to WHERE version_id = 2 AND read_to = {end}",
+        "UPDATE gam_run SET read_sum = read_sum + 1 WHERE version_id = 2 AND read_to = {end}",
+        "UPDATE gam_run SET read_sum = NULL WHERE version_id = 2",
     ],
 )
 def test_where_it_is_not_known_what_was_read_all_is_read(
     plant: duckdb.DuckDBPyConnection, lost: str
 ) -> None:
-    """Records went, leave a hole, or do not reach back to a run that read all there was."""
+    """Records went, leave a hole, or say something else."""
     grown(plant)
     (end,) = plant.execute("SELECT MAX(time) FROM telemetry").fetchall()[0]
     if "DELETE" in lost:  # of runs of which no row is left
@@ -132,8 +134,36 @@ def test_where_it_is_not_known_what_was_read_all_is_read(
 
 
 def test_a_lookback_that_grew_is_known_since_the_beginning(plant: duckdb.DuckDBPyConnection) -> None:
-    grown(plant, append_only=False)
+    grown(plant)
     longer = monitor(plant)
     longer.lookback = 2 * LOOKBACK
     assert longer.score().moved == 0
     finished(plant)
+
+
+def test_what_was_all_read_needs_nothing_before_it(plant: duckdb.DuckDBPyConnection) -> None:
+    longer = monitor(plant)
+    longer.lookback = 2 * LENGTH
+    longer.score(full=True)
+    put(plant, readings(FIRST + 2 * STEP, LENGTH))
+    run = longer.score()
+    assert run.moved == 0
+    assert {row["rows_read"] < LENGTH - FIRST for row in run.channels} == {True}
+    finished(plant)
+
+
+def test_so_it_is_without_a_word_and_a_changed_value_is_seen(plant: duckdb.DuckDBPyConnection) -> None:
+    """The sum is of times and codes: another value of the same bin changes nothing."""
+    monitor(plant, append_only=False).score(full=True)
+    run = grown(plant, append_only=False)
+    assert {row["rows_read"] > STEP + STRIDE + CONTEXT + 1 for row in run.channels} == {False}
+    (end,) = plant.execute("SELECT MAX(time) FROM telemetry").fetchall()[0]
+    plant.execute(f"UPDATE telemetry SET value = 77 WHERE asset = 'c' AND time = {end - 15}")
+    run = grown(plant, append_only=False)
+    assert run.moved == 0, "that late rows come is no news"
+    assert {row["asset"] for row in run.channels if row["rows_read"] > LOOKBACK} == {"c"}
+    grown(plant, append_only=False)
+    plant.execute(f"UPDATE telemetry SET value = 78 WHERE asset = 'c' AND time = {end - 15}")
+    run = grown(plant, append_only=False)
+    assert {row["rows_read"] > STEP + STRIDE + CONTEXT + 1 for row in run.channels} == {False}
+    assert monitor(plant, append_only=False).check_state().num_rows == 0

@@ -1,5 +1,8 @@
 """Files of ``sql/stored`` one at a time, over a few rows: what a whole history rarely asks of them."""
 
+import math
+from typing import Any
+
 import pytest
 from sqlglot import exp
 
@@ -494,3 +497,46 @@ def test_a_version_is_checked_with_what_the_newest_records_say_of_it() -> None:
         (2, 13, 0.5, 2.5, 1, 8, 9, 200, 32),
         (3, 8, 0.5, 2.5, 1, 1, 1, 90, None),
     ]
+
+
+def test_what_was_read_comes_to_a_sum_of_times_and_codes_as_far_as_rows_may_come_late() -> None:
+    """One integer for each row, as Python makes it; of the second channel all is summed."""
+    seen = rows("channel_id read_to", (1, 90), (2, 9))
+    cohort = rows("channel_id read_from late_by lo hi", (1, -60, 50, 0.0, 8.0), (2, -8, 50, 0.0, 8.0))
+    times = {1: (-60, 39, 40, 90), 2: (-8, 9)}
+    values = {1: (1.0, 2.0, -1.0, 9.0), 2: (8.0, None)}
+    codes = {1: (3, 4, 1, 6), 2: (5, 0)}
+    read = [
+        (channel, time, value)
+        for channel in times
+        for time, value in zip(times[channel], values[channel], strict=True)
+    ]
+    slots: dict[str, Any] = {
+        "code": fill("support/code", {"bins": 4}),
+        "mark": fill("stored/read_mark"),
+    }
+    found = step(
+        "stored/read_sums",
+        slots,
+        identified=rows("channel_id time value", *read),
+        cohort=cohort,
+        seen=seen,
+    )
+    sums = {
+        channel: sum(
+            marked(time, code)
+            for time, code in zip(times[channel], codes[channel], strict=True)
+            if time >= since
+        )
+        for channel, since in ((1, 40), (2, -8))
+    }
+    assert found == [(1, 40, sums[1]), (2, -8, sums[2])]
+    assert len({marked(time, code) for time in range(50) for code in range(9)}) == 450
+
+
+def marked(time: int, code: int) -> int:
+    """Return the integer of one reading; a remainder has the sign of what is divided, as in SQL."""
+    first, second = 2147483647, 2147483629
+    one = int(math.fmod(math.fmod(time, first) * 31 + code + 1, first))
+    other = int(math.fmod(math.fmod(time, second) * 37 + code + 1, second))
+    return int(math.fmod(one * other, first))

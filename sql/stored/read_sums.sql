@@ -1,0 +1,36 @@
+-- Read sums: what was read of each channel, as far as rows may still come late, in one integer.
+-- Reads:  identified, cohort, seen
+-- A row:  one channel that has a row in its range.
+-- Slots:  :code  the expression of support/code.sql
+--         :mark  what one reading adds: the expression of stored/read_mark.sql, or 1 where rows are only counted
+SELECT
+  channel_id,
+  MIN(coded.summed_from) AS summed_from,
+  CAST(SUM(:mark) AS BIGINT) AS read_sum
+FROM (
+  SELECT channel_id, summed_from, time, :code AS code
+  FROM (
+    SELECT
+      late.channel_id AS channel_id,
+      late.summed_from AS summed_from,
+      reading.time AS time,
+      reading.value AS value,
+      late.lo AS lo,
+      late.hi AS hi
+    FROM identified AS reading
+    JOIN (
+      SELECT
+        member.channel_id AS channel_id,
+        member.lo AS lo,
+        member.hi AS hi,
+        CASE
+          WHEN ranged.read_to - member.late_by > member.read_from THEN ranged.read_to - member.late_by
+          ELSE member.read_from
+        END AS summed_from
+      FROM cohort AS member
+      JOIN seen AS ranged ON ranged.channel_id = member.channel_id
+    ) AS late ON late.channel_id = reading.channel_id
+    WHERE reading.time >= late.summed_from
+  ) AS ranged_readings
+) AS coded
+GROUP BY channel_id
