@@ -18,6 +18,7 @@ from gam_db.method import Method
 from gam_db.method.scoring import visited_slots
 from gam_db.method.slots import coordinates
 from gam_db.method.vectors import is_outside, stream_slots
+from gam_db.parameters import Parameters
 from gam_db.pipeline import Step, filled
 from gam_db.running import Running
 
@@ -131,12 +132,12 @@ class Streams:
             before = max(quota - self._reach(row), 0)
             first = earliest[row["asset"], row["channel"]]
             asked: Slots = {"before": before, "samples": quota - before, "first_time": first}
-            timeline.append(self._filled("timeline", row, **asked))
+            timeline.append(of_channel("timeline", row, **asked))
         self._give("timeline", timeline)
         reached = {row["channel_id"]: row["read_from"] for row in running.rows("timeline")}
         pieces = {row["channel_id"]: row for row in running.rows("calibration")}
         calibrated = [
-            self._filled("calibrated", row, **_times(pieces[id_]), read_from=reached[id_])
+            of_channel("calibrated", row, **_times(pieces[id_]), read_from=reached[id_])
             for row in channels
             if (id_ := row["channel_id"]) in pieces
         ]
@@ -154,14 +155,16 @@ class Streams:
         for number, setting in enumerate(method.settings):
             bounds = self._bounds(number)
             members = [row for row in channels if row["channel_id"] in bounds.keys() & pieces.keys()]
-            exact = [self._filled("exact", row, **_range(bounds[row["channel_id"]])) for row in members]
+            exact = [of_channel("exact", row, **_range(bounds[row["channel_id"]])) for row in members]
             if not members:
                 continue
             if not all(row["is_exact"] for row in self._asked(exact, number)):
                 return False
             learnable = []
             for row in members:
-                vectors = self._vectors(row, number, bounds, **_times(pieces[row["channel_id"]]))
+                piece = pieces[row["channel_id"]]
+                times = piece["time_from"], piece["time_to"]
+                vectors = _vectors(row, setting, _range(bounds[row["channel_id"]]), *times)
                 slots: Slots = {"channel_id": row["channel_id"], "span": setting.span}
                 learnable.append(_over("streams/learnable", slots, "streamed", vectors))
             step = method.named(LEARNING, number)
@@ -191,20 +194,12 @@ class Streams:
             looked_for = self._run_up(unknown, number, bounds)
             found = self._asked(looked_for, number) if looked_for else []
             starts = {**starts, **{row["channel_id"]: row["read_from"] for row in found}}
-            grouped = visited_slots(setting, trusting=True) | {"outside": is_outside(setting)}
-            scored = []
-            for row in members:
-                read_from = starts[row["channel_id"]]
-                slots: Slots = {
-                    **{name: row[name] for name in ("channel_id", "support_id")},
-                    "before": setting.span,
-                    "is_held": bits.held(exp.column("bits"), exp.column("cell_key")),
-                    "carried": coordinates(setting),
-                }
-                vectors = self._vectors(row, number, bounds, read_from, FAR_AHEAD)
-                placed = _over("streams/placed", slots, "streamed", vectors)
-                scored.append(_over("health/visited", grouped, "placed", placed))
-            self._give(visited, scored, {"support_bits": held})
+            parts = [
+                scored(row, setting, bits, _range(bounds[id_]), starts[id_], FAR_AHEAD)
+                for row in members
+                for id_ in (row["channel_id"],)
+            ]
+            self._give(visited, parts, {"support_bits": held})
             if running.largest(visited, "doubled"):
                 return False
         return True
@@ -224,7 +219,7 @@ class Streams:
         span = self.method.settings[number].span
         asked = [(row, bounds[row["channel_id"]]) for row in members]
         return [
-            self._filled("run_up", row, **_range(of), first_scored=of["first_scored"], span=span)
+            of_channel("run_up", row, **_range(of), first_scored=of["first_scored"], span=span)
             for row, of in asked
         ]
 
@@ -237,33 +232,17 @@ class Streams:
         """Return how many samples of calibration the first scored vector of a channel reaches, or 1."""
         return max(self.method.settings[row["settings_no"]].span, 1)
 
-    def _vectors(
-        self, row: Row, number: int, bounds: Mapping[int, Row], time_from: int, time_to: int
-    ) -> exp.Query:
-        """Return the vectors of one channel over what is read of it."""
-        slots = stream_slots(self.method.settings[number])
-        read: Slots = {"time_from": time_from, "time_to": time_to}
-        return filled(
-            "streams/vectors", {**_names(row), **_range(bounds[row["channel_id"]]), **read, **slots}
-        )
-
-    def _filled(self, file: str, row: Row, **slots: template.Slot) -> exp.Query:
-        """Return a file that speaks of one channel."""
-        own = {"channel_id": row["channel_id"], **_names(row)}
-        asked = template.load(f"streams/{file}").slots
-        return filled(f"streams/{file}", {**{name: own[name] for name in own.keys() & asked}, **slots})
-
     def _asked(self, queries: Sequence[exp.Query], number: int) -> list[Row]:
         """Ask what speaks of a channel each in one statement."""
         steps = self.running.steps.copied()
-        steps.add("asked", _stacked(queries), tables={"bounds": self.method.named("bounds", number)})
+        steps.add("asked", stacked(queries), tables={"bounds": self.method.named("bounds", number)})
         return self.running.session.rows(steps.query("asked", self.running.placed))
 
     def _give(
         self, step: str, parts: Sequence[exp.Query], tables: Mapping[str, str] | None = None
     ) -> None:
         """Keep what speaks of a channel each as a step, in the place of what it was."""
-        self._replace(step, _stacked(parts), tables)
+        self._replace(step, stacked(parts), tables)
         self.running.keep(step)
 
     def _replace(self, step: str, query: exp.Query, tables: Mapping[str, str] | None = None) -> None:
@@ -274,6 +253,58 @@ class Streams:
         for step in self._sorting.values():
             self.running.steps.put(step)
         self.running.forget(but=("names", "ordered", "readings", "channels"))
+
+
+def of_channel(file: str, row: Row, **slots: template.Slot) -> exp.Query:
+    """Return a file of ``sql/streams`` that speaks of one channel."""
+    own = {"channel_id": row["channel_id"], **_names(row)}
+    asked = template.load(f"streams/{file}").slots
+    return filled(f"streams/{file}", {**{name: own[name] for name in own.keys() & asked}, **slots})
+
+
+def scored(
+    row: Row,
+    setting: Parameters,
+    bits: Bits,
+    ends_of_range: Mapping[str, float],
+    time_from: int,
+    time_to: int,
+    ends: Mapping[str, str] | None = None,
+) -> exp.Query:
+    """Return the scored vectors of one channel, grouped: the step *visited*.
+
+    Args:
+        row: the channel, with its support.
+        setting: its parameters.
+        bits: how its support is kept, in the step *support_bits*.
+        ends_of_range: its calibrated ``lo`` and ``hi``.
+        time_from: the first instant that is read.
+        time_to: the last one.
+        ends: see :func:`gam_db.method.scoring.add_buckets`.
+    """
+    slots: Slots = {
+        **{name: row[name] for name in ("channel_id", "support_id")},
+        "before": setting.span,
+        "is_held": bits.held(exp.column("bits"), exp.column("cell_key")),
+        "carried": [*coordinates(setting), *map(exp.column, ends or ())],
+    }
+    vectors = _vectors(row, setting, ends_of_range, time_from, time_to, bool(ends))
+    placed = _over("streams/placed", slots, "streamed", vectors)
+    grouped = visited_slots(setting, ends, trusting=True) | {"outside": is_outside(setting)}
+    return _over("health/visited", grouped, "placed", placed)
+
+
+def _vectors(
+    row: Row,
+    setting: Parameters,
+    ends_of_range: Mapping[str, float],
+    time_from: int,
+    time_to: int,
+    has_context: bool = False,
+) -> exp.Query:
+    """Return the vectors of one channel over what is read of it."""
+    read: Slots = {"time_from": time_from, "time_to": time_to}
+    return of_channel("vectors", row, **ends_of_range, **read, **stream_slots(setting, has_context))
 
 
 def _over(path: str, slots: Slots, name: str, rows: exp.Query) -> exp.Query:
@@ -288,7 +319,7 @@ def _names(row: Row) -> Slots:
     return {name: template.text(row[name]) for name in ("asset", "channel")}
 
 
-def _range(bounds: Row) -> Slots:
+def _range(bounds: Row) -> dict[str, float]:
     return {name: bounds[f"calibrated_{name}"] for name in ("lo", "hi")}
 
 
@@ -296,7 +327,7 @@ def _times(piece: Row) -> dict[str, int]:
     return {name: piece[name] for name in ("time_from", "time_to")}
 
 
-def _stacked(queries: Sequence[exp.Query]) -> exp.Query:
+def stacked(queries: Sequence[exp.Query]) -> exp.Query:
     """Return the rows of several queries, which DuckDB works on side by side.
 
     It does so with entries of a WITH list that it is to keep. The parts of a UNION it takes one after

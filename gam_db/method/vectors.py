@@ -7,7 +7,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import LONG_AGO
 from gam_db.method.adding import OfSet
-from gam_db.method.slots import following, outside
+from gam_db.method.slots import coordinates, following, outside
 from gam_db.parameters import Parameters
 
 
@@ -72,10 +72,19 @@ def add_short_vectors(
     )
 
 
-def stream_slots(setting: Parameters) -> dict[str, template.Slot]:
-    """Return the slots of streams/vectors.sql that follow from the parameters alone."""
+def stream_slots(setting: Parameters, has_context: bool) -> dict[str, template.Slot]:
+    """Return the slots of streams/vectors.sql that follow from the parameters alone.
+
+    Where a later run must know from where on it reads, that instant travels with each vector.
+    """
     delayed = [_delayed("code", k, setting, "streams/delayed") for k in range(1, setting.m)]
-    return {**following(setting, ("cell_key", "coordinates", "code")), "delayed": delayed}
+    columns = coordinates(setting)
+    if has_context:
+        asked: dict[str, template.Slot] = {"column": exp.column("time")}
+        asked["delay"] = max(setting.span - 1, 0)
+        delayed.append(exp.alias_(template.fill("streams/delayed", asked), "context_time"))
+        columns.append(exp.column("context_time"))
+    return {**following(setting, ("cell_key", "code")), "coordinates": columns, "delayed": delayed}
 
 
 def is_outside(setting: Parameters) -> exp.Expr:

@@ -6,11 +6,10 @@ its bytes. A table that repeats what others hold is given the rows that it lacks
 (:func:`gam_db.stored.checksums.first_rows`).
 """
 
-import dataclasses
 import hashlib
 from collections.abc import Collection, Iterable, Sequence
-from dataclasses import dataclass
-from functools import cache
+from dataclasses import dataclass, field
+from functools import cache, cached_property
 from pathlib import Path
 
 import pyarrow as pa
@@ -34,19 +33,47 @@ RECORD = ("number", "name", "checksum", "applied_at", "gam_version")
 class Migration:
     """A file of ``migrations/``.
 
+    It is parsed when it is asked what it makes: a state in order needs no more than the checksums.
+
     Attributes:
         number: 1, 2, ... without a gap.
         name: the table or view that it makes or changes, without prefix. A view may be made again.
-        checksum: SHA-256 of its bytes.
-        definition: what it makes or adds, in the words of the file.
-        filling: what the rows that are there have in columns that it adds; None for NULL.
+        content: its bytes.
+        before: those with smaller numbers.
     """
 
     number: int
     name: str
-    checksum: str
-    definition: Definition | Addition
-    filling: Filling | None = None
+    content: bytes = field(repr=False)
+    before: tuple["Migration", ...] = field(default=(), repr=False, compare=False)
+
+    @cached_property
+    def checksum(self) -> str:
+        """SHA-256 of its bytes."""
+        return hashlib.sha256(self.content).hexdigest()
+
+    @cached_property
+    def definition(self) -> Definition | Addition:
+        """What it makes or adds, in the words of the file."""
+        first, *more = self._statements
+        about = [one for one in more if isinstance(one, exp.Comment)]
+        columns = {one.this.name: one.expression for one in about if one.args["kind"] == "COLUMN"}
+        if isinstance(first, exp.Create):
+            (whole,) = (one.expression for one in about if one.args["kind"] != "COLUMN")
+            return Definition(first, whole, columns)
+        added = [one.args["actions"][0] for one in (first, *more) if isinstance(one, exp.Alter)]
+        table = exp.to_table(f"stored_{self.name}")
+        return Addition(table, {column.name: column for column in added}, columns)
+
+    @cached_property
+    def filling(self) -> Filling | None:
+        """What the rows that are there have in columns that it adds; None for NULL."""
+        updates = (one for one in self._statements if isinstance(one, exp.Update))
+        return next((Filling(_made([*self.before, self])[self.name], one) for one in updates), None)
+
+    @cached_property
+    def _statements(self) -> list[exp.Expr]:
+        return parsed(self.content)
 
     def statements(
         self, engine: Engine, tables: StateTables, present: Collection[str] = (), fresh: bool = False
@@ -155,13 +182,11 @@ def files() -> tuple[Migration, ...]:
 
 
 def read(folder: Path) -> tuple[Migration, ...]:
-    """Read and parse the migrations of a folder, in order; what they must be like is tested."""
-    found = [_read(path) for path in sorted(folder.glob("*.sql"))]
-    for place_of, migration in enumerate(found):
-        if migration.filling is not None:
-            whole = _made(found[: place_of + 1])[migration.name]
-            filling = dataclasses.replace(migration.filling, whole=whole)
-            found[place_of] = dataclasses.replace(migration, filling=filling)
+    """Read the migrations of a folder, in order; what they must be like is tested."""
+    found: list[Migration] = []
+    for path in sorted(folder.glob("*.sql")):
+        number, _, name = path.stem.partition("_")
+        found.append(Migration(int(number), name, path.read_bytes(), tuple(found)))
     return tuple(found)
 
 
@@ -174,26 +199,6 @@ def parsed(content: bytes) -> list[exp.Expr]:
             node.comments = None
             node._meta = None
     return statements
-
-
-def _read(path: Path) -> Migration:
-    content = path.read_bytes()
-    number, _, name = path.stem.partition("_")
-    first, *more = parsed(content)
-    about = [one for one in more if isinstance(one, exp.Comment)]
-    columns = {one.this.name: one.expression for one in about if one.args["kind"] == "COLUMN"}
-    definition: Definition | Addition
-    if isinstance(first, exp.Create):
-        (whole,) = (one.expression for one in about if one.args["kind"] != "COLUMN")
-        definition = Definition(first, whole, columns)
-    else:
-        added = [one.args["actions"][0] for one in (first, *more) if isinstance(one, exp.Alter)]
-        table = exp.to_table(f"stored_{name}")
-        definition = Addition(table, {column.name: column for column in added}, columns)
-    updates = (one for one in more if isinstance(one, exp.Update))
-    filling = next((Filling(Definition(exp.Create(), exp.Null(), {}), one) for one in updates), None)
-    checksum = hashlib.sha256(content).hexdigest()
-    return Migration(int(number), name, checksum, definition, filling)
 
 
 def _rows_for(tables: StateTables, name: str, rows: exp.Query) -> exp.Expr:

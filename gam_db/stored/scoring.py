@@ -25,6 +25,7 @@ from gam_db.stored.episodes import follow
 from gam_db.stored.explaining import explain
 from gam_db.stored.growing import read_ranges, unmoved
 from gam_db.stored.judging import judge
+from gam_db.stored.ordered import is_given
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due, others, planned, portions, resumed
 from gam_db.stored.proving import verify, verify_daily
 from gam_db.stored.publishing import GONE, NOTHING, Snapshots, publication, snapshots, withdraw
@@ -40,6 +41,7 @@ from gam_db.stored.state import State, kind_of, now
 from gam_db.stored.steps import (
     PUBLISHED,
     can_trust,
+    method_of,
     reading_steps,
     scoring_steps,
     setting_of,
@@ -319,10 +321,16 @@ class _Run:
         if not group:
             return []
         setting = setting_of(group[0])
-        how = (trusting, self._bits(group, read), self.wanted.append_only)
-        steps = scoring_steps(setting, self.reader.kind, *how)
+        bits = self._bits(group, read)
+        steps = scoring_steps(setting, self.reader.kind, trusting, bits, self.wanted.append_only)
         with Running(self.session, steps, self.state.tables.placed(), self.on_step) as running:
-            self._read(running, group, cohort)
+            # A part of a cohort is found by name, or each part would read the rows of all.
+            assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
+            self._recount(running, group, assets)
+            if not (trusting and bits and self._in_order(running, group, assets, bits)):
+                since = min(row["read_from"] for row in group)
+                rows = reading_steps(self.reader.readings(assets, since))
+                running.put("identified", rows.query("identified", running.placed))
             repeating = self._repeating(running, group) if trusting else []
             left_out = {row["channel_id"] for row in repeating}
             group = [row for row in group if row["channel_id"] not in left_out]
@@ -331,21 +339,25 @@ class _Run:
                 self._publish(running, group)
         return repeating
 
-    def _read(self, running: Running, group: Sequence[Row], cohort: Cohort) -> None:
-        """First stage: keep the rows of the channels, and those of their calibration where it is due."""
+    def _recount(self, running: Running, group: Sequence[Row], assets: Sequence[str] | None) -> None:
+        """First stage: count the rows of calibration of the channels for which it is due."""
         running.load("cohort", self._cohort(group))
-        # A part of a cohort is found by name, or each part would read the rows of all.
-        assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
         due = any(self._is_due(row) for row in group)
         edges = running.rows("calibration_range")[0] if due else {}
-        if edges.get("earliest") is not None:
-            healthy = self.reader.readings(assets, edges["earliest"], edges["latest"])
-            counting = reading_steps(healthy, is_ranged=False)
-            running.put("recount", counting.query("recount", running.placed))
-        else:
+        if edges.get("earliest") is None:
             running.load("recount", table_of([], _NO_RECOUNT))
-        rows = reading_steps(self.reader.readings(assets, min(row["read_from"] for row in group)))
-        running.put("identified", rows.query("identified", running.placed))
+            return
+        healthy = self.reader.readings(assets, edges["earliest"], edges["latest"])
+        counting = reading_steps(healthy, is_ranged=False)
+        running.put("recount", counting.query("recount", running.placed))
+
+    def _in_order(
+        self, running: Running, group: Sequence[Row], assets: Sequence[str] | None, bits: Bits
+    ) -> bool:
+        """Give the vectors of channels as they are stored, if they are in order."""
+        asked = [{**row, "read_until": self._until} for row in group]
+        setting = method_of(setting_of(group[0]), self.reader.kind).settings[0]
+        return is_given(running, self.reader, assets, asked, setting, bits)
 
     def _repeating(self, running: Running, group: Sequence[Row]) -> list[Row]:
         """Second stage: return the channels that did not deserve trust, and leave them out."""
@@ -422,10 +434,14 @@ class _Run:
                 raise ConflictError(GONE)
 
     def _cohort(self, group: Sequence[Row]) -> pa.Table:
-        until = FAR_AHEAD if self.wanted.until is None else self.wanted.until
         due = [int(self._is_due(row)) for row in group]
         planned = [self.planned.get(row["version_id"], NOTHING).newest_run for row in group]
-        return cohort_of(group, read_until=until, recounted=due, planned_from=planned)
+        return cohort_of(group, read_until=self._until, recounted=due, planned_from=planned)
+
+    @property
+    def _until(self) -> int:
+        """The last instant that is read."""
+        return FAR_AHEAD if self.wanted.until is None else self.wanted.until
 
     def _is_due(self, row: Row) -> bool:
         """Tell whether the rows of a channel's calibration are to be counted anew."""

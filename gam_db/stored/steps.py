@@ -27,6 +27,9 @@ from gam_db.method.vectors import add_vectors
 from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline, union_of
 
+#: What is kept of the vector that ends a bucket, and how it is called there.
+ENDS = {"position": "end_position", "context_time": "context_time"}
+
 #: A day, in microseconds.
 DAY = 86_400_000_000
 
@@ -336,7 +339,7 @@ def judging_steps(buckets: int) -> Pipeline:
 
 def can_trust(setting: Setting, kind: TimeKind) -> bool:
     """Tell whether there is a trusting form of the steps: where no segment ends."""
-    return _method(setting, kind).is_short(0)
+    return method_of(setting, kind).is_short(0)
 
 
 def _frozen(kept: frozenset[str] = frozenset()) -> Pipeline:
@@ -356,7 +359,7 @@ def _add_samples(
     asked: Mapping[str, Any] | None = None,
 ) -> OfSet:
     """Add the steps from *identified* to the samples, and return the one set of the setting."""
-    of_set = OfSet(steps, _method(setting, kind, asked), 0)
+    of_set = OfSet(steps, method_of(setting, kind, asked), 0)
     add(steps, "stored/trusted_timeline" if trusting else "stored/repeats", name="timeline")
     for name in ("collapsed", "samples"):
         add(steps, f"source/{name}")
@@ -368,7 +371,7 @@ def _add_new_buckets(of_set: OfSet, trusting: bool = False, bits: Bits | None = 
     steps, setting = of_set.steps, of_set.setting
     add(steps, "stored/seen")
     add(steps, "stored/run_up", {"span": setting.span})
-    ends = {"position": "end_position", "context_time": "context_time"}
+    ends = dict(ENDS)
     is_told = setting.still_after is not None
     if not of_set.method.is_short(0):
         add_numbered(of_set, bits, carried=["still_so_far"] * is_told)
@@ -390,7 +393,7 @@ def _add_stillness(steps: Pipeline, setting: Setting) -> None:
     add(steps, "stored/still_counts")
 
 
-def _method(setting: Setting, kind: TimeKind, asked: Mapping[str, Any] | None = None) -> Method:
+def method_of(setting: Setting, kind: TimeKind, asked: Mapping[str, Any] | None = None) -> Method:
     """Return the method of a stored version; its calibration is in the tables.
 
     What its certificate was asked for is not needed to score.

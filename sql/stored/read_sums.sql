@@ -21,6 +21,7 @@ FROM (
     JOIN (
       SELECT
         member.channel_id AS channel_id,
+        ranged.read_to AS read_to,
         member.lo AS lo,
         member.hi AS hi,
         CASE
@@ -30,7 +31,7 @@ FROM (
       FROM cohort AS member
       JOIN seen AS ranged ON ranged.channel_id = member.channel_id
     ) AS late ON late.channel_id = reading.channel_id
-    WHERE reading.time >= late.summed_from
+    WHERE reading.time BETWEEN late.summed_from AND late.read_to
   ) AS ranged_readings
 ) AS coded
 GROUP BY channel_id

@@ -1,0 +1,190 @@
+"""Scoring channels as they are stored: the integers of the reference, or the steps that sort.
+
+Which of the two it was is asked for in each case, so that no case passes by the other way.
+"""
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import duckdb
+import pytest
+
+import comparisons
+import frozen
+import gam_db
+import harness
+from gam_db import streaming
+from gam_db.stored import ordered, scoring
+from gam_db.stored.monitor import Monitor
+from small_plant import source
+from strategies import Row
+from visible import BUCKETS, NOVEL, put, rows_of
+
+pytestmark = pytest.mark.thorough
+
+LENGTH, LOOKBACK = 200, 12
+
+#: name -> keyword arguments of Parameters
+METHODS: dict[str, dict[str, Any]] = {
+    "delays": {"m": 3, "tau": 2, "bins": 4, "window": 20, "stride": 5},
+    "neighbours": {"m": 2, "tau": 1, "bins": 4, "window": 20, "stride": 5},
+    "one coordinate": {"m": 1, "bins": 5, "window": 12, "stride": 4},
+}
+
+
+def channel(asset: str, number: int, step: int = 2) -> list[Row]:
+    """A channel that repeats a pattern, and later on less so."""
+    return [
+        (asset, "x", step * time, float(time % (5 + number) if time % 17 else 40 + time % 9))
+        for time in range(LENGTH)
+    ]
+
+
+def by_channel() -> list[Row]:
+    return [*channel("a", 0), *channel("b", 1, 3), *channel("c", 2)]
+
+
+def monitor(connection: Any, parameters: dict[str, Any], **more: Any) -> Monitor:
+    method = gam_db.Parameters(**parameters), gam_db.Calibration(fraction=0.3)
+    return Monitor(connection, gam_db.Source("telemetry"), *method, lookback=LOOKBACK, **more)
+
+
+@pytest.fixture
+def ways(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
+    """Whether channels were read as they are stored, run by run; short ones may be, too."""
+    found: list[bool] = []
+
+    def noted(*asked: Any) -> bool:
+        found.append(ordered.is_given(*asked))
+        return found[-1]
+
+    monkeypatch.setattr(streaming, "STREAMED_FROM", 2)
+    monkeypatch.setattr(streaming, "GLANCE", 20)
+    monkeypatch.setattr(scoring, "TRUSTED_FROM", 0)
+    monkeypatch.setattr(scoring, "is_given", noted)
+    return found
+
+
+@pytest.fixture
+def connection() -> Iterator[duckdb.DuckDBPyConnection]:
+    with duckdb.connect() as connection:
+        yield connection
+
+
+def scored(connection: duckdb.DuckDBPyConnection, rows: list[Row], case: str) -> Monitor:
+    """Calibrate and score, and compare with the reference."""
+    source(connection, rows)
+    made = monitor(connection, METHODS[case])
+    made.migrate()
+    made.calibrate()
+    made.score()
+    compare(connection, rows, METHODS[case])
+    return made
+
+
+def compare(
+    connection: duckdb.DuckDBPyConnection,
+    rows: list[Row],
+    parameters: dict[str, Any],
+    first: list[Row] | None = None,
+) -> None:
+    asked = (first or rows, rows, *harness.made(parameters, {"fraction": 0.3}))
+    harness.assert_same(frozen.buckets(*asked), rows_of(connection, BUCKETS), "buckets")
+    harness.assert_same(frozen.novel_cells(*asked), rows_of(connection, NOVEL), "novel cells")
+    comparisons.compared("duckdb", "stored", rows, *asked[2:], asked[0])
+
+
+RUNS = """
+    SELECT asset, from_bucket, read_from, read_to, rows_read, context_rows, context_expected,
+        settled_bucket, settled_time, settled_context, summed_from, read_sum
+    FROM gam_run JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+    ORDER BY ALL
+"""
+
+
+@pytest.mark.parametrize("case", METHODS)
+def test_channels_in_order_are_scored_as_they_are_stored(
+    connection: duckdb.DuckDBPyConnection, ways: list[bool], case: str
+) -> None:
+    """What runs record is the same as well; and a later run goes on from there."""
+    made = scored(connection, by_channel(), case)
+    assert ways == [True]
+    with duckdb.connect() as other:
+        source(other, sorted(by_channel(), key=lambda row: row[2]))
+        sorting = monitor(other, METHODS[case])
+        sorting.migrate()
+        sorting.calibrate()
+        sorting.score()
+        assert ways == [True, False]
+        assert rows_of(connection, RUNS) == rows_of(other, RUNS)
+    assert made.check_state().num_rows == 0
+    more = [(asset, "x", time, float(time % 7)) for asset in "abc" for time in range(700, 760)]
+    put(connection, more)
+    made.score()
+    compare(connection, [*by_channel(), *more], METHODS[case], by_channel())
+    assert made.check_state().num_rows == 0
+
+
+def without(rows: list[Row]) -> list[Row]:
+    """One reading is missing."""
+    return [row if row[:3] != ("b", "x", 450) else (*row[:3], None) for row in rows]
+
+
+def by_time(rows: list[Row]) -> list[Row]:
+    return sorted(rows, key=lambda row: row[2])
+
+
+@pytest.mark.parametrize("changed", [without, by_time])
+def test_others_are_left_to_the_steps_that_sort(
+    connection: duckdb.DuckDBPyConnection, ways: list[bool], changed: Callable[[list[Row]], list[Row]]
+) -> None:
+    scored(connection, changed(by_channel()), "delays")
+    assert ways == [False]
+
+
+def twice(rows: list[Row]) -> list[Row]:
+    """An instant of one channel occurs twice, long after calibration."""
+    place = rows.index(next(row for row in rows if row[:3] == ("b", "x", 450)))
+    return [*rows[:place], ("b", "x", 450, -3.0), *rows[place:]]
+
+
+def swapped(rows: list[Row]) -> list[Row]:
+    """Two readings of one channel do not lie in order of time."""
+    place = rows.index(next(row for row in rows if row[:3] == ("b", "x", 450)))
+    return [*rows[:place], rows[place + 1], rows[place], *rows[place + 2 :]]
+
+
+@pytest.mark.parametrize("changed", [twice, swapped])
+def test_a_channel_out_of_order_alone_is_done_again(
+    connection: duckdb.DuckDBPyConnection, ways: list[bool], changed: Callable[[list[Row]], list[Row]]
+) -> None:
+    heard: list[str] = []
+    source(connection, changed(by_channel()))
+    made = monitor(connection, METHODS["delays"])
+    made.migrate()
+    made.calibrate()
+    made.score(on_step=heard.append)
+    assert ways == [True]
+    assert heard.count("visited") == 2
+    compare(connection, changed(by_channel()), METHODS["delays"])
+
+
+def test_rows_that_come_meanwhile_are_noticed(
+    connection: duckdb.DuckDBPyConnection, ways: list[bool], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One of before the end is there when channels are counted again: then all is copied and sorted."""
+    late, begun = ("a", "x", 301, 99.0), ordered.reading_steps
+
+    def meanwhile(*asked: Any) -> Any:
+        put(connection, [late])
+        monkeypatch.setattr(ordered, "reading_steps", begun)
+        return begun(*asked)
+
+    monkeypatch.setattr(ordered, "reading_steps", meanwhile)
+    source(connection, by_channel())
+    made = monitor(connection, METHODS["delays"])
+    made.migrate()
+    made.calibrate()
+    made.score()
+    assert ways == [False]
+    compare(connection, [*by_channel(), late], METHODS["delays"], by_channel())
