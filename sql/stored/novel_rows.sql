@@ -12,4 +12,4 @@ SELECT
 FROM novel_cells AS strange
 JOIN cohort AS member ON member.channel_id = strange.channel_id
 CROSS JOIN stamp
-ORDER BY member.version_id, strange.bucket_no, strange.cell_key
+ORDER BY member.version_id, strange.bucket_no

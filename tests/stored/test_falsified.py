@@ -56,6 +56,11 @@ MAY_DIFFER = {
         for column in ("lo", "hi")
     },
     **{
+        ("run", f"{column}{null}"): "where it differs, the rows are read again"
+        for column in ("summed_from", "read_sum")
+        for null in ("", " IS NULL")
+    },
+    **{
         ("unplaced", column): "a record of what a run met then; nothing is computed from it"
         for column in (
             *("monitor_id", "started", "nameless", "undated", "strangers", "stranger_channels"),
