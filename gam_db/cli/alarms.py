@@ -35,10 +35,8 @@ _MARKS = {"proving": "?", "open": "!"}
 def alarms(
     settings: Settings,
     common: options.Common,
-    new: Annotated[
-        bool, option("--new", "Print the changes instead, one by one: for a notifier.")
-    ] = False,
-    after: Annotated[int, option("SEQ", "With --new: only those after this one; 0 for all.")] = 0,
+    new: bool = option(False, "--new", "Print the changes instead, one by one: for a notifier."),
+    after: int = option(0, "SEQ", "With --new: only those after this one; 0 for all."),
 ) -> None:
     """Say which signals are raised: since when, how sure, and what to decide.
 
@@ -128,13 +126,9 @@ def label(
             help=f"An episode, or a machine and a time; and one of {', '.join(stored.KINDS)}.",
         ),
     ],
-    note: Annotated[str | None, option("", "What else there is to say.")] = None,
-    until: Annotated[
-        str | None, option("TIME", "When an acknowledgement or a snooze ends (UTC).")
-    ] = None,
-    instead: Annotated[
-        bool, option("--instead", "Replace another decision on the same episode.")
-    ] = False,
+    note: str | None = option(None, "", "What else there is to say."),
+    until: str | None = option(None, "TIME", "When an acknowledgement or a snooze ends (UTC)."),
+    instead: bool = option(False, "--instead", "Replace another decision on the same episode."),
 ) -> None:
     """Keep what is known of an episode, or of a machine in an interval of time.
 
@@ -165,8 +159,8 @@ def label(
 def limits(
     settings: Settings,
     common: options.Common,
-    again: Annotated[bool, option("--again", "Make them anew, for the judgements to come.")] = False,
-    reason: Annotated[str | None, option("", "With --again: why; it is kept with them.")] = None,
+    again: bool = option(False, "--again", "Make them anew, for the judgements to come."),
+    reason: str | None = option(None, "", "With --again: why; it is kept with them."),
 ) -> None:
     """Say by what each channel is judged, or why it is not.
 

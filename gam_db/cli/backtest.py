@@ -3,8 +3,6 @@
 This module owns the command and its page. What figures mean is said by :func:`gam_db.backtest`.
 """
 
-from typing import Annotated
-
 from gam_db.backtesting import backtest as tested
 from gam_db.calibration import Calibration
 from gam_db.cli import options, page
@@ -20,13 +18,11 @@ from gam_db.setting import settings_of
 def backtest(
     settings: Settings,
     common: options.Common,
-    healthy: Annotated[
-        list[str] | None,
-        option(
-            *("FROM/TO", "When nothing was wrong (repeatable); default all that follows calibration."),
-            "Alarms",
-        ),
-    ] = None,
+    healthy: list[str] | None = option(
+        None,
+        *("FROM/TO", "When nothing was wrong (repeatable); default all that follows calibration."),
+        "Alarms",
+    ),
 ) -> None:
     """Count how often the limits raise what follows calibration, where nothing was wrong.
 

@@ -8,7 +8,7 @@ import os
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 from rich.console import Console
 
@@ -35,9 +35,7 @@ from gam_db.stored.state import State
 def calibrate(
     settings: Settings,
     common: options.Common,
-    again: Annotated[
-        bool, option("--again", "Learn every channel anew, even with the same settings.")
-    ] = False,
+    again: bool = option(False, "--again", "Learn every channel anew, even with the same settings."),
 ) -> None:
     """Learn the healthy part of every channel of SOURCE and freeze it in the database.
 

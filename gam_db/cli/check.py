@@ -5,7 +5,7 @@ This module owns the command and its page; :mod:`gam_db.checking` looks, judges 
 
 import json
 from dataclasses import dataclass
-from typing import Annotated, Any
+from typing import Any
 
 from rich.console import Console
 
@@ -30,16 +30,14 @@ def check(
     settings: Settings,
     common: options.Common,
     relation: str | tuple[str, ...] | None,
-    state: Annotated[
-        bool,
-        option(
-            "--state",
-            "Instead, compare all that is stored with the source, and with itself: rows that came "
-            "too late, were corrected or went, and what was damaged in the tables. Reads all of it, and "
-            "records that it did; ends with 2 if anything differs. --name, --schema and --prefix say "
-            "where it lies.",
-        ),
-    ] = False,
+    state: bool = option(
+        False,
+        "--state",
+        "Instead, compare all that is stored with the source, and with itself: rows that came "
+        "too late, were corrected or went, and what was damaged in the tables. Reads all of it, and "
+        "records that it did; ends with 2 if anything differs. --name, --schema and --prefix say "
+        "where it lies.",
+    ),
 ) -> None:
     """Look at SOURCE before anything is learnt of it: what it is like, what to fix, what to set.
 

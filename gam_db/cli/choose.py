@@ -9,7 +9,6 @@ import shlex
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Annotated
 
 import numpy as np
 import pyarrow as pa
@@ -36,15 +35,13 @@ def select(
     settings: Settings,
     search: Search,
     common: options.Common,
-    write: Annotated[
-        Path | None,
-        option(
-            "FILE",
-            "Write what was chosen into this settings file, as [[override]] groups with the reason "
-            "of each, in the place of those it has.",
-            "Output",
-        ),
-    ] = None,
+    write: Path | None = option(
+        None,
+        "FILE",
+        "Write what was chosen into this settings file, as [[override]] groups with the reason "
+        "of each, in the place of those it has.",
+        "Output",
+    ),
 ) -> None:
     """Choose delay, embedding dimension, bins and window for every channel of SOURCE.
 

@@ -5,7 +5,6 @@ This module owns the command; nothing of it needs data.
 
 import shlex
 from pathlib import Path
-from typing import Annotated
 
 from pyarrow import parquet
 
@@ -32,19 +31,16 @@ _SIMULATED = Settings(
 
 
 def demo(
-    keep: Annotated[
-        Path | None,
-        option(
-            "--out --keep FILE",
-            "Save the series as Parquet, to go on with; a file that is there is left as it is.",
-        ),
-    ] = None,
-    report: Annotated[
-        Path | None,
-        option(
-            "FILE.html", "Write instead the page of a small simulated plant, with every kind of change."
-        ),
-    ] = None,
+    keep: Path | None = option(
+        None,
+        "--out --keep FILE",
+        "Save the series as Parquet, to go on with; a file that is there is left as it is.",
+    ),
+    report: Path | None = option(
+        None,
+        "FILE.html",
+        "Write instead the page of a small simulated plant, with every kind of change.",
+    ),
 ) -> None:
     """Simulate a machine that wears out, and print what `gam run` prints of it. Writes nothing.
 

@@ -7,7 +7,7 @@ import dataclasses
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 from rich.console import Console
 
@@ -33,15 +33,13 @@ from gam_db.source import Source, is_file, paths_of, slashed
 def init(
     settings: Settings,
     common: options.Common,
-    out: Annotated[Path, option("FILE", "The file to write.")] = Path(DEFAULT_FILE),
-    force: Annotated[bool, option("--force", "Replace the file if it is there.")] = False,
-    select: Annotated[
-        bool,
-        option(
-            "--select",
-            "Choose delay, dimension, bins and window of every channel, too, as gam select does.",
-        ),
-    ] = False,
+    out: Path = option(Path(DEFAULT_FILE), "FILE", "The file to write."),
+    force: bool = option(False, "--force", "Replace the file if it is there."),
+    select: bool = option(
+        False,
+        "--select",
+        "Choose delay, dimension, bins and window of every channel, too, as gam select does.",
+    ),
 ) -> None:
     """Write a commented gam.toml for SOURCE: its columns, and parameters with the reason for each.
 

@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from importlib.metadata import entry_points
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 from rich.console import Console
 
@@ -40,45 +40,37 @@ _OUTPUT = "Output"
 def run(
     settings: Settings,
     common: options.Common,
-    out: Annotated[
-        Path | None,
-        option(
-            "PATH",
-            "Where the health indicator goes, replacing what is there. NAME.parquet: beside it go "
-            "NAME.support.parquet and NAME.certificate.parquet. A .duckdb or .db file: tables "
-            "gam_health_indicator, gam_support and gam_certificate. Default: SOURCE.health.parquet, "
-            "SOURCE.support.parquet, SOURCE.certificate.parquet in the current folder.",
-            _OUTPUT,
-        ),
-    ] = None,
-    no_out: Annotated[bool, option("--no-out", "Write no file.", _OUTPUT)] = False,
-    every: Annotated[
-        Every,
-        option(
-            "",
-            "Rows to write: one per scored vector, or one per full bucket of --stride vectors "
-            "(in a DuckDB file: table gam_health_at_buckets).",
-            _OUTPUT,
-        ),
-    ] = "vector",
-    report: Annotated[
-        Path | None,
-        option(
-            "FILE.html",
-            "Write the page for people who look, too; see gam report. Of a file, not of a table.",
-            _OUTPUT,
-        ),
-    ] = None,
-    estimator: Annotated[
-        str,
-        option(
-            "NAME",
-            "What scores vectors: dse (the method itself), or centroid, gmm, forest, ocsvm, which "
-            "have no certificate and no limit. The last three need pip install "
-            '"gam-db[benchmark]".',
-            "Parameters of the method",
-        ),
-    ] = DSE,
+    out: Path | None = option(
+        None,
+        "PATH",
+        "Where the health indicator goes, replacing what is there. NAME.parquet: beside it go "
+        "NAME.support.parquet and NAME.certificate.parquet. A .duckdb or .db file: tables "
+        "gam_health_indicator, gam_support and gam_certificate. Default: SOURCE.health.parquet, "
+        "SOURCE.support.parquet, SOURCE.certificate.parquet in the current folder.",
+        _OUTPUT,
+    ),
+    no_out: bool = option(False, "--no-out", "Write no file.", _OUTPUT),
+    every: Every = option(
+        "vector",
+        "",
+        "Rows to write: one per scored vector, or one per full bucket of --stride vectors "
+        "(in a DuckDB file: table gam_health_at_buckets).",
+        _OUTPUT,
+    ),
+    report: Path | None = option(
+        None,
+        "FILE.html",
+        "Write the page for people who look, too; see gam report. Of a file, not of a table.",
+        _OUTPUT,
+    ),
+    estimator: str = option(
+        DSE,
+        "NAME",
+        "What scores vectors: dse (the method itself), or centroid, gmm, forest, ocsvm, which "
+        "have no certificate and no limit. The last three need pip install "
+        '"gam-db[benchmark]".',
+        "Parameters of the method",
+    ),
 ) -> None:
     """Compute the health indicator of every channel of SOURCE, print what was found, write the table.
 

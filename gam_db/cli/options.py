@@ -62,10 +62,11 @@ STATE = ("name", "schema", "prefix")
 _Row = TypeVar("_Row")
 
 
-def option(named: str, what: str, panel: str | None = None, **more: Any) -> Any:
-    """Return an option of one command.
+def option(default: Any, named: str, what: str, panel: str | None = None, **more: Any) -> Any:
+    """Return an option of one command, to stand as the default of a parameter.
 
     Args:
+        default: where nothing is said.
         named: its names, where they are not that of the parameter, and what stands for its value, as
             ``"--from TIME"``.
         what: what it does, for help.
@@ -75,7 +76,7 @@ def option(named: str, what: str, panel: str | None = None, **more: Any) -> Any:
     words = named.split()
     names = [word for word in words if word.startswith("-")]
     metavar = " ".join(word for word in words if not word.startswith("-")) or None
-    return typer.Option(*names, metavar=metavar, help=what, rich_help_panel=panel, **more)
+    return typer.Option(default, *names, metavar=metavar, help=what, rich_help_panel=panel, **more)
 
 
 @dataclass(frozen=True)
@@ -105,10 +106,10 @@ PAGE = ("everything", "as_json", "quiet")
 _OF_COMMON = {name: ("common", one) for name, one in settings_of(Common).items()}
 
 
-def _typer(name: str, section: str, one: Setting) -> Any:
+def _typer(name: str, section: str, one: Setting, *default: Any) -> Any:
     panel = "Output" if section == "common" and name != "threads" else _PANELS.get(section)
-    metavar = one.metavar or one.takes.metavar
-    return typer.Option(*_option(name, one), help=one.help, metavar=metavar, rich_help_panel=panel)
+    names, metavar = _option(name, one), one.metavar or one.takes.metavar
+    return typer.Option(*default, *names, help=one.help, metavar=metavar, rich_help_panel=panel)
 
 
 def _option(name: str, one: Setting) -> list[str]:
@@ -120,18 +121,21 @@ All = Annotated[bool, _typer("everything", *_OF_COMMON["everything"])]
 Json = Annotated[bool, _typer("as_json", *_OF_COMMON["as_json"])]
 
 _SOURCE = typer.Argument(
+    None,
     metavar="SOURCE...",
     help="Parquet or CSV files (wildcards allowed), folders of such, or a table of --database. "
     "Default: what gam.toml says.",
     show_default=False,
 )
-_CONFIG = typer.Option(help=f"Settings file; default ./{config.DEFAULT_FILE} if it is there.")
+_CONFIG = option(None, "", f"Settings file; default ./{config.DEFAULT_FILE} if it is there.")
 _READ_ONLY = option(
+    None,
     "ADDRESS",
     "Database that holds the table, a DuckDB file or a URL such as postgresql://HOST/DATABASE; "
     f"it is only read. Default: the environment variable {VARIABLE}.",
 )
 _OF_STATE = option(
+    None,
     "ADDRESS",
     "Database that holds the state, and the source if that is a table: a DuckDB file, which is "
     "made if it is not there, or a URL such as postgresql://HOST/DATABASE. Default: the environment "
@@ -200,21 +204,18 @@ def taking(
     return decorated
 
 
-def _parameter(name: str, of: Any, about: Any, default: Any = None) -> inspect.Parameter:
-    return inspect.Parameter(
-        name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=Annotated[of, about]
-    )
+def _parameter(name: str, of: Any, about: Any) -> inspect.Parameter:
+    return inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=about, annotation=of)
 
 
 def _options(name: str, section: str, one: Setting) -> Iterator[inspect.Parameter]:
     """Yield the option of a setting, and the one that says there is none."""
     kind = one.takes
-    is_flag = kind.option is bool
-    made = _typer(name, section, one)
-    yield _parameter(name, bool, made, False) if is_flag else _parameter(name, kind.option | None, made)
+    of, default = (bool, False) if kind.option is bool else (kind.option | None, None)
+    yield _parameter(name, of, _typer(name, section, one, default))
     if kind.none and one.off is not None:
         said = f"{one.off[1][0].upper()}{one.off[1][1:]}."
-        yield _parameter(f"no_{name}", bool, option(f"--no-{name}", said, _PANELS[section]), False)
+        yield _parameter(f"no_{name}", bool, option(False, f"--no-{name}", said, _PANELS[section]))
 
 
 def _said(given: dict[str, Any], known: Mapping[str, tuple[str, Setting]]) -> dict[str, dict[str, Any]]:

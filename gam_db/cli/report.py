@@ -5,7 +5,7 @@ This module owns the command, and the page of a file without a monitor; :mod:`ga
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 from rich.console import Console
 
@@ -34,9 +34,7 @@ def report(
     settings: Settings,
     wishes: Wishes,
     common: options.Common,
-    out: Annotated[Path, option("--out FILE", "The page, replacing what is there.")] = Path(
-        "report.html"
-    ),
+    out: Path = option(Path("report.html"), "--out FILE", "The page, replacing what is there."),
 ) -> None:
     """Write the page for people who look: which machines left health, since when, and where they went.
 

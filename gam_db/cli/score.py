@@ -84,15 +84,13 @@ def score(
             show_default=False,
         ),
     ] = None,
-    dry_run: Annotated[bool, option("--dry-run", "Say what would be read, and write nothing.")] = False,
-    copy_to: Annotated[
-        Path | None,
-        option(
-            "--copy FILE",
-            "Then copy the state into a DuckDB file of its own, for readers: no other process can "
-            "open the database while this one writes.",
-        ),
-    ] = None,
+    dry_run: bool = option(False, "--dry-run", "Say what would be read, and write nothing."),
+    copy_to: Path | None = option(
+        None,
+        "--copy FILE",
+        "Then copy the state into a DuckDB file of its own, for readers: no other process can "
+        "open the database while this one writes.",
+    ),
 ) -> None:
     """Score what is new since the last run, and what came late, of every calibrated channel.
 

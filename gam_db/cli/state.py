@@ -5,7 +5,6 @@ This module owns ``gam migrate``, ``gam prune``, ``gam compact`` and ``gam drop`
 """
 
 from functools import partial
-from typing import Annotated
 
 import pyarrow as pa
 import typer
@@ -30,23 +29,19 @@ from gam_db.stored.tables import StateTables
 def migrate(
     settings: Settings,
     common: options.Common,
-    status: Annotated[
-        bool, option("--status", "Change nothing; say what was applied. Exit code 2: some are not.")
-    ] = False,
-    sql: Annotated[
-        bool, option("--sql", "Print the script, for a database administrator; open no database.")
-    ] = False,
-    engine: Annotated[
-        str | None, option("", f"With --sql: one of {', '.join(NAMES)} (default duckdb).")
-    ] = None,
-    grants: Annotated[
-        str | None,
-        option(
-            "owner=NAME,writer=NAME,reader=NAME",
-            "With --sql --engine postgres: let the tables belong to the owner, and give writer "
-            "(calibrate, score, check, prune) and reader (status, views) what they need.",
-        ),
-    ] = None,
+    status: bool = option(
+        False, "--status", "Change nothing; say what was applied. Exit code 2: some are not."
+    ),
+    sql: bool = option(
+        False, "--sql", "Print the script, for a database administrator; open no database."
+    ),
+    engine: str | None = option(None, "", f"With --sql: one of {', '.join(NAMES)} (default duckdb)."),
+    grants: str | None = option(
+        None,
+        "owner=NAME,writer=NAME,reader=NAME",
+        "With --sql --engine postgres: let the tables belong to the owner, and give writer "
+        "(calibrate, score, check, prune) and reader (status, views) what they need.",
+    ),
 ) -> None:
     """Make the state tables in a database, or bring those of an older gam-db up to date.
 
@@ -112,11 +107,10 @@ _KINDS = dict(zip(COUNTED, ("buckets", "novel cells", "runs", "support"), strict
 def prune(
     settings: Settings,
     common: options.Common,
-    keep_versions: Annotated[
-        int | None,
-        option("N", "Retired versions of each channel that stay. Default: all of them.", min=0),
-    ] = None,
-    dry_run: Annotated[bool, option("--dry-run", "Say what would go, and change nothing.")] = False,
+    keep_versions: int | None = option(
+        None, "N", "Retired versions of each channel that stay. Default: all of them.", min=0
+    ),
+    dry_run: bool = option(False, "--dry-run", "Say what would go, and change nothing."),
 ) -> None:
     """Delete old buckets, novel cells, versions and records of runs; say how large each channel is.
 
@@ -169,11 +163,10 @@ def _tell_sizes(sizes: pa.Table, monitor: str, dry_run: bool, common: options.Co
 @options.taking("schema", "prefix", source=False, state=True)
 def drop(
     settings: Settings,
-    name: Annotated[
-        str | None,
-        option("MONITOR", "Remove the rows of this monitor only; the tables and all others stay."),
-    ] = None,
-    yes: Annotated[bool, option("--yes", "Do not ask.")] = False,
+    name: str | None = option(
+        None, "MONITOR", "Remove the rows of this monitor only; the tables and all others stay."
+    ),
+    yes: bool = option(False, "--yes", "Do not ask."),
 ) -> None:
     """Remove the state tables of a schema and prefix, or with --name the rows of one monitor.
 

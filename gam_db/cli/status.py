@@ -5,7 +5,6 @@ This module owns the command and its page; :mod:`gam_db.stored.status` says what
 
 import datetime as dt
 from collections.abc import Iterator, Sequence
-from typing import Annotated
 
 import pyarrow as pa
 import pyarrow.compute as pc
@@ -32,7 +31,7 @@ ASSETS = 20
 def status(
     settings: Settings,
     common: options.Common,
-    asset: Annotated[str | None, option("PATTERN", f"{options.MACHINES}.".capitalize())] = None,
+    asset: str | None = option(None, "PATTERN", f"{options.MACHINES}.".capitalize()),
 ) -> None:
     """Say how every channel is: verdict, floor, indicator, trend, and what is wrong with its data.
 

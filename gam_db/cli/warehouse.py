@@ -33,16 +33,13 @@ Form = Literal["exact", "view"]
 @options.taking(*options.READ, "time_kind")
 def compile(
     settings: Settings,
-    form: Annotated[
-        Form, option("", "exact: one query. view: tables of what was learnt, and a view.")
-    ] = "view",
-    engine: Annotated[str, option("", f"One of {', '.join(NAMES)}.")] = "duckdb",
-    out: Annotated[Path | None, option("FILE", "Where the script goes; default: printed.")] = None,
-    prefix: Annotated[str, option("", "Begins the names of tables and views.")] = "gam_live_",
-    schema: Annotated[
-        str | None,
-        option("", "Schema of tables and views (default: the current one; postgres: public)."),
-    ] = None,
+    form: Form = option("view", "", "exact: one query. view: tables of what was learnt, and a view."),
+    engine: str = option("duckdb", "", f"One of {', '.join(NAMES)}."),
+    out: Path | None = option(None, "FILE", "Where the script goes; default: printed."),
+    prefix: str = option("gam_live_", "", "Begins the names of tables and views."),
+    schema: str | None = option(
+        None, "", "Schema of tables and views (default: the current one; postgres: public)."
+    ),
 ) -> None:
     """Print the complete SQL script that computes the health indicator of SOURCE on an engine.
 
@@ -116,10 +113,8 @@ def dbt(
         Path,
         typer.Argument(metavar="DIR", help="Where the package goes; empty, or that of an earlier one."),
     ],
-    engine: Annotated[str, option("", f"What dbt runs on: {', '.join(ADAPTERS)}.")] = "duckdb",
-    schema: Annotated[
-        str | None, option("", "Of the source table; default: that of dbt's target.")
-    ] = None,
+    engine: str = option("duckdb", "", f"What dbt runs on: {', '.join(ADAPTERS)}."),
+    schema: str | None = option(None, "", "Of the source table; default: that of dbt's target."),
 ) -> None:
     """Write a dbt package that keeps the health indicator of SOURCE up to date in the warehouse.
 
@@ -140,15 +135,11 @@ def dbt(
 @export.command()
 def grafana(
     folder: Annotated[Path, typer.Argument(metavar="DIR", help="Where the files go; it is made.")],
-    engine: Annotated[
-        str, option("", f"Where the state lies: {', '.join(dashboards.SOURCES)}.")
-    ] = "postgres",
-    schema: Annotated[
-        str | None, option("", "Of the state tables; default: that of the connection.")
-    ] = None,
-    prefix: Annotated[str, option("", "Of the state tables.")] = "gam_",
-    name: Annotated[str, option("MONITOR", "Of the monitor.")] = "default",
-    uid: Annotated[str, option("", "Of Grafana's data source, which the alert rule names.")] = "gam-db",
+    engine: str = option("postgres", "", f"Where the state lies: {', '.join(dashboards.SOURCES)}."),
+    schema: str | None = option(None, "", "Of the state tables; default: that of the connection."),
+    prefix: str = option("gam_", "", "Of the state tables."),
+    name: str = option("default", "MONITOR", "Of the monitor."),
+    uid: str = option("gam-db", "", "Of Grafana's data source, which the alert rule names."),
 ) -> None:
     """Write a dashboard for Grafana over the views of a monitor, and an alert rule.
 
