@@ -17,6 +17,13 @@ from gam_db.running import Listener
 from gam_db.source import AnySource, parsed_condition, read_from
 from gam_db.study import Study
 
+IRREGULAR = 3
+"""The step that 95 % are no longer than, in steps that 5 % are no longer than, above which sampling is
+irregular."""
+REGULAR_WITHIN = 1.5
+"""Steps that differ by no more than this factor are about the same."""
+_STILL_ON_CHANGE = 0.01
+
 #: A row of the summary by name; times and steps are integers: counter steps, or microseconds.
 Row = dict[str, Any]
 
@@ -86,19 +93,27 @@ def look_at(
 
 
 def exact_columns(session: Session, source: AnySource, columns: Mapping[str, str]) -> tuple[str, ...]:
-    """Return the columns of readings that are integers or decimals, not doubles.
-
-    Args:
-        session: on the source.
-        source: with its columns named.
-        columns: all columns of its relation, with their types.
-    """
+    """Return the columns of readings that are integers or decimals, not doubles; given name -> type."""
     types = session.engine.types
     return tuple(
         name
         for name in source.value_columns
         if types.is_numeric(columns.get(name, "")) and not types.is_binary_float(columns[name])
     )
+
+
+def is_irregular(row: Row) -> bool:
+    """Tell whether a channel is not sampled regularly, bursts with pauses between them left aside."""
+    if row["typical_step"] is None or row["long_step"] <= IRREGULAR * row["short_step"]:
+        return False
+    in_bursts = row["long_step"] > row["longest_step"]
+    return not (in_bursts and row["longest_step"] <= REGULAR_WITHIN * row["short_step"])
+
+
+def is_on_change(row: Row) -> bool:
+    """Tell whether a channel seems to be written only when its value changes (a deadband)."""
+    compared = row["rises"] + row["falls"] + row["stills"]
+    return is_irregular(row) and compared > 0 and row["stills"] <= _STILL_ON_CHANGE * compared
 
 
 def _number_texts(study: Study) -> tuple[str, ...]:

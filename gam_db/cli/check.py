@@ -10,8 +10,8 @@ from typing import Any
 from rich.console import Console
 
 from gam_db.checking import Look, Note, Proposal, look_at, must_be_fixed, notes, propose
-from gam_db.checking.sampling import is_irregular
-from gam_db.checking.times import is_heeded
+from gam_db.checking.look import is_irregular
+from gam_db.checking.notes import is_heeded
 from gam_db.checking.words import instant, number_of, percent, spoken
 from gam_db.cli import options, page
 from gam_db.cli.check_state import check_state

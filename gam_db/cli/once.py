@@ -13,7 +13,7 @@ from typing import Any
 
 from rich.console import Console
 
-from gam_db.checking.values import BEYOND, EXACT_UP_TO
+from gam_db.checking.notes import EXACT_UP_TO, SENTENCES
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.exits import Exit
@@ -217,7 +217,7 @@ def show(
         and max(abs(row["calibrated_lo"] or 0), abs(row["calibrated_hi"] or 0)) >= EXACT_UP_TO
         for row in found
     ):
-        page.say(out, f"{number_of(beyond, 'channel')} of {BEYOND}")
+        page.say(out, f"{number_of(beyond, 'channel')} of {SENTENCES['beyond']}")
     if not need_attention(found):
         page.say(out, "nothing needs attention")
     page.say(out, page.legend(found, everything))
