@@ -21,7 +21,7 @@ from gam_db.engines.evidence import evidence
 from gam_db.errors import ConfigurationError, SourceError
 from gam_db.export import Package, write
 from gam_db.export import grafana as dashboards
-from gam_db.export.adapters import ADAPTERS
+from gam_db.export.models import ADAPTERS
 from gam_db.guess import SourceSettings, guess
 from gam_db.script import render
 from gam_db.source import AnySource, Source, WideSource, is_file

@@ -14,10 +14,9 @@ from gam_db.calibration import Calibration
 from gam_db.clock import Length, TimeKind
 from gam_db.engines import engine_named
 from gam_db.engines.base import Engine
-from gam_db.errors import ConfigurationError, SourceError
+from gam_db.errors import ConfigurationError, EngineError, SourceError
 from gam_db.export import documents, jinja
-from gam_db.export.adapters import adapter_of
-from gam_db.export.models import Model, Modelled, checks, models
+from gam_db.export.models import ADAPTERS, Model, Modelled, checks, models
 from gam_db.method import Method
 from gam_db.parameters import Parameters
 from gam_db.source import AnySource, WideSource, declared_kind, is_file, table_names
@@ -61,7 +60,10 @@ class Package:
         """Return the text of each file by its path in the package."""
         catalog, schema, table = self._place()
         engine = engine_named(self.engine)
-        adapter = adapter_of(self.engine)
+        if (adapter := ADAPTERS.get(self.engine)) is None:
+            raise EngineError(
+                f"dbt has no adapter for {self.engine}; take one of {', '.join(ADAPTERS)}."
+            )
         kind = declared_kind(self.source) or TimeKind.COUNTER
         method = Method(self.parameters, self.calibration, kind)
         prefix = StateTables("any", self.prefix).prefix
@@ -82,7 +84,9 @@ class Package:
         for model in made:
             files[f"{model.folder}/{prefix}{model.name}.sql"] = _text(model, engine)
         for test in checks(of):
-            files[f"{test.folder}/{prefix}{test.name}.sql"] = _text(test, engine, adapter.before)
+            files[f"{test.folder}/{prefix}{test.name}.sql"] = _text(
+                test, engine, adapter.get("before", "")
+            )
         return files
 
     def _place(self) -> tuple[str | None, str | None, str]:
@@ -107,14 +111,11 @@ class Package:
 def write(package: Package, folder: Path) -> list[Path]:
     """Write a package to a folder, and return the files that were written.
 
-    Args:
-        package: what to write.
-        folder: an empty one, one that is made, or that of the same package: its files are replaced, and
-            files that are not of the package stay.
+    The folder is an empty one, one that is made, or that of the same package: its files are replaced,
+    and files that are not of the package stay.
 
     Raises:
-        ConfigurationError: the folder holds something else, or cannot be written.
-        UserError: the package cannot be made; nothing is written.
+        UserError: the package cannot be made, or the folder holds something else, or cannot be written.
     """
     files = package.files()
     try:

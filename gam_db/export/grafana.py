@@ -23,42 +23,8 @@ from gam_db.stored.tables import StateTables
 DASHBOARD, ALERT = "gam-dashboard.json", "gam-alert.yaml"
 
 
-@dataclass(frozen=True)
-class DataSource:
-    """What one of Grafana's data sources wants of a query.
-
-    Attributes:
-        plugin: its type.
-        stretch: its macro for the stretch of time that a row of ``last_time`` falls into.
-        series, rows: what a query says beside its SQL, for a chart over time and for a table.
-        escapes: whether a backslash in a text is an escape, which Grafana does not write.
-    """
-
-    plugin: str
-    stretch: str
-    series: Mapping[str, Any]
-    rows: Mapping[str, Any]
-    escapes: bool = False
-
-
-_CODE = {"rawQuery": True, "editorMode": "code"}
-_EDITED = {"editorType": "sql", "pluginVersion": "4.0.0"}
-
-SOURCES = {
-    "postgres": DataSource(
-        "grafana-postgresql-datasource",
-        "$__timeGroup(last_time, $__interval)",
-        {"format": "time_series", **_CODE},
-        {"format": "table", **_CODE},
-    ),
-    "clickhouse": DataSource(
-        "grafana-clickhouse-datasource",
-        "$__timeInterval(last_time)",
-        {"format": 0, "queryType": "timeseries", **_EDITED},
-        {"format": 1, "queryType": "table", **_EDITED},
-        escapes=True,
-    ),
-}
+#: What Grafana's data sources want of a query, by engine; see the file.
+SOURCES: Mapping[str, Mapping[str, Any]] = data.table("gam_db.export", "grafana.toml")
 
 
 def write(
@@ -102,7 +68,7 @@ def queries(engine: str, tables: StateTables, monitor: str) -> dict[str, str]:
     values: dict[str, template.Slot] = {}
     for role in ("asset", "channel"):
         said: exp.Expr = exp.column(role)
-        if source.escapes:  # Grafana doubles the quotes of a value, and leaves its backslashes
+        if source["escapes"]:  # Grafana doubles the quotes of a value, and leaves its backslashes
             doubled = (exp.Literal.string("\\"), exp.Literal.string("\\\\"))
             said = exp.Anonymous(this="replaceAll", expressions=[said, *doubled])
         values[f"{role}_value"] = said
@@ -111,7 +77,7 @@ def queries(engine: str, tables: StateTables, monitor: str) -> dict[str, str]:
         "monitor": template.text(monitor),
         "assets": exp.var("${asset:sqlstring}"),
         "channels": exp.var("${channel:sqlstring}"),
-        "stretch": exp.var(source.stretch),
+        "stretch": exp.var(source["stretch"]),
         "shown": exp.var("$__timeFilter(last_time)"),
     }
     found: dict[str, str] = {}
@@ -128,11 +94,11 @@ def dashboard(engine: str, asked: Mapping[str, str]) -> str:
     """Return the dashboard as classic JSON, made by Grafana's own library."""
     source, builders = SOURCES[engine], needed("grafana_foundation_sdk.builders.dashboard", "grafana")
     models = needed("grafana_foundation_sdk.models.dashboard", "grafana")
-    origin = models.DataSourceRef(type_val=source.plugin, uid="${source}")
+    origin = models.DataSourceRef(type_val=source["plugin"], uid="${source}")
 
     def panel(kind: str, query: str, title: str, about: str, wide: int, high: int) -> Any:
         made = needed(f"grafana_foundation_sdk.builders.{kind}", "grafana").Panel()
-        says = source.series if kind in ("statetimeline", "timeseries") else source.rows
+        says = source["series" if kind in ("statetimeline", "timeseries") else "rows"]
         made.title(title).description(about).datasource(origin).span(wide).height(high)
         return made.with_target(_Target({"refId": "A", "rawSql": asked[query], **says}))
 
@@ -154,7 +120,7 @@ def dashboard(engine: str, asked: Mapping[str, str]) -> str:
     )
     plan = builders.Dashboard("Health of the fleet").uid("gam-db-fleet").tags(["gam-db"])
     plan.timezone("browser").time("now-30d", "now").refresh("5m")
-    plan.with_variable(builders.DatasourceVariable("source").label("Data source").type(source.plugin))
+    plan.with_variable(builders.DatasourceVariable("source").label("Data source").type(source["plugin"]))
     plan.with_variable(variable("asset", "Machine", "assets"))
     plan.with_variable(variable("channel", "Signal", "channels"))
     for number, one in enumerate(panels, start=1):
@@ -184,5 +150,5 @@ def alert(engine: str, sql: str, uid: str) -> str:
     said = json.loads(data.text("gam_db.export", "alert.json"))
     asked, _ = said["groups"][0]["rules"][0]["data"]
     asked["datasourceUid"] = uid
-    asked["model"] |= {"rawSql": sql, **SOURCES[engine].rows}
+    asked["model"] |= {"rawSql": sql, **SOURCES[engine]["rows"]}
     return yaml_text.text(said)

@@ -13,12 +13,11 @@ from typing import Any
 
 from sqlglot import exp
 
-from gam_db import template
+from gam_db import data, template
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.engines.base import Engine
 from gam_db.errors import CalibrationError, ParameterError
 from gam_db.export import jinja
-from gam_db.export.adapters import Adapter
 from gam_db.method import Method, pipeline
 from gam_db.method.adding import OfSet, add
 from gam_db.method.calibration import add_calibration
@@ -30,6 +29,9 @@ from gam_db.source import AnySource, under
 from gam_db.stored.calibrating import method_hash
 from gam_db.stored.sources import described
 from gam_db.stored.steps import DAY, KEPT, Setting, add_counting
+
+#: What dbt runs on, by engine; see the file.
+ADAPTERS: Mapping[str, Mapping[str, Any]] = data.table("gam_db.export", "adapters.toml")
 
 SOURCE, TABLE = "gam_source", "telemetry"
 
@@ -92,7 +94,7 @@ class Modelled:
     source: AnySource
     method: Method
     engine: Engine
-    adapter: Adapter
+    adapter: Mapping[str, Any]
     prefix: str
     lookback: int
 
@@ -240,7 +242,11 @@ def _frozen(
     columns = [exp.column(exp.to_identifier(column)) for column in query.named_selects]
     never = exp.EQ(this=exp.Literal.number(1), expression=exp.Literal.number(0))
     nothing = exp.select(*columns).from_(jinja.THIS.copy()).where(never)
-    config = {"materialized": "incremental", "incremental_strategy": "append", **of.adapter.config}
+    config = {
+        "materialized": "incremental",
+        "incremental_strategy": "append",
+        **of.adapter.get("config", {}),
+    }
     return Model(name, "models/calibration", about, query, nothing, config, keys, values)
 
 
@@ -289,9 +295,9 @@ def _bucket(of: Modelled) -> Model:
     keys = ("channel_id", "bucket_no")
     config = {
         "materialized": "incremental",
-        "incremental_strategy": of.adapter.strategy,
+        "incremental_strategy": of.adapter.get("strategy", "delete+insert"),
         "unique_key": list(keys),
-        **of.adapter.config,
+        **of.adapter.get("config", {}),
         "post_hook": of.engine.text(ended),
     }
     return Model("bucket", "models/health", "export/bucket_rows", first, later, config, keys)
@@ -338,7 +344,7 @@ def _views(of: Modelled) -> list[Model]:
     limits = limit_slots("learnt", target)
     add(steps, "export/assessed", {**limits, "stride": of.setting.stride})
     add_judged(steps)
-    made = []
+    made, hook = [], {"pre_hook": of.adapter["before"]} if "before" in of.adapter else {}
     of_limit: dict[str, template.Slot] = {"hi_limit": limits["hi_limit"]}
     of_window: dict[str, template.Slot] = {"window": of.setting.window_length}
     for name, times_of, slots, keys in (
@@ -354,6 +360,6 @@ def _views(of: Modelled) -> list[Model]:
             ]
         add(steps, f"export/{name}", {"times": times, **slots})
         query = steps.query(name, placed)
-        config = {"materialized": "view", **of.adapter.view}
+        config = {"materialized": "view", **hook}
         made.append(Model(name, "models/health", f"export/{name}", query, config=config, keys=keys))
     return made

@@ -20,7 +20,7 @@ from dbt_builder import Builder
 from gam_db.cli import app
 from gam_db.engines.postgres import PATH
 from gam_db.export import Package, write
-from gam_db.export.adapters import ADAPTERS
+from gam_db.export.models import ADAPTERS
 from gam_db.stored.monitor import Monitor
 
 EXAMPLES = 2
@@ -263,8 +263,8 @@ def check(files: dict[str, str], name: str) -> str:
 
 def test_names_are_looked_up_in_a_package_as_everywhere() -> None:
     postgres = ADAPTERS["postgres"]
-    assert postgres.before == f"SET LOCAL search_path TO {PATH}"
-    assert postgres.before in postgres.config["pre_hook"]
+    assert postgres["before"] == f"SET LOCAL search_path TO {PATH}"
+    assert postgres["before"] in postgres["config"]["pre_hook"]
 
 
 @pytest.mark.parametrize("engine", ADAPTERS)
@@ -358,7 +358,7 @@ def test_a_profile_to_fill_in_is_that_of_the_project_and_holds_no_password(
         yaml.safe_load(files["dbt_project.yml"])["profile"]
     ]
     target = said["outputs"][said["target"]]
-    assert target["type"] == ADAPTERS[engine].package.removeprefix("dbt-")
+    assert target["type"] == ADAPTERS[engine]["package"].removeprefix("dbt-")
     assert all("env_var(" in target[secret] for secret in ("password", "token") if secret in target)
 
 

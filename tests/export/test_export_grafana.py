@@ -134,7 +134,7 @@ def test_every_query_runs_and_says_what_the_views_say(plant: gam_db.Monitor, tmp
         }
         assert not cells & taken
         taken |= cells
-        assert panel["datasource"] == {"type": grafana.SOURCES[engine].plugin, "uid": "${source}"}
+        assert panel["datasource"] == {"type": grafana.SOURCES[engine]["plugin"], "uid": "${source}"}
     variables = {one["name"]: one for one in made["templating"]["list"]}
     assert variables["source"]["type"] == "datasource"
     assert all(

@@ -18,7 +18,7 @@ from unittest.mock import patch
 import gam_db
 from gam_db.engines import NAMES, engine_named
 from gam_db.export import Package
-from gam_db.export.adapters import ADAPTERS
+from gam_db.export.models import ADAPTERS
 from gam_db.parameters import LEAST_VECTORS
 from gam_db.script import FORMS
 from gam_db.stored.migrations import rendered

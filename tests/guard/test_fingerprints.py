@@ -7,7 +7,7 @@ import pytest
 import fingerprints
 import gam_db
 from gam_db.engines import NAMES
-from gam_db.export.adapters import ADAPTERS
+from gam_db.export.models import ADAPTERS
 
 pytestmark = [pytest.mark.thorough, pytest.mark.comments]
 
