@@ -1,8 +1,8 @@
 """The look before calibration: what a source is like, what must be fixed, what to set.
 
-This folder owns ``gam check``: :mod:`~gam_db.checking.steps` the order of the formulas in ``sql/check``,
-:mod:`~gam_db.checking.look` running them, :mod:`~gam_db.checking.notes` what is said of them in plain
-words, :mod:`~gam_db.checking.proposal` what to set. It learns nothing and writes nothing.
+This folder owns ``gam check``: :mod:`~gam_db.checking.look` runs the formulas of ``sql/check``,
+:mod:`~gam_db.checking.notes` says in plain words what they found, :mod:`~gam_db.checking.proposal` what
+to set. It learns nothing and writes nothing.
 """
 
 from typing import Any

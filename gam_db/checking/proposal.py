@@ -9,8 +9,7 @@ import statistics
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from gam_db.checking.look import Look, Row, is_irregular
-from gam_db.checking.steps import PAUSE
+from gam_db.checking.look import PAUSE, Look, Row, is_irregular
 from gam_db.checking.words import percent, roundest, setting, spoken
 from gam_db.clock import TimeKind
 from gam_db.parameters import Parameters

@@ -1,29 +1,48 @@
 """``gam export dbt``: a dbt package, written from the same files of ``sql/`` as everything else.
 
-This module owns what a package holds and how it is written to a folder. The models are made in
-:mod:`gam_db.export.models`.
+This module owns what a package holds besides its models (:mod:`gam_db.export.models`), and how it is
+written to a folder. What a column means is said in the words of the migrations, what a model holds in
+those of the files of ``sql/``.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from sqlglot import exp
 
-from gam_db import template
+from gam_db import data, template
 from gam_db.calibration import Calibration
 from gam_db.clock import Length, TimeKind
 from gam_db.engines import engine_named
 from gam_db.engines.base import Engine
 from gam_db.errors import ConfigurationError, EngineError, SourceError
-from gam_db.export import documents, jinja
-from gam_db.export.models import ADAPTERS, Model, Modelled, checks, models
+from gam_db.export import jinja, yaml_text
+from gam_db.export.models import ADAPTERS, CALIBRATED, SOURCE, TABLE, Model, Modelled, checks, models
 from gam_db.method import Method
 from gam_db.parameters import Parameters
 from gam_db.source import AnySource, WideSource, declared_kind, is_file, table_names
 from gam_db.stored import lengths
+from gam_db.stored.migration_files import definitions
 from gam_db.stored.tables import StateTables
+from gam_db.version import __version__
 
 PROJECT = "dbt_project.yml"
+
+#: The test that no two rows share their keys, which dbt itself has not.
+UNIQUE = "gam_unique_combination"
+
+REQUIRED = [">=1.10.5", "<2.0.0"]
+_HOUR = 3_600_000_000
+
+#: Columns that a package has and the state tables have not.
+_OWN = {
+    "calibration_no": "Which rule of calibration applies: 0 the general one, 1, 2, ... the overrides"
+}
+
+#: Where a column is looked for that the table of the same name has not.
+_ELSEWHERE = ("channel", "version", "fleet", "health")
 
 
 @dataclass(frozen=True)
@@ -58,7 +77,7 @@ class Package:
 
     def files(self) -> dict[str, str]:
         """Return the text of each file by its path in the package."""
-        catalog, schema, table = self._place()
+        catalog, place, table = self._place()
         engine = engine_named(self.engine)
         if (adapter := ADAPTERS.get(self.engine)) is None:
             raise EngineError(
@@ -72,21 +91,20 @@ class Package:
         silent = None if kind.is_counter else lengths.park_after(self.silent_after, kind)
         made = models(of)
         files = {
-            PROJECT: documents.project(of),
-            "profiles.example.yml": documents.profiles(of),
-            "README.md": documents.readme(of, table),
-            "models/sources.yml": documents.sources(of, table, schema, catalog, silent),
-            f"tests/generic/{documents.UNIQUE}.sql": _unique(engine),
+            PROJECT: project(of),
+            "profiles.example.yml": profiles(of),
+            "README.md": readme(of, table),
+            "models/sources.yml": sources(of, table, place, catalog, silent),
+            f"tests/generic/{UNIQUE}.sql": _unique(engine),
         }
         for folder in dict.fromkeys(model.folder for model in made):
             inside = [model for model in made if model.folder == folder]
-            files[f"{folder}/schema.yml"] = documents.schema(of, inside)
+            files[f"{folder}/schema.yml"] = schema(of, inside)
         for model in made:
             files[f"{model.folder}/{prefix}{model.name}.sql"] = _text(model, engine)
+        before = adapter.get("before", "")
         for test in checks(of):
-            files[f"{test.folder}/{prefix}{test.name}.sql"] = _text(
-                test, engine, adapter.get("before", "")
-            )
+            files[f"{test.folder}/{prefix}{test.name}.sql"] = _text(test, engine, before)
         return files
 
     def _place(self) -> tuple[str | None, str | None, str]:
@@ -129,11 +147,10 @@ def write(package: Package, folder: Path) -> list[Path]:
 
 
 def _check_folder(folder: Path, prefix: str) -> None:
-    if not folder.exists() or (folder.is_dir() and not any(folder.iterdir())):
-        return
     project = folder / PROJECT
     begin = project.read_text(encoding="utf-8") if project.is_file() else ""
-    if not begin.startswith(documents.mark(prefix)):
+    is_free = not folder.exists() or (folder.is_dir() and not any(folder.iterdir()))
+    if not (is_free or begin.startswith(mark(prefix))):
         raise ConfigurationError(
             f"{folder} holds something else than a dbt package with the prefix {prefix!r} that gam "
             "wrote; name an empty folder."
@@ -162,4 +179,138 @@ def _unique(engine: Engine) -> str:
     repeated = exp.GT(this=exp.Count(this=exp.Star()), expression=exp.Literal.number(1))
     query = exp.select(columns).from_(exp.Table(this=exp.var("{{ model }}")))
     text = engine.text(query.group_by(columns.copy()).having(repeated), pretty=True)
-    return f"{{% test {documents.UNIQUE}(model, columns) %}}\n\n{text}\n\n{{% endtest %}}\n"
+    return f"{{% test {UNIQUE}(model, columns) %}}\n\n{text}\n\n{{% endtest %}}\n"
+
+
+def mark(prefix: str) -> str:
+    """Return the line by which a folder is known as a package of ours."""
+    return f"# Written by gam export dbt, prefix {prefix}. Change gam.toml and write it again."
+
+
+def project_name(prefix: str) -> str:
+    """Return what the package is called in dbt."""
+    return prefix.strip("_").lower() or "gam"
+
+
+def project(of: Modelled) -> str:
+    """Return dbt_project.yml."""
+    name = project_name(of.prefix)
+    said = {
+        "name": name,
+        "version": __version__,
+        "config-version": 2,
+        "profile": name,
+        "require-dbt-version": REQUIRED,
+        "model-paths": ["models"],
+        "test-paths": ["tests"],
+    }
+    return f"{mark(of.prefix)}\n{yaml_text.text(said)}"
+
+
+def profiles(of: Modelled) -> str:
+    """Return profiles.example.yml, to be filled in as profiles.yml."""
+    target = {"type": of.adapter["package"].removeprefix("dbt-"), **of.adapter["profile"], "threads": 1}
+    said = {project_name(of.prefix): {"target": "plant", "outputs": {"plant": target}}}
+    return (
+        "# Copy this to profiles.yml and say where your warehouse is; schema, or dataset, is where the\n"
+        f"# models go.\n{yaml_text.text(said)}"
+    )
+
+
+def sources(
+    of: Modelled, table: str, schema: str | None, database: str | None, silent_after: int | None
+) -> str:
+    """Return the file that says where the telemetry lies; after how many microseconds it is silent."""
+    roles = {
+        "asset": _meaning("channel", "asset"),
+        "channel": _meaning("channel", "channel"),
+        "time": _meaning("monitor", "time_column"),
+        "value": _meaning("monitor", "value_column").partition(";")[0],
+    }
+    columns = [
+        {"name": column, "description": roles.get(role, roles["value"])}
+        for role, column in of.source.columns.items()
+    ]
+    described: dict[str, Any] = {"name": TABLE, "identifier": table}
+    described["description"] = "The telemetry that the models read."
+    if silent_after is not None:
+        hours = max(1, silent_after // _HOUR)
+        described["config"] = {
+            "loaded_at_field": of.engine.text(template.column(of.source.time)),
+            "freshness": {"warn_after": {"count": hours, "period": "hour"}},
+        }
+    place = {"database": database} if database else {}
+    place["schema"] = schema or "{{ target.schema }}"
+    described["columns"] = columns
+    return yaml_text.text({"version": 2, "sources": [{"name": SOURCE, **place, "tables": [described]}]})
+
+
+def schema(of: Modelled, models: Sequence[Model]) -> str:
+    """Return the descriptions and the tests of models."""
+    return yaml_text.text({"version": 2, "models": [_described(of, model) for model in models]})
+
+
+def _described(of: Modelled, model: Model) -> dict[str, Any]:
+    columns = []
+    for column in model.columns:
+        tests: list[Any] = []
+        if column in model.keys or _is_always_there(model.name, column):
+            tests.append("not_null")
+        if model.keys == (column,):
+            tests.append("unique")
+        if column in model.values:
+            tests.append({"accepted_values": {"arguments": {"values": list(model.values[column])}}})
+        said = {"name": column, "description": _meaning(model.name, column)}
+        columns.append({**said, **({"data_tests": tests} if tests else {})})
+    _, _, about = " ".join(template.load(model.about).comment.split()).partition(": ")
+    whole = {UNIQUE: {"arguments": {"columns": list(model.keys)}}}
+    return {
+        "name": f"{of.prefix}{model.name}",
+        "description": f"{about[:1].upper()}{about[1:]}",
+        **({"data_tests": [whole]} if len(model.keys) > 1 else {}),
+        "columns": columns,
+    }
+
+
+def _meaning(table: str, column: str) -> str:
+    """Return what a column means."""
+    if column in _OWN:
+        return _OWN[column]
+    for name in (table, *_ELSEWHERE):
+        columns = definitions()[name].columns
+        if column in columns:
+            return columns[column].name
+    raise KeyError(column)
+
+
+def _is_always_there(table: str, column: str) -> bool:
+    """Tell whether a column of a table is never NULL; nothing is said of views but of their names."""
+    for name in (table, "channel", "version"):
+        definition = definitions()[name]
+        if column in definition.columns and not definition.is_view:
+            (found,) = (one for one in definition.create.this.expressions if one.name == column)
+            return found.find(exp.NotNullColumnConstraint) is not None
+    return False
+
+
+def readme(of: Modelled, table: str) -> str:
+    """Return what somebody who opens the package should know first."""
+    built = (
+        "tested by really building it with this adapter"
+        if "built" in of.adapter
+        else "rendered for this engine, never yet built on it"
+    )
+    return data.text("gam_db.export", "readme.txt").format(
+        name=project_name(of.prefix),
+        prefix=of.prefix,
+        version=__version__,
+        engine=of.engine.name,
+        adapter=of.adapter["package"],
+        built=built,
+        stride=of.setting.stride,
+        window=of.setting.window_length,
+        taught=", ".join(f"{of.prefix}{model}" for model in CALIBRATED),
+        lookback=of.lookback,
+        unit="steps of the counter" if of.kind.is_counter else "microseconds",
+        table=table,
+    )

@@ -30,14 +30,9 @@ SOURCES: Mapping[str, Mapping[str, Any]] = data.table("gam_db.export", "grafana.
 def write(
     engine: str, folder: Path, tables: StateTables, monitor: str = "default", uid: str = "gam-db"
 ) -> list[Path]:
-    """Write the dashboard and the alert rule; return their paths.
+    """Write the dashboard and the alert rule to a folder; return their paths.
 
-    Args:
-        engine: where the tables lie, one of :data:`SOURCES`.
-        folder: where the files go; it is made, and files of an earlier export are replaced.
-        tables: the state tables.
-        monitor: its name.
-        uid: of Grafana's data source, which an alert rule must name.
+    ``uid`` is that of Grafana's data source, which an alert rule must name.
 
     Raises:
         UserError: there is no such data source, Grafana's library is not installed, or the files cannot

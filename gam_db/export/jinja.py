@@ -18,12 +18,12 @@ _SIGNS = ("{{", "{%", "{#")
 
 def reference(model: str) -> exp.Table:
     """Return the node that reads another model."""
-    return _table(f"{{{{ ref({_quoted(model)}) }}}}")
+    return exp.Table(this=exp.var(f"{{{{ ref({_quoted(model)}) }}}}"))
 
 
 def source(name: str, table: str) -> exp.Table:
     """Return the node that reads a table of a source."""
-    return _table(f"{{{{ source({_quoted(name)}, {_quoted(table)}) }}}}")
+    return exp.Table(this=exp.var(f"{{{{ source({_quoted(name)}, {_quoted(table)}) }}}}"))
 
 
 def config(settings: Mapping[str, Any]) -> str:
@@ -43,21 +43,13 @@ def in_two_forms(later: str, first: str) -> str:
 
 
 def check_is_free(tree: exp.Expr) -> None:
-    """Refuse names and texts of the user that dbt would take for Jinja.
-
-    Raises:
-        ConfigurationError: a column, a pattern or a condition holds such signs.
-    """
+    """Refuse names and texts of the user that dbt would take for Jinja."""
     for node in tree.find_all(exp.Literal, exp.Identifier):
         if any(sign in node.name for sign in _SIGNS):
             raise ConfigurationError(
                 f"{node.name!r} holds signs that dbt takes for Jinja ({', '.join(_SIGNS)}); rename it, "
                 "or read the source through a view."
             )
-
-
-def _table(words: str) -> exp.Table:
-    return exp.Table(this=exp.var(words))
 
 
 def _value(value: Any) -> str:

@@ -51,11 +51,8 @@ class Model:
 
     Attributes:
         name: without the prefix; it is that of a state table where there is one.
-        folder: of the package.
         about: the template that says what it holds.
-        query: what the first build runs, and a full refresh.
-        later: what later builds run; None if that is the same.
-        config: what dbt must know.
+        query, later: what the first build runs, and later ones; None if that is the same.
         keys: columns that no two rows share.
         values: column -> the values that there are.
     """
@@ -77,14 +74,7 @@ class Model:
 
 @dataclass(frozen=True)
 class Modelled:
-    """What the models are made from.
-
-    Attributes:
-        source: the telemetry, with its columns named.
-        method: with fixed calibration intervals and one set of parameters.
-        engine, adapter: what runs the models.
-        prefix: begins the names of models.
-        lookback: how late a row may come, in the unit of time.
+    """What the models are made from: a method with fixed calibration and one set of parameters.
 
     Raises:
         CalibrationError: calibration is no list of intervals.

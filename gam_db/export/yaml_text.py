@@ -52,11 +52,7 @@ def _is_list(value: Any) -> bool:
 
 
 def _scalar(value: Any, is_listed: bool = False) -> str:
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, (int, float)):
-        return repr(value)
-    is_plain = _PLAIN.fullmatch(value) and value.lower() not in _OTHERS
+    is_plain = isinstance(value, str) and _PLAIN.fullmatch(value) and value.lower() not in _OTHERS
     if is_plain and not (is_listed and "," in value):
         return str(value)
     return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")

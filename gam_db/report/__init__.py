@@ -1,6 +1,278 @@
-"""The page for people who look: what the tables of a monitor know, in one HTML file."""
+"""The page for people who look: what the tables of a monitor know, in one HTML file.
 
-from gam_db.report.report import write
+This module owns what is asked, the order of signals, and the file.
+"""
+
+import base64
+import datetime as dt
+import hashlib
+import html
+import re
+import secrets
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gam_db import template
+from gam_db.clock import SECOND, TimeKind, length
+from gam_db.data import text as text_of
+from gam_db.errors import ConfigurationError, UserError
+from gam_db.findings import by_channel
+from gam_db.parameters import pattern_matches
+from gam_db.report import details
+from gam_db.report.details import Reads
+from gam_db.report.packing import in_script, packed, strip, tick
 from gam_db.report.wishes import Wishes
+from gam_db.running import Listener, unheard
+from gam_db.source import AnySource
+from gam_db.version import __version__
 
-__all__ = ["Wishes", "write"]
+__all__ = ["Wishes", "page", "write"]
+
+#: New is what left health within a day of the newest data; where time is counted within its last
+#: window; and if episodes judge it, within its last three.
+DAY = 86_400 * SECOND
+
+#: Above so many signals a page gets fewer columns, and above the last one it is refused.
+COLUMNS, FEW_COLUMNS, MANY, MOST = 240, 120, 10_000, 40_000
+
+#: Episodes in a page at most, and what is told of each, as the view calls it.
+MOST_ALARMS = 2000
+_OF_ALARM = {name: name for name in ("status", "label", "note", "evidence", "height")}
+_OF_ALARM |= {"id": "episode_id", "proving": "is_proving"}
+
+#: What is told of each machine, as the view calls it.
+_OF_MACHINE = {name: name for name in ("asset", "signals", "judged", "above", "together")}
+_OF_MACHINE["notJudged"] = "not_judged"
+
+#: A place of the frame that is filled.
+_PLACE = re.compile(r"\{\{([a-z-]+)\}\}")
+
+Row = dict[str, Any]
+
+
+def write(
+    state: Reads,
+    source: AnySource | None,
+    kind: TimeKind,
+    monitor: str,
+    path: str | Path,
+    wishes: Wishes | None = None,
+    on_step: Listener = unheard,
+) -> Row:
+    """Write the page of a monitor as one HTML file, which needs nothing else and replaces what is there.
+
+    Without a source of its telemetry, raw readings are left out.
+
+    Returns:
+        Figures: path, bytes, machines, signals, details, above, new, and raw: why raw readings are not
+        in it, or None.
+
+    Raises:
+        UserError: there is no such monitor, no signal of it is chosen, or the file cannot be written.
+    """
+    wishes = wishes or Wishes()
+    path = Path(path)
+    on_step("reading the tables")
+    signals = _signals(state, monitor, wishes)
+    courses = _ranked(signals, _courses(state, monitor, signals), kind)
+    first, last = _frame(signals, courses, kind, wishes)
+    picked = details.chosen(signals, wishes.details, wishes.signals)
+    raw = None
+    why: str | None = "left out" if not wishes.raw else "the source is not known"
+    if wishes.raw and source is not None and picked:
+        on_step("reading raw readings of the signals in detail")
+        try:
+            theirs = [courses[row["place"]] for row in picked]
+            raw, why = details.read(state.session, source, picked, theirs, last), None
+        except UserError as error:
+            why = f"the source could not be read: {str(error).partition(';')[0]}"
+    on_step("writing the page")
+    columns = COLUMNS if len(signals) <= MANY else FEW_COLUMNS
+    rows = []
+    for row, course in zip(signals, courses, strict=True):
+        spans, learnt = (course["first"], course["last"], course["hi"]), None
+        if row["learnt_from"] is not None and row["calibration_end"] is not None:
+            learnt = row["learnt_from"], row["calibration_end"]
+        rows.append(strip(spans, row["hi_limit"], learnt, (first, last, columns)))
+    shown, grown = {}, details.growth(state, monitor, picked)
+    cells = details.cells(state, picked, wishes.raw)
+    for number, row in enumerate(picked):
+        mine = None if raw is None else (raw[0][number], raw[1][number])
+        told = details.detail(state, row, courses[row["place"]], mine)
+        told["growth"] = grown[row["asset"], row["channel"]]
+        shown[row["place"]] = told | cells[row["version_id"]]
+    machines = _machines(state, monitor, signals)
+    place_of = {row["asset"]: number for number, row in enumerate(machines)}
+    said = [details.summary(row, wishes.raw) for row in signals]
+    made = wishes.made or dt.datetime.now(dt.UTC)
+    data = {
+        "version": __version__,
+        "title": wishes.title,
+        "monitor": monitor,
+        "made": int(made.timestamp() * SECOND),
+        "zone": wishes.time_zone,
+        "counter": kind.is_counter,
+        "first": tick(first),
+        "last": tick(last),
+        "columns": columns,
+        "noRaw": why,
+        "machines": {name: [row[name] for row in machines] for name in machines[0]},
+        "machine": [place_of[row["asset"]] for row in signals],
+        "signals": {name: [one[name] for one in said] for name in said[0]},
+        "alarms": _alarms(state, monitor, signals),
+        "strips": packed(np.array(rows).reshape(-1), "u1"),
+        "details": {str(place): one for place, one in sorted(shown.items())},
+    }
+    text = page(data, wishes.title).encode()
+    unfinished = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
+    try:
+        unfinished.write_bytes(text)
+        unfinished.replace(path)
+    except OSError as error:
+        unfinished.unlink(missing_ok=True)
+        raise ConfigurationError(f"{path} cannot be written: {error.strerror}.") from error
+    return {
+        "path": str(path),
+        "bytes": len(text),
+        "machines": len(machines),
+        "signals": len(signals),
+        "details": len(shown),
+        "above": sum(row["is_above"] == 1 for row in signals),
+        "new": sum(row["is_new"] for row in signals),
+        "raw": why,
+    }
+
+
+def page(data: Row, title: str, script: str | None = None) -> str:
+    """Return the HTML file around the data; its policy lets nothing run but its own script and style.
+
+    Another script may be given than that which comes with gam-db.
+    """
+    script = script or text_of("gam_db.report", "page/page.js")
+    script = script.strip().replace("</script", "<\\/script")
+    style = text_of("gam_db.report", "page/page.css").strip()
+    frame = text_of("gam_db.report", "page/page.html")
+    filled = {
+        "title": html.escape(title),
+        "script-hash": _hash(script),
+        "style-hash": _hash(style),
+        "style": style,
+        "data": in_script(data),
+        "script": script,
+    }
+    # In one pass: a machine may be called like a place.
+    return _PLACE.sub(lambda place: filled[place[1]], frame)
+
+
+def _hash(text: str) -> str:
+    return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
+
+
+def _signals(state: Reads, monitor: str, wishes: Wishes) -> list[Row]:
+    """Return the signals of the machines that are wanted."""
+    rows = state.fetch("report/signals", {"monitor": template.text(monitor)}).to_pylist()
+    rows = [row for row in rows if pattern_matches(wishes.asset, row["asset"])]
+    if not rows:
+        raise ConfigurationError(
+            f"The monitor {monitor!r} has no calibrated signal of a machine like {wishes.asset!r}; "
+            "run gam calibrate and gam score first."
+        )
+    if len(rows) > MOST:
+        raise ConfigurationError(
+            f"{len(rows):,} signals are too many for one page (at most {MOST:,}); "
+            "choose machines by --asset."
+        )
+    return rows
+
+
+def _ranked(
+    signals: list[Row], courses: Sequence[dict[str, NDArray[Any]]], kind: TimeKind
+) -> list[dict[str, NDArray[Any]]]:
+    """Put the signals in order, the most urgent first, and return their courses in that order."""
+    newest = max((row["data_tick"] for row in signals if row["data_tick"] is not None), default=None)
+    for row in signals:
+        limit, hi = row["hi_limit"], row["hi"]
+        is_above = row["is_above"] == 1
+        far = max((hi or 0.0) - limit, 0.0) / max(1 - limit, 1e-9) if is_above else 0.0
+        row["is_new"] = is_above and _is_new(row, courses[row["place"]], kind, newest)
+        row["urgency"] = (
+            3 * row["is_new"] + is_above + far + 0.5 * row["is_rising"] - (row["is_above"] is None)
+        )
+    signals.sort(key=lambda row: (-row["urgency"], -(row["hi"] or 0.0), row["asset"], row["channel"]))
+    ordered = [courses[row["place"]] for row in signals]
+    for place, row in enumerate(signals):
+        row["place"] = place
+    return ordered
+
+
+def _is_new(row: Row, course: dict[str, NDArray[Any]], kind: TimeKind, newest: int | None) -> bool:
+    if row["since_tick"] is None or row["at_least"] or newest is None:
+        return False
+    by_episode = row["judged_by"] == "episode"  # none opens within its first window
+    if not kind.is_counter and (row["since_tick"] > newest - DAY or not by_episode):
+        return bool(row["since_tick"] > newest - DAY)
+    buckets = max(1, (3 if by_episode else 1) * row["window_length"] // row["stride"])
+    return bool(row["since_tick"] >= course["first"][-buckets:][0])
+
+
+def _machines(state: Reads, monitor: str, signals: Sequence[Row]) -> list[Row]:
+    """Return the machines, the one with the most urgent signal first."""
+    rows = state.fetch("report/machines", {"monitor": template.text(monitor)}).to_pylist()
+    found = {row["asset"]: row for row in rows}
+    return [
+        {
+            **{told: found[name][of] for told, of in _OF_MACHINE.items()},
+            "since": tick(found[name]["since_tick"]),
+            "at": tick(found[name]["data_tick"]),
+        }
+        for name in dict.fromkeys(row["asset"] for row in signals)
+    ]
+
+
+def _alarms(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[str, list[Any]]:
+    """Return the episodes of the signals in columns, open ones first, then the newest."""
+    place = {(row["asset"], row["channel"]): row["place"] for row in signals}
+    rows = state.fetch("report/alarms", {"monitor": template.text(monitor)}).to_pylist()
+    rows = [row for row in rows if (row["asset"], row["channel"]) in place][:MOST_ALARMS]
+    return {
+        "signal": [place[row["asset"], row["channel"]] for row in rows],
+        **{name: [row[of] for row in rows] for name, of in _OF_ALARM.items()},
+        **{name: [tick(row[f"{name}_tick"]) for row in rows] for name in ("since", "last")},
+    }
+
+
+def _courses(state: Reads, monitor: str, signals: Sequence[Row]) -> list[dict[str, NDArray[Any]]]:
+    """Return the buckets of each signal, in order."""
+    rows = state.fetch("report/course", {"monitor": template.text(monitor)})
+    places, nowhere = by_channel(rows), slice(0, 0)
+    names = {"first": "first_tick", "last": "last_tick", "novel": "novel", "outside": "out_of_range"}
+    column = {short: rows[name].to_numpy() for short, name in names.items()}
+    column["hi"] = rows["hi"].to_numpy(zero_copy_only=False).astype(np.float64)
+    courses = []
+    for place, row in enumerate(signals):
+        mine = places.get((row["asset"], row["channel"]), nowhere)
+        row["place"], row["bucket_count"] = place, mine.stop - mine.start
+        courses.append({name: values[mine] for name, values in column.items()})
+    return courses
+
+
+def _frame(
+    signals: Sequence[Row], courses: Sequence[Any], kind: TimeKind, wishes: Wishes
+) -> tuple[int, int]:
+    """Return the first and the last instant that strips show."""
+
+    def known(name: str) -> list[int]:
+        return [row[name] for row in signals if row[name] is not None]
+
+    seen = [course for course in courses if len(course["first"])]
+    begins = known("learnt_from") + [int(course["first"][0]) for course in seen]
+    ends = known("data_tick") + [int(course["last"][-1]) for course in seen]
+    last = max(ends or known("calibration_end"), default=0)
+    first = min(begins, default=last - 1)
+    if wishes.since is not None:
+        first = max(first, last - length(wishes.since, kind, "since"))
+    return min(first, last - 1), last

@@ -19,8 +19,7 @@ from gam_db.errors import ConfigurationError, nearest
 from gam_db.findings import by_channel
 from gam_db.parameters import Parameters
 from gam_db.pipeline import filled
-from gam_db.report import states
-from gam_db.report.packing import counts, packed, short, tick, ticks
+from gam_db.report.packing import are_new, counts, packed, short, tick, ticks
 from gam_db.source import AnySource, under
 from gam_db.study import Study
 
@@ -45,11 +44,7 @@ class Reads(Protocol):
 
 
 def chosen(signals: Sequence[Row], number: int, named: Iterable[str]) -> list[Row]:
-    """Return the signals in detail: those named, then the most urgent, spread over machines.
-
-    Raises:
-        ConfigurationError: one is named that there is not.
-    """
+    """Return the signals in detail: those named, then the most urgent, spread over machines."""
     known = {f"{row['asset']}/{row['channel']}": row for row in signals}
     for name in named:
         if name not in known:
@@ -79,14 +74,9 @@ def chosen(signals: Sequence[Row], number: int, named: Iterable[str]) -> list[Ro
 def read(
     session: Session, source: AnySource, signals: Sequence[Row], courses: Sequence[Any], end: int
 ) -> tuple[dict[int, Row], dict[int, Row]]:
-    """Return, by number of the signal, its envelope and its two pieces.
+    """Return, by number of the signal, its envelope and its two pieces, up to an end.
 
-    Args:
-        session: open, as the monitor's.
-        source: of the telemetry.
-        signals: to be shown.
-        courses: the buckets of each.
-        end: newest instant that is shown.
+    Courses are the buckets of each signal.
     """
     wanted, pieces_wanted, lengths = [], [], []
     for number, (row, course) in enumerate(zip(signals, courses, strict=True)):
@@ -189,10 +179,7 @@ def growth(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[tuple[str
 def cells(state: Reads, signals: Sequence[Row], raw: bool) -> dict[int, Row]:
     """Return by version the states visited most, on at most three axes, and the floor by grid.
 
-    Args:
-        state: of the monitor.
-        signals: to be shown.
-        raw: whether values in units of the signals may be in it.
+    Values in units of the signals are in it only if raw readings may be.
     """
     if not signals:
         return {}
@@ -246,11 +233,7 @@ def _cells(rows: pa.Table, axes: int) -> Row:
 def detail(state: Reads, row: Row, course: Any, raw: tuple[Row, Row] | None) -> Row:
     """Return all that the page shows of one signal, but for its states and their growth.
 
-    Args:
-        state: of the monitor.
-        row: the signal.
-        course: its buckets.
-        raw: its envelope and pieces; None where raw readings are left out.
+    ``raw`` is its envelope and its pieces; None where raw readings are left out.
     """
     learnt = {"support_id": row["support_id"], "channel_id": row["channel_id"]}
     blocks = state.fetch("report/blocks", learnt).to_pylist()
@@ -271,7 +254,7 @@ def detail(state: Reads, row: Row, course: Any, raw: tuple[Row, Row] | None) -> 
     keys = healthy["cell_key"].to_numpy()
     for name, piece in (("calm", "healthy"), ("onset", "onset")):
         time, value = pieces[piece]
-        is_new = packed(states.are_new(time, value, row, keys), "u1")
+        is_new = packed(are_new(time, value, row, keys), "u1")
         told[name] = {"time": ticks(time), "value": packed(value, "f8"), "new": is_new}
     return told
 

@@ -16,7 +16,7 @@ from sqlglot import exp
 import gam_db
 import sql_lint
 from gam_db import streaming, template
-from gam_db.checking.steps import add_look
+from gam_db.checking.look import add_look
 from gam_db.clock import TimeKind
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_session import DuckSession

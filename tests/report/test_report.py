@@ -24,8 +24,7 @@ from gam_db.engines.duckdb_session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError
 from gam_db.report import Wishes
-from gam_db.report.states import are_new
-from gam_db.report.strips import strip
+from gam_db.report.packing import are_new, strip
 
 PARAMETERS = gam_db.Parameters(m=3, tau=2, bins=6, window=20, stride=5, max_gap=5)
 CALIBRATION = gam_db.Calibration(intervals=[(0, 199)])

@@ -18,7 +18,7 @@ import pytest
 
 import browser
 import gam_db
-import gam_db.report.report as report_module
+import gam_db.report as report_module
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.report import Wishes
 
