@@ -1,6 +1,7 @@
 """The command line: ``gam``. Commands are thin: parse, call, print.
 
-This module owns how errors are told.
+A module of commands owns them and their pages; what they print is found out below. This one owns how
+errors are told.
 """
 
 import gc
@@ -9,7 +10,7 @@ import sys
 import time
 import traceback
 from collections.abc import Sequence
-from typing import Annotated, Any
+from typing import Any
 
 import typer
 from typer.core import TyperGroup
@@ -133,26 +134,22 @@ def _version(wanted: bool) -> None:
 
 @app.callback()
 def of_every_command(
-    version: Annotated[
-        bool, typer.Option("--version", help="Print the version.", callback=_version, is_eager=True)
-    ] = False,
-    debug: Annotated[
-        bool, typer.Option("--debug", help="With any command: show the traceback of an error.")
-    ] = False,
-    retry: Annotated[
-        int | None,
-        typer.Option(
-            metavar="N",
-            help="With any command: instead of ending with 75, run it again, up to N times.",
-        ),
-    ] = None,
-    timeout: Annotated[
-        float | None,
-        typer.Option(
-            metavar="SECONDS",
-            help="With any command: stop it after so long, as Ctrl-C does, and end with 75.",
-        ),
-    ] = None,
+    version: bool = typer.Option(
+        False, "--version", help="Print the version.", callback=_version, is_eager=True
+    ),
+    debug: bool = typer.Option(
+        False, "--debug", help="With any command: show the traceback of an error."
+    ),
+    retry: int | None = typer.Option(
+        None,
+        metavar="N",
+        help="With any command: instead of ending with 75, run it again, up to N times.",
+    ),
+    timeout: float | None = typer.Option(
+        None,
+        metavar="SECONDS",
+        help="With any command: stop it after so long, as Ctrl-C does, and end with 75.",
+    ),
 ) -> None:
     """Take the options of every command; all but ``--version`` were taken by :class:`Commands`."""
 

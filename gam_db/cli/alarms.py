@@ -1,7 +1,4 @@
-"""``gam alarms``, ``alarm``, ``label`` and ``limits``: what is raised, and what is said of it.
-
-This module owns the commands and their pages; :mod:`gam_db.stored.alarms` does the work.
-"""
+"""``gam alarms``, ``alarm``, ``label`` and ``limits``: what is raised, and what is said of it."""
 
 import datetime as dt
 import operator
@@ -10,13 +7,11 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Annotated, Any
 
 import typer
-from rich.console import Console
 
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
-from gam_db.cli.exits import Exit
 from gam_db.cli.monitors import heading, place, state_of
-from gam_db.cli.options import option
+from gam_db.cli.options import flag, option
 from gam_db.clock import TimeKind, told_time, zone
 from gam_db.config import Settings
 from gam_db.errors import ConfigurationError, printable
@@ -35,8 +30,8 @@ _MARKS = {"proving": "?", "open": "!"}
 def alarms(
     settings: Settings,
     common: options.Common,
-    new: bool = option(False, "--new", "Print the changes instead, one by one: for a notifier."),
-    after: int = option(0, "SEQ", "With --new: only those after this one; 0 for all."),
+    new: bool = flag("--new", "Print the changes instead, one by one: for a notifier."),
+    after: int = option("SEQ", "With --new: only those after this one; 0 for all.", default=0),
 ) -> None:
     """Say which signals are raised: since when, how sure, and what to decide.
 
@@ -49,7 +44,7 @@ def alarms(
             changes = stored.events(state, name, after).to_pylist()
             newest = max((row["seq"] for row in changes), default=after)
             figures: Row = {"monitor": name, "seq": newest, "changes": changes}
-            page.tell(Exit.FINE, figures, lambda out: _show_changes(out, changes, shown_in), common)
+            page.tell(figures, lambda out: _show_changes(out, changes, shown_in), common)
             return
         rows, judged = stored.alarms(state, name).to_pylist(), stored.limits(state, name)
     urgent = any(row["needs_attention"] for row in rows)
@@ -60,14 +55,14 @@ def alarms(
         "needs_attention": urgent,
     }
 
-    def show(out: Console) -> None:
+    def show(out: page.Out) -> None:
         told = number_of(len(rows), "episode") if rows else "nothing was ever raised"
         page.say(out, f"{heading(settings)}: {told}")
         page.say(out, *said_of(judged))
         _show_episodes(out, common.of(rows, _SHOWN), shown_in)
         page.cut(out, rows, common.everything, most=_SHOWN)
 
-    page.tell(Exit.ATTENTION if urgent else Exit.FINE, figures, show, common)
+    page.tell(figures, show, common, urgent=urgent)
 
 
 @options.taking(*options.STATE, "time_zone", "as_json", "quiet", source=False, state=True)
@@ -93,7 +88,7 @@ def alarm(
             "raw_rows": stored.raw_rows(state, name, found),
         }
 
-    def show(out: Console) -> None:
+    def show(out: page.Out) -> None:
         _show_episodes(out, [found], shown_in)
         judged = [{**row, "until": told_time(row["last_time"], kind)} for row in told["judgements"]]
         columns: dict[str, page.Cell] = {
@@ -112,7 +107,7 @@ def alarm(
             page.say(out, "its rows in the source:")
             page.say(out, printable(told["raw_rows"]))
 
-    page.tell(Exit.FINE, {"monitor": name, **found, **told}, show, common)
+    page.tell({"monitor": name, **found, **told}, show, common)
 
 
 @options.taking(*options.STATE, "as_json", "quiet", source=False, state=True)
@@ -126,9 +121,9 @@ def label(
             help=f"An episode, or a machine and a time; and one of {', '.join(stored.KINDS)}.",
         ),
     ],
-    note: str | None = option(None, "", "What else there is to say."),
-    until: str | None = option(None, "TIME", "When an acknowledgement or a snooze ends (UTC)."),
-    instead: bool = option(False, "--instead", "Replace another decision on the same episode."),
+    note: str | None = option("", "What else there is to say."),
+    until: str | None = option("TIME", "When an acknowledgement or a snooze ends (UTC)."),
+    instead: bool = flag("--instead", "Replace another decision on the same episode."),
 ) -> None:
     """Keep what is known of an episode, or of a machine in an interval of time.
 
@@ -152,15 +147,15 @@ def label(
         found = stored.label(state, name, kind, note=note, instead=instead, **of)
     figures = {"monitor": name, "kind": kind, "episodes": found}
     told = ", ".join(map(str, found)) or "none yet"
-    page.tell(Exit.FINE, figures, lambda out: page.say(out, f"episodes: {told}"), common)
+    page.tell(figures, lambda out: page.say(out, f"episodes: {told}"), common)
 
 
 @options.taking(*options.ALARMS, *options.STATE, *options.PAGE, source=False, state=True)
 def limits(
     settings: Settings,
     common: options.Common,
-    again: bool = option(False, "--again", "Make them anew, for the judgements to come."),
-    reason: str | None = option(None, "", "With --again: why; it is kept with them."),
+    again: bool = flag("--again", "Make them anew, for the judgements to come."),
+    reason: str | None = option("", "With --again: why; it is kept with them."),
 ) -> None:
     """Say by what each channel is judged, or why it is not.
 
@@ -174,7 +169,7 @@ def limits(
                 made.make(state, settings.monitor.name, settings.alarms, reason, lambda _: True)
         rows = stored.limits(state, settings.monitor.name)
 
-    def show(out: Console) -> None:
+    def show(out: page.Out) -> None:
         page.say(out, *said_of(rows))
         shown = common.of(rows)
         columns: dict[str, page.Cell] = {
@@ -189,7 +184,7 @@ def limits(
         page.cut(out, rows, common.everything)
 
     figures = {"monitor": settings.monitor.name, **promised(rows), "channels": rows}
-    page.tell(Exit.FINE, figures, show, common)
+    page.tell(figures, show, common)
 
 
 def promised(rows: Sequence[Row]) -> Row:
@@ -239,7 +234,7 @@ def _read(kind: Callable[[str], Any], text: str, refusal: str) -> Any:
         raise ConfigurationError(refusal) from error
 
 
-def _show_episodes(out: Console, rows: Sequence[Row], shown_in: dt.tzinfo) -> None:
+def _show_episodes(out: page.Out, rows: Sequence[Row], shown_in: dt.tzinfo) -> None:
     if not rows:
         return
 
@@ -276,7 +271,7 @@ def _show_episodes(out: Console, rows: Sequence[Row], shown_in: dt.tzinfo) -> No
         )
 
 
-def _show_cells(out: Console, cells: Sequence[Row], kind: TimeKind, shown_in: dt.tzinfo) -> None:
+def _show_cells(out: page.Out, cells: Sequence[Row], kind: TimeKind, shown_in: dt.tzinfo) -> None:
     if cells:
         before = ", ".join(str(axis["samples_before"]) for axis in cells[0]["axes"])
         page.say(out, f"where it went instead (values {before} samples before; bins from the healthy):")
@@ -308,7 +303,7 @@ _OF_BAND: Mapping[str, page.Cell] = {
 }
 
 
-def _show_changes(out: Console, rows: Sequence[Row], shown_in: dt.tzinfo) -> None:
+def _show_changes(out: page.Out, rows: Sequence[Row], shown_in: dt.tzinfo) -> None:
     for row in rows:
         name = printable(f"{row['asset']} {row['channel']}")
         when = page.time_text(row["noticed_at"], shown_in, named=True)

@@ -1,7 +1,4 @@
-"""``gam calibrate``: the healthy part of every channel, learnt and frozen in a database.
-
-This module owns the command and its page; :mod:`gam_db.stored.calibrating` does the work.
-"""
+"""``gam calibrate``: the healthy part of every channel, learnt and frozen in a database."""
 
 import dataclasses
 import os
@@ -10,14 +7,11 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from rich.console import Console
-
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
-from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, job_of
 from gam_db.cli.monitors import channels_of, heading, place
-from gam_db.cli.options import option
+from gam_db.cli.options import flag
 from gam_db.cli.progress import working
 from gam_db.config import Settings
 from gam_db.engines.session import Session
@@ -35,7 +29,7 @@ from gam_db.stored.state import State
 def calibrate(
     settings: Settings,
     common: options.Common,
-    again: bool = option(False, "--again", "Learn every channel anew, even with the same settings."),
+    again: bool = flag("--again", "Learn every channel anew, even with the same settings."),
 ) -> None:
     """Learn the healthy part of every channel of SOURCE and freeze it in the database.
 
@@ -58,7 +52,7 @@ def calibrate(
             rows = monitor.calibrate(again, on_step=on_step).to_pylist()
     urgent = bool(rows) and need_attention(rows)
 
-    def show(out: Console) -> None:
+    def show(out: page.Out) -> None:
         if applied:
             page.say(out, f"state tables {tables}* were made in {settings.source.shown_database}")
         _show(out, heading(settings), job, rows, common.everything)
@@ -77,7 +71,7 @@ def calibrate(
         "verdicts": Counter(row["verdict"] for row in rows),
         "needs_attention": urgent,
     }
-    page.tell(Exit.ATTENTION if urgent else Exit.FINE, figures, show, common)
+    page.tell(figures, show, common, urgent=urgent)
 
 
 def _job(session: Session, settings: Settings, is_new: bool) -> Job:
@@ -139,7 +133,7 @@ def _absolute(relation: str | tuple[str, ...]) -> str | tuple[str, ...]:
     return slashed(os.path.abspath(relation), relation)
 
 
-def _show(out: Console, where: str, job: Job, rows: Sequence[Row], everything: bool) -> None:
+def _show(out: page.Out, where: str, job: Job, rows: Sequence[Row], everything: bool) -> None:
     if not rows:
         done = "every channel has a version with these settings; --again learns them anew"
         page.say(out, where, f"nothing to do: {done}")

@@ -1,28 +1,34 @@
-"""``gam check``: what a source is like before anything is learnt of it, and what must be fixed.
+"""``gam check``: what a source is like before anything is learnt of it, and what must be fixed."""
 
-This module owns the command and its page; :mod:`gam_db.checking` looks, judges and proposes.
-"""
-
+import datetime as dt
 import json
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
-
-from rich.console import Console
 
 from gam_db.checking import Look, Note, Proposal, look_at, must_be_fixed, notes, propose
 from gam_db.checking.look import is_irregular
 from gam_db.checking.notes import is_heeded
 from gam_db.checking.words import instant, number_of, percent, spoken
 from gam_db.cli import options, page
-from gam_db.cli.check_state import check_state
-from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, reading
-from gam_db.cli.options import option
+from gam_db.cli.monitors import watched
+from gam_db.cli.options import flag
+from gam_db.cli.progress import working
+from gam_db.clock import TimeKind, shown_instant
 from gam_db.config import Settings
 from gam_db.engines.session import Session
-from gam_db.errors import printable
+from gam_db.errors import EngineError, printable
 from gam_db.findings import Row
 from gam_db.running import Listener
+from gam_db.stored.proving import Proof, keep
+from gam_db.stored.state import State, kind_of
+
+#: The first columns to go where the terminal is narrow.
+_LEAST_SAYING = ("values", "still", "most", "least")
+#: Parts of a state that follow from the source, and of which is told what was counted.
+_MENDED = ("scored", "calibration")
+_EPOCH = dt.date(1970, 1, 1)
 
 
 @options.taking(*options.READ, *options.STATE, *options.PAGE, "threads")
@@ -30,8 +36,7 @@ def check(
     settings: Settings,
     common: options.Common,
     relation: str | tuple[str, ...] | None,
-    state: bool = option(
-        False,
+    state: bool = flag(
         "--state",
         "Instead, compare all that is stored with the source, and with itself: rows that came "
         "too late, were corrected or went, and what was damaged in the tables. Reads all of it, and "
@@ -47,12 +52,11 @@ def check(
     Nothing is written.
     """
     if state:
-        check_state(settings, relation, common)
+        _check_state(settings, relation, common)
         return
     with reading(settings, common) as (session, job, on_step):
         seen = looked(session, job, on_step)
-    code = Exit.ATTENTION if must_be_fixed(seen.notes) else Exit.FINE
-    page.tell(code, _figures(seen), lambda out: _show(out, seen, common), common)
+    page.tell(_figures(seen), lambda out: _show(out, seen, common), common, must_be_fixed(seen.notes))
 
 
 @dataclass(frozen=True)
@@ -66,11 +70,7 @@ class Seen:
 
 
 def looked(session: Session, job: Job, on_step: Listener) -> Seen:
-    """Look at a source as its settings mean it.
-
-    Raises:
-        UserError: the source, a parameter or the calibration cannot be used at all.
-    """
+    """Look at a source as its settings mean it."""
     look = look_at(session, job.guess.source, job.parameters, job.calibration, on_step)
     proposal = propose(look)
     return Seen(job, look, notes(look, proposal), proposal)
@@ -79,7 +79,6 @@ def looked(session: Session, job: Job, on_step: Listener) -> Seen:
 def _figures(seen: Seen) -> Row:
     """Return what --json prints; lengths in microseconds or counter steps."""
     look, proposal = seen.look, seen.proposal
-    said = ("subject", "must_be_fixed", "text", "channels")
     gap, still = (one and one.value for one in (proposal.max_gap, proposal.still))
     return {
         **seen.job.figures(),
@@ -90,7 +89,12 @@ def _figures(seen: Seen) -> Row:
         ],
         "rows_without": look.nameless,
         "notes": [
-            dict(zip(said, (note.subject, note.must, note.text, note.channels), strict=True))
+            {
+                "subject": note.subject,
+                "must_be_fixed": note.must,
+                "text": note.text,
+                "channels": note.channels,
+            }
             for note in seen.notes
         ],
         "proposal": {
@@ -103,7 +107,7 @@ def _figures(seen: Seen) -> Row:
     }
 
 
-def _show(out: Console, seen: Seen, common: options.Common) -> None:
+def _show(out: page.Out, seen: Seen, common: options.Common) -> None:
     job, look = seen.job, seen.look
     page.say(out, *(heading(seen) + job.settings, *job.lines()))
     noted = {name for note in seen.notes for name in note.channels}
@@ -168,10 +172,6 @@ def note_line(note: Note, look: Look) -> str:
     return f"{page.some(names, of=len(look.channels))}: {note.text}"
 
 
-#: The first columns to go where the terminal is narrow.
-_LEAST_SAYING = ("values", "still", "most", "least")
-
-
 def _step(row: Any, look: Look) -> str | None:
     """Return the usual step in time, and how far nine tenths of the steps are from it at most."""
     if row["typical_step"] is None:
@@ -220,3 +220,96 @@ def _ending(seen: Seen) -> list[str]:
         to_set.append(f"window = {proposal.window} ({proposal.window_reason})")
     lines += [] if must else ["nothing must be fixed"]
     return lines + ([f"to be set: {'; '.join(to_set)} (gam init writes it down)"] if to_set else [])
+
+
+def _check_state(
+    settings: Settings, relation: str | tuple[str, ...] | None, common: options.Common
+) -> None:
+    """Compare the state of a monitor with its source, or another relation, and print what differs."""
+    name = settings.monitor.name
+    session = options.opened(settings, common.threads, writable=False)
+    with working(session, common.quiet) as on_step:
+        monitor, known = watched(session, settings, relation)
+        found = monitor.checked_state(on_step=on_step)
+    # Only now, and shortly: a DuckDB file that is open for writing is open for nobody else.
+    unkept = None
+    try:
+        with options.opened(settings, common.threads) as session:
+            state = State(session, settings.monitor.tables)
+            keep(state, state.monitor(name)["monitor_id"], found.proof)
+    except EngineError as error:
+        unkept = str(error)
+    kind, rows, proof = kind_of(known), found.differences.to_pylist(), found.proof
+
+    def show(out: page.Out) -> None:
+        _show_differences(out, name, proof, rows, kind, common)
+        if unkept is not None:
+            page.say(out, f"that this was checked could not be recorded: {unkept}")
+
+    figures = {
+        "monitor": name,
+        "checked_at": shown_instant(proof.proved_at, TimeKind.TIMESTAMP),
+        "recorded": unkept is None,
+        **{name: getattr(proof, name) for name in ("channels", "versions", "buckets")},
+        "differences": [_told(row, kind) for row in rows],
+    }
+    page.tell(figures, show, common, urgent=bool(rows))
+
+
+def _show_differences(
+    out: page.Out,
+    name: str,
+    proof: Proof,
+    rows: Sequence[Row],
+    kind: TimeKind,
+    common: options.Common,
+) -> None:
+    if not rows:
+        page.say(
+            out,
+            f"monitor {name}: {proof.channels:,} channels, {proof.buckets:,} buckets: all of it is what "
+            "the source gives, and what calibration froze",
+        )
+        return
+    others = {(row["asset"], row["channel"]) for row in rows if row["asset"] is not None}
+    page.say(
+        out, f"monitor {name}: {len(others):,} of {proof.channels:,} channels are not as they should be"
+    )
+    for row in common.of(rows):
+        page.say(out, f"  {_line(_told(row, kind))}")
+    page.cut(out, rows, common.everything)
+    since = [row["since"] for row in rows if row["since"] is not None]
+    if since:
+        page.say(out, f"gam score --from {shown_instant(min(since), kind)} scores them anew")
+    if any(row["part"] == "calibration" for row in rows):
+        page.say(out, "gam calibrate --again makes new versions of the calibration as it is now")
+    if any(row["part"] not in _MENDED and row["since"] is None for row in rows):
+        page.say(
+            out,
+            "what no scoring mends was changed or damaged in the tables: put them back from a copy of "
+            "the database; or gam calibrate --again makes new versions, and gam prune --keep-versions 0 "
+            "removes the others",
+        )
+
+
+def _line(row: Row) -> str:
+    """Return what is said of a difference, whose day and time are told."""
+    named = printable(f"{row['asset']} {row['channel']}")
+    since = "" if row["since"] is None else f", from {row['since']} on"
+    if row["part"] not in _MENDED:
+        said = f"{row['part']}: {row['what']} ({row['differing']:,}){since}"
+        return said if row["asset"] is None else f"{named}: version {row['version']}: {said}"
+    counted = f"{row['samples_then']:,} then, {row['samples_now']:,} now"
+    if row["part"] == "calibration":
+        return f"{named}: calibration: rows {counted}; {row['differing']:,} cells visited otherwise"
+    when = "" if row["day"] is None else f" {row['day']}"
+    return f"{named}:{when} samples {counted}; {row['differing']:,} buckets differ{since}"
+
+
+def _told(row: Row, kind: TimeKind) -> Row:
+    """Return a difference with its day and time as text."""
+    day, since = row["day"], row["since"]
+    return row | {
+        "day": None if day is None else (_EPOCH + dt.timedelta(days=day)).isoformat(),
+        "since": None if since is None else shown_instant(since, kind),
+    }

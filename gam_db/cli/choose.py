@@ -1,8 +1,4 @@
-"""``gam select``: which tau, m, B and W suit each channel, from its healthy part.
-
-This module owns the command and its page. What results mean is said by
-:class:`gam_db.selection.Selection`.
-"""
+"""``gam select``: which tau, m, B and W suit each channel, from its healthy part."""
 
 import dataclasses
 import shlex
@@ -13,13 +9,11 @@ from pathlib import Path
 import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
-from rich.console import Console
 from rich.text import Text
 
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.chosen import chosen, written
-from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, healthy_part, reading
 from gam_db.cli.options import option
 from gam_db.config import DEFAULT_FILE, Settings, load
@@ -36,7 +30,6 @@ def select(
     search: Search,
     common: options.Common,
     write: Path | None = option(
-        None,
         "FILE",
         "Write what was chosen into this settings file, as [[override]] groups with the reason "
         "of each, in the place of those it has.",
@@ -57,7 +50,6 @@ def select(
         written(write, settings, whole, found.choices.to_pylist())
     parameters, calibration = alone(whole.parameters, whole.calibration)
     job = dataclasses.replace(whole, parameters=parameters, calibration=calibration)
-    code = Exit.OUR_FAULT if len(found.failures) else Exit.FINE
     figures = {
         "source": {"name": job.name, "guessed": job.guess.guessed},
         "settings_file": job.file,
@@ -66,7 +58,7 @@ def select(
         **vars(found),
     }
 
-    def show(out: Console) -> None:
+    def show(out: page.Out) -> None:
         _show(out, job, found, common)
         if write is None:
             return
@@ -79,14 +71,14 @@ def select(
                 "chosen fits that one",
             )
 
-    page.tell(code, figures, show, common)
+    page.tell(figures, show, common, failed=len(found.failures) > 0)
 
 
 _ASKED = ("m", "bins", "window", "target_floor")
 _LAGS = (("minimum", "ami_minimum"), ("acf < 1/e", "acf_1e"), ("acf <= 0", "acf_zero"))
 
 
-def _show(out: Console, job: Job, found: Selection, common: options.Common) -> None:
+def _show(out: page.Out, job: Job, found: Selection, common: options.Common) -> None:
     choices: list[Row] = found.choices.to_pylist()
     page.say(out, f"{printable(job.name)}: {number_of(len(choices), 'channel')}")
     page.say(out, job.columns_line())

@@ -44,21 +44,13 @@ def chosen(settings: Settings, job: Job, search: Search, threads: int | None) ->
 
 
 def groups(
-    choices: Sequence[Row],
-    job: Job,
-    window: int,
-    own: Mapping[Name, Mapping[str, Any]],
+    choices: Sequence[Row], job: Job, window: int, own: Mapping[Name, Mapping[str, Any]]
 ) -> list[str]:
     """Return the lines of the ``[[override]]`` groups that say what was chosen.
 
     Members of a pool, which must have the same parameters to learn together, are given the same:
-    the median of delay and dimension, the coarsest grid and the longest window.
-
-    Args:
-        choices: rows of :attr:`gam_db.selection.Selection.choices`.
-        job: what was asked.
-        window: of the file, in vectors; only others are said.
-        own: what else is to be said of channels: channel -> key -> value.
+    the median of delay and dimension, the coarsest grid and the longest window. A window is said that is
+    not that of the file; ``own`` is what else is to be said of channels.
     """
     rows = {
         (row["asset"], row["channel"]): row
@@ -98,10 +90,6 @@ def written(path: Path, settings: Settings, job: Job, choices: Sequence[Row]) ->
 
     Of its own groups the keys that are not chosen stay, and so does all else of the file. A new one
     holds the parameters that were given beside, and the calibration.
-
-    Raises:
-        ConfigurationError: the file cannot be read or written, or holds its groups in a form that
-            cannot be replaced.
     """
     if not path.parent.is_dir():
         raise ConfigurationError(f"--write is {path}; the folder {path.parent} is not there.")
@@ -161,11 +149,7 @@ def calibration_lines(said: Mapping[str, Any]) -> list[str]:
 
 
 def save(path: Path, text: str) -> None:
-    """Write a settings file whole or not at all, and only one that can be read.
-
-    Raises:
-        ConfigurationError: it cannot be written, or what it says does not fit together.
-    """
+    """Write a settings file whole or not at all, and only one that can be read and fits together."""
     unfinished = path.with_name(f".{path.name}.{os.getpid()}")
     try:
         unfinished.write_text(text, encoding="utf-8")

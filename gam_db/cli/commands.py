@@ -52,11 +52,7 @@ def _sentence(name: str) -> str:
 
 
 def loaded(name: str) -> Any:
-    """Return the command itself.
-
-    Raises:
-        ConfigurationError: it comes by an entry point whose module is not there.
-    """
+    """Return the command itself; refuse one whose entry point names a module that is not there."""
     if name in MODULES:
         found = getattr(importlib.import_module(f"gam_db.cli.{MODULES[name]}"), name)
     else:

@@ -1,7 +1,4 @@
-"""``gam demo``: what gam-db says of a simulated machine, or of a simulated plant.
-
-This module owns the command; nothing of it needs data.
-"""
+"""``gam demo``: what gam-db says of a simulated machine, or of a simulated plant."""
 
 import shlex
 from pathlib import Path
@@ -32,14 +29,11 @@ _SIMULATED = Settings(
 
 def demo(
     keep: Path | None = option(
-        None,
         "--out --keep FILE",
         "Save the series as Parquet, to go on with; a file that is there is left as it is.",
     ),
     report: Path | None = option(
-        None,
-        "FILE.html",
-        "Write instead the page of a small simulated plant, with every kind of change.",
+        "FILE.html", "Write instead the page of a small simulated plant, with every kind of change."
     ),
 ) -> None:
     """Simulate a machine that wears out, and print what `gam run` prints of it. Writes nothing.

@@ -1,4 +1,4 @@
-"""Exit codes of the command line, and what each means. This module owns them all."""
+"""Exit codes of the command line, and what each means."""
 
 from enum import IntEnum
 

@@ -9,17 +9,14 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from rich.console import Console
-
 from gam_db.address import shown
 from gam_db.checking import must_be_fixed, notes
 from gam_db.checking.words import spoken
 from gam_db.cli import options, page, toml_text
 from gam_db.cli.check import Seen, heading, looked, note_line
 from gam_db.cli.chosen import calibration_lines, chosen, groups, save
-from gam_db.cli.exits import Exit
 from gam_db.cli.job import reading
-from gam_db.cli.options import option
+from gam_db.cli.options import flag, option
 from gam_db.config import DEFAULT_FILE, Settings
 from gam_db.errors import ConfigurationError, printable
 from gam_db.guess import SourceSettings
@@ -33,12 +30,10 @@ from gam_db.source import Source, is_file, paths_of, slashed
 def init(
     settings: Settings,
     common: options.Common,
-    out: Path = option(Path(DEFAULT_FILE), "FILE", "The file to write."),
-    force: bool = option(False, "--force", "Replace the file if it is there."),
-    select: bool = option(
-        False,
-        "--select",
-        "Choose delay, dimension, bins and window of every channel, too, as gam select does.",
+    out: Path = option("FILE", "The file to write.", default=Path(DEFAULT_FILE)),
+    force: bool = flag("--force", "Replace the file if it is there."),
+    select: bool = flag(
+        "--select", "Choose delay, dimension, bins and window of every channel, too, as gam select does."
     ),
 ) -> None:
     """Write a commented gam.toml for SOURCE: its columns, and parameters with the reason for each.
@@ -57,28 +52,20 @@ def init(
         chosen(settings, seen.job, Search(), common.threads).choices.to_pylist() if select else None
     )
     save(out, text(seen, settings, out.parent, choices))
-    code = Exit.ATTENTION if must_be_fixed(seen.notes) else Exit.FINE
 
-    def show(lines: Console) -> None:
+    def show(lines: page.Out) -> None:
         page.say(lines, heading(seen))
         if must := sum(note.must for note in seen.notes):
             page.say(lines, f"{must} to be fixed first; gam check says what")
         lines.print(f"written: {printable(str(out))}; read it, then: gam run", soft_wrap=True)
 
-    page.tell(code, {}, show, common)
+    page.tell({}, show, common, urgent=must_be_fixed(seen.notes))
 
 
 def text(
     seen: Seen, settings: Settings, folder: Path, choices: Sequence[dict[str, Any]] | None = None
 ) -> str:
-    """Return the text of the settings file.
-
-    Args:
-        seen: the source, looked at.
-        settings: what was said of it by options.
-        folder: where the file will lie; a source is named relative to it.
-        choices: what ``gam select`` says of each channel, where it was asked.
-    """
+    """Return the text of a settings file in a folder; with what ``gam select`` says, where asked."""
     lines = toml_text.comment(
         f"Settings of gam-db. {heading(seen)}. Columns and parameters are "
         "proposed from a look at the source; all keys can be left out or changed."

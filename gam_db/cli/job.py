@@ -1,7 +1,4 @@
-"""What was asked of a source: for the heading of a page, and for its figures.
-
-This module owns how that is said.
-"""
+"""What was asked of a source: for the heading of a page, and for its figures."""
 
 import contextlib
 from collections.abc import Iterator
@@ -27,14 +24,9 @@ from gam_db.source import Source, shown_relation
 
 @dataclass(frozen=True)
 class Job:
-    """What was asked.
+    """What was asked: of a source in the user's words, by which settings file, if any.
 
-    Attributes:
-        name: the source in the user's words.
-        guess: its columns.
-        parameters, calibration: the method.
-        file: the settings file that was read, if any.
-        exact: columns of readings that are integers or decimals, not doubles.
+    ``exact`` names the columns of readings that are integers or decimals, not doubles.
     """
 
     name: str
@@ -49,19 +41,10 @@ class Job:
         """Where settings came from, as the end of a heading."""
         return f"; settings from {self.file}" if self.file else ""
 
-    @property
-    def columns(self) -> dict[str, str]:
-        """The columns that are read, but for those of a wide table, by what they say."""
-        named = self.guess.source.columns
-        return {role: column for role, column in named.items() if not role.startswith("channel ")}
-
     def lines(self) -> list[str]:
         """Return which columns are read, which of them were guessed, and by what method."""
-        method = [
-            f"{name}={getattr(self.parameters, name)}"
-            for name in settings_of(Parameters)
-            if getattr(self.parameters, name) is not None
-        ]
+        given = {name: getattr(self.parameters, name) for name in settings_of(Parameters)}
+        method = [f"{name}={value}" for name, value in given.items() if value is not None]
         if self.parameters.overrides:
             method.append(f"{len(self.parameters.overrides)} overrides")
         healthy = healthy_part(self.calibration)
@@ -69,21 +52,21 @@ class Job:
 
     def columns_line(self) -> str:
         """Return which columns are read, and which of them were guessed."""
-        shown, guessed = self.columns, self.guess.guessed
+        source, guessed = self.guess.source, self.guess.guessed
+        shown = {role: name for role, name in source.columns.items() if not role.startswith("channel ")}
         line = "columns: " + " ".join(f"{role}={printable(name)}" for role, name in shown.items())
-        if not isinstance(self.guess.source, Source):
-            names = [printable(name) for name in self.guess.source.value_columns]
-            line += f"; wide table, signals: {some(names, 8)}"
+        if not isinstance(source, Source):
+            line += f"; wide table, signals: {some(list(map(printable, source.value_columns)), 8)}"
         if guessed:
             roles = [role for role in guessed if role != "layout"]
             line += f"; guessed: {'all' if len(roles) == len(shown) else ', '.join(roles)}"
-        if self.guess.source.written:
-            said = (f"{name}={value!r}" for name, value in self.guess.source.written.items())
+        if source.written:
+            said = (f"{name}={value!r}" for name, value in source.written.items())
             line += f"; written with {' '.join(said)}"
         if "layout" in guessed:
             line += f"; taken as {guessed['layout']}"
         if self.guess.unused:
-            line += f"; not used: {some([printable(name) for name in self.guess.unused], 8)}"
+            line += f"; not used: {some(list(map(printable, self.guess.unused)), 8)}"
         return line
 
     def figures(self) -> dict[str, Any]:
@@ -113,12 +96,6 @@ class Job:
 def job_of(session: Session, settings: Settings, relation: Any, name: str | None = None) -> Job:
     """Return what is to be done with a source, its columns guessed where they were not named.
 
-    Args:
-        session: an open session.
-        settings: what was said of columns, parameters and calibration.
-        relation: a table name, a file or an Arrow table.
-        name: of the source, by default the relation.
-
     Raises:
         UserError: the source, a parameter or the calibration cannot be used.
     """
@@ -134,11 +111,7 @@ def job_of(session: Session, settings: Settings, relation: Any, name: str | None
 
 @contextlib.contextmanager
 def reading(settings: Settings, common: options.Common) -> Iterator[tuple[Session, Job, Listener]]:
-    """Open a source that is only read; yields the session, what is to be done, what is told the step.
-
-    Raises:
-        UserError: no source was named, or it, a parameter or the calibration cannot be used.
-    """
+    """Open a source that is only read; yields the session, what is to be done, what is told the step."""
     relation = options.named_relation(settings)
     session = connect(settings.source.database, common.threads, writable=False)
     with working(session, common.quiet) as on_step:

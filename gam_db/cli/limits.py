@@ -1,7 +1,4 @@
-"""A limit of time for a command: it is stopped as Ctrl-C stops it, and told apart from that.
-
-This module owns the clock; that a statement ends when it is interrupted is the engines'.
-"""
+"""A limit of time for a command: it is stopped as Ctrl-C stops it, and told apart from that."""
 
 import contextlib
 import os
@@ -23,12 +20,7 @@ class OutOfTimeError(RunAgainError):
 
 @contextlib.contextmanager
 def limited(seconds: float | None) -> Iterator[None]:
-    """Interrupt some work after so many seconds; None for never.
-
-    Raises:
-        OutOfTimeError: they have passed.
-        ConfigurationError: this system cannot wake a process by a clock.
-    """
+    """Interrupt some work after so many seconds, as :class:`OutOfTimeError`; None for never."""
     if seconds is None or threading.current_thread() is not threading.main_thread():
         yield
         return

@@ -1,7 +1,4 @@
-"""The monitor that a command works with: found by its name, read from its tables, named on its page.
-
-This module owns no command; :mod:`gam_db.stored` does the work.
-"""
+"""The monitor that a command works with: found by its name, read from its tables, named on its page."""
 
 import contextlib
 from collections.abc import Iterator
@@ -30,11 +27,7 @@ def heading(settings: Settings) -> str:
 
 @contextlib.contextmanager
 def state_of(settings: Settings, writable: bool = False) -> Iterator[State]:
-    """Open the tables of a state.
-
-    Raises:
-        UserError: there are none, or they are of another gam-db.
-    """
+    """Open the tables of a state; refuse those of another gam-db."""
     with options.opened(settings, writable=writable) as session:
         migrations.require(session, settings.monitor.tables)
         yield State(session, settings.monitor.tables)
@@ -43,16 +36,7 @@ def state_of(settings: Settings, writable: bool = False) -> Iterator[State]:
 def watched(
     session: Session, settings: Settings, relation: str | tuple[str, ...] | None
 ) -> tuple[Monitor, Row]:
-    """Return the monitor that is meant, and its row.
-
-    Args:
-        session: on the database that holds the state.
-        settings: say which monitor, and how it is kept.
-        relation: what to read instead of the relation that it was made from.
-
-    Raises:
-        UserError: there is no such monitor.
-    """
+    """Return the monitor that is meant, to read a relation where one is named, and its row."""
     migrations.require(session, settings.monitor.tables)
     state = State(session, settings.monitor.tables)
     known = state.monitor(settings.monitor.name)

@@ -1,39 +1,46 @@
-"""``gam run``: from a recording to the findings of every channel, nothing kept.
-
-This module owns the command and its page; :mod:`gam_db.cli.results` says where results go.
-"""
+"""``gam run``: from a recording to the findings of every channel, nothing kept."""
 
 import datetime as dt
+import os
+import re
 from collections import Counter
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import partial
 from importlib.metadata import entry_points
+from itertools import takewhile
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
-from rich.console import Console
+from pyarrow import ArrowInvalid, parquet
 
 from gam_db.checking.notes import EXACT_UP_TO, SENTENCES
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
-from gam_db.cli.exits import Exit
 from gam_db.cli.job import Job, job_of
-from gam_db.cli.options import option
+from gam_db.cli.options import flag, option
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.cli.report import checked, page_of
-from gam_db.cli.results import DSE, Every, results_of
 from gam_db.clock import SINCE_1970, epoch_unit, zone
 from gam_db.config import Settings
 from gam_db.connecting import connect
+from gam_db.engines.duckdb_files import SOURCE_MARK
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, findings, need_attention
 from gam_db.report import Wishes
-from gam_db.source import is_file
+from gam_db.source import FILE_ENDINGS, is_file, paths_of
 from gam_db.stored.lengths import park_after
 from gam_db.study import Study
 
 _OUTPUT = "Output"
+
+#: The estimator that is the method itself; others come by the entry points ``gam_db.estimators``.
+DSE = "dse"
+
+_PARQUET_ENDINGS = (".parquet", ".pq")
+
+Every = Literal["vector", "stride"]
 
 
 @options.taking(*options.READ, *options.ALARMS, *options.PAGE, "time_zone", "threads")
@@ -41,7 +48,6 @@ def run(
     settings: Settings,
     common: options.Common,
     out: Path | None = option(
-        None,
         "PATH",
         "Where the health indicator goes, replacing what is there. NAME.parquet: beside it go "
         "NAME.support.parquet and NAME.certificate.parquet. A .duckdb or .db file: tables "
@@ -49,27 +55,26 @@ def run(
         "SOURCE.support.parquet, SOURCE.certificate.parquet in the current folder.",
         _OUTPUT,
     ),
-    no_out: bool = option(False, "--no-out", "Write no file.", _OUTPUT),
+    no_out: bool = flag("--no-out", "Write no file.", _OUTPUT),
     every: Every = option(
-        "vector",
         "",
         "Rows to write: one per scored vector, or one per full bucket of --stride vectors "
         "(in a DuckDB file: table gam_health_at_buckets).",
         _OUTPUT,
+        default="vector",
     ),
     report: Path | None = option(
-        None,
         "FILE.html",
         "Write the page for people who look, too; see gam report. Of a file, not of a table.",
         _OUTPUT,
     ),
     estimator: str = option(
-        DSE,
         "NAME",
         "What scores vectors: dse (the method itself), or centroid, gmm, forest, ocsvm, which "
         "have no certificate and no limit. The last three need pip install "
         '"gam-db[benchmark]".',
         "Parameters of the method",
+        default=DSE,
     ),
 ) -> None:
     """Compute the health indicator of every channel of SOURCE, print what was found, write the table.
@@ -99,7 +104,7 @@ def run(
             )
     results = [] if no_out else results_of(relation, settings.source.database, out, every, estimator)
     written = [str(one) for one in (*results, *([] if report is None else [report]))]
-    shows: Callable[[Console], None]
+    shows: Callable[[page.Out], None]
     files, everything = [result.path for result in results], common.everything
     opened = connect(settings.source.database, common.threads, False, files)
     with interruptible(), opened as session:
@@ -108,17 +113,17 @@ def run(
             if others is None:
                 longest = park_after(settings.monitor.park_after, study.method.kind)
                 found = findings(study, settings.alarms, longest)
-                code = Exit.ATTENTION if need_attention(found) else Exit.FINE
+                urgent = need_attention(found)
                 told = {
                     "channels": [{**row, "course": page.thinned(row["course"])} for row in found],
                     "verdicts": Counter(row["verdict"] for row in found),
                     "judged_by_episode": sum(row["judged_by"] == "episode" for row in found),
-                    "needs_attention": bool(code),
+                    "needs_attention": urgent,
                 }
                 shows = partial(show, job=job, found=found, everything=everything, shown_in=shown_in)
             else:
                 others.add_estimator(study, estimator)
-                rows, code = study.rows("last_scores"), Exit.FINE
+                rows, urgent = study.rows("last_scores"), False
                 told = {"estimator": estimator, "channels": rows}
                 asked = {"estimator": estimator, "rows": rows, "everything": everything}
                 shows = partial(others.show_scores, job=job, **asked)
@@ -133,20 +138,15 @@ def run(
                 method = (job.parameters, job.calibration, settings.alarms)
                 page_of(job.guess.source, *method, report, wishes, progress.on_step)
 
-    def show_written(lines: Console) -> None:
+    def show_written(lines: page.Out) -> None:
         for one in written:
             lines.print(f"written: {printable(one)}", soft_wrap=True)
 
-    page.tell(code, {**job.figures(), **told, "written": written}, show_written, common)
+    page.tell({**job.figures(), **told, "written": written}, show_written, common, urgent)
 
 
 def _others(estimator: str) -> Any:
-    """Return the module of the other estimators.
-
-    Raises:
-        ConfigurationError: they are not installed.
-        ParameterError: there is none of that name.
-    """
+    """Return the module of the other estimators, which knows one of that name."""
     try:
         others = next(found.load() for found in entry_points(group="gam_db.estimators"))
     except (StopIteration, ModuleNotFoundError) as error:
@@ -172,7 +172,7 @@ def open_job(
 
 
 def show(
-    out: Console,
+    out: page.Out,
     job: Job,
     found: Sequence[Row],
     everything: bool = False,
@@ -225,3 +225,99 @@ def show(
 
 #: Values of judged_by, and what they mean.
 _JUDGED_BY = (("episode", "episodes"), ("indicator", "the health indicator and its limit"))
+
+
+@dataclass(frozen=True)
+class Result:
+    """Where the rows of one step go."""
+
+    step: str
+    path: Path
+    table: str
+
+    def __str__(self) -> str:
+        return f"{self.path} (table {self.table})" if _is_database(self.path) else str(self.path)
+
+
+def results_of(
+    relation: Any, database: str | None, out: Path | None, every: Every, estimator: str
+) -> list[Result]:
+    """Return what is written where; refuse, before any work, what cannot be written."""
+    health = ("bucket_health", "health_at_buckets") if every == "stride" else ("health_indicator",) * 2
+    steps = {health[0]: health[1], "support_summary": "support", "certificate": "certificate"}
+    if estimator != DSE:
+        steps = {
+            f"score_{health[0]}" if every == "stride" else "score_health": f"{health[1]}_{estimator}"
+        }
+    ending = "health" if estimator == DSE else estimator
+    path = Path(f"{_stem(relation)}.{ending}.parquet") if out is None else out
+    if _is_database(path):
+        paths = [path] * 3
+    elif path.suffix.lower() in _PARQUET_ENDINGS:
+        name = path.stem.removesuffix(".health")
+        beside = [path.with_name(f"{name}.{what}{path.suffix}") for what in ("support", "certificate")]
+        paths = [path, *beside]
+    else:
+        raise ConfigurationError(
+            f"--out is {path}; give a Parquet file (.parquet) or a DuckDB file (.duckdb, .db)."
+        )
+    if not path.parent.is_dir():
+        raise ConfigurationError(f"--out is {path}; the folder {path.parent} is not there.")
+    for one in paths:
+        if not os.access(one if one.exists() else one.parent, os.W_OK):
+            raise ConfigurationError(f"--out is {path}; you may not write {one}.")
+    if out is None and not _is_database(path):
+        _check_theirs(path, relation)
+    read = {Path(one).resolve() for one in (*paths_of(relation), database) if one is not None}
+    for one in paths:
+        if one.resolve() in read and not (isinstance(relation, tuple) and _made_from(one)):
+            raise ConfigurationError(f"{one} would be overwritten while it is read; give another --out.")
+    return [
+        Result(step, one, f"gam_{table}")
+        for (step, table), one in zip(steps.items(), paths[: len(steps)], strict=True)
+    ]
+
+
+def _check_theirs(path: Path, relation: Any) -> None:
+    """Refuse to write over the results of another source that is called alike.
+
+    Results may be replaced where all that they were made from is read again.
+    """
+    of = _made_from(path)
+    read = [Path(os.path.abspath(one)) for one in paths_of(relation)]
+    read = [one.parent if "*" in one.name else one for one in read]
+    is_theirs = not all(any(map(Path(one).is_relative_to, read)) for one in of.split(";"))
+    if of and is_file(relation) and is_theirs:
+        raise ConfigurationError(
+            f"{path} holds the results of {of}, a source of the same name; say --out, or remove it."
+        )
+
+
+def _made_from(path: Path) -> str:
+    """Return what a file of results was made from; empty where there is none, or it is none of ours."""
+    try:
+        said = parquet.read_metadata(path).metadata or {}
+    except (OSError, ArrowInvalid):
+        return ""
+    return str(said.get(SOURCE_MARK.encode(), b"").decode())
+
+
+def _stem(relation: Any) -> str:
+    """Return a file name for the results of a source, whatever the source is called.
+
+    Of several files it is what their names begin with, as it is that of a pattern: then results among
+    them, where a shell wrote a pattern out, change nothing.
+    """
+    name = relation
+    if is_file(relation):
+        signs = zip(*(Path(one).name for one in paths_of(relation)), strict=False)
+        name = "".join(first for first, *others in takewhile(lambda at: len({*at}) == 1, signs))
+    for ending in sorted(FILE_ENDINGS, key=len, reverse=True):
+        if name.lower().endswith(ending):
+            name = name[: -len(ending)]
+            break
+    return re.sub(r"[^\w.-]+", "_", name).strip("._")[:100] or "gam"
+
+
+def _is_database(path: Path) -> bool:
+    return path.suffix in options.DATABASE_ENDINGS

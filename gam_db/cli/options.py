@@ -62,21 +62,21 @@ STATE = ("name", "schema", "prefix")
 _Row = TypeVar("_Row")
 
 
-def option(default: Any, named: str, what: str, panel: str | None = None, **more: Any) -> Any:
+def option(named: str, what: str, panel: str | None = None, default: Any = None, **more: Any) -> Any:
     """Return an option of one command, to stand as the default of a parameter.
 
-    Args:
-        default: where nothing is said.
-        named: its names, where they are not that of the parameter, and what stands for its value, as
-            ``"--from TIME"``.
-        what: what it does, for help.
-        panel: of help.
-        more: what else Typer is told.
+    ``named`` holds its names, where they are not that of the parameter, and what stands for its value:
+    ``"--from TIME"``.
     """
     words = named.split()
     names = [word for word in words if word.startswith("-")]
     metavar = " ".join(word for word in words if not word.startswith("-")) or None
     return typer.Option(default, *names, metavar=metavar, help=what, rich_help_panel=panel, **more)
+
+
+def flag(named: str, what: str, panel: str | None = None) -> Any:
+    """Return an option without a value, which is False where it is not given."""
+    return option(named, what, panel, default=False)
 
 
 @dataclass(frozen=True)
@@ -127,15 +127,13 @@ _SOURCE = typer.Argument(
     "Default: what gam.toml says.",
     show_default=False,
 )
-_CONFIG = option(None, "", f"Settings file; default ./{config.DEFAULT_FILE} if it is there.")
+_CONFIG = option("", f"Settings file; default ./{config.DEFAULT_FILE} if it is there.")
 _READ_ONLY = option(
-    None,
     "ADDRESS",
     "Database that holds the table, a DuckDB file or a URL such as postgresql://HOST/DATABASE; "
     f"it is only read. Default: the environment variable {VARIABLE}.",
 )
 _OF_STATE = option(
-    None,
     "ADDRESS",
     "Database that holds the state, and the source if that is a table: a DuckDB file, which is "
     "made if it is not there, or a URL such as postgresql://HOST/DATABASE. Default: the environment "
@@ -154,11 +152,11 @@ def taking(
     that are named.
 
     Args:
-        names: of the settings; their order is that of the options.
+        names: of the settings, but for those of ``but``; their order is that of the options.
         source: whether there is a SOURCE.
         state: the database holds the state; else it is only read (but by a command's own --state).
         fresh: there is no settings file.
-        but: settings among the names that are left out.
+        but: see names.
     """
     taken = {name: {**_KNOWN, **_OF_COMMON}[name] for name in names if name not in but}
 
@@ -173,19 +171,15 @@ def taking(
         for section, of in classes.items():
             if of is not Common:
                 known |= {name: (section, one) for name, one in settings_of(of).items()}
-        made = [
-            option for name, (section, one) in known.items() for option in _options(name, section, one)
-        ]
-        where = [
+        parameters = [
+            *(one for one in own.values() if one.default is one.empty),
             *([_parameter("relation", list[str] | None, _SOURCE)] if source else []),
             _parameter("database", str | None, _OF_STATE if state else _READ_ONLY),
             *([] if fresh else [_parameter("config", Path | None, _CONFIG)]),
+            *(made for name, (section, one) in known.items() for made in _options(name, section, one)),
+            *(one for one in own.values() if one.default is not one.empty),
         ]
-        needed = [one for one in own.values() if one.default is one.empty]
-        asked = [one for one in own.values() if one.default is not one.empty]
-        parameters = [
-            one.replace(kind=inspect.Parameter.KEYWORD_ONLY) for one in (*needed, *where, *made, *asked)
-        ]
+        parameters = [one.replace(kind=inspect.Parameter.KEYWORD_ONLY) for one in parameters]
 
         @functools.wraps(command)
         def called(**given: Any) -> None:
@@ -215,15 +209,11 @@ def _options(name: str, section: str, one: Setting) -> Iterator[inspect.Paramete
     yield _parameter(name, of, _typer(name, section, one, default))
     if kind.none and one.off is not None:
         said = f"{one.off[1][0].upper()}{one.off[1][1:]}."
-        yield _parameter(f"no_{name}", bool, option(False, f"--no-{name}", said, _PANELS[section]))
+        yield _parameter(f"no_{name}", bool, flag(f"--no-{name}", said, _PANELS[section]))
 
 
 def _said(given: dict[str, Any], known: Mapping[str, tuple[str, Setting]]) -> dict[str, dict[str, Any]]:
-    """Return what the options say, by section and name; only what was said.
-
-    Raises:
-        ConfigurationError: an option cannot be used, or two contradict each other.
-    """
+    """Return what the options say, by section and name; only what was said."""
     said: dict[str, dict[str, Any]] = {section: {} for section in SECTIONS}
     given["intervals"], own = _by_asset(given.get("intervals") or [])
     for name, (section, one) in known.items():
@@ -245,11 +235,7 @@ def _said(given: dict[str, Any], known: Mapping[str, tuple[str, Setting]]) -> di
 def _laid(
     said: dict[str, dict[str, Any]], given: Mapping[str, Any], state: bool, fresh: bool
 ) -> Settings:
-    """Return the settings of the file with what options say laid over them.
-
-    Raises:
-        ConfigurationError: the file or an option cannot be used.
-    """
+    """Return the settings of the file with what options say laid over them."""
     relation, database, columns = one_or_more(given.get("relation")), given["database"], said["source"]
     _check_layout(columns)
     if relation is not None:
@@ -297,11 +283,7 @@ def _check_layout(columns: dict[str, Any]) -> None:
 
 
 def named_relation(settings: Settings) -> str | tuple[str, ...]:
-    """Return the relation that was named: a file, some, or a table of the database.
-
-    Raises:
-        ConfigurationError: none was named, or it is neither.
-    """
+    """Return the relation that was named: a file, some, or a table of the database; refuse others."""
     relation, database = settings.source.relation, settings.source.database
     if relation is None:
         raise ConfigurationError(
@@ -337,14 +319,7 @@ def opened(
     must_exist: bool = True,
     files: Sequence[Path] = (),
 ) -> Session:
-    """Open the database that holds the state; use it in a ``with`` statement.
-
-    Args:
-        settings: say which.
-        threads: processor threads.
-        writable: whether the command writes; else the file is only read.
-        must_exist: whether the file must be there already; it is never made to be read only.
-        files: results, see :func:`gam_db.connect`.
+    """Open the database that holds the state; a file that must not exist already may be made.
 
     Raises:
         UserError: no database was named, or it cannot be opened.

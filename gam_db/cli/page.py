@@ -23,6 +23,7 @@ from rich.text import Text
 import gam_db
 from gam_db import data
 from gam_db.checking.words import number_of
+from gam_db.cli.exits import Exit
 from gam_db.cli.options import SHOWN, Common
 from gam_db.clock import TimeKind, aware, shown_length
 from gam_db.errors import printable
@@ -48,25 +49,24 @@ _NAMED = 5
 """Channels that a remark names."""
 
 
-def console() -> Console:
+#: Where a page goes.
+Out = Console
+
+
+def console() -> Out:
     """Return the console of pages: no markup, so that names mean nothing but themselves."""
     return Console(markup=False, highlight=False, emoji=False)
 
 
 def tell(
-    code: int,
     figures: Mapping[str, Any],
     show: Callable[[Console], None],
     common: Common,
+    urgent: bool = False,
+    failed: bool = False,
 ) -> None:
-    """Print a page, or its figures, and end with an exit code.
-
-    Args:
-        code: the exit code.
-        figures: what --json prints; the names in rows are those of the Arrow tables.
-        show: prints the page.
-        common: whether figures are printed instead, or nothing.
-    """
+    """Print a page, with --json its figures, with --quiet nothing, and end with an exit code."""
+    code = Exit.OUR_FAULT if failed else Exit.ATTENTION if urgent else Exit.FINE
     if common.as_json:
         print_json({"version": gam_db.__version__, **figures, "exit_code": int(code)})
     elif not common.quiet:
@@ -127,15 +127,9 @@ def table(
 ) -> None:
     """Print rows as a table that fits, whatever the names.
 
-    Args:
-        out: where to.
-        rows: what is told of.
-        columns: heading -> the name of a value, or what makes a cell of a row. A number gets commas, and
-            a dash stands for None. The first column names the rows, and is folded where there is no
-            room; one of :class:`Course` takes what room is left.
-        mark: makes the mark of a row: ``!``, ``?``, ``~`` or a space.
-        left: headings of columns that hold words.
-        spare: those left out where there is no room, in this order.
+    Columns are by heading. A number gets commas, and a dash stands for None. The first column names the
+    rows, behind their marks, and is folded where there is no room; one of :class:`Course` takes what is
+    left; those of ``left`` hold words; those of ``spare`` go where there is no room, in this order.
     """
     name, *_ = columns
     laid = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="bold", show_edge=False)
@@ -185,11 +179,7 @@ def _print(out: Console, laid: Table) -> None:
 
 
 class Course:
-    """The indicator so far as a cell of a table, a character per stretch on the fixed scale 0 to 1.
-
-    Args:
-        points: shares, oldest first; NaN or None where there is none yet, shown as a gap.
-    """
+    """The indicator so far, oldest first, as a cell of a table; see :func:`sparkline`."""
 
     least, most = 12, 48
 
@@ -202,13 +192,7 @@ class Course:
 
 
 def sparkline(course: NDArray[np.float64], width: int, blocks: str = BLOCKS) -> str:
-    """Return a course as one character per stretch of it, on the fixed scale 0 to 1.
-
-    Args:
-        course: shares; NaN where there is none yet, shown as a gap.
-        width: characters to use, each the highest of its stretch; a shorter course takes one each.
-        blocks: the characters, lowest first.
-    """
+    """Return a course as one character per stretch of it, on the fixed scale 0 to 1; NaN is a gap."""
     return "".join(
         " " if math.isnan(point) else blocks[min(int(point * len(blocks)), len(blocks) - 1)]
         for point in thinned(course, width)
@@ -216,10 +200,7 @@ def sparkline(course: NDArray[np.float64], width: int, blocks: str = BLOCKS) -> 
 
 
 def thinned(course: NDArray[np.float64], points: int = _POINTS) -> list[float]:
-    """Return a course in at most so many points: the highest of each stretch, so that no peak is lost.
-
-    NaN where there is no indicator yet.
-    """
+    """Return a course in at most so many points, the highest of each stretch: no peak is lost."""
     if not len(course):
         return []
     stretches = np.array_split(course, min(points, len(course)))
@@ -229,17 +210,7 @@ def thinned(course: NDArray[np.float64], points: int = _POINTS) -> list[float]:
 def channels(
     out: Console, rows: Sequence[Row], time: str, spanned: str, zone: dt.tzinfo, everything: bool
 ) -> None:
-    """Print a line per channel, and what their courses span; then what is to be said of them.
-
-    Args:
-        out: where to.
-        rows: asset, channel, status, verdict, bins, floor, hi, course, course_from, last_time, remarks,
-            and perhaps trend.
-        time: the name of the time that is told.
-        spanned: what the courses are of.
-        zone: in which times are told.
-        everything: say what is to be said of each, also where there are several.
-    """
+    """Print a line per channel with the ``time`` of it, what their courses span, and their remarks."""
     name = name_in(rows)
     columns: dict[str, Cell] = {
         "channel": name,
@@ -274,7 +245,7 @@ def marked(row: Row) -> str:
 
 
 def _tells(rows: Sequence[Any], everything: bool) -> bool:
-    """Tell whether remarks are printed: one line for each channel is enough where there are several."""
+    """Whether remarks are printed: one line for each channel is enough where there are several."""
     return everything or len(rows) == 1
 
 
@@ -339,11 +310,7 @@ def _tally(count: Mapping[str, int], words: Iterable[tuple[str, str]]) -> str:
 
 
 def advice(supports: Sequence[Row]) -> list[str]:
-    """Return what can be done for calibrations that are not good enough, a line each.
-
-    Args:
-        supports: a row per channel, with its verdict and finest_bins.
-    """
+    """Return what can be done for calibrations that are not good enough, a line each."""
     said, lines = WORDS["advice"], []
     if any(row["verdict"] == "no_data" for row in supports):
         lines.append(said["no_data"])
@@ -361,12 +328,7 @@ def advice(supports: Sequence[Row]) -> list[str]:
 
 
 def legend(rows: Sequence[Row], everything: bool) -> str:
-    """Return what the words of a page of channels mean, and no others.
-
-    Args:
-        rows: those of the page, with remarks.
-        everything: as for :func:`channels`.
-    """
+    """Return what the words of a page of channels mean, and no others."""
     remarks = " ".join(said for row in rows for said in row["remarks"] * _tells(rows, everything))
     return " ".join(of for word, of in WORDS["legend"].items() if word == "always" or word in remarks)
 

@@ -83,13 +83,10 @@ class Progress:
 
 @contextlib.contextmanager
 def interruptible() -> Iterator[None]:
-    """Let Ctrl-C end the work as KeyboardInterrupt.
+    """Let Ctrl-C end the work as KeyboardInterrupt, whatever error came of it.
 
     Cause: DuckDB notices the signal inside a statement, stops it, and raises an error of its own in
     the place of KeyboardInterrupt. Symptom: Ctrl-C looks like a fault.
-
-    Raises:
-        KeyboardInterrupt: Ctrl-C was pressed, whatever error came of it.
     """
     pressed: list[int] = []
 
@@ -113,10 +110,6 @@ def interruptible() -> Iterator[None]:
 
 @contextlib.contextmanager
 def working(session: Session, quiet: bool = False) -> Iterator[Listener]:
-    """Close a session after some work, and show meanwhile what is done; yields what is told the step.
-
-    Raises:
-        KeyboardInterrupt: Ctrl-C was pressed.
-    """
+    """Close a session after some work, and show meanwhile what is done; yields what is told the step."""
     with interruptible(), session, Progress(session, quiet) as progress:
         yield progress.on_step

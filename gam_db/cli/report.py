@@ -7,13 +7,10 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from rich.console import Console
-
 from gam_db.alarms import Alarms
 from gam_db.calibration import Calibration
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
-from gam_db.cli.exits import Exit
 from gam_db.cli.monitors import watched
 from gam_db.cli.options import option
 from gam_db.cli.progress import working
@@ -34,7 +31,7 @@ def report(
     settings: Settings,
     wishes: Wishes,
     common: options.Common,
-    out: Path = option(Path("report.html"), "--out FILE", "The page, replacing what is there."),
+    out: Path = option("--out FILE", "The page, replacing what is there.", default=Path("report.html")),
 ) -> None:
     """Write the page for people who look: which machines left health, since when, and where they went.
 
@@ -46,15 +43,11 @@ def report(
     with options.opened(settings, writable=False) as session, working(session, silent) as on_step:
         monitor, _ = watched(session, settings, settings.source.relation)
         figures = monitor.report(path, wishes, on_step)
-    page.tell(Exit.FINE, figures, lambda lines: told(lines, figures), common)
+    page.tell(figures, lambda lines: told(lines, figures), common)
 
 
 def checked(path: Path, option: str) -> Path:
-    """Return the path of a page.
-
-    Raises:
-        ConfigurationError: it has another ending, or its folder is not there.
-    """
+    """Return the path of a page; refuse another ending, and a folder that is not there."""
     if path.suffix.lower() not in _ENDINGS:
         raise ConfigurationError(f"{option} is {path}; give a file in .html.")
     if not path.parent.is_dir():
@@ -71,11 +64,7 @@ def page_of(
     wishes: Wishes,
     on_step: Listener,
 ) -> dict[str, Any]:
-    """Write the page of a source: calibrated and scored in memory, then forgotten.
-
-    Raises:
-        UserError: the source cannot be used, or the file cannot be written.
-    """
+    """Write the page of a source: calibrated and scored in memory, then forgotten."""
     with connect() as session:
         monitor = Monitor(session, source, parameters, calibration, alarms)
         monitor.migrate()
@@ -84,7 +73,7 @@ def page_of(
         return monitor.report(path, wishes, on_step)
 
 
-def told(lines: Console, figures: Mapping[str, Any]) -> None:
+def told(lines: page.Out, figures: Mapping[str, Any]) -> None:
     """Print what was written."""
     page.say(
         lines,

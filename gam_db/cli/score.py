@@ -1,7 +1,4 @@
-"""``gam score``: what is new of every calibrated channel, and what came late.
-
-This module owns the command and its page; :mod:`gam_db.stored.scoring` does the work.
-"""
+"""``gam score``: what is new of every calibrated channel, and what came late."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -11,13 +8,11 @@ from typing import Annotated
 import pyarrow as pa
 import pyarrow.compute as pc
 import typer
-from rich.console import Console
 
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
-from gam_db.cli.exits import Exit
 from gam_db.cli.monitors import heading, place, watched
-from gam_db.cli.options import option
+from gam_db.cli.options import flag, option
 from gam_db.cli.progress import working
 from gam_db.cli.status import judging, raised
 from gam_db.clock import LONG_AGO, TimeKind, instant, shown_instant
@@ -84,9 +79,8 @@ def score(
             show_default=False,
         ),
     ] = None,
-    dry_run: bool = option(False, "--dry-run", "Say what would be read, and write nothing."),
+    dry_run: bool = flag("--dry-run", "Say what would be read, and write nothing."),
     copy_to: Path | None = option(
-        None,
         "--copy FILE",
         "Then copy the state into a DuckDB file of its own, for readers: no other process can "
         "open the database while this one writes.",
@@ -125,7 +119,7 @@ def score(
         "needs_attention": urgent,
     }
 
-    def show(out: Console) -> None:
+    def show(out: page.Out) -> None:
         page.say(out, f"{heading(settings)}: {printable(figures['source'])}")
         if dry_run:
             columns: dict[str, page.Cell] = {
@@ -136,7 +130,7 @@ def score(
             page.table(out, figures["ranges"], columns)
         page.say(out, *_lines(figures, status, settings.file))
 
-    page.tell(Exit.ATTENTION if urgent else Exit.FINE, figures, show, common)
+    page.tell(figures, show, common, urgent=urgent)
 
 
 def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:

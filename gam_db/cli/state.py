@@ -1,18 +1,12 @@
-"""The state in a database: made, kept small, removed.
-
-This module owns ``gam migrate``, ``gam prune``, ``gam compact`` and ``gam drop``, and their pages;
-:mod:`gam_db.stored` does the work.
-"""
+"""``gam migrate``, ``prune``, ``compact`` and ``drop``: the state is made, kept small, removed."""
 
 from functools import partial
 
 import pyarrow as pa
 import typer
-from rich.console import Console
 
 from gam_db.cli import options, page
-from gam_db.cli.exits import Exit
-from gam_db.cli.options import option
+from gam_db.cli.options import flag, option
 from gam_db.clock import TimeKind, told_time
 from gam_db.config import Settings
 from gam_db.engines import NAMES, engine_named
@@ -29,15 +23,10 @@ from gam_db.stored.tables import StateTables
 def migrate(
     settings: Settings,
     common: options.Common,
-    status: bool = option(
-        False, "--status", "Change nothing; say what was applied. Exit code 2: some are not."
-    ),
-    sql: bool = option(
-        False, "--sql", "Print the script, for a database administrator; open no database."
-    ),
-    engine: str | None = option(None, "", f"With --sql: one of {', '.join(NAMES)} (default duckdb)."),
+    status: bool = flag("--status", "Change nothing; say what was applied. Exit code 2: some are not."),
+    sql: bool = flag("--sql", "Print the script, for a database administrator; open no database."),
+    engine: str | None = option("", f"With --sql: one of {', '.join(NAMES)} (default duckdb)."),
     grants: str | None = option(
-        None,
         "owner=NAME,writer=NAME,reader=NAME",
         "With --sql --engine postgres: let the tables belong to the owner, and give writer "
         "(calibrate, score, check, prune) and reader (status, views) what they need.",
@@ -62,7 +51,7 @@ def migrate(
         done = () if status else migrations.migrate(session, tables)
         found = migrations.status(session, tables)
 
-    def show(out: Console) -> None:
+    def show(out: page.Out) -> None:
         if status:
             _show_migrations(out, tables, found)
         elif done:
@@ -78,10 +67,10 @@ def migrate(
         "applied_now": [one.number for one in done],
         "pending": [{"number": one.number, "name": one.name} for one in found.pending],
     }
-    page.tell(Exit.ATTENTION if found.pending else Exit.FINE, figures, show, common)
+    page.tell(figures, show, common, urgent=bool(found.pending))
 
 
-def _show_migrations(out: Console, tables: StateTables, found: Status) -> None:
+def _show_migrations(out: page.Out, tables: StateTables, found: Status) -> None:
     rows = []
     for one in found.applied:
         when = page.time_text(told_time(one.applied_at, TimeKind.TIMESTAMP), named=True)
@@ -108,9 +97,9 @@ def prune(
     settings: Settings,
     common: options.Common,
     keep_versions: int | None = option(
-        None, "N", "Retired versions of each channel that stay. Default: all of them.", min=0
+        "N", "Retired versions of each channel that stay. Default: all of them.", min=0
     ),
-    dry_run: bool = option(False, "--dry-run", "Say what would go, and change nothing."),
+    dry_run: bool = flag("--dry-run", "Say what would go, and change nothing."),
 ) -> None:
     """Delete old buckets, novel cells, versions and records of runs; say how large each channel is.
 
@@ -148,7 +137,7 @@ def _tell_sizes(sizes: pa.Table, monitor: str, dry_run: bool, common: options.Co
         after, before = row[f"{kind}_after"], row[kind]
         return f"{after:,}" if after == before else f"{after:,} of {before:,}"
 
-    def show(out: Console) -> None:
+    def show(out: page.Out) -> None:
         columns: dict[str, page.Cell] = {"channel": lambda row: f"{row['asset']} {row['channel']}"}
         columns |= {word: partial(left, kind=kind) for kind, word in _KINDS.items()}
         page.table(out, common.of(rows), columns)
@@ -157,16 +146,16 @@ def _tell_sizes(sizes: pa.Table, monitor: str, dry_run: bool, common: options.Co
         deleted = f"{'would delete' if dry_run else 'deleted'}: {gone}"
         page.say(out, deleted if gone else "nothing to delete")
 
-    page.tell(Exit.FINE, {"monitor": monitor, "dry_run": dry_run, "channels": rows}, show, common)
+    page.tell({"monitor": monitor, "dry_run": dry_run, "channels": rows}, show, common)
 
 
 @options.taking("schema", "prefix", source=False, state=True)
 def drop(
     settings: Settings,
     name: str | None = option(
-        None, "MONITOR", "Remove the rows of this monitor only; the tables and all others stay."
+        "MONITOR", "Remove the rows of this monitor only; the tables and all others stay."
     ),
-    yes: bool = option(False, "--yes", "Do not ask."),
+    yes: bool = flag("--yes", "Do not ask."),
 ) -> None:
     """Remove the state tables of a schema and prefix, or with --name the rows of one monitor.
 

@@ -1,18 +1,13 @@
-"""``gam status``: how every channel is, and by what it is judged.
-
-This module owns the command and its page; :mod:`gam_db.stored.status` says what is known.
-"""
+"""``gam status``: how every channel is, and by what it is judged."""
 
 import datetime as dt
 from collections.abc import Iterator, Sequence
 
 import pyarrow as pa
 import pyarrow.compute as pc
-from rich.console import Console
 
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
-from gam_db.cli.exits import Exit
 from gam_db.cli.monitors import heading, place
 from gam_db.cli.options import option
 from gam_db.clock import TimeKind, instant, shown_instant, shown_length, zone
@@ -31,7 +26,7 @@ ASSETS = 20
 def status(
     settings: Settings,
     common: options.Common,
-    asset: str | None = option(None, "PATTERN", f"{options.MACHINES}.".capitalize()),
+    asset: str | None = option("PATTERN", f"{options.MACHINES}.".capitalize()),
 ) -> None:
     """Say how every channel is: verdict, floor, indicator, trend, and what is wrong with its data.
 
@@ -65,7 +60,7 @@ def status(
         "needs_attention": urgent,
     }
 
-    def show(out: Console) -> None:
+    def show(out: page.Out) -> None:
         newest = page.time_text(pc.max(channels["last_data"]).as_py(), shown_in, named=True)
         rows = channels.to_pylist()
         page.say(out, f"{heading(settings)}: {page.amount(rows)}, newest data {newest}")
@@ -84,7 +79,7 @@ def status(
             _show_assets(out, assets.to_pylist(), common)
         page.say(out, *_summary(channels, common.everything))
 
-    page.tell(Exit.ATTENTION if urgent else Exit.FINE, figures, show, common)
+    page.tell(figures, show, common, urgent=urgent)
 
 
 def _proof(proof: Proof | None, now: dt.datetime) -> str:
@@ -96,7 +91,7 @@ def _proof(proof: Proof | None, now: dt.datetime) -> str:
     return f"the state was last compared with its source {ago} ago: {found} (gam check --state)"
 
 
-def _show_assets(out: Console, rows: Sequence[Row], common: options.Common) -> None:
+def _show_assets(out: page.Out, rows: Sequence[Row], common: options.Common) -> None:
     shown = common.of(rows, ASSETS)
     columns: dict[str, page.Cell] = {
         "asset": "asset",

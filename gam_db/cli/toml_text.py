@@ -15,27 +15,18 @@ _WIDTH = 100
 
 
 def value(of: Any) -> str:
-    """Return a text, a number, a truth value, a date, a time or a list of these as TOML.
-
-    Raises:
-        ConfigurationError: a text that no file can hold (half of a UTF-16 pair).
-    """
-    if isinstance(of, bool):
-        return "true" if of else "false"
-    if isinstance(of, (int, float)):
-        return repr(of)
-    if isinstance(of, str):
-        try:
-            of.encode("utf-8")
-        except UnicodeEncodeError as error:
-            raise ConfigurationError(f"{of!r} cannot be written as text; rename it.") from error
-        # JSON's escapes are TOML's, but TOML wants DEL escaped, too.
-        return json.dumps(of, ensure_ascii=False).replace("\x7f", "\\u007f")
+    """Return a text, a number, a truth value, a date, a time or a list of these as TOML."""
     if isinstance(of, dt.date):
         return of.isoformat()
-    if isinstance(of, Sequence):
+    if isinstance(of, Sequence) and not isinstance(of, str):
         return f"[{', '.join(value(one) for one in of)}]"
-    raise TypeError(f"{type(of).__name__} has no form in TOML.")
+    # JSON's escapes are TOML's, but TOML wants DEL escaped, too.
+    text = json.dumps(of, ensure_ascii=False).replace("\x7f", "\\u007f")
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError as error:  # half of a UTF-16 pair
+        raise ConfigurationError(f"{of!r} cannot be written as text; rename it.") from error
+    return text
 
 
 def comment(text: str) -> list[str]:

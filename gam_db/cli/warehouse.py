@@ -1,15 +1,10 @@
-"""``gam compile``, ``gam export`` and ``gam engines``: for a warehouse that runs the method itself.
-
-This module owns the commands; :mod:`gam_db.script`, :mod:`gam_db.export` and :mod:`gam_db.engines` do
-the work.
-"""
+"""``gam compile``, ``gam export`` and ``gam engines``: for a warehouse that runs the method itself."""
 
 import dataclasses
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import typer
-from rich.console import Console
 
 from gam_db import look
 from gam_db.cli import options, page
@@ -33,12 +28,14 @@ Form = Literal["exact", "view"]
 @options.taking(*options.READ, "time_kind")
 def compile(
     settings: Settings,
-    form: Form = option("view", "", "exact: one query. view: tables of what was learnt, and a view."),
-    engine: str = option("duckdb", "", f"One of {', '.join(NAMES)}."),
-    out: Path | None = option(None, "FILE", "Where the script goes; default: printed."),
-    prefix: str = option("gam_live_", "", "Begins the names of tables and views."),
+    form: Form = option(
+        "", "exact: one query. view: tables of what was learnt, and a view.", default="view"
+    ),
+    engine: str = option("", f"One of {', '.join(NAMES)}.", default="duckdb"),
+    out: Path | None = option("FILE", "Where the script goes; default: printed."),
+    prefix: str = option("", "Begins the names of tables and views.", default="gam_live_"),
     schema: str | None = option(
-        None, "", "Schema of tables and views (default: the current one; postgres: public)."
+        "", "Schema of tables and views (default: the current one; postgres: public)."
     ),
 ) -> None:
     """Print the complete SQL script that computes the health indicator of SOURCE on an engine.
@@ -58,11 +55,7 @@ def compile(
 
 
 def described(settings: Settings) -> AnySource:
-    """Return the source with its columns: looked at where it can be seen, else as named.
-
-    Raises:
-        UserError: no source was named, or what can be seen of it cannot be used.
-    """
+    """Return the source with its columns: looked at where it can be seen, else as named."""
     relation, database = settings.source.relation, settings.source.database
     if relation is None:
         raise ConfigurationError("Name a SOURCE: the table that the engine holds, or a file.")
@@ -113,8 +106,8 @@ def dbt(
         Path,
         typer.Argument(metavar="DIR", help="Where the package goes; empty, or that of an earlier one."),
     ],
-    engine: str = option("duckdb", "", f"What dbt runs on: {', '.join(ADAPTERS)}."),
-    schema: str | None = option(None, "", "Of the source table; default: that of dbt's target."),
+    engine: str = option("", f"What dbt runs on: {', '.join(ADAPTERS)}.", default="duckdb"),
+    schema: str | None = option("", "Of the source table; default: that of dbt's target."),
 ) -> None:
     """Write a dbt package that keeps the health indicator of SOURCE up to date in the warehouse.
 
@@ -135,11 +128,13 @@ def dbt(
 @export.command()
 def grafana(
     folder: Annotated[Path, typer.Argument(metavar="DIR", help="Where the files go; it is made.")],
-    engine: str = option("postgres", "", f"Where the state lies: {', '.join(dashboards.SOURCES)}."),
-    schema: str | None = option(None, "", "Of the state tables; default: that of the connection."),
-    prefix: str = option("gam_", "", "Of the state tables."),
-    name: str = option("default", "MONITOR", "Of the monitor."),
-    uid: str = option("gam-db", "", "Of Grafana's data source, which the alert rule names."),
+    engine: str = option(
+        "", f"Where the state lies: {', '.join(dashboards.SOURCES)}.", default="postgres"
+    ),
+    schema: str | None = option("", "Of the state tables; default: that of the connection."),
+    prefix: str = option("", "Of the state tables.", default="gam_"),
+    name: str = option("MONITOR", "Of the monitor.", default="default"),
+    uid: str = option("", "Of Grafana's data source, which the alert rule names.", default="gam-db"),
 ) -> None:
     """Write a dashboard for Grafana over the views of a monitor, and an alert rule.
 
@@ -167,7 +162,7 @@ def engines(as_json: options.Json = False) -> None:
         _show(page.console(), found)
 
 
-def _show(out: Console, found: list[dict[str, Any]]) -> None:
+def _show(out: page.Out, found: list[dict[str, Any]]) -> None:
     for row in found:
         rest = [
             *([f"accepted from {row['oldest']} on"] if row["oldest"] else []),

@@ -94,7 +94,7 @@ def test_figures_are_json_whatever_they_hold(capsys: pytest.CaptureFixture[str])
     table = pa.table({"asset": ["ü"], "hi": [math.nan], "time": pa.array([0], pa.timestamp("us"))})
     told = {"rows": table, "of": gam_db.Override("a", m=2)}
     with pytest.raises(typer.Exit) as ended:
-        page.tell(Exit.ATTENTION, told, print, options.Common(as_json=True))
+        page.tell(told, print, options.Common(as_json=True), urgent=True)
     assert ended.value.exit_code == 2
     assert json.loads(capsys.readouterr().out) == {
         "version": gam_db.__version__,

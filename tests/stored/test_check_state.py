@@ -9,7 +9,7 @@ import pytest
 from typer.testing import CliRunner, Result
 
 import small_plant
-from gam_db.cli import app, check_state
+from gam_db.cli import app, check
 from gam_db.errors import EngineError
 from visible import put
 
@@ -94,7 +94,7 @@ def test_what_cannot_be_recorded_is_checked_all_the_same(
     def refusing(*_: object) -> None:
         raise EngineError("The database is open for reading only.")
 
-    monkeypatch.setattr(check_state, "keep", refusing)
+    monkeypatch.setattr(check, "keep", refusing)
     result = gam("check", "--state")
     assert result.exit_code == 0, result.output
     assert "that this was checked could not be recorded: The database is open" in said(result)

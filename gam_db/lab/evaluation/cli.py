@@ -12,7 +12,6 @@ from rich.console import Console
 
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
-from gam_db.cli.exits import Exit
 from gam_db.cli.progress import working
 from gam_db.connecting import connect
 from gam_db.errors import ConfigurationError, printable
@@ -153,7 +152,7 @@ def evaluate(
     def page_of(out: Console) -> None:
         show(out, health, found, conventions, everything)
 
-    page.tell(Exit.FINE, figures, page_of, options.Common(as_json=as_json))
+    page.tell(figures, page_of, options.Common(as_json=as_json))
 
 
 def show(
