@@ -48,21 +48,16 @@ def alarms(
             return
         rows, judged = stored.alarms(state, name).to_pylist(), stored.limits(state, name)
     urgent = any(row["needs_attention"] for row in rows)
-    figures = {
-        **place(settings),
-        "episodes": rows,
-        "limits": promised(judged),
-        "needs_attention": urgent,
-    }
+    told = {"episodes": rows, "limits": promised(judged), "needs_attention": urgent}
 
     def show(out: page.Out) -> None:
-        told = number_of(len(rows), "episode") if rows else "nothing was ever raised"
-        page.say(out, f"{heading(settings)}: {told}")
+        count = number_of(len(rows), "episode") if rows else "nothing was ever raised"
+        page.say(out, f"{heading(settings)}: {count}")
         page.say(out, *said_of(judged))
         _show_episodes(out, common.of(rows, _SHOWN), shown_in)
         page.cut(out, rows, common.everything, most=_SHOWN)
 
-    page.tell(figures, show, common, urgent=urgent)
+    page.tell({**place(settings), **told}, show, common, urgent=urgent)
 
 
 @options.taking(*options.STATE, "time_zone", "as_json", "quiet", source=False, state=True)
@@ -98,9 +93,7 @@ def alarm(
         }
         page.table(out, judged, columns, lambda row: "!" if row["is_open"] else " ")
         if told["bands"]:
-            page.say(
-                out, "where it stands out (first five judgements, by the newest sample of a vector):"
-            )
+            page.say(out, page.WORDS["alarms"]["bands"])
             page.table(out, told["bands"], _OF_BAND)
         _show_cells(out, told["cells"], kind, shown_in)
         if told["raw_rows"] is not None:
@@ -258,17 +251,10 @@ def _show_episodes(out: page.Out, rows: Sequence[Row], shown_in: dt.tzinfo) -> N
     left = ("channel", "status", "basis, per 1,000", "label")
     page.table(out, rows, columns, mark, left)
     for row in {row["group"]: row for row in rows if row["signals_together"] > 1}.values():
-        page.say(
-            out,
-            f"{printable(row['asset'])}: {row['signals_together']} signals of this machine within 2 "
-            f"judgements, from episode {row['group']} on",
-        )
+        machine = printable(row["asset"])
+        page.say(out, page.WORDS["alarms"]["together"].format(machine=machine, **row))
     if any(row["status"] == "proving" for row in rows):
-        page.say(
-            out,
-            "proving: either calibration was no fair sample, or something changed right after it; gam "
-            "label ID true_fault or false_alarm decides",
-        )
+        page.say(out, page.WORDS["alarms"]["proving"])
 
 
 def _show_cells(out: page.Out, cells: Sequence[Row], kind: TimeKind, shown_in: dt.tzinfo) -> None:

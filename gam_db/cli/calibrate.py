@@ -57,11 +57,7 @@ def calibrate(
             page.say(out, f"state tables {tables}* were made in {settings.source.shown_database}")
         _show(out, heading(settings), job, rows, common.everything)
         if isinstance(relation, tuple):
-            page.say(
-                out,
-                "Later runs read these files only; a pattern in quotes ('part-*.parquet') or a folder "
-                "as SOURCE reads those to come, too.",
-            )
+            page.say(out, page.WORDS["calibrate"]["files"])
 
     figures = {
         **job.figures(),

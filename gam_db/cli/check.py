@@ -2,7 +2,6 @@
 
 import datetime as dt
 import json
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -21,7 +20,7 @@ from gam_db.engines.session import Session
 from gam_db.errors import EngineError, printable
 from gam_db.findings import Row
 from gam_db.running import Listener
-from gam_db.stored.proving import Proof, keep
+from gam_db.stored.proving import keep
 from gam_db.stored.state import State, kind_of
 
 #: The first columns to go where the terminal is narrow.
@@ -143,12 +142,7 @@ def _show(out: page.Out, seen: Seen, common: options.Common) -> None:
     spare = (*empty, *(name for name in _LEAST_SAYING if name not in empty))
     page.table(out, shown, columns, mark, spare=spare)
     page.cut(out, rows, common.everything)
-    page.say(
-        out,
-        "step: usual step in time and its jitter (~ irregular). pauses: steps beyond five usual "
-        "ones. values: distinct ones among at most 20,480 samples. still: longest stretch of one "
-        "value. cycle: in samples, where the signal repeats itself.",
-    )
+    page.say(out, page.WORDS["check"]["columns"])
 
 
 def heading(seen: Seen) -> str:
@@ -242,7 +236,18 @@ def _check_state(
     kind, rows, proof = kind_of(known), found.differences.to_pylist(), found.proof
 
     def show(out: page.Out) -> None:
-        _show_differences(out, name, proof, rows, kind, common)
+        others = {(row["asset"], row["channel"]) for row in rows if row["asset"] is not None}
+        said = page.WORDS["check"]["differs" if rows else "same"]
+        page.say(out, said.format(name=name, proof=proof, others=len(others)))
+        for row in common.of(rows):
+            page.say(out, f"  {_line(_told(row, kind))}")
+        page.cut(out, rows, common.everything)
+        if since := [row["since"] for row in rows if row["since"] is not None]:
+            page.say(out, f"gam score --from {shown_instant(min(since), kind)} scores them anew")
+        if any(row["part"] == "calibration" for row in rows):
+            page.say(out, "gam calibrate --again makes new versions of the calibration as it is now")
+        if any(row["part"] not in _MENDED and row["since"] is None for row in rows):
+            page.say(out, page.WORDS["check"]["damaged"])
         if unkept is not None:
             page.say(out, f"that this was checked could not be recorded: {unkept}")
 
@@ -254,42 +259,6 @@ def _check_state(
         "differences": [_told(row, kind) for row in rows],
     }
     page.tell(figures, show, common, urgent=bool(rows))
-
-
-def _show_differences(
-    out: page.Out,
-    name: str,
-    proof: Proof,
-    rows: Sequence[Row],
-    kind: TimeKind,
-    common: options.Common,
-) -> None:
-    if not rows:
-        page.say(
-            out,
-            f"monitor {name}: {proof.channels:,} channels, {proof.buckets:,} buckets: all of it is what "
-            "the source gives, and what calibration froze",
-        )
-        return
-    others = {(row["asset"], row["channel"]) for row in rows if row["asset"] is not None}
-    page.say(
-        out, f"monitor {name}: {len(others):,} of {proof.channels:,} channels are not as they should be"
-    )
-    for row in common.of(rows):
-        page.say(out, f"  {_line(_told(row, kind))}")
-    page.cut(out, rows, common.everything)
-    since = [row["since"] for row in rows if row["since"] is not None]
-    if since:
-        page.say(out, f"gam score --from {shown_instant(min(since), kind)} scores them anew")
-    if any(row["part"] == "calibration" for row in rows):
-        page.say(out, "gam calibrate --again makes new versions of the calibration as it is now")
-    if any(row["part"] not in _MENDED and row["since"] is None for row in rows):
-        page.say(
-            out,
-            "what no scoring mends was changed or damaged in the tables: put them back from a copy of "
-            "the database; or gam calibrate --again makes new versions, and gam prune --keep-versions 0 "
-            "removes the others",
-        )
 
 
 def _line(row: Row) -> str:

@@ -3,13 +3,12 @@
 import dataclasses
 import shlex
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
-from rich.text import Text
 
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
@@ -65,11 +64,7 @@ def select(
         file, named = printable(str(write)), f" --config {shlex.quote(str(write))}"
         page.say(out, f"written: {file}; read it, then: gam run{named * (write != Path(DEFAULT_FILE))}")
         if load(write).method()[1] != whole.calibration:
-            page.say(
-                out,
-                f"{file} says another calibration than the one that this was chosen from; what is "
-                "chosen fits that one",
-            )
+            page.say(out, page.WORDS["select"]["other_calibration"].format(file=file))
 
     page.tell(figures, show, common, failed=len(found.failures) > 0)
 
@@ -86,8 +81,7 @@ def _show(out: page.Out, job: Job, found: Selection, common: options.Common) -> 
     curves = [_by_channel(table) for table in (found.lags, found.dimensions, found.budget)]
     for one in common.of(choices):
         key = (one["asset"], one["channel"])
-        out.print()
-        out.print(Text(" ".join(map(printable, key)), style="bold"))
+        page.title(out, " ".join(map(printable, key)))
         page.notes(out, _lines(one, job.parameters.window, *(of[key] for of in curves)))
     for one in found.failures.to_pylist():
         out.print()
@@ -100,37 +94,32 @@ def _show(out: page.Out, job: Job, found: Selection, common: options.Common) -> 
 
 def _lines(
     one: Row, window: int, lags: Sequence[Row], dimensions: Sequence[Row], budget: Sequence[Row]
-) -> list[tuple[str, str | page.Course]]:
+) -> Iterator[tuple[str, str | page.Course]]:
     if one["verdict"] in ("constant", "no_data"):
         said = {"constant": "did not move", "no_data": "no usable sample or no whole vector"}
-        return [("", f"{one['verdict']}: {said[one['verdict']]} in {one['samples']:,} samples")]
+        yield "", f"{one['verdict']}: {said[one['verdict']]} in {one['samples']:,} samples"
+        return
     tau = "-" if one["tau"] is None else one["tau"]
     others = ", ".join(f"{name} {one[lag]}" for name, lag in _LAGS if one[lag] is not None)
-    lines: list[tuple[str, str | page.Course]] = [
-        ("tau", f"{tau}: {page.WORDS['tau'][one['tau_rule']]}" + (f" ({others})" if others else ""))
-    ]
+    yield "tau", f"{tau}: {page.WORDS['tau'][one['tau_rule']]}" + (f" ({others})" if others else "")
     if len(lags) > 1:
         highest = max(row["ami"] for row in lags[1:])
-        lines += [
-            ("AMI", page.Course(_scaled([row["ami"] for row in lags[1:]]))),
-            ("", f"lags 1 to {lags[-1]['delay']}, up to {highest:.2f} nats"),
-            ("acf", page.Course(_scaled([row["acf"] for row in lags[1:]]))),
-        ]
+        yield "AMI", page.Course(_scaled([row["ami"] for row in lags[1:]]))
+        yield "", f"lags 1 to {lags[-1]['delay']}, up to {highest:.2f} nats"
+        yield "acf", page.Course(_scaled([row["acf"] for row in lags[1:]]))
     dimension = page.WORDS["dimension"][one["fnn_status"]].format(m=one["m_fnn"])
     cao = page.WORDS["cao"][one["cao_status"]].format(m=one["m_cao"])
-    lines.append(("m", f"{dimension}; {cao}"))
+    yield "m", f"{dimension}; {cao}"
     if dimensions:
         shares = [row["false_share"] for row in dimensions]
         shown = " ".join("-" if share is None else f"{100 * share:.1f}" for share in shares)
-        lines.append(("", f"false neighbours, m = 1 to {len(shares)}: {shown} %"))
-    lines.append(("window", _window(one, window)))
+        yield "", f"false neighbours, m = 1 to {len(shares)}: {shown} %"
+    yield "window", _window(one, window)
     if budget:
-        grids = " ".join(
-            "-" if row["finest_bins"] is None else str(row["finest_bins"]) for row in budget
-        )
-        filled = f"finest grid that this calibration fills, m = 1 to {len(budget)}: {grids}"
-        lines.append(("bins", filled))
-    return [*lines, ("take", _together(one))]
+        finest = (row["finest_bins"] for row in budget)
+        grids = " ".join("-" if bins is None else str(bins) for bins in finest)
+        yield "bins", f"finest grid that this calibration fills, m = 1 to {len(budget)}: {grids}"
+    yield "take", _together(one)
 
 
 def _window(one: Row, window: int) -> str:

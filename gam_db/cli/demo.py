@@ -8,7 +8,8 @@ from pyarrow import parquet
 from gam_db import langevin
 from gam_db.alarms import Alarms
 from gam_db.cli import page
-from gam_db.cli.once import open_job, show
+from gam_db.cli.job import job_of
+from gam_db.cli.once import show
 from gam_db.cli.options import option
 from gam_db.cli.progress import working
 from gam_db.cli.report import checked, page_of, told
@@ -61,8 +62,8 @@ def demo(
     with working(session) as on_step:
         on_step("simulating")
         series = langevin.series()
-        job, study = open_job(session, series, _SIMULATED, on_step, "simulated machine")
-        found = findings(study)
+        job = job_of(session, _SIMULATED, series, "simulated machine")
+        found = findings(job.study(session, on_step))
     page.say(lines, page.WORDS["demo"]["introduction"])
     lines.print()
     show(lines, job, found)

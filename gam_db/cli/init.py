@@ -48,9 +48,9 @@ def init(
         raise ConfigurationError(f"--out is {out}; the folder {out.parent} is not there.")
     with reading(settings, common) as (session, job, on_step):
         seen = _settled(looked(session, job, on_step), settings)
-    choices = (
-        chosen(settings, seen.job, Search(), common.threads).choices.to_pylist() if select else None
-    )
+    choices = None
+    if select:
+        choices = chosen(settings, seen.job, Search(), common.threads).choices.to_pylist()
     save(out, text(seen, settings, out.parent, choices))
 
     def show(lines: page.Out) -> None:
@@ -83,10 +83,9 @@ def text(
             proposed.setdefault(channel, {})[name] = one.value, one.reason
     if choices is not None:
         own = {
-            (row["asset"], row["channel"]): {
-                name: value for name, (value, _) in proposed.get(row["channel"], {}).items()
-            }
+            (row["asset"], row["channel"]): {name: value for name, (value, _) in said_own.items()}
             for row in choices
+            if (said_own := proposed.get(row["channel"]))
         }
         lines += groups(choices, seen.job, seen.job.parameters.window, own)
     else:
@@ -169,14 +168,10 @@ def _parameters(seen: Seen, settings: Settings) -> dict[str, tuple[Any, str]]:
     said: dict[str, tuple[Any, str]] = {}
     steps = sorted(row["typical_step"] for row in seen.look.channels if row["typical_step"])
     for name, setting in settings_of(Parameters).items():
-        what, of = setting.what, getattr(parameters, name)
-        if name == "stride" and name not in settings.parameters:
-            continue
-        if name in settings.parameters:
-            of, why = of, "as given"
-        else:
-            of, why = found.get(name, (of, "the default"))
-            if name == "tau" and steps:
-                what += f" (usual step {spoken(steps[len(steps) // 2], seen.look.kind)})"
-        said[name] = (False if of is None else of, f"{what}: {why}")
+        what, of, is_given = setting.what, getattr(parameters, name), name in settings.parameters
+        of, why = (of, "as given") if is_given else found.get(name, (of, "the default"))
+        if name == "tau" and steps and not is_given:
+            what += f" (usual step {spoken(steps[len(steps) // 2], seen.look.kind)})"
+        if name != "stride" or is_given:
+            said[name] = (False if of is None else of, f"{what}: {why}")
     return said

@@ -20,6 +20,7 @@ from gam_db.parameters import Parameters
 from gam_db.running import Listener
 from gam_db.setting import settings_of
 from gam_db.source import Source, shown_relation
+from gam_db.study import Study
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,11 @@ class Job:
     calibration: Calibration
     file: str | None = None
     exact: tuple[str, ...] = ()
+
+    def study(self, session: Session, on_step: Listener) -> Study:
+        """Return what does it."""
+        asked = (self.guess.source, self.parameters, self.calibration)
+        return Study(session, *asked, on_step=on_step, short_cuts=True)
 
     @property
     def settings(self) -> str:

@@ -25,13 +25,11 @@ from gam_db.clock import SINCE_1970, epoch_unit, zone
 from gam_db.config import Settings
 from gam_db.connecting import connect
 from gam_db.engines.duckdb_files import SOURCE_MARK
-from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, findings, need_attention
 from gam_db.report import Wishes
 from gam_db.source import FILE_ENDINGS, is_file, paths_of
 from gam_db.stored.lengths import park_after
-from gam_db.study import Study
 
 _OUTPUT = "Output"
 
@@ -109,7 +107,8 @@ def run(
     opened = connect(settings.source.database, common.threads, False, files)
     with interruptible(), opened as session:
         with Progress(session, common.quiet) as progress:
-            job, study = open_job(session, relation, settings, progress.on_step)
+            job = job_of(session, settings, relation)
+            study = job.study(session, progress.on_step)
             if others is None:
                 longest = park_after(settings.monitor.park_after, study.method.kind)
                 found = findings(study, settings.alarms, longest)
@@ -146,7 +145,7 @@ def run(
 
 
 def _others(estimator: str) -> Any:
-    """Return the module of the other estimators, which knows one of that name."""
+    """Return the module of the other estimators."""
     try:
         others = next(found.load() for found in entry_points(group="gam_db.estimators"))
     except (StopIteration, ModuleNotFoundError) as error:
@@ -154,21 +153,7 @@ def _others(estimator: str) -> Any:
             f"--estimator is {estimator}; all but {DSE} are part of the laboratory, which is not "
             "installed here."
         ) from error
-    others.estimator_named(estimator)
     return others
-
-
-def open_job(
-    session: Session,
-    relation: Any,
-    settings: Settings,
-    on_step: Callable[[str], None],
-    name: str | None = None,
-) -> tuple[Job, Study]:
-    """Return what is to be done and the study that does it; see :func:`job_of`."""
-    job = job_of(session, settings, relation, name)
-    asked = (job.guess.source, job.parameters, job.calibration)
-    return job, Study(session, *asked, on_step=on_step, short_cuts=True)
 
 
 def show(
@@ -206,11 +191,7 @@ def show(
         row["hi_limit"] is not None and 0 < row["calibration_vectors"] < 8 * row["window"]
         for row in found
     ):
-        page.say(
-            out,
-            f"{short} ready, but on a calibration shorter than 8 windows: their floors come from "
-            "blocks shorter than a window",
-        )
+        page.say(out, page.WORDS["run"]["short"].format(short=short))
     value = getattr(job.guess.source, "value", None)
     if beyond := sum(
         (value or row["channel"]) in job.exact

@@ -149,14 +149,9 @@ def taking(
 
     One that has a parameter ``relation`` is also told the SOURCE that was given, apart from gam.toml. A
     parameter that is a dataclass of settings gets an option for each of them; of :class:`Common` those
-    that are named.
-
-    Args:
-        names: of the settings, but for those of ``but``; their order is that of the options.
-        source: whether there is a SOURCE.
-        state: the database holds the state; else it is only read (but by a command's own --state).
-        fresh: there is no settings file.
-        but: see names.
+    that are named. The options stand in the order of the names, less those of ``but``. There may be no
+    SOURCE, and with ``fresh`` there is no settings file; with ``state`` the database holds the state,
+    else it is only read (but by a command's own --state).
     """
     taken = {name: {**_KNOWN, **_OF_COMMON}[name] for name in names if name not in but}
 

@@ -35,7 +35,7 @@ PLAIN_BLOCKS = "_.,-=+*#"
 
 MARKS = {"proving": "!", "open": "!", "high": "!", "setup": "?", "waiting": "~"}
 _STYLES = {"!": "bold red", "?": "yellow", "~": "cyan"}
-#: Words that mean the same wherever they stand, by what they are of.
+#: What pages say, by what it is of.
 WORDS: Mapping[str, Mapping[str, str]] = data.table("gam_db.cli", "words.toml")
 
 #: What makes the cell of a row: the name of its value, or a function of the row.
@@ -107,6 +107,12 @@ def say(out: Console, *lines: str) -> None:
         for part in Text(line).wrap(out, min(out.width, _WIDEST)):
             part.rstrip()
             out.print(part, soft_wrap=True)
+
+
+def title(out: Console, text: str) -> None:
+    """Print a line that stands above others."""
+    out.print()
+    out.print(Text(text, style="bold"))
 
 
 def notes(out: Console, said: Iterable[tuple[str, "str | Course"]]) -> None:
@@ -296,17 +302,17 @@ def cut(
 
 def verdicts(supports: Iterable[Row]) -> str:
     """Return how many calibrations have which verdict."""
-    order = ("ready", "too_fine", "needs_data", "constant", "no_data")
-    return _tally(Counter(row["verdict"] for row in supports), zip(order, order, strict=True))
+    return _tally(supports, "verdict")
 
 
 def counted(rows: Iterable[Row]) -> str:
     """Return how many channels are what, in words, the most urgent first."""
-    return _tally(Counter(row["status"] for row in rows), WORDS["statuses"].items())
+    return _tally(rows, "status")
 
 
-def _tally(count: Mapping[str, int], words: Iterable[tuple[str, str]]) -> str:
-    return ", ".join(f"{count[name]:,} {said}" for name, said in words if count[name])
+def _tally(rows: Iterable[Row], of: str) -> str:
+    count = Counter(row[of] for row in rows)
+    return ", ".join(f"{count[name]:,} {said}" for name, said in WORDS[of].items() if count[name])
 
 
 def advice(supports: Sequence[Row]) -> list[str]:

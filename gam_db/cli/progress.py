@@ -23,22 +23,16 @@ EVERY = 30.0
 class Progress:
     """A status line: the step at work, for how long, and how far DuckDB says it is.
 
-    Where stderr is no terminal, a run prints a line at each step once it lasts 30 s,
-    and one every 30 s.
-
-    Args:
-        session: asked how far its statement is, from the thread that draws the line.
-        quiet: show nothing even so.
+    Where stderr is no terminal, a run prints a line at each step once it lasts 30 s, and one every 30 s.
     """
 
     def __init__(self, session: Session, quiet: bool = False) -> None:
-        console = Console(stderr=True)
-        self._session = session
+        self._console, self._session = Console(stderr=True), session
         self._step = "looking at the source"
         self._since = self._begin = time.monotonic()
-        shown = console.is_terminal and not quiet
-        self._status = Status(self, console=console, refresh_per_second=5) if shown else None
-        self._console, self._is_logged = console, not (shown or quiet)
+        shown = self._console.is_terminal and not quiet
+        self._status = Status(self, console=self._console, refresh_per_second=5) if shown else None
+        self._is_logged = not (shown or quiet)
         self._ended = threading.Event()
         self._logging = threading.Thread(target=self._log, daemon=True)
 

@@ -1,6 +1,6 @@
 """``gam score``: what is new of every calibrated channel, and what came late."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
@@ -178,34 +178,21 @@ def _lines(figures: Row, status: pa.Table | None, file: Path | None) -> Iterator
         yield f"would read {read}; nothing was written"
     else:
         yield f"read {read}; wrote {number_of(totals['buckets'], 'bucket')}, new or anew"
-    if figures["moved"]:
-        moved = number_of(figures["moved"], "channel")
-        yield (
-            f"{moved} in which rows came late or went, though the source is said only to grow, or of "
-            "which that is not known: read again as far as lookback"
-        )
-    if figures["parked"]:
-        parked = number_of(figures["parked"], "channel")
-        yield f"{parked} parked: looked at once a day, or now by --everything"
-    if unknown := figures["not_calibrated"]:
-        rows = number_of(sum(row["rows"] for row in unknown), "row")
-        yield (
-            f"{rows} of {number_of(len(unknown), 'channel')} without calibration: {_named(unknown)}; "
-            "gam calibrate gives them one"
-        )
-    for name, what in (("name", "asset or channel"), ("time", "a time")):
-        if rows := figures[f"rows_without_{name}"]:
-            yield f"{number_of(rows, 'row')} without {what}, left out"
-    if late["channels"]:
-        yield (
-            f"{number_of(late['channels'], 'channel')} with samples that came later than lookback, or "
-            f"were taken away: gam score --from {late['repair_from']} mends them"
-        )
-    if others:
-        yield (
-            f"{file} has other settings than those by which {number_of(len(others), 'channel')} "
-            f"learned: {_named(others)}; gam calibrate takes them over"
-        )
+    unknown = figures["not_calibrated"]
+    of_unknown = number_of(sum(row["rows"] for row in unknown), "row")
+    for name, count, thing, named in (
+        ("moved", figures["moved"], "channel", ()),
+        ("parked", figures["parked"], "channel", ()),
+        ("not_calibrated", len(unknown), "channel", unknown),
+        ("rows_without_name", figures["rows_without_name"], "row", ()),
+        ("rows_without_time", figures["rows_without_time"], "row", ()),
+        ("late", late["channels"], "channel", ()),
+        ("other_settings", len(others), "channel", others),
+    ):
+        if count:
+            names = page.some(sorted(printable(f"{row['asset']} {row['channel']}") for row in named))
+            more = {"rows": of_unknown, "since": late["repair_from"], "file": file, "names": names}
+            yield page.WORDS["score"][name].format(count=number_of(count, thing), **more)
     if figures["copy"] is not None:
         yield f"copied to {figures['copy']}"
     if status is None:
@@ -215,7 +202,3 @@ def _lines(figures: Row, status: pa.Table | None, file: Path | None) -> Iterator
     else:
         yield f"channels: {page.counted(status.to_pylist())}; gam status shows them"
     yield from judging(status)
-
-
-def _named(rows: Iterable[Row]) -> str:
-    return page.some(sorted(printable(f"{row['asset']} {row['channel']}") for row in rows))

@@ -117,10 +117,8 @@ def _summary(channels: pa.Table, everything: bool) -> Iterator[str]:
     differing = pc.sum(pc.greater(channels["differing_contexts"], 0)).as_py()
     if differing:
         since = pc.min(channels["repair_from"]).as_py()
-        yield (
-            f"{differing:,} with samples that came later than lookback, or were taken away: gam score "
-            f"--from {since.isoformat() if isinstance(since, dt.datetime) else since} mends them all"
-        )
+        since = since.isoformat() if isinstance(since, dt.datetime) else since
+        yield page.WORDS["state"]["late"].format(count=differing, since=since)
     changed = pc.sum(pc.not_equal(channels["calibration_rows_added"], 0)).as_py()
     if changed:
         yield f"{changed:,} with calibration data that changed; gam calibrate --again learns it anew"
@@ -144,10 +142,7 @@ def judging(status: pa.Table) -> Iterator[str]:
     if by_episode == len(status) - status["judged_by"].null_count > 0:
         yield "judged by episodes (gam limits)"
     elif by_episode:
-        yield (
-            f"{number_of(by_episode, 'channel')} judged by episodes (gam limits), others by the health "
-            "indicator and its limit"
-        )
+        yield page.WORDS["state"]["mixed"].format(count=number_of(by_episode, "channel"))
     elif len(status) > status["judged_by"].null_count:
         yield "judged by the health indicator and its limit; gam limits says why"
     asking = pc.sum(status["asking"]).as_py()

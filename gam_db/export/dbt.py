@@ -5,7 +5,6 @@ written to a folder. What a column means is said in the words of the migrations,
 those of the files of ``sql/``.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -98,8 +97,8 @@ class Package:
             f"tests/generic/{UNIQUE}.sql": _unique(engine),
         }
         for folder in dict.fromkeys(model.folder for model in made):
-            inside = [model for model in made if model.folder == folder]
-            files[f"{folder}/schema.yml"] = schema(of, inside)
+            inside = [_described(of, model) for model in made if model.folder == folder]
+            files[f"{folder}/schema.yml"] = yaml_text.text({"version": 2, "models": inside})
         for model in made:
             files[f"{model.folder}/{prefix}{model.name}.sql"] = _text(model, engine)
         before = adapter.get("before", "")
@@ -245,14 +244,10 @@ def sources(
     return yaml_text.text({"version": 2, "sources": [{"name": SOURCE, **place, "tables": [described]}]})
 
 
-def schema(of: Modelled, models: Sequence[Model]) -> str:
-    """Return the descriptions and the tests of models."""
-    return yaml_text.text({"version": 2, "models": [_described(of, model) for model in models]})
-
-
 def _described(of: Modelled, model: Model) -> dict[str, Any]:
+    """Return the description and the tests of a model."""
     columns = []
-    for column in model.columns:
+    for column in model.query.named_selects:
         tests: list[Any] = []
         if column in model.keys or _is_always_there(model.name, column):
             tests.append("not_null")
@@ -311,6 +306,6 @@ def readme(of: Modelled, table: str) -> str:
         window=of.setting.window_length,
         taught=", ".join(f"{of.prefix}{model}" for model in CALIBRATED),
         lookback=of.lookback,
-        unit="steps of the counter" if of.kind.is_counter else "microseconds",
+        unit="steps of the counter" if of.method.kind.is_counter else "microseconds",
         table=table,
     )

@@ -60,21 +60,18 @@ def write(
 def queries(engine: str, tables: StateTables, monitor: str) -> dict[str, str]:
     """Return the SQL of every variable, panel and rule, with Grafana's macros and variables in it."""
     source, writer = SOURCES[engine], engine_named(engine)
-    values: dict[str, template.Slot] = {}
-    for role in ("asset", "channel"):
-        said: exp.Expr = exp.column(role)
-        if source["escapes"]:  # Grafana doubles the quotes of a value, and leaves its backslashes
-            doubled = (exp.Literal.string("\\"), exp.Literal.string("\\\\"))
-            said = exp.Anonymous(this="replaceAll", expressions=[said, *doubled])
-        values[f"{role}_value"] = said
     slots: dict[str, template.Slot] = {
-        **values,
         "monitor": template.text(monitor),
         "assets": exp.var("${asset:sqlstring}"),
         "channels": exp.var("${channel:sqlstring}"),
         "stretch": exp.var(source["stretch"]),
         "shown": exp.var("$__timeFilter(last_time)"),
     }
+    for role in ("asset", "channel"):
+        slots[f"{role}_value"] = said = exp.column(role)
+        if source["escapes"]:  # Grafana doubles the quotes of a value, and leaves its backslashes
+            doubled = (exp.Literal.string("\\"), exp.Literal.string("\\\\"))
+            slots[f"{role}_value"] = exp.Anonymous(this="replaceAll", expressions=[said, *doubled])
     found: dict[str, str] = {}
     for name in ("assets", "channels", "counts", "machines", "indicator", "signals", "alert"):
         path = f"export/grafana_{name}"

@@ -14,7 +14,7 @@ from typing import Any
 from sqlglot import exp
 
 from gam_db import data, template
-from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
+from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.engines.base import Engine
 from gam_db.errors import CalibrationError, ParameterError
 from gam_db.export import jinja
@@ -35,8 +35,15 @@ ADAPTERS: Mapping[str, Mapping[str, Any]] = data.table("gam_db.export", "adapter
 
 SOURCE, TABLE = "gam_source", "telemetry"
 
-#: The models that are built once.
-CALIBRATED = ("channel", "calibration", "bounds", "support", "block", "ladder")
+#: The models that are built once, and the columns that no two rows of each share.
+CALIBRATED = {
+    "channel": ("channel_id",),
+    "calibration": ("channel_id", "time_from"),
+    "bounds": ("support_id",),
+    "support": ("support_id", "cell_key"),
+    "block": ("support_id", "block"),
+    "ladder": ("support_id", "bins"),
+}
 
 #: The first microsecond of the year 1: no warehouse knows an earlier one.
 _FIRST = -62_135_596_800_000_000
@@ -65,11 +72,6 @@ class Model:
     config: Mapping[str, Any] = field(default_factory=dict)
     keys: tuple[str, ...] = ()
     values: Mapping[str, Sequence[str]] = field(default_factory=dict)
-
-    @property
-    def columns(self) -> list[str]:
-        """The columns of a row, in order."""
-        return list(self.query.named_selects)
 
 
 @dataclass(frozen=True)
@@ -106,11 +108,6 @@ class Modelled:
             )
 
     @property
-    def kind(self) -> TimeKind:
-        """How the source tells time."""
-        return self.method.kind
-
-    @property
     def setting(self) -> Setting:
         """The parameters of all channels."""
         one, gap = self.method.settings[0], self.method.gaps[0]
@@ -132,7 +129,7 @@ class Modelled:
             calibration.pools,
             sorted(read.items(), key=lambda item: item[0]),
             self.source.value_columns,
-            self.kind.value,
+            self.method.kind.value,
         )
         return hashlib.sha256(repr(said).encode()).hexdigest()[:16]
 
@@ -143,11 +140,11 @@ class Modelled:
     def readings(self, *conditions: exp.Expr) -> exp.Query:
         """Return the step *readings* under conditions on the source's own columns."""
         source = under(self.source, *conditions)
-        return self.engine.readings(source, _SOURCE_NODE, self.kind)
+        return self.engine.readings(source, _SOURCE_NODE, self.method.kind)
 
     def instant(self, time: exp.Expr) -> exp.Expr:
         """Return an integer time as the source tells it."""
-        return self.engine.instant_of(self.kind, time)
+        return self.engine.instant_of(self.method.kind, time)
 
     @property
     def margin(self) -> int:
@@ -155,7 +152,7 @@ class Modelled:
 
         A timestamp without zone beside one with a zone may be read in the zone of the session.
         """
-        return 0 if self.kind.is_counter else DAY
+        return 0 if self.method.kind.is_counter else DAY
 
 
 _SOURCE_NODE = jinja.source(SOURCE, TABLE)
@@ -191,53 +188,28 @@ def _calibration(of: Modelled) -> list[Model]:
     hashes = {"settings_hash": of.settings_hash, "method_hash": method_hash()}
     slots: dict[str, template.Slot] = {key: template.text(said) for key, said in hashes.items()}
     slots |= {"span": of.method.settings[0].reach, "long_ago": LONG_AGO}
-    add(steps, "export/channel_rows", slots)
-    made = [
-        _frozen(
-            of,
-            "channel",
-            "export/channel_rows",
-            steps.query("channel_rows", commented=True),
-            keys=("channel_id",),
-            values={key: [said] for key, said in hashes.items()},
-        )
-    ]
     learning = _learning(of)
-    add(learning, "export/calibration_rows")
-    for name in CALIBRATED[2:]:
-        add(learning, f"stored/{name}_rows", tables={"numbering": "channels"})
     placed = {"stored_channel": of.reference("channel"), "calibration": of.reference("calibration")}
     verdicts = ["ready", "too_fine", "needs_data", "constant", "no_data"]
-    for name, about, keys, values in (
-        ("calibration", "export/calibration_rows", ("channel_id", "time_from"), {}),
-        ("bounds", "stored/bounds_rows", ("support_id",), {"verdict": verdicts}),
-        ("support", "stored/support_rows", ("support_id", "cell_key"), {}),
-        ("block", "stored/block_rows", ("support_id", "block"), {}),
-        ("ladder", "stored/ladder_rows", ("support_id", "bins"), {}),
-    ):
-        query = learning.query(f"{name}_rows", placed, commented=True)
-        query.set("order", None)
-        made.append(_frozen(of, name, about, query, keys, values))
+    values = {"channel": {key: [said] for key, said in hashes.items()}, "bounds": {"verdict": verdicts}}
+    config = {"materialized": "incremental", "incremental_strategy": "append"}
+    config |= of.adapter.get("config", {})
+    made = []
+    for name, keys in CALIBRATED.items():
+        about = f"{'export' if name in ('channel', 'calibration') else 'stored'}/{name}_rows"
+        if name == "channel":
+            add(steps, about, slots)
+            query = steps.query("channel_rows", commented=True)
+        else:
+            add(learning, about, tables=None if name == "calibration" else {"numbering": "channels"})
+            query = learning.query(f"{name}_rows", placed, commented=True)
+            query.set("order", None)
+        columns = [exp.column(exp.to_identifier(column)) for column in query.named_selects]
+        never = exp.EQ(this=exp.Literal.number(1), expression=exp.Literal.number(0))
+        nothing = exp.select(*columns).from_(jinja.THIS.copy()).where(never)
+        of_name = values.get(name, {})
+        made.append(Model(name, "models/calibration", about, query, nothing, config, keys, of_name))
     return made
-
-
-def _frozen(
-    of: Modelled,
-    name: str,
-    about: str,
-    query: exp.Query,
-    keys: tuple[str, ...],
-    values: Mapping[str, Sequence[str]],
-) -> Model:
-    columns = [exp.column(exp.to_identifier(column)) for column in query.named_selects]
-    never = exp.EQ(this=exp.Literal.number(1), expression=exp.Literal.number(0))
-    nothing = exp.select(*columns).from_(jinja.THIS.copy()).where(never)
-    config = {
-        "materialized": "incremental",
-        "incremental_strategy": "append",
-        **of.adapter.get("config", {}),
-    }
-    return Model(name, "models/calibration", about, query, nothing, config, keys, values)
 
 
 def _learning(of: Modelled) -> Pipeline:
@@ -305,7 +277,7 @@ def _scoring(of: Modelled, is_later: bool) -> Pipeline:
         never = {"repair_from": FAR_AHEAD, "pruned_stay": 0}
         add(steps, "stored/restart", {"lookback": of.lookback, **never})
         add(steps, "export/cohort", {"far_ahead": FAR_AHEAD})
-        bounds = {"margin": of.margin, "earliest": LONG_AGO if of.kind.is_counter else _FIRST}
+        bounds = {"margin": of.margin, "earliest": LONG_AGO if of.method.kind.is_counter else _FIRST}
         earliest = exp.Subquery(this=filled("export/earliest", bounds))
         time = template.column(of.source.time)
         conditions.append(exp.GTE(this=time, expression=of.instant(earliest)))
@@ -319,7 +291,7 @@ def _scoring(of: Modelled, is_later: bool) -> Pipeline:
     edges = [exp.column(name, table="named") for name in ("read_from", "read_until")]
     ranged = exp.Between(this=exp.column("time", table="reading"), low=edges[0], high=edges[1])
     add(steps, "source/identified", {"read": ranged})
-    add_counting(steps, setting, of.kind, has_past=is_later)
+    add_counting(steps, setting, of.method.kind, has_past=is_later)
     add(steps, "export/bucket_rows")
     if is_later:
         add(steps, "export/ended_buckets")
@@ -343,7 +315,7 @@ def _views(of: Modelled) -> list[Model]:
         ("machine", ("since_tick", "last_tick"), {}, ("asset",)),
     ):
         times: list[exp.Expr] = []
-        if not of.kind.is_counter:
+        if not of.method.kind.is_counter:
             times = [
                 exp.alias_(of.instant(exp.column(column, table="made")), column.replace("tick", "time"))
                 for column in times_of

@@ -77,36 +77,22 @@ def _signal(
     phase = (at % period) / period
     second = 0.35 + 0.3 * chance.random()
     shape = np.sin(2 * np.pi * phase) + second * np.sin(4 * np.pi * phase + chance.random())
-    if what == "program":
-        shape = np.where(begun, np.where(phase < 0.5, 1.1, -0.9) * np.cos(6 * np.pi * phase), shape)
     noise = 0.035 * chance.standard_normal(count)
-    if what == "wear":
-        noise *= 1 + 0.8 * since
-        shape = shape * (1 + 0.025 * since)
-    if what == "creeps":
-        noise *= 1 + 0.22 * since
-    if what == "breaks":
-        shape = np.where(begun, 1.5 * shape + 0.6, shape)
-    if what == "repaired":
-        broken = begun & (days < day + 3.2)
-        shape = np.where(broken, np.clip(shape, -0.6, 0.5), shape)
-    if what == "warms":
-        shape = shape + 0.12 * since
-    if what == "spikes":
-        hit = begun & (at % 190 < 4)
-        shape = np.where(hit, 2.4, shape)
+    noise *= {"wear": 1 + 0.8 * since, "creeps": 1 + 0.22 * since}.get(what, 1.0)
+    other_program = np.where(phase < 0.5, 1.1, -0.9) * np.cos(6 * np.pi * phase)
+    shape = {
+        "program": np.where(begun, other_program, shape),
+        "wear": shape * (1 + 0.025 * since),
+        "breaks": np.where(begun, 1.5 * shape + 0.6, shape),
+        "repaired": np.where(begun & (days < day + 3.2), np.clip(shape, -0.6, 0.5), shape),
+        "warms": shape + 0.12 * since,
+        "spikes": np.where(begun & (at % 190 < 4), 2.4, shape),
+        "coarse": np.round(shape * 3) / 3,
+    }.get(what, shape)
     if what == "noise":
         shape, noise = np.zeros(count), chance.uniform(-1, 1, count)
-    if what == "coarse":
-        shape = np.round(shape * 3) / 3
     value = level + scale * (0.8 * shape + noise + 0.05 * np.sin(2 * np.pi * days))
     if what == "stands":
         value = np.where(days < 12, level, value)
-    kept = np.ones(count, bool)
-    if what == "silent":
-        kept = days < day
-    if what == "late":
-        kept = days >= day
-    if what == "weekends":
-        kept = (np.floor(days).astype(int) % 7) < 5
-    return np.round(value, 3), kept
+    kept = {"silent": ~begun, "late": begun, "weekends": np.floor(days).astype(int) % 7 < 5}
+    return np.round(value, 3), kept.get(what, np.ones(count, bool))
