@@ -84,10 +84,11 @@ class Study:
         self._asked = (self.method, unread, read.relation, session.engine)
         self.running = Running(session, self._opening(), on_step=on_step)
         is_streamed = short_cuts and seems_ordered(self.method, self.running)
-        slicing = None
+        slicing, ways = None, Ways()
         if short_cuts and on_trust and not is_streamed and trusting.serves(self.method):
-            slicing = trusting.sliced(self.running)
-            self.running.steps = self._opening(slicing)
+            slicing, rows = trusting.sliced(self.running)
+            ways = ways if slicing is None else self._ways(rows)
+            self.running.steps = self._opening(slicing, ways.delays)
         self.running.keep("names")
         names = session.fetch(self.steps.query("names", self.running.placed))
         (look.check_rows if strict else look.check_clock)(names)
@@ -96,7 +97,8 @@ class Study:
         bits = session.engine.bits
         if bits is not None and not all(bits.serve(cells, names.num_rows) for cells in grids):
             bits = None
-        ways = Ways() if slicing is None else self._ways(names)
+        if not any(names["missing_readings"].to_pylist()):
+            ways = dataclasses.replace(ways, has_missing=False)
         self.running.steps = self._steps(bits, slicing, ways)
         self._short_cut: Streams | Trust | None = None
         if is_streamed and bits is not None and (streams := Streams(self.method, self.running)).serve():
@@ -162,19 +164,17 @@ class Study:
         if self._is_lent and isinstance(self.relation, exp.Table):
             self.session.forget(self.relation)
 
-    def _opening(self, slicing: Slicing | None = None) -> Pipeline:
+    def _opening(self, slicing: Slicing | None = None, delays: str | None = None) -> Pipeline:
         """Return the steps that are asked first."""
         glance = streaming.GLANCE if self.session.engine.bits else 0
-        steps = _opened(*self._asked, glance, slicing).copied()
+        steps = _opened(*self._asked, glance, slicing, delays).copied()
         return self._with_file(steps)
 
-    def _ways(self, names: pa.Table) -> Ways:
-        """Return what this engine does in a way of its own with a source of these names."""
-        engine, of_channel = self.session.engine, names.to_pylist()
-        rows = sum(row["readings"] for row in of_channel)
+    def _ways(self, rows: int) -> Ways:
+        """Return what this engine does in a way of its own with a source of so many rows."""
+        engine = self.session.engine
         has_room = not engine.holds_delays or rows <= self.session.rows_at_once()
-        has_missing = any(row["missing_readings"] for row in of_channel)
-        return Ways(engine.delays if has_room else None, engine.by_sets, has_missing)
+        return Ways(engine.delays if has_room else None, engine.by_sets)
 
     def _steps(
         self, bits: Bits | None, slicing: Slicing | None = None, ways: Ways | None = None
@@ -275,9 +275,10 @@ def _opened(
     engine: Engine,
     glance: int,
     slicing: Slicing | None,
+    delays: str | None,
 ) -> Pipeline:
     """Return the steps that are asked first, likewise; arguments as for :func:`_filled`."""
-    return opening_pipeline(engine.readings(source, relation, method.kind), glance, slicing)
+    return opening_pipeline(engine.readings(source, relation, method.kind), glance, slicing, delays)
 
 
 @lru_cache(maxsize=LATELY)

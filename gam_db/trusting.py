@@ -27,16 +27,19 @@ __all__ = ["Trust", "serves", "sliced"]
 TRUSTED_FROM = 100_000
 
 
-def sliced(running: Running) -> Slicing | None:
-    """Return how the times of a source are cut into slices; None where it has few rows, or odd times."""
+def sliced(running: Running) -> tuple[Slicing | None, int]:
+    """Return how the times of a source are cut into slices, and how many rows it has.
+
+    There are no slices where these are few, or times are odd.
+    """
     running.keep("extent")
     (extent,) = running.rows("extent")
     edges = extent["earliest"], extent["latest"]
     if extent["readings"] < TRUSTED_FROM or any(
         edge is None or abs(edge) >= FAR_AHEAD for edge in edges
     ):
-        return None
-    return Slicing.of(*edges)
+        return None, extent["readings"]
+    return Slicing.of(*edges), extent["readings"]
 
 
 class Trust:
@@ -98,7 +101,7 @@ class Trust:
         self._bound(TAUGHT, "calibration", "time_from", "time_to")
         *proofs, last = PROOFS[self._ways.delays]
         for number in self._sets:
-            bounds, *marked = (self.method.named(step, number) for step in ("bounds", *proofs))
+            bounds, *marked = (self._step(step, number) for step in ("bounds", *proofs))
             self.running.keep(bounds)
             if self.running.table(bounds)["calibrated_lo"].null_count:
                 return False
@@ -107,13 +110,16 @@ class Trust:
         if self._ways.by_sets and self._has_large_support():
             self.running.steps = self._made(replace(self._ways, by_sets=False))
         for number in self._sets:
-            run_up, final, scored = (
-                self.method.named(step, number) for step in ("run_up", last, SCORED)
-            )
+            run_up, final, scored = (self._step(step, number) for step in ("run_up", last, SCORED))
             self._bound(scored, run_up, "read_from")
             if self.running.largest(final, "doubled"):
                 return False
         return True
+
+    def _step(self, step: str, number: int) -> str:
+        """Return what a step is called, which may be one of a set."""
+        own = self.method.named(step, number)
+        return own if own in self.running.steps.steps else step
 
     def _has_large_support(self) -> bool:
         """Tell whether a support has more cells than the engine looks up as a set."""

@@ -13,7 +13,7 @@ from gam_db.bits import Bits
 from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.method.adding import OfSet, add
 from gam_db.method.certificate import add_judgement
-from gam_db.method.delays import CALIBRATION, COMPLETE, INCOMPLETE, Ways, add_coded, add_delays
+from gam_db.method.delays import CALIBRATION, COMPLETE, INCOMPLETE, STORED, Ways, add_coded, add_delays
 from gam_db.method.delays import KEPT as KEPT_BY
 from gam_db.method.resolved import Method
 from gam_db.method.scoring import (
@@ -33,7 +33,7 @@ from gam_db.pipeline import Pipeline, union_of
 SLICES = 32
 
 #: Its own steps that are kept.
-KEPT = frozenset(("slices", "edges", "edge_samples"))
+KEPT = frozenset(("stored", "slices", "edges", "edge_samples"))
 
 #: Small steps that are read once or are constants here: a table of each would cost more.
 FLOWING = frozenset(("rules", "declared", "series", "calibrated"))
@@ -65,16 +65,19 @@ def serves(method: Method) -> bool:
     )
 
 
-def add_census(steps: Pipeline, method: Method, slicing: Slicing) -> None:
+def add_census(steps: Pipeline, method: Method, slicing: Slicing, delays: str | None = None) -> None:
     """Add what speaks of whole channels, up to the range of calibration (method, sections 2 and 4)."""
-    add_names(steps, slicing)
+    add_names(steps, slicing, delays)
     add_rules(steps, method)
     add_channels(steps, method)
     reach = max(1, *(setting.span for setting in method.settings))
     add(steps, "census/edges", {"reach": reach})
-    _add_readings(steps, EDGES)
-    add(steps, "source/identified", {"read": exp.true()}, "near_edges", {"readings": EDGES})
-    add(steps, "census/edge_samples")
+    if delays in STORED:
+        add(steps, f"{delays}/edge_samples")
+    else:
+        _add_readings(steps, EDGES)
+        add(steps, "source/identified", {"read": exp.true()}, "near_edges", {"readings": EDGES})
+        add(steps, "census/edge_samples")
     add(steps, "census/series")
     add_intervals(steps)
     add(steps, "census/calibrated")
@@ -82,9 +85,19 @@ def add_census(steps: Pipeline, method: Method, slicing: Slicing) -> None:
     add(steps, "source/identified", {"read": exp.true()})
 
 
-def add_names(steps: Pipeline, slicing: Slicing) -> None:
-    """Add the counts by slice, and the names that follow from them."""
-    add(steps, "census/slices", {"origin": slicing.origin, "width": slicing.width})
+def add_names(steps: Pipeline, slicing: Slicing, delays: str | None = None) -> None:
+    """Add the counts by slice, and the names that follow from them.
+
+    Args:
+        steps: the pipeline.
+        slicing: how times are cut, unless a body cuts what it keeps.
+        delays: the body of the delays (:mod:`gam_db.method.delays`).
+    """
+    if delays in STORED:
+        add(steps, f"{delays}/stored")
+        add(steps, f"{delays}/slices")
+    else:
+        add(steps, "census/slices", {"origin": slicing.origin, "width": slicing.width})
     add(steps, "census/names")
 
 

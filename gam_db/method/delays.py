@@ -8,7 +8,7 @@ that is not right for a source shows it by ``doubled``, too: that costs time, ne
 
 * ``embedding``, by windows: for every engine.
 * ``rowids``, by the numbers of rows that are kept in order: SQLite.
-* ``arrays``, by arrays that are kept in order: ClickHouse.
+* ``arrays``, by arrays that are kept in order: ClickHouse. Of these the census is made, too.
 """
 
 from collections.abc import Callable
@@ -23,13 +23,16 @@ from gam_db.method.vectors import add_short_vectors
 from gam_db.pipeline import filled
 
 #: What is kept before vectors are made of it, body by body.
-KEPT = {"rowids": ("coded", "runs"), "arrays": ("coded",)}
+KEPT = {"rowids": ("coded", "runs"), "arrays": ()}
+
+#: The bodies for which the samples of the source are kept once, whatever is asked of them: *stored*.
+STORED = frozenset(("arrays",))
 
 #: The steps with a column ``doubled`` that prove a body right where it is 0 everywhere.
 PROOFS = {
     None: ("learnable", "visited"),
     "rowids": ("runs", "learnable", "visited"),
-    "arrays": ("coded",),
+    "arrays": ("stored",),
 }
 
 #: The vectors that are made, by their prefix: of calibration, and the scored ones of channels without
@@ -53,7 +56,7 @@ class Ways:
 
 
 def add_coded(one: OfSet, body: str) -> None:
-    """Add what vectors of one set are made of, once, where a body keeps it."""
+    """Add what vectors of one set are made of, once, where a body keeps it for each set."""
     for name in KEPT[body]:
         one.add(f"{body}/{name}")
 
@@ -69,7 +72,7 @@ def add_delays(one: OfSet, prefix: str, body: str | None, rows: str) -> None:
     """
     if body is not None:
         query = _BODIES[body](one, prefix)
-        tables = {name: one.named(name) for name in KEPT[body]}
+        tables = {name: one.named(name) for name in ("scale", *KEPT[body])}
         one.steps.add(one.named(f"{prefix}vectors"), query, "", tables)
         return
     one.add("census/codes", {"read": _read(prefix)}, f"{prefix}codes", {"readings": rows})

@@ -73,18 +73,21 @@ def pipeline(
     return steps
 
 
-def opening_pipeline(readings: exp.Query, glance: int = 0, slicing: Slicing | None = None) -> Pipeline:
+def opening_pipeline(
+    readings: exp.Query, glance: int = 0, slicing: Slicing | None = None, delays: str | None = None
+) -> Pipeline:
     """Return the steps that are asked before it is known what else is: up to *names*, and *extent*.
 
-    Arguments as for :func:`pipeline` and :func:`trusting_pipeline`; without ``slicing`` the former.
+    Arguments as for :func:`pipeline` and :func:`trusting_pipeline`, ``delays`` as of its ways; without
+    ``slicing`` the former.
     """
-    steps = Pipeline(small=frozenset(("slices",)))
+    steps = Pipeline(small=frozenset(("stored", "slices")))
     _add_readings(steps, readings, glance)
     add(steps, "census/extent")
     if slicing is None:
         add(steps, "source/names")
     else:
-        add_names(steps, slicing)
+        add_names(steps, slicing, delays)
     return steps
 
 
@@ -104,7 +107,7 @@ def trusting_pipeline(
     ways = ways or Ways()
     steps = Pipeline(small=frozenset(method.small() - FLOWING | kept(method, ways)))
     _add_readings(steps, readings)
-    add_census(steps, method, slicing)
+    add_census(steps, method, slicing, ways.delays)
     for number in range(len(method.settings)):
         one = OfSet(steps, method, number)
         add_census_set(one, bits, ways)

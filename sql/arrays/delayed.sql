@@ -2,4 +2,4 @@
 -- ClickHouse; see arrays/vectors.sql.
 -- Dialect: clickhouse
 -- Slots:  :place  of the first one among the samples that are read
-arraySlice(codes, skipped + :place, vectors)
+arraySlice(codes, :place, vectors)

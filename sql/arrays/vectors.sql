@@ -1,11 +1,13 @@
--- Vectors in arrays: v(t) (Eq. 1) of coded samples, which lie in one array per channel: a delay is the same array
--- from another place on. For ClickHouse. Proof: coded, whose arrays are in order.
+-- Vectors in arrays: v(t) (Eq. 1) of samples that lie in one array per channel and are coded there (Phi, method
+-- section 3): a delay is the same array from another place on. For ClickHouse. Proof: stored, whose arrays are in
+-- order.
 -- Dialect: clickhouse
--- Reads:  coded
+-- Reads:  stored, scale
 -- A row:  one vector, at the time of its newest sample; cell_key is NULL where a sample is missing; position
 --         counts the samples from the first one that is read.
 -- Slots:  :time_from, :time_to  the instants of a channel that are read
 --         :span     (m-1) * tau, the samples between oldest and newest
+--         :code     the expression of support/code.sql, cast to the narrowest integer that holds it
 --         :delayed  code_0 ... code_(m-1), the arrays of the coordinates
 --         :coordinates  their names
 --         :known    all coordinates are there
@@ -32,20 +34,40 @@ FROM (
       channel_id,
       support_id,
       times,
-      codes,
       skipped,
-      greatest(arrayCount(time -> time <= :time_to, times) - skipped - :span, 0) AS vectors
+      vectors,
+      arrayMap(
+        value -> assumeNotNull(:code),
+        arrayMap(
+          reading -> CASE WHEN NOT isNaN(reading) THEN reading END,
+          arraySlice(samples, skipped + 1, vectors + :span)
+        )
+      ) AS codes
     FROM (
       SELECT
         channel_id,
         support_id,
+        lo,
+        hi,
         times,
-        codes,
-        taught_to,
-        arrayCount(time -> time < :time_from, times) AS skipped
-      FROM coded
-      WHERE :read
-    ) AS begun
-  ) AS counted
+        samples,
+        skipped,
+        greatest(arrayCount(time -> time <= :time_to, times) - skipped - :span, 0) AS vectors
+      FROM (
+        SELECT
+          scale.channel_id AS channel_id,
+          scale.support_id AS support_id,
+          scale.lo AS lo,
+          scale.hi AS hi,
+          scale.taught_to AS taught_to,
+          stored.times AS times,
+          stored.samples AS samples,
+          arrayCount(time -> time < :time_from, stored.times) AS skipped
+        FROM stored
+        JOIN scale ON scale.asset = stored.asset AND scale.channel = stored.channel
+        WHERE :read
+      ) AS begun
+    ) AS counted
+  ) AS coded
 ) AS embedded
 ARRAY JOIN time, arrayEnumerate(time) AS position, :coordinates

@@ -26,7 +26,7 @@ from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_backtested, add_judgements, add_learnt_limits, add_replay
 from gam_db.method.census import Slicing
-from gam_db.method.delays import KEPT, Ways
+from gam_db.method.delays import KEPT, STORED, Ways
 from gam_db.method.judgement import add_judged, add_standing
 from gam_db.selection.budget import add_budget, add_results
 from gam_db.selection.lags import add_delays, add_samples
@@ -764,7 +764,8 @@ def test_every_file_is_used() -> None:
     with loading() as loaded:
         for arguments in PIPELINES:
             steps(*arguments)
-        opening_pipeline(exp.select("*"), 5, Slicing.of(0, 9))
+        for body in (None, *STORED):
+            opening_pipeline(exp.select("*"), 5, Slicing.of(0, 9), body)
         for body in (None, *KEPT):
             trusting_in(Ways(body, by_sets=True))
         ENGINE.readings(

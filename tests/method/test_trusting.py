@@ -21,7 +21,7 @@ import strategies
 from gam_db import trusting
 from gam_db.engines.session import Session
 from gam_db.method import census
-from gam_db.method.delays import KEPT
+from gam_db.method.delays import KEPT, STORED
 from gam_db.study import Study
 from harness import Answer, Row
 
@@ -254,6 +254,7 @@ def test_however_rows_lie_the_body_of_the_engine_serves(engine: str, order: str)
         assert {study.method.named(step, 0) for step in KEPT.get(body or "", ())} <= set(
             study.running.placed
         )
+        assert ("stored" in study.running.placed) == (body in STORED)
         assert "incomplete_vectors_0" not in study.steps.steps
         study.forget()
 
