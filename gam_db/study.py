@@ -53,6 +53,7 @@ class Study:
             (:mod:`gam_db.trusting`); not for who changes what the steps read.
         on_trust: of the two, take the second as well; not for who asks for calibration alone, which
             proves nothing of what comes after it.
+        with_cells: novel cells will be asked for beside buckets, which are then made of them.
 
     Raises:
         UserError: anything of the source, the parameters or the calibration that cannot be used.
@@ -68,6 +69,7 @@ class Study:
         strict: bool = True,
         short_cuts: bool = False,
         on_trust: bool = True,
+        with_cells: bool = False,
     ) -> None:
         self.session, self._named = session, source.relation
         self._is_lent = not isinstance(source.relation, (str, Path, tuple, list))
@@ -87,7 +89,7 @@ class Study:
         slicing, ways = None, Ways()
         if short_cuts and on_trust and not is_streamed and trusting.serves(self.method):
             slicing, rows = trusting.sliced(self.running)
-            ways = ways if slicing is None else self._ways(rows)
+            ways = ways if slicing is None else self._ways(rows, with_cells)
             self.running.steps = self._opening(slicing, ways.delays)
         self.running.keep("names")
         names = session.fetch(self.steps.query("names", self.running.placed))
@@ -170,11 +172,11 @@ class Study:
         steps = _opened(*self._asked, glance, slicing, delays).copied()
         return self._with_file(steps)
 
-    def _ways(self, rows: int) -> Ways:
+    def _ways(self, rows: int, with_cells: bool) -> Ways:
         """Return what this engine does in a way of its own with a source of so many rows."""
         engine = self.session.engine
         has_room = not engine.holds_delays or rows <= self.session.rows_at_once()
-        return Ways(engine.delays if has_room else None, engine.by_sets)
+        return Ways(engine.delays if has_room else None, engine.by_sets, has_cells=with_cells)
 
     def _steps(
         self, bits: Bits | None, slicing: Slicing | None = None, ways: Ways | None = None

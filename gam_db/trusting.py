@@ -86,7 +86,7 @@ class Trust:
             return
         if step in steps.steps:
             needed = {one.name for one in steps.needed([step])}
-            if {self.method.named("visited", number) for number in self._sets} <= needed:
+            if {self._step(self._ways.counted, number) for number in self._sets} <= needed:
                 self._is_proven = self._proves()
             if self._is_proven or "series" not in needed:
                 return
@@ -99,9 +99,10 @@ class Trust:
         """Tell whether every sample is in a vector, and none is marked."""
         self._bound(EDGES, "edges", "first_time", "last_time")
         self._bound(TAUGHT, "calibration", "time_from", "time_to")
-        *proofs, last = PROOFS[self._ways.delays]
         for number in self._sets:
-            bounds, *marked = (self._step(step, number) for step in ("bounds", *proofs))
+            bounds, *marked = (
+                self._step(step, number) for step in ("bounds", *PROOFS[self._ways.delays])
+            )
             self.running.keep(bounds)
             if self.running.table(bounds)["calibrated_lo"].null_count:
                 return False
@@ -110,7 +111,9 @@ class Trust:
         if self._ways.by_sets and self._has_large_support():
             self.running.steps = self._made(replace(self._ways, by_sets=False))
         for number in self._sets:
-            run_up, final, scored = (self._step(step, number) for step in ("run_up", last, SCORED))
+            run_up, final, scored = (
+                self._step(step, number) for step in ("run_up", self._ways.counted, SCORED)
+            )
             self._bound(scored, run_up, "read_from")
             if self.running.largest(final, "doubled"):
                 return False

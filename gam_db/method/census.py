@@ -2,7 +2,8 @@
 
 Where calibration ends, its range and the run-up are read off counts by slice of time, and a slice or
 two of samples; nothing is sorted for them. Every vector carries the mark of what would prove the trust
-wrong: *learnable* and *visited* hold ``doubled``. For methods that it :func:`serves`.
+wrong: *learnable* and what buckets are counted from hold ``doubled``. For methods that it
+:func:`serves`.
 """
 
 from dataclasses import dataclass
@@ -126,7 +127,7 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
         add_delays(one, INCOMPLETE, ways.delays, scored)
         add_incomplete(one, ["doubled"], bits, ways.by_sets)
         parts.append(f"{INCOMPLETE}numbered")
-    add_placed(one, parts, trusting=True)
+    add_placed(one, parts, trusting=True, counted=ways.counted)
     add_bucket_counts(one)
     add_judgement(one)
     one.add("census/known_codes")

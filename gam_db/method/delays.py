@@ -28,10 +28,11 @@ KEPT = {"rowids": ("coded", "runs"), "arrays": ()}
 #: The bodies for which the samples of the source are kept once, whatever is asked of them: *stored*.
 STORED = frozenset(("arrays",))
 
-#: The steps with a column ``doubled`` that prove a body right where it is 0 everywhere.
+#: The steps with a column ``doubled`` that prove a body right where it is 0 everywhere, as it must be in
+#: the one that buckets are counted from (:attr:`Ways.counted`).
 PROOFS = {
-    None: ("learnable", "visited"),
-    "rowids": ("runs", "learnable", "visited"),
+    None: ("learnable",),
+    "rowids": ("runs", "learnable"),
     "arrays": ("stored",),
 }
 
@@ -48,11 +49,19 @@ class Ways:
         delays: the body of the delays; None for windows.
         by_sets: whether a cell is looked up in the support as a set, instead of by a join.
         has_missing: whether a channel lacks a sample; if none does, nothing is made for such.
+        has_cells: whether novel cells are asked for, too: buckets are counted from them then, and else
+            from the vectors, of which there are fewer groups.
     """
 
     delays: str | None = None
     by_sets: bool = False
     has_missing: bool = True
+    has_cells: bool = False
+
+    @property
+    def counted(self) -> str:
+        """The step that buckets are counted from."""
+        return "visited" if self.has_cells else "tallied"
 
 
 def add_coded(one: OfSet, body: str) -> None:

@@ -19,7 +19,7 @@ SMALL_OF_SET = frozenset(
     (
         *("breaks", "bounds", "support", "support_bits", "visits", "block_sizes", "cells", "blocks"),
         *("cell_shares", "learning", "levels", "ladder", "spread", "finest", "outlook"),
-        *("missing_vectors", "run_up", "visited", "buckets"),
+        *("missing_vectors", "run_up", "visited", "tallied", "buckets"),
     )
 )
 

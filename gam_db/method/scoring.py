@@ -94,9 +94,16 @@ def add_buckets(
 
 
 def add_placed(
-    one: OfSet, parts: Sequence[str], ends: Mapping[str, str] | None = None, trusting: bool = False
+    one: OfSet,
+    parts: Sequence[str],
+    ends: Mapping[str, str] | None = None,
+    trusting: bool = False,
+    counted: str = "visited",
 ) -> None:
-    """Add the groups of scored vectors, which lie with their numbers in some steps; see add_buckets."""
+    """Add the groups of scored vectors, which lie with their numbers in some steps; see add_buckets.
+
+    Buckets are made of the step ``counted``: where it is not *visited*, its rows are not parted by cell.
+    """
     marks = ("doubled",) if trusting else ()
     columns = (
         "channel_id",
@@ -113,16 +120,26 @@ def add_placed(
         union_of(one.steps, [one.named(part) for part in parts], columns),
         "Placed: every scored vector with its number.",
     )
-    one.add("health/visited", visited_slots(one.setting, ends, trusting))
-    one.add("health/buckets")
+    for name in dict.fromkeys(("visited", counted)):
+        one.add("health/visited", visited_slots(one.setting, ends, trusting, name == "visited"), name)
+    one.add("health/buckets", tables={"visited": counted})
     one.add("health/novel_cells")
 
 
 def visited_slots(
-    setting: Parameters, ends: Mapping[str, str] | None = None, trusting: bool = False
+    setting: Parameters,
+    ends: Mapping[str, str] | None = None,
+    trusting: bool = False,
+    by_cell: bool = True,
 ) -> dict[str, template.Slot]:
-    """Return the slots of health/visited.sql; see :func:`add_buckets`."""
+    """Return the slots of health/visited.sql; see :func:`add_buckets` and :func:`add_placed`."""
     ends = ends or {}
+    cell: exp.Expr = exp.column("novel_cell")
+    part = cell
+    if not by_cell:
+        novel = exp.column("novel_cell", table="kept")
+        cell = exp.alias_(exp.Min(this=novel), "novel_cell")
+        part = exp.case().when(novel.is_(exp.null()), "0").else_("1")
     carried = list(ends)
     needed: exp.Expr = exp.false()
     gathered = [_gathered(name, said, "closing") for name, said in ends.items()]
@@ -136,6 +153,8 @@ def visited_slots(
         "carried": [exp.column(name) for name in carried],
         "needed": needed,
         "gathered": gathered,
+        "cell": cell,
+        "part": part,
     }
 
 

@@ -9,10 +9,12 @@
 --         :carried   columns that travel with the vector
 --         :needed    what else makes a vector stay
 --         :gathered  what is made of the carried columns
+--         :cell, :part  the novel cell, by which rows are parted; or one of them, where it is asked alone how
+--                    many vectors are novel: then rows are parted by whether they are
 SELECT
   channel_id,
   bucket_no,
-  novel_cell,
+  :cell,
   CAST(COUNT(*) AS BIGINT) AS visits,
   MIN(kept.time) AS first_time,
   MAX(kept.time) AS last_time,
@@ -32,4 +34,4 @@ FROM (
   FROM placed
   WHERE (novel = 1 OR number % :stride <= 1) AND number > 0 OR :needed
 ) AS kept
-GROUP BY channel_id, bucket_no, novel_cell
+GROUP BY channel_id, bucket_no, :part

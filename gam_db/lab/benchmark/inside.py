@@ -96,7 +96,9 @@ def explain(source: Path, result: Path, threads: int) -> list[dict[str, Any]]:
 
 def _write(session: DuckSession, result: Path, steps: Steps) -> None:
     table = gam_db.Source("readings", time="t")
-    study = Study(session, table, PARAMETERS, CALIBRATION, on_step=steps.begin, short_cuts=True)
+    study = Study(
+        session, table, PARAMETERS, CALIBRATION, on_step=steps.begin, short_cuts=True, with_cells=True
+    )
     for step in RESULTS:
         study.write(step, result, step)
 
