@@ -5,8 +5,8 @@ Making SQL needs no driver and no connection.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from functools import partial
+from dataclasses import dataclass, field, replace
+from functools import cache, partial
 
 from sqlglot import exp
 from sqlglot.dialects.dialect import Dialect
@@ -30,7 +30,8 @@ from gam_db.lately import Lately
 from gam_db.source import AnySource, readings
 
 Rewrite = Callable[[exp.Expr], exp.Expr]
-TimeRewrite = Callable[[TimeKind, exp.Expr], exp.Expr]
+#: A formula for each kind of time: that of TIMESTAMP for all that have none of their own.
+Formulas = str | Mapping[TimeKind, str]
 RangeRewrite = Callable[[TimeKind, exp.Expr, int | None, int | None], list[exp.Expr]]
 
 #: Engine, its home and hash of a tree -> its text.
@@ -71,9 +72,26 @@ def table_as(table: exp.Table, query: exp.Query) -> exp.Create:
     return exp.Create(this=table, kind="TABLE", expression=query)
 
 
-def counter(column: exp.Expr) -> exp.Expr:
-    """Return an integer counter as it is; the product is refused by engines if it is a timestamp."""
-    return exp.cast(exp.Mul(this=column, expression=exp.Literal.number(1)), "BIGINT")
+@cache
+def _formula(said: str) -> template.Template:
+    parsed = template.parse(said, said)
+    whole = exp.Paren(this=parsed.tree)
+    for call in reversed(list(whole.find_all(exp.Dot))):
+        call.replace(call.expression)
+    for word in list(whole.find_all(exp.Column)):
+        word.replace(exp.var(word.name))
+    return replace(parsed, tree=whole.this.pop())
+
+
+def formula(said: str, **slots: template.Slot) -> exp.Expr:
+    """Return an expression with its slots filled.
+
+    Args:
+        said: in DuckDB's dialect. What is an engine's own is left as it is: functions that are called
+            ``own.F(x)``, and words that stand alone or in double quotes.
+        slots: as for :func:`gam_db.template.fill`.
+    """
+    return template.fill_template(_formula(said), slots)
 
 
 @dataclass(frozen=True)
@@ -84,9 +102,9 @@ class Engine:
         name: what users call it.
         title: what it calls itself.
         dialect: sqlglot's name of its SQL.
-        micros: the integer time of a column of a kind of calendar time.
-        instant: the way back, for the last step of a query.
-        counted: the integer time of a column that counts.
+        micros: the integer time of a column (``:time``) of a kind of calendar time, see :func:`formula`.
+        instant: the way back (of ``:micros``), for the last step of a query.
+        counted: the integer time of a column that counts; engines refuse the product of a timestamp.
         range_of: conditions on a column of times, where its own order is not that of the instants.
         types: what those of its columns mean.
         texts: how numbers and times are read from text; None where that is left to views.
@@ -124,9 +142,9 @@ class Engine:
     name: str
     title: str
     dialect: str
-    micros: TimeRewrite
-    instant: TimeRewrite
-    counted: Rewrite = counter
+    micros: Formulas = field(hash=False)
+    instant: Formulas = field(hash=False)
+    counted: str = "CAST(:time * 1 AS BIGINT)"
     range_of: RangeRewrite | None = None
     types: Types = USUAL
     texts: Texts | None = None
@@ -164,11 +182,11 @@ class Engine:
 
     def micros_of(self, kind: TimeKind, column: exp.Expr) -> exp.Expr:
         """Return the integer time of a column that tells time in a way."""
-        return self.counted(column) if kind.is_counter else self.micros(kind, column)
+        return formula(self.counted if kind.is_counter else _of_kind(self.micros, kind), time=column)
 
     def instant_of(self, kind: TimeKind, time: exp.Expr) -> exp.Expr:
         """Return an integer time as a source that tells time in a way has it."""
-        return time if kind.is_counter else self.instant(kind, time)
+        return time if kind.is_counter else formula(_of_kind(self.instant, kind), micros=time)
 
     def readings(self, source: AnySource, relation: exp.Expr, kind: TimeKind) -> exp.Query:
         """Return the step *readings* of a source that tells time in a way."""
@@ -177,15 +195,9 @@ class Engine:
     def in_range(
         self, kind: TimeKind, column: exp.Expr, earliest: int | None, latest: int | None
     ) -> list[exp.Expr]:
-        """Return the conditions that a time of the source lies in a range, both ends included.
+        """Return the conditions that a time lies in a range, both ends included.
 
-        They are on the column itself, so that an index or the statistics of a file serve.
-
-        Args:
-            kind: how the column tells time.
-            column: the node.
-            earliest: integer time; None for no limit.
-            latest: the same.
+        None is no limit. They are on the column itself: an index or the statistics of a file serve.
         """
         if self.range_of is not None and not kind.is_counter:
             return self.range_of(kind, column, earliest, latest)
@@ -234,6 +246,11 @@ class Engine:
             raise EngineError(f"{self.name} has no form for part of this query: {error}") from error
 
 
+def _of_kind(formulas: Formulas, kind: TimeKind) -> str:
+    said = {TimeKind.TIMESTAMP: formulas} if isinstance(formulas, str) else formulas
+    return said.get(kind, said[TimeKind.TIMESTAMP])
+
+
 def strip_null_order(tree: exp.Expr, dialect: str) -> exp.Expr:
     """Leave the order of NULLs to the engine.
 
@@ -256,12 +273,7 @@ def drop_flow_hint(tree: exp.Expr) -> exp.Expr:
 
 
 def at_home(tree: exp.Expr, home: str) -> exp.Expr:
-    """Write the schema of tables that name none, so that nothing is looked up on a path.
-
-    Args:
-        tree: it is changed.
-        home: the schema.
-    """
+    """Write the schema of tables that name none, so that nothing is looked up on a path."""
     for table in tree.find_all(exp.Table):
         if isinstance(table.this, exp.Identifier) and not table.db and not _is_entry(table):
             table.set("db", template.name(home))
@@ -304,14 +316,11 @@ def escape_by_backslash(tree: exp.Expr) -> exp.Expr:
 
 
 def compared_by(collation: exp.Expr) -> Rewrite:
-    """Return the rewrite that compares and orders names by their bytes, from where they are read on.
+    """Return the rewrite that compares and orders names by their bytes, by a collation that does.
 
     Cause: text is compared and ordered by the collation of its column, else of the database. Symptom:
     with a common locale (en_US, not C) channels are numbered in another order than elsewhere, and the
     blocks of a pool with them; in a case-insensitive column A1 and a1 are one machine.
-
-    Args:
-        collation: the one that does, as the engine names it.
     """
 
     def compare_by_bytes(tree: exp.Expr) -> exp.Expr:

@@ -2,20 +2,9 @@
 
 from sqlglot import exp
 
-from gam_db.clock import TimeKind
-from gam_db.engines.base import Engine, called, escape_by_backslash
+from gam_db.engines.base import Engine, escape_by_backslash
 from gam_db.engines.storage import Addition, Definition, added_with_notes, clustered, with_notes
 from gam_db.engines.types import Types
-
-
-def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
-    """Return epoch microseconds of a TIMESTAMP, DATETIME (UTC) or DATE."""
-    return called("UNIX_MICROS", exp.cast(column, "TIMESTAMPTZ"))
-
-
-def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
-    """Return the TIMESTAMP of epoch microseconds."""
-    return called("TIMESTAMP_MICROS", micros)
 
 
 def define(definition: Definition) -> list[exp.Expr]:
@@ -84,8 +73,8 @@ ENGINE = Engine(
     limits="gam-db does not connect to it; it prints the SQL. Storage, quotas and transactions of the "
     "service were not seen at work.",
     types=Types("bigquery"),
-    micros=micros_of,
-    instant=instant_of,
+    micros="own.UNIX_MICROS(CAST(:time AS TIMESTAMPTZ))",  # of a TIMESTAMP, DATETIME (UTC) or DATE
+    instant="own.TIMESTAMP_MICROS(:micros)",
     define=define,
     extend=extend,
     rewrites=(escape_by_backslash, name_rows_apart, find_keys_as_structs),

@@ -5,13 +5,11 @@ What runs it, on a server or in this process, is in clickhouse_driver.py.
 
 from sqlglot import exp
 
-from gam_db import template
 from gam_db.clock import TimeKind
-from gam_db.engines.base import Engine, called, counter, escape_by_backslash, table_as, temporary
+from gam_db.engines.base import Engine, called, escape_by_backslash, formula, table_as, temporary
 from gam_db.engines.storage import Addition, Definition, Filling, added_with_notes, with_notes
 from gam_db.engines.types import Types
 
-_UTC = "UTC"
 _PLAN_STEPS = 1_000_000
 
 #: Rows of a channel that lie beside one another, and groups of versions.
@@ -19,41 +17,12 @@ _BUCKETS_OF_A_PART, _GROUPS = 2**20, 8
 _ROWS_OF_A_MARK = 512
 
 
-def counted(column: exp.Expr) -> exp.Expr:
-    """Return an integer counter.
-
-    Cause: casts wrap around. Symptom: an unsigned counter beyond 2^63 becomes negative.
-    """
-    return called("accurateCast", counter(column).this, template.text("Nullable(Int64)"))
-
-
-def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
-    """Return epoch microseconds of a Date, DateTime or DateTime64; floored, as the method says.
-
-    Cause: a DateTime64 that becomes coarser is cut towards zero. Symptom: nanoseconds before 1970 are a
-    microsecond late.
-    """
-    if kind not in (TimeKind.NANOSECONDS, TimeKind.NANOSECONDS_WITH_ZONE):
-        return called("toUnixTimestamp64Micro", _precise(column, 6))
-    nanos = called("toUnixTimestamp64Nano", _precise(column, 9))
-    thousand = exp.Literal.number(1000)
-    return exp.Sub(
-        this=called("intDiv", nanos, thousand),
-        expression=exp.paren(
-            exp.LT(
-                this=called("modulo", nanos.copy(), thousand.copy()), expression=exp.Literal.number(0)
-            )
-        ),
-    )
-
-
-def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
-    """Return the DateTime64(6) of epoch microseconds."""
-    return called("fromUnixTimestamp64Micro", micros, template.text(_UTC))
-
-
-def _precise(column: exp.Expr, digits: int) -> exp.Expr:
-    return called("toDateTime64", column, exp.Literal.number(digits), template.text(_UTC))
+#: Floored, as the method says. Cause: a DateTime64 that becomes coarser is cut towards zero. Symptom:
+#: nanoseconds before 1970 are a microsecond late.
+_OF_NANOSECONDS = (
+    "own.intDiv(own.toUnixTimestamp64Nano(own.toDateTime64(:time, 9, 'UTC')), 1000)"
+    " - (own.modulo(own.toUnixTimestamp64Nano(own.toDateTime64(:time, 9, 'UTC')), 1000) < 0)"
+)
 
 
 def create_table(table: exp.Table, query: exp.Query) -> exp.Create:
@@ -136,9 +105,8 @@ def _partition() -> exp.Expr:
 
     A month of the clock would be no month for a source that counts time.
     """
-    stretch = called("intDiv", exp.column("bucket_no"), exp.Literal.number(_BUCKETS_OF_A_PART))
-    group = called("modulo", exp.column("version_id"), exp.Literal.number(_GROUPS))
-    return exp.PartitionedByProperty(this=exp.Tuple(expressions=[stretch, group]))
+    parts = "(own.intDiv(bucket_no, :length), own.modulo(version_id, :groups))"
+    return exp.PartitionedByProperty(this=formula(parts, length=_BUCKETS_OF_A_PART, groups=_GROUPS))
 
 
 def _marks() -> exp.Expr:
@@ -176,9 +144,14 @@ ENGINE = Engine(
     "it. Inside this process (chdb) only one process opens a folder, and a process only one. It reads "
     "no files by path.",
     types=Types("clickhouse", (("BFloat16", "Float32"),)),
-    micros=micros_of,
-    counted=counted,
-    instant=instant_of,
+    micros={
+        TimeKind.TIMESTAMP: "own.toUnixTimestamp64Micro(own.toDateTime64(:time, 6, 'UTC'))",
+        TimeKind.NANOSECONDS: _OF_NANOSECONDS,
+        TimeKind.NANOSECONDS_WITH_ZONE: _OF_NANOSECONDS,
+    },
+    # Casts wrap around: an unsigned counter beyond 2^63 would become negative.
+    counted="own.accurateCast(:time * 1, 'Nullable(Int64)')",
+    instant="own.fromUnixTimestamp64Micro(:micros, 'UTC')",
     delays="arrays",
     holds_delays=True,
     by_sets=True,

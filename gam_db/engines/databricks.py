@@ -3,7 +3,7 @@
 from sqlglot import exp
 
 from gam_db.engines.base import Engine
-from gam_db.engines.spark import extend, instant_of, micros_of
+from gam_db.engines.spark import INSTANT, MICROS, extend
 from gam_db.engines.storage import Definition, clustered, merged, with_notes
 
 
@@ -18,8 +18,8 @@ ENGINE = Engine(
     dialect="databricks",
     transactions=False,
     limits="gam-db does not connect to it; it prints the SQL. Delta tables were not seen at work.",
-    micros=micros_of,
-    instant=instant_of,
+    micros=MICROS,
+    instant=INSTANT,
     define=define,
     extend=extend,
     fill=merged,

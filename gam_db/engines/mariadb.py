@@ -2,30 +2,14 @@
 
 from sqlglot import exp
 
-from gam_db import template
-from gam_db.clock import TimeKind
-from gam_db.engines.base import Engine, called, compared_by, escape_by_backslash
+from gam_db.engines.base import Engine, compared_by, escape_by_backslash
 from gam_db.engines.storage import Definition, added_with_notes, key_index, with_notes
 from gam_db.engines.types import Types
 
 #: A collation by bytes, in which a blank at the end counts.
 COLLATION = "utf8mb4_nopad_bin"
 
-_EPOCH = "1970-01-01 00:00:00.000000"
-
-
-def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
-    """Return epoch microseconds."""
-    return called("TIMESTAMPDIFF", exp.var("MICROSECOND"), _epoch(), column)
-
-
-def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
-    """Return the instant of epoch microseconds."""
-    return called("TIMESTAMPADD", exp.var("MICROSECOND"), micros, _epoch())
-
-
-def _epoch() -> exp.Expr:
-    return exp.cast(template.text(_EPOCH), exp.DataType.build("DATETIME(6)", dialect="mysql"))
+_EPOCH = "CAST('1970-01-01 00:00:00.000000' AS DATETIME(6))"
 
 
 def quote_names(tree: exp.Expr) -> exp.Expr:
@@ -69,8 +53,8 @@ ENGINE = Engine(
         "migration that is cut short is run again."
     ),
     types=Types("mysql"),
-    micros=micros_of,
-    instant=instant_of,
+    micros="own.TIMESTAMPDIFF(MICROSECOND, " + _EPOCH + ", :time)",
+    instant="own.TIMESTAMPADD(MICROSECOND, :micros, " + _EPOCH + ")",
     undoes_definitions=False,
     define=define,
     extend=added_with_notes,

@@ -3,8 +3,8 @@
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.clock import SECOND, TimeKind
-from gam_db.engines.base import Engine, called, compared_by
+from gam_db.clock import TimeKind
+from gam_db.engines.base import Engine, compared_by
 from gam_db.engines.storage import Definition, key_index, with_statements
 from gam_db.engines.types import Types
 
@@ -12,22 +12,13 @@ from gam_db.engines.types import Types
 BYTES = template.name("C")
 
 
-def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
-    """Return epoch microseconds, exact since EXTRACT is numeric; NULL for infinite times."""
-    epoch = exp.Extract(this=exp.var("EPOCH"), expression=column)
-    micros = exp.cast(exp.Mul(this=epoch, expression=exp.Literal.number(SECOND)), "BIGINT")
-    return exp.Case(ifs=[exp.If(this=called("ISFINITE", column.copy()), true=micros)])
+_STEPS = """ + :micros * "INTERVAL '1 microsecond'\""""
 
-
-def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
-    """Return the timestamp of epoch microseconds, exact below 2^53 microseconds from 1970."""
-    zoned = kind is TimeKind.TIMESTAMP_WITH_ZONE
-    epoch = exp.cast(
-        template.text("1970-01-01 00:00:00+00" if zoned else "1970-01-01 00:00:00"),
-        "TIMESTAMPTZ" if zoned else "TIMESTAMP",
-    )
-    step = exp.Interval(this=template.text("1 microsecond"))
-    return exp.Add(this=epoch, expression=exp.Mul(this=micros, expression=step))
+#: Exact below 2^53 microseconds from 1970.
+INSTANT = {
+    TimeKind.TIMESTAMP: "CAST('1970-01-01 00:00:00' AS TIMESTAMP)" + _STEPS,
+    TimeKind.TIMESTAMP_WITH_ZONE: "CAST('1970-01-01 00:00:00+00' AS TIMESTAMPTZ)" + _STEPS,
+}
 
 
 def keep_small_steps(tree: exp.Expr) -> exp.Expr:
@@ -121,8 +112,9 @@ ENGINE = Engine(
         "standby, and not behind a pool that changes connections between transactions."
     ),
     types=Types("postgres", (("citext", "text"),)),
-    micros=micros_of,
-    instant=instant_of,
+    # Exact, since EXTRACT is numeric; NULL for infinite times.
+    micros="CASE WHEN own.ISFINITE(:time) THEN CAST(EXTRACT(EPOCH FROM :time) * 1000000 AS BIGINT) END",
+    instant=INSTANT,
     define=define,
     flow_hint=True,
     home="public",

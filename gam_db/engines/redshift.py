@@ -2,17 +2,9 @@
 
 from sqlglot import exp
 
-from gam_db import template
-from gam_db.clock import TimeKind
-from gam_db.engines.base import Engine, called
-from gam_db.engines.postgres import instant_of
+from gam_db.engines.base import Engine
+from gam_db.engines.postgres import INSTANT
 from gam_db.engines.storage import Addition, Definition, added_with_statements, with_statements
-
-
-def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
-    """Return epoch microseconds; EXTRACT(EPOCH) is whole seconds there."""
-    epoch = exp.cast(template.text("1970-01-01 00:00:00"), "TIMESTAMP")
-    return called("DATEDIFF", exp.var("MICROSECOND"), epoch, column)
 
 
 def define(definition: Definition) -> list[exp.Expr]:
@@ -35,8 +27,9 @@ ENGINE = Engine(
     dialect="redshift",
     limits="gam-db does not connect to it; it prints the SQL. Sort keys and DATEDIFF were not seen "
     "at work.",
-    micros=micros_of,
-    instant=instant_of,
+    # EXTRACT(EPOCH) is whole seconds there.
+    micros="own.DATEDIFF(MICROSECOND, CAST('1970-01-01 00:00:00' AS TIMESTAMP), :time)",
+    instant=INSTANT,
     define=define,
     extend=extend,
 )

@@ -29,15 +29,13 @@ GROUPS = 4
 _LARGE = ("bucket_no", "cell_key")
 
 
-def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
-    """Return epoch microseconds; a timestamp without zone is read as UTC by a session in UTC."""
-    return called("UNIX_MICROS", exp.cast(column, "TIMESTAMPTZ"))
-
-
-def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
-    """Return the timestamp of epoch microseconds, with a zone where the source has one."""
-    instant = called("TIMESTAMP_MICROS", micros)
-    return instant if kind.has_zone else exp.cast(instant, "TIMESTAMPNTZ")
+#: A timestamp without zone is read as UTC by a session in UTC.
+MICROS = "own.UNIX_MICROS(CAST(:time AS TIMESTAMPTZ))"
+INSTANT = {
+    TimeKind.TIMESTAMP: "CAST(own.TIMESTAMP_MICROS(:micros) AS TIMESTAMP_NTZ)",
+    TimeKind.TIMESTAMP_WITH_ZONE: "own.TIMESTAMP_MICROS(:micros)",
+    TimeKind.NANOSECONDS_WITH_ZONE: "own.TIMESTAMP_MICROS(:micros)",
+}
 
 
 def create_table(table: exp.Table, query: exp.Query) -> exp.Create:
@@ -126,8 +124,8 @@ ENGINE = Engine(
     limits="A run is seen once its commit row is there; of two at once one "
     "gives way; calibrations at once are detected, not prevented.",
     types=Types("spark"),
-    micros=micros_of,
-    instant=instant_of,
+    micros=MICROS,
+    instant=INSTANT,
     create_table=create_table,
     define=define,
     extend=extend,

@@ -6,39 +6,20 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import SECOND, TimeKind
-from gam_db.engines.base import Engine, called
+from gam_db.engines.base import Engine, formula
 from gam_db.engines.storage import Addition, Definition, added, key_index
 from gam_db.engines.types import Types
 
-
-def micros_of(kind: TimeKind, column: exp.Expr) -> exp.Expr:
-    """Return epoch microseconds of a text YYYY-MM-DD HH:MM:SS.ffffff; fewer digits are filled up."""
-    seconds = exp.cast(called("STRFTIME", template.text("%s"), column), "BIGINT")
-    digits = exp.DPipe(
-        this=called("SUBSTR", column.copy(), exp.Literal.number(21)), expression=template.text("000000")
-    )
-    fraction = called("SUBSTR", digits, exp.Literal.number(1), exp.Literal.number(6))
-    return exp.Add(
-        this=exp.Mul(this=seconds, expression=exp.Literal.number(SECOND)),
-        expression=exp.cast(fraction, "BIGINT"),
-    )
-
-
-def instant_of(kind: TimeKind, micros: exp.Expr) -> exp.Expr:
-    """Return the text of epoch microseconds."""
-    second = exp.Literal.number(SECOND)
-    signed = exp.Mod(this=micros.copy(), expression=second)
-    rest = exp.paren(exp.Mod(this=exp.paren(exp.Add(this=signed, expression=second)), expression=second))
-    whole = exp.Div(this=exp.paren(exp.Sub(this=micros, expression=rest)), expression=second.copy())
-    date = called(
-        "STRFTIME",
-        template.text("%Y-%m-%d %H:%M:%S"),
-        exp.cast(whole, "BIGINT"),
-        template.text("unixepoch"),
-    )
-    fraction = called("PRINTF", template.text(".%06d"), rest.copy())
-    return exp.DPipe(this=date, expression=fraction)
-
+#: Of a text YYYY-MM-DD HH:MM:SS.ffffff; fewer digits are filled up.
+_MICROS = (
+    "CAST(own.STRFTIME('%s', :time) AS BIGINT) * 1000000"
+    " + CAST(own.SUBSTR(own.SUBSTR(:time, 21) || '000000', 1, 6) AS BIGINT)"
+)
+_REST = "((:micros % 1000000 + 1000000) % 1000000)"
+_INSTANT = (
+    "own.STRFTIME('%Y-%m-%d %H:%M:%S', CAST((:micros - " + _REST + ") / 1000000 AS BIGINT), 'unixepoch')"
+    " || own.PRINTF('.%06d', " + _REST + ")"
+)
 
 #: From here on there is no next day that could be written: 9999-12-31.
 _LAST_DAY = 253_402_214_400 * SECOND
@@ -54,23 +35,20 @@ def range_of(
     compared as a text, for an index; the instant decides.
     """
     conditions: list[exp.Expr] = []
+    micros = formula(_MICROS, time=column)
     if earliest is not None:
         conditions.append(exp.GTE(this=column.copy(), expression=_day(earliest)))
-        conditions.append(exp.GTE(this=micros_of(kind, column.copy()), expression=_number(earliest)))
+        conditions.append(exp.GTE(this=micros.copy(), expression=template.node_of(earliest)))
     if latest is not None:
         if latest < _LAST_DAY:
             conditions.append(exp.LT(this=column.copy(), expression=_day(latest + 86_400 * SECOND)))
-        conditions.append(exp.LTE(this=micros_of(kind, column.copy()), expression=_number(latest)))
+        conditions.append(exp.LTE(this=micros.copy(), expression=template.node_of(latest)))
     return conditions
 
 
 def _day(micros: int) -> exp.Expr:
     epoch = dt.datetime(1970, 1, 1)
     return template.text((epoch + dt.timedelta(microseconds=micros)).date().isoformat())
-
-
-def _number(value: int) -> exp.Expr:
-    return template.node_of(value)
 
 
 def glob_for_like(tree: exp.Expr) -> exp.Expr:
@@ -141,8 +119,8 @@ ENGINE = Engine(
     oldest="3.35",  # windows, hints on WITH entries and mathematical functions are all there since then
     limits="One connection at a time writes. It has no schemas and no comments, and reads no files.",
     types=Affinities("sqlite"),
-    micros=micros_of,
-    instant=instant_of,
+    micros=_MICROS,
+    instant=_INSTANT,
     range_of=range_of,
     define=define,
     extend=extend,
