@@ -218,10 +218,7 @@ def limits_of(study: Study, alarms: Alarms) -> list[Row]:
 def chosen_limits(work: Work, alarms: Alarms, kind: TimeKind) -> list[Row]:
     """Return the limits of all channels of the step *learnt_limits*: its columns, and those chosen.
 
-    Args:
-        work: with the steps that a replay needs.
-        alarms: the asked rate.
-        kind: how the source tells time.
+    *work* has the steps that a replay needs.
 
     Raises:
         ParameterError: as :meth:`Alarms.asked`.

@@ -76,12 +76,9 @@ def backtest(
 
 
 def figures(asked: str, rows: Sequence[Row], found: list[Row]) -> Row:
-    """Return what :func:`backtest` does.
+    """Return what :func:`backtest` does, of a rate in words, limits, and the rows of *backtested*.
 
-    Args:
-        asked: the rate, in words.
-        rows: limits, as :func:`gam_db.alarms.limits_of` returns them.
-        found: the rows of *backtested*; at least one.
+    Limits are as :func:`gam_db.alarms.limits_of` returns them; of the rows there is at least one.
     """
     limit_of = {(row["asset"], row["channel"]): row for row in rows}
     mine = [limit_of[row["asset"], row["channel"]] for row in found]

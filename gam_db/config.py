@@ -77,13 +77,10 @@ class Settings:
         return dataclasses.replace(self, source=source, is_of_another=True)
 
     def under(self, **said: Mapping[str, Any]) -> "Settings":
-        """Return these settings with options laid over them.
+        """Return these settings with what was said by options (section -> name -> value) laid over them.
 
         An option replaces the value of its name. The three ways to say where calibration lies replace
         one another, and so do the two layouts with what belongs to each.
-
-        Args:
-            said: section -> name -> value, as in the file; only what was said.
 
         Raises:
             UserError: ``where`` is no condition, or asks other tables and was not let.
@@ -117,11 +114,7 @@ class Settings:
 
 
 def load(path: Path | None = None, folder: Path | None = None) -> Settings:
-    """Read a settings file.
-
-    Args:
-        path: the file; None for ``gam.toml``, if it is there.
-        folder: where to look for ``gam.toml``; default the current folder.
+    """Read a settings file; without a path ``gam.toml`` of a folder (the current one), if it is there.
 
     Raises:
         ConfigurationError: the file cannot be read, is no TOML, or holds a key that has no meaning.

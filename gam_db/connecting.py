@@ -109,12 +109,7 @@ def connect(
 def borrowed(engine: Any, threads: int | None = None) -> Iterator[Session]:
     """Give a session for reading: the one given, which stays open, or one that is closed afterwards.
 
-    Args:
-        engine: a session, or what :func:`connect` takes.
-        threads: see there.
-
-    Raises:
-        EngineError: see there.
+    It is opened, and errors are raised, as by :func:`connect`.
     """
     if isinstance(engine, Session):
         yield engine

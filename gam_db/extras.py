@@ -11,11 +11,7 @@ _USERS_OF_PANDAS = ("chdb", "pyspark", "sklearn")
 
 
 def needed(module: str, extra: str) -> Any:
-    """Return a module that comes with an extra of this package.
-
-    Args:
-        module: its full name, such as ``sklearn.mixture``.
-        extra: the extra that installs it.
+    """Return a module that comes with an extra of this package, by its full name.
 
     Raises:
         UserError: it is not installed; the message says what to install.

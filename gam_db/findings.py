@@ -62,12 +62,8 @@ def findings(study: Study, alarms: Alarms | None = None, longest: int | None = N
     """Return what is found of each channel, the most urgent first.
 
     A row holds what was learnt of the channel (*support_summary*), what it is judged (*standing*) as of
-    its newest window, what :func:`finding` adds, and ``silent`` and ``still_since``, how it ends.
-
-    Args:
-        study: of the source.
-        alarms: the asked rate and the families; default :class:`Alarms`.
-        longest: steps of the clock that a channel may end before the newest data; None: any.
+    its newest window, what :func:`finding` adds, and ``silent`` and ``still_since``, how it ends. A
+    silent channel ends more than *longest* steps of the clock before the newest data.
 
     Raises:
         UserError: the source cannot be used, or the rate does not fit its time.
@@ -110,23 +106,14 @@ def findings(study: Study, alarms: Alarms | None = None, longest: int | None = N
 def ended(end: int | None, newest: int | None, longest: int | None) -> Row:
     """Return how far a channel ends before the others (``behind``), and whether it is ``silent``.
 
-    Args:
-        end: its newest time; None if no data was ever found.
-        newest: that of all channels.
-        longest: as for :func:`findings`.
+    Its end is None if no data was ever found; *longest* is as for :func:`findings`.
     """
     behind = None if end is None or newest is None else newest - end
     return {"behind": behind, "silent": longest is not None and (behind is None or behind > longest)}
 
 
 def at_end(row: Row, still_since: int | None, kind: TimeKind) -> list[str]:
-    """Return what is to be said of a signal that ended, or stands still.
-
-    Args:
-        row: as :func:`ended` returns it.
-        still_since: since when it stands still.
-        kind: how the source tells time.
-    """
+    """Return what is to be said of a signal that ended, as :func:`ended` tells, or stands still."""
     remarks = []
     if row["silent"] and row["behind"] is None:
         remarks.append("silent: no data was ever found")
@@ -164,11 +151,7 @@ def finding(row: Row, span: int, window: int, course: Course | None) -> Row:
 
 
 def need_attention(rows: Iterable[Row]) -> bool:
-    """Tell whether a recording needs attention: one of its channels does, or nothing of it is watched.
-
-    Args:
-        rows: needs_attention and verdict of each channel.
-    """
+    """Tell whether a recording needs attention: a channel of it does, or none is watched."""
     known = {(row["needs_attention"], row["verdict"]) for row in rows}
     return any(urgent for urgent, _ in known) or {verdict for _, verdict in known} <= {"no_data"}
 
@@ -250,10 +233,8 @@ def _of_episode(row: Row) -> list[str]:
 def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
     """Return why a channel cannot be watched, and what would help; nothing for a good calibration.
 
-    Args:
-        row: what was learnt of it: verdict, calibrated_lo, finest_bins and vectors_needed.
-        span: samples between the oldest and the newest of a vector.
-        has_moved: a vector was novel since.
+    *row* has verdict, calibrated_lo, finest_bins and vectors_needed; *span* counts the samples between
+    the oldest and the newest of a vector; it has moved if a vector was novel since.
     """
     verdict = row["verdict"]
     if row.get("limit_reason") == "unrepresentative":
@@ -279,11 +260,7 @@ def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
 
 
 def is_short(row: Row) -> bool:
-    """Tell whether a coarser grid would pass that shows nothing: only a longer calibration helps.
-
-    Args:
-        row: as in :func:`shortcomings`.
-    """
+    """Tell whether a coarser grid would pass that shows nothing: only a longer calibration helps."""
     return bool(row["verdict"] == "too_fine" and row["finest_bins"] < FEWEST_BINS)
 
 

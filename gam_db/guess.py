@@ -122,11 +122,7 @@ class Guess:
 def guess(relation: Any, columns: Mapping[str, str], said: SourceSettings, session: Session) -> Guess:
     """Return the source that the settings mean, the columns that were not named being guessed.
 
-    Args:
-        relation: what the source reads: a table name, a file, an Arrow table.
-        columns: name -> type of its columns, in order.
-        said: the settings; only their columns, layout and condition are looked at.
-        session: knows what the types mean.
+    Columns are name -> type, in order; of the settings columns, layout and condition are looked at.
 
     Raises:
         SourceError: a column that was named is not there, or one that was not named cannot be guessed;
@@ -146,10 +142,8 @@ def folder_or_table(given: Any, session: Session) -> Any:
 def sourced(given: Any, session: Session) -> AnySource:
     """Return a source as it was given, or what is meant by a relation alone, its columns guessed.
 
-    Args:
-        given: a source; or a path, a list of paths, a folder, the name of a table, a data frame of
-            pandas or polars, an Arrow table, a relation of DuckDB, a table of Ibis.
-        session: an open session, in which it is read.
+    That is a path, a list of paths, a folder, the name of a table, a data frame of pandas or polars, an
+    Arrow table, a relation of DuckDB, a table of Ibis.
 
     Raises:
         SourceError: it cannot be read, or a column cannot be guessed.

@@ -67,12 +67,7 @@ class Rate:
         return cls(number, days, match[3] is not None)
 
     def per_judgement(self, own: float | None, total: float) -> float:
-        """Return the rate of one channel.
-
-        Args:
-            own: its judgements a day; not needed where the rate is in judgements.
-            total: those of all channels that have a limit.
-        """
+        """Return the rate of a channel by its judgements a day, and those of all with a limit."""
         if self.days is None:
             return self.number / 1000
         days = own if self.per_channel else total
@@ -89,12 +84,10 @@ class Height:
 
 
 def by_replay(rate: float, judgements: int, episodes: Mapping[int, int]) -> Height:
-    """Return the height of a family whose calibration was replayed.
+    """Return the height for a rate per judgement, of a family whose calibration was replayed.
 
-    Args:
-        rate: asked for, per judgement; what is less than can be stated is raised to that.
-        judgements: replayed.
-        episodes: by height, in quarters; a height without any may be left out.
+    What is less than can be stated is raised to that. Episodes are by height, in quarters; a height
+    without any may be left out.
     """
     expected = judgements * max(rate, 1 / (10 * judgements))
     for quarters in range(LEAST, MOST + 1):

@@ -7,11 +7,7 @@ T = TypeVar("T")
 
 
 class Lately(Generic[T]):
-    """Keeps what was asked for last, for all sessions of a process.
-
-    Args:
-        most: how many are kept; then the quarter goes that was not asked for longest.
-    """
+    """Keeps what was asked for last, for all sessions; of too many the oldest quarter goes."""
 
     def __init__(self, most: int) -> None:
         self.most = most

@@ -19,11 +19,6 @@ NO_ROW = "The source has no row (after where, if there is one)."
 def resolved(source: AnySource, columns: dict[str, str], session: Session) -> AnySource:
     """Return the source with its channels named; check its columns against those of the relation.
 
-    Args:
-        source: as the user gave it.
-        columns: name -> type of the relation's columns.
-        session: knows what its types mean.
-
     Raises:
         SourceError: a column is missing or of the wrong type.
     """

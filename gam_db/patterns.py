@@ -21,9 +21,6 @@ def grouped(said: Mapping[Name, _Said]) -> list[tuple[Name, _Said]]:
     What most channels have in common comes last; before it stand the assets, or the channels of one
     name, most of which differ from that in the same way, and before these single ones.
 
-    Args:
-        said: asset and channel -> what is said of it.
-
     Raises:
         ParameterError: names that hold ``*`` or ``?`` cannot be told apart by patterns.
     """

@@ -130,13 +130,10 @@ def declared_kind(source: AnySource) -> TimeKind | None:
 def readings(
     source: AnySource, relation: exp.Expr, micros_of: TimeNode, unpivots: bool = False
 ) -> exp.Query:
-    """Return the step *readings*: the rows of the source in the method's words.
+    """Return the step *readings*: the rows of the source, its channels named, in the method's words.
 
-    Args:
-        source: with its channels named, if it is wide.
-        relation: the node to read from.
-        micros_of: turns the time column into integer microseconds, or leaves a counter as it is.
-        unpivots: whether the engine can make a row of each of many columns by itself.
+    *micros_of* turns the time column into integer microseconds, or leaves a counter as it is; *unpivots*
+    says whether the engine can make a row of each of many columns by itself.
     """
     condition = parsed_condition(source.where)
     asset = named_by(source.asset, ONLY_ASSET)

@@ -43,10 +43,8 @@ _STALE = 86_400
 def connected(target: Any, writable: bool) -> "ClickHouseDriver":
     """Connect to a server, open a folder of chdb, or take an open client, which stays open.
 
-    Args:
-        target: clickhouse://user@host:8123/database, clickhouses:// with TLS, chdb:///folder, chdb://
-            (in memory), or a client of clickhouse-connect.
-        writable: make the folder if it is not there.
+    Addresses are clickhouse://user@host:8123/database, clickhouses:// with TLS, chdb:///folder (which
+    is made where it is to be written) and chdb:// (in memory).
 
     Raises:
         EngineError: there is no such server, database or folder, the user is refused, the folder is open
@@ -76,12 +74,7 @@ def connected(target: Any, writable: bool) -> "ClickHouseDriver":
 
 
 class ClickHouseDriver(Driver):
-    """A client of clickhouse-connect; see :class:`gam_db.engines.driver.Driver`.
-
-    Args:
-        client: open.
-        address: what messages call it; without password.
-        owned: whether to close it in the end.
+    """A client of clickhouse-connect, and what messages call it: its address without password.
 
     Raises:
         EngineError: the server is too old, or a setting that changes results is fixed by its profile.

@@ -14,9 +14,7 @@ _GRANT = re.compile(r"the grant (.+?)(?:\. \(ACCESS_DENIED\)|\.?$)", re.MULTILIN
 def problem(error: Exception, address: str) -> UserError | None:
     """Return what the user can do about an error; None if it is none of the user's.
 
-    Args:
-        error: of clickhouse-connect, or of the transport below it.
-        address: the database, without password.
+    It is one of clickhouse-connect or of the transport below; the address has no password.
     """
     code, said = getattr(error, "code", None), str(error)
     if code is None and (

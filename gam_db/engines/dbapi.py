@@ -17,16 +17,12 @@ from gam_db.errors import UserError
 
 
 class DbapiDriver(Driver):
-    """A connection of such a library; see :class:`gam_db.engines.driver.Driver`.
+    """A connection of such a library, open and with no transaction.
 
     Attributes:
         begins: the statement that begins a transaction.
         place: what stands for a value in a statement.
         storage: what is said of the storage of temporary tables.
-
-    Args:
-        connection: open, with no transaction.
-        owned: whether closing the driver closes it.
     """
 
     transactions = True

@@ -148,11 +148,7 @@ def is_text(arrow: pa.DataType) -> bool:
 
 
 def by_table(rows: Iterable[tuple[str, str]]) -> dict[str, tuple[str, ...]]:
-    """Return the columns of tables; names of tables in lower case.
-
-    Args:
-        rows: (table, column), in order.
-    """
+    """Return the columns of tables, names of tables in lower case, of rows (table, column) in order."""
     found: dict[str, tuple[str, ...]] = {}
     for table, column in rows:
         found[table.casefold()] = (*found.get(table.casefold(), ()), column)

@@ -181,10 +181,7 @@ def late_word(
 ) -> str:
     """Return what is said of a word far down a CSV file that its column cannot hold, if there is one.
 
-    Args:
-        connection: that reads the files.
-        error: what it says.
-        readers: the nodes that read CSV files; that of the file at fault tells how it is written.
+    Of the nodes that read CSV files, that of the file at fault tells how it is written.
     """
     found = _LATE.search(str(error))
     if found is None:

@@ -35,9 +35,7 @@ _STILL_OPEN: list[io.FileIO] = []
 class Journal:
     """Checkpoints of a database file, none of which can be left half done.
 
-    Args:
-        connection: that has the file open.
-        database: as it is called there; None for the current one.
+    The connection has the file open, by default as its current database.
     """
 
     def __init__(self, connection: duckdb.DuckDBPyConnection, database: str | None = None) -> None:

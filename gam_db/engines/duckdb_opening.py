@@ -65,15 +65,11 @@ _BESIDE = ("", ".wal", ".wal.checkpoint", ".wal.recovery")
 
 
 def shut(connection: duckdb.DuckDBPyConnection, sources: Iterable[str], results: Iterable[Path]) -> None:
-    """Let a connection open no other files for as long as it lasts, beside its own database.
+    """Let a connection of our own open no other files for as long as it lasts, beside its own database.
 
+    But for sources (patterns among them), what views name, and results, which may be attached.
     It stays as it is where a source is remote, as what reads that is loaded when it is needed, and where
     the database is open on another connection of the process, which shares the setting.
-
-    Args:
-        connection: of our own.
-        sources: paths of files that are read, patterns among them; what views name is added.
-        results: paths of files that are written, as Parquet or by attaching them.
     """
     query = (
         "SELECT current_setting('enable_external_access') AND count = 1 FROM duckdb_connection_count()"
@@ -106,11 +102,7 @@ def attached(
 ) -> Iterator[exp.Identifier]:
     """Open another database file for writing beside the one at hand, and give its catalogue.
 
-    Args:
-        run: runs a statement on the connection.
-        connection: to the one at hand.
-        name: of the catalogue.
-        path: the file; it is made if it is not there.
+    It is made if it is not there; *run* runs a statement on the connection to the one at hand.
 
     Raises:
         SourceError: it cannot be opened.

@@ -47,12 +47,10 @@ _AT_LEAST = 4_000_000
 
 
 def connected(target: Any, writable: bool) -> "PostgresDriver":
-    """Open a database.
+    """Open a URL, completed by libpq's environment (PGHOST, PGPASSWORD, ~/.pgpass, ...).
 
-    Args:
-        target: a URL, completed by libpq's environment (PGHOST, PGPASSWORD, ~/.pgpass, ...), or an open
-            psycopg connection, which stays open and is set as before in the end.
-        writable: makes no difference: steps are kept in temporary tables in any case.
+    An open psycopg connection stays open and is set as before in the end. Steps are kept in temporary
+    tables, writable or not.
 
     Raises:
         EngineError: psycopg is not installed, the server cannot be reached or does not let the user in,

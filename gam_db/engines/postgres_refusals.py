@@ -14,11 +14,9 @@ _TARGET = re.compile(r'(INSERT INTO|UPDATE|DELETE FROM|CREATE)\b[^"]*((?:"[^"]+"
 
 
 def of_connecting(said: str, place: str) -> UserError:
-    """Return why there is no connection.
+    """Return why there is no connection to a server, whose place is empty if the address means none.
 
-    Args:
-        said: by libpq; it is not shown, since it can hold parts of a password.
-        place: of the server, for the message; empty if the address means none.
+    What libpq says is not shown, since it can hold parts of a password.
     """
     if not place:
         return EngineError(
@@ -29,13 +27,7 @@ def of_connecting(said: str, place: str) -> UserError:
 
 
 def of_statement(error: Any, statement: str, closed: bool) -> UserError | None:
-    """Return what the user can do about a statement that was refused; None if it is our fault.
-
-    Args:
-        error: of psycopg.
-        statement: that was run.
-        closed: whether the connection is closed now.
-    """
+    """Return what the user can do about a statement that was refused; None if it is our fault."""
     state, said = error.sqlstate or "", error.diag.message_primary or ""
     if state == "42501" and not closed:
         return _denied(said, statement)

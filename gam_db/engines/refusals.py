@@ -26,10 +26,8 @@ _SHARED = {"conflict": CONFLICT, "full": FULL, "read_only": READ_ONLY}
 def refusal(of: str, *told: str, **words: object) -> UserError | None:
     """Return what the user can do about an error; None if it is none of the user's.
 
-    Args:
-        of: the name in the first column of the table.
-        told: what is known of the error: its name or number, what is said of it.
-        words: what sentences have in braces.
+    It is looked up by the name in the first column of the table and by what is known of the error (its
+    name or number, what is said of it); words fill the braces of sentences.
     """
     for row in _table():
         signs = row["signs"].split("|")

@@ -74,13 +74,9 @@ class Session:
         self.driver.close()
 
     def relation(self, relation: Any, form: Form | None = None) -> exp.Expr:
-        """Return the node that reads a relation.
+        """Return the node that reads a table, a file where the engine reads files, or an Arrow table.
 
-        That is a table, a file where the engine reads files, or an Arrow table.
-
-        Args:
-            relation: see :class:`gam_db.Source`.
-            form: how text files are written; an engine that reads no texts takes columns as they are.
+        A form says how text files are written; an engine that reads no texts takes columns as they are.
 
         Raises:
             SourceError: there is no such relation, or the engine cannot read it.

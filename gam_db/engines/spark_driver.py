@@ -48,14 +48,9 @@ def connected(target: Any, writable: bool) -> "SparkDriver":
 
 
 class SparkDriver(Driver):
-    """See :class:`gam_db.engines.driver.Driver`.
+    """A session of Spark for this driver alone, and where its tables are.
 
-    Args:
-        session: of Spark, for this driver alone.
-        engine: how trees become text.
-        writable: whether statements that change something are let through.
-        kept: where the tables are: a folder, or in the metastore in a form (see
-            :func:`gam_db.engines.spark_metastore.format_of`).
+    That is a folder, or the metastore in a form (:func:`gam_db.engines.spark_metastore.format_of`).
     """
 
     most_rows = 2**40  # Spark spills what does not fit, and a group of channels costs it a round of jobs

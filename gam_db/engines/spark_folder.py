@@ -51,11 +51,7 @@ class Entry:
 
 
 class Folder:
-    """The folder of an address.
-
-    Args:
-        path: the folder.
-        writable: whether anything may be written; the folder is made then.
+    """The folder of an address; it is made if it is to be written.
 
     Raises:
         EngineError: there is no such folder, or it cannot be written.

@@ -11,13 +11,7 @@ from gam_db.engines.base import Engine
 
 
 class Rewriting:
-    """What tables have in common, wherever Spark keeps them.
-
-    Args:
-        session: of Spark, for this connection alone.
-        run: runs a statement of it.
-        engine: how trees become text.
-    """
+    """What tables have in common, wherever a session of Spark keeps them."""
 
     def __init__(self, session: Any, run: Callable[[str], Any], engine: Engine) -> None:
         self._session, self._run, self._engine = session, run, engine
@@ -31,14 +25,7 @@ class Rewriting:
     def staying(
         self, table: exp.Table, columns: Sequence[str], keys: Sequence[str], found: exp.Query
     ) -> exp.Query | None:
-        """Return the rows of a table that stay; None if none are to go.
-
-        Args:
-            table: with the rows.
-            columns: of the table.
-            keys: its columns whose values are looked for.
-            found: the keys of the rows that go.
-        """
+        """Return the rows of a table that stay; None if none are to go, whose keys are found."""
         same = same_keys(keys)
         rows = exp.select(*(exp.column(template.name(name), table="staying") for name in columns))
         rows = rows.from_(table.copy().as_("staying"))

@@ -138,13 +138,9 @@ def with_notes(
     column_note: Note = lambda said: exp.CommentColumnConstraint(this=said),
     note: Note = lambda said: exp.SchemaCommentProperty(this=said),
 ) -> list[exp.Expr]:
-    """Return the definition with its comments inside.
+    """Return the definition, the caller's own tree, with its comments inside.
 
-    Args:
-        definition: what is defined; its tree is the caller's own, and changed.
-        properties: what the engine wants to know of the storage of a table.
-        column_note: how the comment of a column is written.
-        note: how the comment of the whole is written.
+    Properties are what the engine wants to know of the storage of a table.
     """
     create = definition.create
     if definition.is_view:
@@ -162,9 +158,7 @@ def with_notes(
 def added(addition: Addition, twice: bool = True) -> list[exp.Expr]:
     """Return an ALTER TABLE for each column, without comments.
 
-    Args:
-        addition: what is added.
-        twice: whether the engine can be told to leave a column alone that is there already.
+    *twice*: the engine can be told to leave a column alone that is there already.
     """
     statements: list[exp.Expr] = []
     for column in addition.columns.values():
@@ -194,12 +188,7 @@ def added_with_notes(
 
 
 def key_index(definition: Definition, texts: bool = True) -> exp.Expr:
-    """Return CREATE INDEX on the key of a table, called after it.
-
-    Args:
-        definition: of the table.
-        texts: whether texts of any length can be in it.
-    """
+    """Return CREATE INDEX on the key of a table, called after it; of all texts or none."""
     table = definition.create.this.this
     kinds = {column.name: column.kind for column in definition.create.this.expressions}
     key = [

@@ -26,12 +26,7 @@ def add_budget(steps: Pipeline, method: Method, search: Search) -> None:
     """Add the certificate of every dimension, and the dimension and grid that go together.
 
     The cell of a vector of m coordinates has zeros for the others, so that one certificate, made for
-    the largest m, serves all of them.
-
-    Args:
-        steps: with the embedding and the choice of m.
-        method: of the study; it has one set of parameters.
-        search: the options.
+    the largest m, serves all of them. The method has one set of parameters.
     """
     general = method.settings[0]
     fitting = [m for m in range(1, search.m_max + 1) if general.radix**m <= LARGEST_KEY]

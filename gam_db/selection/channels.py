@@ -75,13 +75,7 @@ def select(
 def selected_by_all(studies: Studies, source: AnySource, search: Search) -> Selection:
     """Run a selection; where the engine refuses a statement, once more for every channel alone.
 
-    Args:
-        studies: opens sessions.
-        source: where the telemetry lies.
-        search: the options.
-
-    Returns:
-        What was found; ``failures`` names the channels about which a statement was refused again.
+    ``failures`` names the channels about which a statement was refused again.
 
     Raises:
         StatementError: nothing could be found of any channel.

@@ -27,10 +27,7 @@ def add_samples(steps: Pipeline, search: Search) -> None:
 def add_delays(steps: Pipeline, search: Search, samples: int) -> None:
     """Add the curves by lag, the delay and the cycle of every channel.
 
-    Args:
-        steps: with those of :func:`add_samples`.
-        search: the options.
-        samples: those of the longest channel; the series is halved until little is left of it.
+    The series is halved until little is left of the longest channel, which has so many samples.
     """
     add(steps, "selection/lags", {"least": LAGS_OF_SCALE})
     add(steps, "selection/pairs", {"bins": search.ami_bins, "most": MOST_ROWS})

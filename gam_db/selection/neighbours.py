@@ -45,10 +45,7 @@ Waiting = Callable[[str], tuple[int, int]]
 def add_embedding(steps: Pipeline, search: Search, bins: int) -> None:
     """Add vectors of m_max + 2 coordinates, as far as each sample has that many ahead of it.
 
-    Args:
-        steps: with those of the delays.
-        search: the options.
-        bins: of the grid, for the codes beside the first m_max coordinates.
+    The first m_max coordinates have codes of so many bins beside them.
     """
     add(steps, "selection/origins", {"code": template.fill("selection/bin_code", {"bins": bins})})
     previous = "origins"
@@ -148,18 +145,10 @@ def _add_probes(steps: Pipeline, search: Search, d: int) -> None:
 
 
 def _add_search(steps: Pipeline, d: int, usable: int, finest: int, waiting: Waiting) -> tuple[str, int]:
-    """Add the rounds of one search.
+    """Add the rounds of one search; return the step with all found, and the finest halvings of use.
 
-    Args:
-        steps: with patterns and probes of the dimension.
-        d: the dimension.
-        usable: as in :func:`add_dimensions`.
-        finest: halvings of the range that were of use at the dimension before: with one coordinate
-            more, no vector has a nearer neighbour.
-        waiting: as in :func:`add_dimensions`.
-
-    Returns:
-        The step with all neighbours found, and the finest halvings that were of use.
+    No more halvings are tried than were of use at the dimension before: with one coordinate more, no
+    vector has a nearer neighbour.
     """
     boxed = sorted({j * (d - 1) // max(min(d, _BOXED) - 1, 1) for j in range(min(d, _BOXED))})
     bits = _NUMBERED // len(boxed)
