@@ -16,12 +16,14 @@ from gam_db import template
 from gam_db.bits import Bits
 from gam_db.clock import TimeKind
 from gam_db.engines.storage import (
+    APART,
     Addition,
     Definition,
     Filling,
-    added_with_statements,
+    Storage,
+    defined,
+    extended,
     updated,
-    with_statements,
 )
 from gam_db.engines.types import USUAL, Types
 from gam_db.errors import EngineError
@@ -112,8 +114,7 @@ class Engine:
         retyped: lets columns of a text file be read as other types (name -> type).
         rewrites: from tree to tree, each with its reason in its docstring.
         create_table: CREATE TABLE ... AS with what the engine wants to know of storage.
-        define: a table or view of the state, with keys, formats and comments as the engine has them.
-        extend: columns that a table of the state gets later, with comments in the same way.
+        storage: how tables and views of the state are kept, with keys, formats and comments.
         fill: what the rows that are there have in such columns, as one step.
         schemas: whether CREATE SCHEMA is known.
         home: the schema of tables that name none, which is then written out; None leaves it to the
@@ -152,8 +153,7 @@ class Engine:
     retyped: Callable[[exp.Expr, Mapping[str, str]], exp.Expr] = as_it_is
     rewrites: Sequence[Rewrite] = ()
     create_table: Callable[[exp.Table, exp.Query], exp.Create] = table_as
-    define: Callable[[Definition], list[exp.Expr]] = with_statements
-    extend: Callable[[Addition], list[exp.Expr]] = added_with_statements
+    storage: Storage = APART
     fill: Callable[[Filling], list[exp.Expr]] = updated
     schemas: bool = True
     home: str | None = None
@@ -210,6 +210,14 @@ class Engine:
             end = self.instant_of(kind, template.node_of(latest + 1))
             conditions.append(exp.LT(this=column.copy(), expression=end))
         return conditions
+
+    def define(self, definition: Definition) -> list[exp.Expr]:
+        """Return the statements that make a table or view of the state, the caller's own tree."""
+        return defined(self.storage, definition)
+
+    def extend(self, addition: Addition) -> list[exp.Expr]:
+        """Return the statements that add columns to a table of the state."""
+        return extended(self.storage, addition)
 
     def text(self, tree: exp.Expr, pretty: bool = False) -> str:
         """Return a tree as SQL of this engine.

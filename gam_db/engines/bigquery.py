@@ -3,24 +3,8 @@
 from sqlglot import exp
 
 from gam_db.engines.base import Engine, escape_by_backslash
-from gam_db.engines.storage import Addition, Definition, added_with_notes, clustered, with_notes
+from gam_db.engines.storage import Storage, clustered
 from gam_db.engines.types import Types
-
-
-def define(definition: Definition) -> list[exp.Expr]:
-    """Return a table clustered by its key, with comments as OPTIONS."""
-    return with_notes(
-        definition, [clustered(definition)], column_note=_described_column, note=_described
-    )
-
-
-def extend(addition: Addition) -> list[exp.Expr]:
-    """Return the statements that add columns, with comments as OPTIONS."""
-    return added_with_notes(addition, column_note=_described_column)
-
-
-def _described_column(said: exp.Expr) -> exp.Expr:
-    return exp.Properties(expressions=[_described(said)])
 
 
 def _described(said: exp.Expr) -> exp.Expr:
@@ -75,7 +59,11 @@ ENGINE = Engine(
     types=Types("bigquery"),
     micros="own.UNIX_MICROS(CAST(:time AS TIMESTAMPTZ))",  # of a TIMESTAMP, DATETIME (UTC) or DATE
     instant="own.TIMESTAMP_MICROS(:micros)",
-    define=define,
-    extend=extend,
+    storage=Storage(
+        comments="inside",  # as OPTIONS
+        note=_described,
+        column_note=lambda said: exp.Properties(expressions=[_described(said)]),
+        properties=clustered,
+    ),
     rewrites=(escape_by_backslash, name_rows_apart, find_keys_as_structs),
 )

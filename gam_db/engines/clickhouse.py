@@ -7,7 +7,7 @@ from sqlglot import exp
 
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, escape_by_backslash, formula, table_as, temporary
-from gam_db.engines.storage import Addition, Definition, Filling, added_with_notes, with_notes
+from gam_db.engines.storage import Definition, Filling, Storage
 from gam_db.engines.types import Types
 
 _PLAN_STEPS = 1_000_000
@@ -41,28 +41,24 @@ def temporary_table(table: exp.Expr, query: exp.Query | None = None) -> exp.Crea
     return temporary(table, query, exp.EngineProperty(this=exp.to_identifier("Memory")))
 
 
-def define(definition: Definition) -> list[exp.Expr]:
-    """Return a MergeTree ordered by its key, with comments inside; a view goes without.
-
-    Cause: a column that is never NULL is said by its type. Symptom: ``Nullable(Int64) NOT NULL`` is
-    refused, and a nullable column cannot be part of the key.
-    """
-    if definition.is_view:
-        return [definition.create.copy()]
+def _stored(definition: Definition) -> list[exp.Expr]:
+    """Return a MergeTree ordered by its key."""
     properties = _merge_tree(exp.Tuple(expressions=definition.key))
     if {"version_id", "bucket_no"} <= definition.columns.keys():
-        properties = [*properties, _partition(), _marks()]
-    (create,) = with_notes(definition, properties)
-    _say_null_by_type(create)
-    return [create]
+        properties += [_partition(), _marks()]
+    return properties
 
 
-def extend(addition: Addition) -> list[exp.Expr]:
-    """Return the statements that add columns, with comments inside."""
-    statements = added_with_notes(addition)
-    for statement in statements:
-        _say_null_by_type(statement)
-    return statements
+def _null_by_type(column: exp.ColumnDef) -> None:
+    """Say by its type whether a column can be NULL.
+
+    Symptom otherwise: ``Nullable(Int64) NOT NULL`` is refused, and a nullable column cannot be part of
+    the key.
+    """
+    present = [rule for rule in column.constraints if isinstance(rule.kind, exp.NotNullColumnConstraint)]
+    for rule in present:
+        rule.pop()
+    column.args["kind"].set("nullable", not present)
 
 
 def exchanged(filling: Filling) -> list[exp.Expr]:
@@ -81,18 +77,8 @@ def exchanged(filling: Filling) -> list[exp.Expr]:
     drop = exp.Drop(tables=[beside], kind="TABLE", exists=True)
     names = " AND ".join(one.sql(dialect="clickhouse") for one in (beside, filling.table))
     exchange = exp.Command(this="EXCHANGE", expression=f"TABLES {names}")
-    made = define(Definition(create, filling.whole.comment, filling.whole.columns))
+    made = ENGINE.define(Definition(create, filling.whole.comment, filling.whole.columns))
     return [drop, *made, insert, exchange, drop.copy()]
-
-
-def _say_null_by_type(statement: exp.Expr) -> None:
-    for column in statement.find_all(exp.ColumnDef):
-        present = [
-            rule for rule in column.constraints if isinstance(rule.kind, exp.NotNullColumnConstraint)
-        ]
-        for rule in present:
-            rule.pop()
-        column.args["kind"].set("nullable", not present)
 
 
 def _merge_tree(key: exp.Expr) -> list[exp.Expr]:
@@ -157,7 +143,6 @@ ENGINE = Engine(
     by_sets=True,
     rewrites=(escape_by_backslash, allow_long_plans),
     create_table=create_table,
-    define=define,
-    extend=extend,
+    storage=Storage("inside", view_comments=False, properties=_stored, column=_null_by_type),
     fill=exchanged,
 )

@@ -1,16 +1,8 @@
 """Databricks: Spark's SQL over Delta tables, its default format."""
 
-from sqlglot import exp
-
 from gam_db.engines.base import Engine
-from gam_db.engines.spark import INSTANT, MICROS, extend
-from gam_db.engines.storage import Definition, clustered, merged, with_notes
-
-
-def define(definition: Definition) -> list[exp.Expr]:
-    """Return a Delta table clustered by its key, with comments inside."""
-    return with_notes(definition, [clustered(definition)])
-
+from gam_db.engines.spark import INSTANT, MICROS
+from gam_db.engines.storage import Storage, clustered, merged
 
 ENGINE = Engine(
     name="databricks",
@@ -20,7 +12,6 @@ ENGINE = Engine(
     limits="gam-db does not connect to it; it prints the SQL. Delta tables were not seen at work.",
     micros=MICROS,
     instant=INSTANT,
-    define=define,
-    extend=extend,
+    storage=Storage("inside", properties=clustered, adds_twice=False),
     fill=merged,
 )

@@ -3,7 +3,7 @@
 from sqlglot import exp
 
 from gam_db.engines.base import Engine, compared_by, escape_by_backslash
-from gam_db.engines.storage import Definition, added_with_notes, key_index, with_notes
+from gam_db.engines.storage import Storage
 from gam_db.engines.types import Types
 
 #: A collation by bytes, in which a blank at the end counts.
@@ -34,14 +34,6 @@ def floor_to_double(tree: exp.Expr) -> exp.Expr:
     return tree
 
 
-def define(definition: Definition) -> list[exp.Expr]:
-    """Return the definition with its comments inside, of which a view has none; texts by their bytes."""
-    if definition.is_view:
-        return [definition.create.copy()]
-    (create,) = with_notes(definition, [exp.CollateProperty(this=exp.var(COLLATION))])
-    return [create, key_index(definition, texts=False)]
-
-
 ENGINE = Engine(
     name="mariadb",
     title="MariaDB",
@@ -56,7 +48,11 @@ ENGINE = Engine(
     micros="own.TIMESTAMPDIFF(MICROSECOND, " + _EPOCH + ", :time)",
     instant="own.TIMESTAMPADD(MICROSECOND, :micros, " + _EPOCH + ")",
     undoes_definitions=False,
-    define=define,
-    extend=added_with_notes,
+    storage=Storage(
+        comments="inside",
+        view_comments=False,
+        properties=lambda _: [exp.CollateProperty(this=exp.var(COLLATION))],
+        index=False,
+    ),
     rewrites=(compared_by(exp.var(COLLATION)), escape_by_backslash, quote_names, floor_to_double),
 )

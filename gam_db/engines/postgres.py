@@ -5,7 +5,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, compared_by
-from gam_db.engines.storage import Definition, key_index, with_statements
+from gam_db.engines.storage import Storage
 from gam_db.engines.types import Types
 
 #: The collation that compares texts by their bytes.
@@ -70,16 +70,11 @@ def fence_sets(tree: exp.Expr) -> exp.Expr:
     return tree
 
 
-def define(definition: Definition) -> list[exp.Expr]:
-    """Return the definition with an index on its key, and texts that are compared by their bytes."""
-    create, *comments = with_statements(definition)
-    if definition.is_view:
-        return [create, *comments]
-    for column in create.this.expressions:
-        if column.kind.is_type(*exp.DataType.TEXT_TYPES):
-            by_bytes = exp.CollateColumnConstraint(this=BYTES.copy())
-            column.args["constraints"].insert(0, exp.ColumnConstraint(kind=by_bytes))
-    return [create, key_index(definition), *comments]
+def _by_bytes(column: exp.ColumnDef) -> None:
+    """Let texts be compared by their bytes."""
+    if column.args["kind"].is_type(*exp.DataType.TEXT_TYPES):
+        by_bytes = exp.CollateColumnConstraint(this=BYTES.copy())
+        column.args["constraints"].insert(0, exp.ColumnConstraint(kind=by_bytes))
 
 
 #: What one row of a set takes where it is looked up by its hash, in bytes: a narrow row, its head, and
@@ -115,7 +110,7 @@ ENGINE = Engine(
     # Exact, since EXTRACT is numeric; NULL for infinite times.
     micros="CASE WHEN own.ISFINITE(:time) THEN CAST(EXTRACT(EPOCH FROM :time) * 1000000 AS BIGINT) END",
     instant=INSTANT,
-    define=define,
+    storage=Storage(column=_by_bytes, index=True),
     flow_hint=True,
     home="public",
     temporary="pg_temp",

@@ -4,21 +4,12 @@ from sqlglot import exp
 
 from gam_db.engines.base import Engine
 from gam_db.engines.postgres import INSTANT
-from gam_db.engines.storage import Addition, Definition, added_with_statements, with_statements
+from gam_db.engines.storage import Definition, Storage
 
 
-def define(definition: Definition) -> list[exp.Expr]:
-    """Return a table sorted by its key."""
-    create, *comments = with_statements(definition)
-    if not definition.is_view:
-        key = exp.SortKeyProperty(this=[column.this for column in definition.key], compound=True)
-        create.set("properties", exp.Properties(expressions=[key]))
-    return [create, *comments]
-
-
-def extend(addition: Addition) -> list[exp.Expr]:
-    """Return the statements that add columns: Redshift has no IF NOT EXISTS here."""
-    return added_with_statements(addition, twice=False)
+def _sorted(definition: Definition) -> list[exp.Expr]:
+    """Return that a table is sorted by its key."""
+    return [exp.SortKeyProperty(this=[column.this for column in definition.key], compound=True)]
 
 
 ENGINE = Engine(
@@ -30,6 +21,5 @@ ENGINE = Engine(
     # EXTRACT(EPOCH) is whole seconds there.
     micros="own.DATEDIFF(MICROSECOND, CAST('1970-01-01 00:00:00' AS TIMESTAMP), :time)",
     instant=INSTANT,
-    define=define,
-    extend=extend,
+    storage=Storage(properties=_sorted, adds_twice=False),
 )

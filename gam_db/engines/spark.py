@@ -4,20 +4,17 @@ The session must be set to UTC: only then a timestamp without zone is read as UT
 """
 
 import dataclasses
-from collections.abc import Callable
 
 from sqlglot import exp
 
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, table_as
 from gam_db.engines.storage import (
-    Addition,
     Definition,
-    added_with_notes,
+    Storage,
     clustered,
     merged,
     overwritten,
-    with_notes,
 )
 from gam_db.engines.types import Types
 
@@ -45,44 +42,29 @@ def create_table(table: exp.Table, query: exp.Query) -> exp.Create:
     return create
 
 
-def define(definition: Definition) -> list[exp.Expr]:
-    """Return a Parquet table with comments inside, the large ones in groups of channels by hash.
+def _stored(form: str) -> Storage:
+    """Return how tables of a form are kept: the large ones in groups of channels.
 
-    A group is no column of the table, so that it reads as everywhere else; Parquet's own statistics
-    leave out what lies outside a range of time.
+    In Parquet a group is no column of the table, so that it reads as everywhere else, and its own
+    statistics leave out what lies outside a range of time.
     """
-    stored: list[exp.Expr] = [_format("PARQUET")]
-    key = definition.key
-    if is_large([column.name for column in key]):
-        stored.append(
-            exp.ClusteredByProperty(
-                expressions=[key[0].copy()],
-                sorted_by=[exp.Ordered(this=column.copy()) for column in key],
-                buckets=exp.Literal.number(GROUPS),
-            )
-        )
-    return with_notes(definition, stored)
 
+    def properties(definition: Definition) -> list[exp.Expr]:
+        key, grouped = definition.key, list[exp.Expr]()
+        if not is_large([column.name for column in key]):
+            pass
+        elif form == "PARQUET":
+            ordered = [exp.Ordered(this=column.copy()) for column in key]
+            groups = exp.Literal.number(GROUPS)
+            grouped = [exp.ClusteredByProperty(expressions=key[:1], sorted_by=ordered, buckets=groups)]
+        elif form == "ICEBERG":
+            group = called("BUCKET", exp.Literal.number(GROUPS), key[0])
+            grouped = [exp.PartitionedByProperty(this=exp.Schema(expressions=[group]))]
+        else:
+            grouped = clustered(definition)
+        return [_format(form), *grouped]
 
-def extend(addition: Addition) -> list[exp.Expr]:
-    """Return the statements that add columns: Spark has no IF NOT EXISTS here."""
-    return added_with_notes(addition, twice=False)
-
-
-def define_delta(definition: Definition) -> list[exp.Expr]:
-    """Return a Delta table, the large ones clustered by their key."""
-    large = is_large([column.name for column in definition.key])
-    return with_notes(definition, [_format("DELTA"), *([clustered(definition)] if large else [])])
-
-
-def define_iceberg(definition: Definition) -> list[exp.Expr]:
-    """Return an Iceberg table, the large ones partitioned by a hash of the channel."""
-    stored: list[exp.Expr] = [_format("ICEBERG")]
-    key = definition.key
-    if is_large([column.name for column in key]):
-        group = called("BUCKET", exp.Literal.number(GROUPS), key[0].copy())
-        stored.append(exp.PartitionedByProperty(this=exp.Schema(expressions=[group])))
-    return with_notes(definition, stored)
+    return Storage("inside", properties=properties, adds_twice=False)
 
 
 def is_large(columns: list[str]) -> bool:
@@ -109,10 +91,6 @@ def _format(name: str) -> exp.Expr:
     return exp.FileFormatProperty(this=exp.var(name))
 
 
-def _defined_by(define: Callable[[Definition], list[exp.Expr]]) -> Engine:
-    return dataclasses.replace(ENGINE, define=define, fill=merged)
-
-
 ENGINE = Engine(
     name="spark",
     title="Spark",
@@ -127,11 +105,13 @@ ENGINE = Engine(
     micros=MICROS,
     instant=INSTANT,
     create_table=create_table,
-    define=define,
-    extend=extend,
+    storage=_stored("PARQUET"),
     fill=overwritten,
     rewrites=(rebalanced,),
 )
 
 #: The same over another format of tables.
-OVER = {"parquet": ENGINE, "delta": _defined_by(define_delta), "iceberg": _defined_by(define_iceberg)}
+OVER = {"parquet": ENGINE} | {
+    form: dataclasses.replace(ENGINE, storage=_stored(form.upper()), fill=merged)
+    for form in ("delta", "iceberg")
+}

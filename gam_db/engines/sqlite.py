@@ -7,7 +7,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import SECOND, TimeKind
 from gam_db.engines.base import Engine, formula
-from gam_db.engines.storage import Addition, Definition, added, key_index
+from gam_db.engines.storage import Storage
 from gam_db.engines.types import Types
 
 #: Of a text YYYY-MM-DD HH:MM:SS.ffffff; fewer digits are filled up.
@@ -72,23 +72,6 @@ def _literal(sign: str) -> str:
     return f"[{sign}]" if sign in "*?[" else sign
 
 
-def define(definition: Definition) -> list[exp.Expr]:
-    """Return the definition with an index on its key, without comments, which SQLite has not.
-
-    A view is dropped first. Cause: no CREATE OR REPLACE VIEW. Symptom: a syntax error at OR REPLACE.
-    """
-    create = definition.create.copy()
-    if not definition.is_view:
-        return [create, key_index(definition)]
-    create.set("replace", False)
-    return [exp.Drop(tables=[create.this.copy()], kind="VIEW", exists=True), create]
-
-
-def extend(addition: Addition) -> list[exp.Expr]:
-    """Return the statements that add columns: SQLite has no comments, and no IF NOT EXISTS here."""
-    return added(addition, twice=False)
-
-
 class Affinities(Types):
     """SQLite takes any word for a type; what it holds follows from parts of the word."""
 
@@ -122,8 +105,7 @@ ENGINE = Engine(
     micros=_MICROS,
     instant=_INSTANT,
     range_of=range_of,
-    define=define,
-    extend=extend,
+    storage=Storage("none", index=True, adds_twice=False, replaces_views=False),
     schemas=False,
     flow_hint=True,
     delays="rowids",

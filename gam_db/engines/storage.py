@@ -6,11 +6,42 @@ This module owns the forms that engines share; what an engine wants is said in i
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import takewhile
-from typing import TypeAlias, cast
+from typing import Literal, TypeAlias, cast
 
 from sqlglot import exp
 
 Note: TypeAlias = Callable[[exp.Expr], exp.Expr]
+
+
+@dataclass(frozen=True)
+class Storage:
+    """How an engine keeps tables and views, and what it has of comments.
+
+    Attributes:
+        comments: whether they are statements of their own, stand inside of definitions, or are none.
+        view_comments: whether views have some, too, where they stand inside.
+        note: how the comment of the whole is written there.
+        column_note: the same of a column.
+        properties: what is said of the storage of a table.
+        column: changes a column of a table that is made or added.
+        index: whether texts of any length can be in an index on the key; None for no index.
+        adds_twice: whether a column that is there can be left alone when it is added again.
+        replaces_views: whether CREATE OR REPLACE VIEW is known.
+    """
+
+    comments: Literal["apart", "inside", "none"] = "apart"
+    view_comments: bool = True
+    note: Note = lambda said: exp.SchemaCommentProperty(this=said)
+    column_note: Note = lambda said: exp.CommentColumnConstraint(this=said)
+    properties: Callable[["Definition"], Sequence[exp.Expr]] = lambda _: ()
+    column: Callable[[exp.ColumnDef], None] = lambda _: None
+    index: bool | None = None
+    adds_twice: bool = True
+    replaces_views: bool = True
+
+
+#: As most do.
+APART = Storage()
 
 
 @dataclass(frozen=True)
@@ -112,12 +143,54 @@ def overwritten(filling: Filling) -> list[exp.Expr]:
     return [insert]
 
 
-def with_statements(definition: Definition) -> list[exp.Expr]:
-    """Return the definition, the caller's own tree, with a COMMENT ON for it and for each column."""
-    create = definition.create
+def defined(storage: Storage, definition: Definition) -> list[exp.Expr]:
+    """Return the statements of a definition, the caller's own tree, as an engine wants them."""
+    create, is_view = definition.create, definition.is_view
     target = create.this.this if isinstance(create.this, exp.Schema) else create.this
-    whole = exp.Comment(this=target.copy(), kind=create.kind, expression=definition.comment.copy())
-    return [create, whole, *_about(target, definition.columns)]
+    is_inside = storage.comments == "inside" and (storage.view_comments or not is_view)
+    properties = [] if is_view else list(storage.properties(definition))  # the key is told by NOT NULL
+    statements: list[exp.Expr] = [create]
+    if is_view and not storage.replaces_views:
+        create.set("replace", False)
+        statements.insert(0, exp.Drop(tables=[target.copy()], kind="VIEW", exists=True))
+    if is_view and is_inside:
+        named = [exp.ColumnDef(this=exp.to_identifier(name)) for name in definition.columns]
+        create.set("this", exp.Schema(this=target, expressions=named))
+    for column in create.this.expressions:
+        if not is_view:
+            storage.column(column)
+        if is_inside:
+            _comment(storage, column, definition.columns)
+    properties += [storage.note(definition.comment.copy())] if is_inside else []
+    if properties:
+        create.set("properties", exp.Properties(expressions=properties))
+    if not is_view and storage.index is not None:
+        statements.append(_key_index(definition, storage.index))
+    if storage.comments == "apart":
+        comment = definition.comment.copy()
+        statements.append(exp.Comment(this=target.copy(), kind=create.kind, expression=comment))
+        statements += _about(target, definition.columns)
+    return statements
+
+
+def extended(storage: Storage, addition: Addition) -> list[exp.Expr]:
+    """Return an ALTER TABLE for each column that is added, and the comments."""
+    statements: list[exp.Expr] = []
+    for column in addition.columns.values():
+        made = column.copy()
+        made.set("exists", storage.adds_twice or None)
+        storage.column(made)
+        if storage.comments == "inside":
+            _comment(storage, made, addition.comments)
+        statements.append(exp.Alter(this=addition.table.copy(), kind="TABLE", actions=[made]))
+    apart = _about(addition.table, addition.comments) if storage.comments == "apart" else []
+    return [*statements, *apart]
+
+
+def _comment(storage: Storage, column: exp.ColumnDef, comments: Mapping[str, exp.Expr]) -> None:
+    """Write the comment of a column inside its definition."""
+    said = storage.column_note(comments[column.name].copy())
+    column.append("constraints", exp.ColumnConstraint(kind=said))
 
 
 def _about(table: exp.Table, columns: Mapping[str, exp.Expr]) -> list[exp.Expr]:
@@ -132,63 +205,8 @@ def _about(table: exp.Table, columns: Mapping[str, exp.Expr]) -> list[exp.Expr]:
     ]
 
 
-def with_notes(
-    definition: Definition,
-    properties: Sequence[exp.Expr] = (),
-    column_note: Note = lambda said: exp.CommentColumnConstraint(this=said),
-    note: Note = lambda said: exp.SchemaCommentProperty(this=said),
-) -> list[exp.Expr]:
-    """Return the definition, the caller's own tree, with its comments inside.
-
-    Properties are what the engine wants to know of the storage of a table.
-    """
-    create = definition.create
-    if definition.is_view:
-        named = [exp.ColumnDef(this=exp.to_identifier(name)) for name in definition.columns]
-        create.set("this", exp.Schema(this=create.this, expressions=named))
-    if isinstance(create.this, exp.Schema):
-        for column in create.this.expressions:
-            said = definition.columns[column.name].copy()
-            column.append("constraints", exp.ColumnConstraint(kind=column_note(said)))
-    stored = [] if definition.is_view else list(properties)
-    create.set("properties", exp.Properties(expressions=[*stored, note(definition.comment.copy())]))
-    return [create]
-
-
-def added(addition: Addition, twice: bool = True) -> list[exp.Expr]:
-    """Return an ALTER TABLE for each column, without comments.
-
-    *twice*: the engine can be told to leave a column alone that is there already.
-    """
-    statements: list[exp.Expr] = []
-    for column in addition.columns.values():
-        made = column.copy()
-        made.set("exists", twice or None)
-        statements.append(exp.Alter(this=addition.table.copy(), kind="TABLE", actions=[made]))
-    return statements
-
-
-def added_with_statements(addition: Addition, twice: bool = True) -> list[exp.Expr]:
-    """Return the same, and a COMMENT ON for each column."""
-    return [*added(addition, twice), *_about(addition.table, addition.comments)]
-
-
-def added_with_notes(
-    addition: Addition,
-    twice: bool = True,
-    column_note: Note = lambda said: exp.CommentColumnConstraint(this=said),
-) -> list[exp.Expr]:
-    """Return the same with the comments inside; see :func:`with_notes`."""
-    statements = added(addition, twice)
-    for statement in statements:
-        (column,) = statement.args["actions"]
-        said = addition.comments[column.name].copy()
-        column.append("constraints", exp.ColumnConstraint(kind=column_note(said)))
-    return statements
-
-
-def key_index(definition: Definition, texts: bool = True) -> exp.Expr:
-    """Return CREATE INDEX on the key of a table, called after it; of all texts or none."""
+def _key_index(definition: Definition, texts: bool) -> exp.Expr:
+    """Return CREATE INDEX on the key of a table, called after it; without texts that do not fit."""
     table = definition.create.this.this
     kinds = {column.name: column.kind for column in definition.create.this.expressions}
     key = [
@@ -202,6 +220,6 @@ def key_index(definition: Definition, texts: bool = True) -> exp.Expr:
     return exp.Create(this=index, kind="INDEX", exists=True)
 
 
-def clustered(definition: Definition) -> exp.Expr:
+def clustered(definition: Definition) -> list[exp.Expr]:
     """Return CLUSTER BY the key of a table."""
-    return exp.ClusterProperty(expressions=definition.key)
+    return [exp.ClusterProperty(expressions=definition.key)]
