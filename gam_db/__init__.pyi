@@ -22,8 +22,8 @@ from gam_db.lab.evaluation import evaluate as evaluate
 from gam_db.parameters import Override as Override
 from gam_db.parameters import Parameters as Parameters
 from gam_db.script import render as render
-from gam_db.selection.channels import select as select
 from gam_db.selection.select import Selection as Selection
+from gam_db.selection.select import select as select
 from gam_db.source import Source as Source
 from gam_db.source import WideSource as WideSource
 from gam_db.stored.monitor import Monitor as Monitor

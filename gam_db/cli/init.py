@@ -21,7 +21,7 @@ from gam_db.config import DEFAULT_FILE, Settings
 from gam_db.errors import ConfigurationError, printable
 from gam_db.guess import SourceSettings
 from gam_db.parameters import Parameters
-from gam_db.selection import Search
+from gam_db.selection.search import Search
 from gam_db.setting import settings_of
 from gam_db.source import Source, is_file, paths_of, slashed
 

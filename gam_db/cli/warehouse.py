@@ -11,8 +11,7 @@ from gam_db.cli import options, page
 from gam_db.cli.options import option
 from gam_db.config import Settings
 from gam_db.connecting import connect
-from gam_db.engines import NAMES, engine_named
-from gam_db.engines.evidence import evidence
+from gam_db.engines import EVIDENCE, NAMES, engine_named
 from gam_db.errors import ConfigurationError, SourceError
 from gam_db.export import Package, write
 from gam_db.export import grafana as dashboards
@@ -155,7 +154,7 @@ def engines(as_json: options.Json = False) -> None:
     for name in NAMES:
         engine, told = engine_named(name), ("title", "oldest", "extra", "transactions", "limits")
         known = {one: getattr(engine, one) for one in told}
-        found.append({**dataclasses.asdict(evidence()[name]), **known})
+        found.append({**dataclasses.asdict(EVIDENCE[name]), **known})
     if as_json:
         page.print_json(found)
     else:

@@ -1,16 +1,46 @@
 """Engines: flat data and small rewrites, one file per engine.
 
 Nothing outside this folder asks which engine it is. What is known of an engine at work is in
-``evidence.csv``, which the tests hold to what they run.
+``evidence.csv``: ``tests/engines/test_engines.py`` holds it to what the tests run, and ``python
+tests/tools/evidence.py`` writes version and date anew after running them.
 """
 
+import csv
 import importlib
+from dataclasses import dataclass
 
+from gam_db import data
 from gam_db.engines.base import Engine
-from gam_db.engines.evidence import evidence
 from gam_db.errors import EngineError, nearest
 
-NAMES = tuple(evidence())
+
+@dataclass(frozen=True)
+class Evidence:
+    """A row of the table.
+
+    Attributes:
+        engine: its name.
+        evidence: how much is known, in words; docs/engines.md says what each kind means.
+        by: what ran or parsed the SQL.
+        version: of that, in the last run.
+        date: of the last run, as YYYY-MM-DD.
+        tests: the file of the tests.
+    """
+
+    engine: str
+    evidence: str
+    by: str
+    version: str
+    date: str
+    tests: str
+
+
+#: The rows of the table, by engine, in its order.
+EVIDENCE = {
+    row["engine"]: Evidence(**row)
+    for row in csv.DictReader(data.text("gam_db.engines", "evidence.csv").splitlines())
+}
+NAMES = tuple(EVIDENCE)
 
 
 def engine_named(name: str) -> Engine:

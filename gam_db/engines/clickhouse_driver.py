@@ -5,6 +5,7 @@ that was killed. There are no transactions: rows are appended, and a run is visi
 """
 
 import contextlib
+import re
 import secrets
 import time
 from collections.abc import Sequence
@@ -19,12 +20,16 @@ from gam_db.engines import clickhouse_types as types
 from gam_db.engines.base import deletion
 from gam_db.engines.clickhouse import ENGINE, create_table, temporary_table
 from gam_db.engines.clickhouse_address import EXTRA, folder, is_locked, server
-from gam_db.engines.clickhouse_errors import MARK, problem
 from gam_db.engines.driver import Driver, at_work, by_table, usual
 from gam_db.engines.refusals import refusal
 from gam_db.engines.session import first_line
 from gam_db.errors import EngineError, SourceError, UserError
 from gam_db.extras import needed
+
+#: What the temporary tables of a session begin with.
+MARK = "gam_"
+
+_GRANT = re.compile(r"the grant (.+?)(?:\. \(ACCESS_DENIED\)|\.?$)", re.MULTILINE)
 
 #: Seconds that a session may wait for its next statement.
 _IDLE = 3_600
@@ -257,3 +262,22 @@ class ClickHouseDriver(Driver):
 
     def _one(self, query: str, **parameters: Any) -> Any:
         return self._rows(query, **parameters)[0][0]
+
+
+def problem(error: Exception, address: str) -> UserError | None:
+    """Return what the user can do about an error; None if it is none of the user's.
+
+    It is one of clickhouse-connect or of the transport below; the address has no password.
+    """
+    code, said = getattr(error, "code", None), str(error)
+    if code is None and (
+        isinstance(error, OSError) or type(error).__name__ in ("OperationalError", "StreamFailureError")
+    ):
+        code = "transport"
+    found = _GRANT.search(said)
+    return refusal(
+        *("clickhouse", str(code), f"{code} {said}"),
+        address=address,
+        grant=found[1] if found else "SELECT, INSERT, CREATE TABLE, ALTER DELETE, DROP",
+        name=getattr(error, "name", None) or code,
+    )

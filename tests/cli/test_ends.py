@@ -23,7 +23,7 @@ import gam_db
 from gam_db import config
 from gam_db.cli import app
 from gam_db.engines import postgres_refusals
-from gam_db.engines.clickhouse_errors import problem
+from gam_db.engines.clickhouse_driver import problem
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import (
     ConfigurationError,

@@ -14,8 +14,7 @@ import engines
 from evidence import version_of
 from gam_db import data
 from gam_db.cli import app
-from gam_db.engines import NAMES, engine_named
-from gam_db.engines.evidence import evidence
+from gam_db.engines import EVIDENCE, NAMES, engine_named
 from gam_db.engines.refusals import refusal
 from gam_db.errors import UserError
 
@@ -27,7 +26,7 @@ def test_every_engine_has_its_row() -> None:
     modules = (importlib.import_module(f"gam_db.engines.{name}") for name in made if "_" not in name)
     engines_of = [module.ENGINE for module in modules if hasattr(module, "ENGINE")]
     assert {engine.name for engine in engines_of} == set(NAMES)
-    for row in evidence().values():
+    for row in EVIDENCE.values():
         assert row.evidence in engine_page.CLASSES
         assert (ROOT / row.tests).is_file()
         assert dt.date(2026, 11, 1) <= dt.date.fromisoformat(row.date) <= dt.date.today()
@@ -38,12 +37,12 @@ def test_the_version_is_the_one_that_the_tests_run(name: str, request: pytest.Fi
     """The file of the tests says itself that it runs the engine, and finds the version where it runs."""
     if request.config.getoption("--engines") != "all":
         pytest.skip("left out: the table tells of runs with --engines all")
-    row = evidence()[name]
+    row = EVIDENCE[name]
     assert row.version.split(".")[:2] == version_of(row)().split(".")[:2], "run tests/tools/evidence.py"
 
 
 def test_executed_is_what_the_tests_run_on() -> None:
-    executed = [row for row in evidence().values() if row.evidence == "executed"]
+    executed = [row for row in EVIDENCE.values() if row.evidence == "executed"]
     assert {row.engine for row in executed} == set(engines.OPENERS) == set(engines.VERSIONS)
     assert [row.by for row in executed] == [engine_named(row.engine).title for row in executed]
 
@@ -78,7 +77,7 @@ def test_the_command_says_what_the_table_says() -> None:
     assert [row["engine"] for row in found] == list(NAMES)
     shown = CliRunner().invoke(app, ["engines"]).stdout
     for row in found:
-        assert row["evidence"] == evidence()[row["engine"]].evidence
+        assert row["evidence"] == EVIDENCE[row["engine"]].evidence
         assert f"{row['title']} ({row['engine']}): {row['evidence']}\n  by {row['by']}" in shown
 
 

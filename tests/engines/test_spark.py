@@ -18,7 +18,7 @@ import harness
 from gam_db.engines.session import Session
 from gam_db.engines.spark import OVER
 from gam_db.engines.spark_driver import SparkDriver
-from gam_db.engines.spark_rewriting import Rewriting
+from gam_db.engines.spark_tables import Rewriting
 from gam_db.errors import EngineError, GamError, SourceError, UserError
 from gam_db.pipeline import filled, place
 from gam_db.stored.migrations import rendered

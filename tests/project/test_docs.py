@@ -11,8 +11,7 @@ import pytest
 import settings_page
 import sql_page
 from gam_db import config
-from gam_db.engines import NAMES, engine_named
-from gam_db.engines.evidence import evidence
+from gam_db.engines import EVIDENCE, NAMES, engine_named
 
 ROOT = Path(__file__).parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -63,7 +62,7 @@ def test_what_the_page_on_reliability_names_is_there() -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_readme_claims_no_more_than_the_evidence(name: str) -> None:
-    rows = [line for line in README.splitlines() if line.startswith(f"| {evidence()[name].evidence} |")]
+    rows = [line for line in README.splitlines() if line.startswith(f"| {EVIDENCE[name].evidence} |")]
     assert len(rows) == 1
     assert engine_named(name).title in rows[0]
 

@@ -17,8 +17,9 @@ import reference
 from gam_db import langevin
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import ParameterError, StatementError
-from gam_db.selection import Search, lags, neighbours
+from gam_db.selection import lags, neighbours
 from gam_db.selection.lags import add_delays, add_samples
+from gam_db.selection.search import Search
 from gam_db.study import Study
 from selection_reference import Asked, Channel, runs_of
 

@@ -1,7 +1,6 @@
 """The page on engines, from the code: ``python tests/tools/engine_page.py > docs/engines.md``."""
 
-from gam_db.engines import NAMES, engine_named
-from gam_db.engines.evidence import evidence
+from gam_db.engines import EVIDENCE, NAMES, engine_named
 
 #: What may be said of an engine, from the strongest to the weakest, and what it means.
 CLASSES = {
@@ -44,7 +43,7 @@ def text() -> str:
     lines = [HEAD, "| engine | evidence | by | date | accepted from | extra | transactions |"]
     lines.append("|---|---|---|---|---|---|---|")
     for name in NAMES:
-        engine, row = engine_named(name), evidence()[name]
+        engine, row = engine_named(name), EVIDENCE[name]
         cells = (
             engine.title,
             row.evidence,

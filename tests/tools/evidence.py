@@ -12,7 +12,7 @@ from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
 
-from gam_db.engines.evidence import Evidence, evidence
+from gam_db.engines import EVIDENCE, Evidence
 
 ROOT = Path(__file__).parents[2]
 TABLE = ROOT / "gam_db" / "engines" / "evidence.csv"
@@ -30,7 +30,7 @@ def version_of(row: Evidence) -> Callable[[], str]:
 
 def main() -> None:
     """Run the files, then write the table."""
-    rows = list(evidence().values())
+    rows = list(EVIDENCE.values())
     for file in dict.fromkeys(row.tests for row in rows):
         subprocess.run(
             [sys.executable, "-m", "pytest", "-q", "--engines", "all", file], cwd=ROOT, check=True
