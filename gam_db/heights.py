@@ -26,7 +26,8 @@ _ASKED = re.compile(
     r"([0-9.]+(?:[eE][+-]?[0-9]+)?) per (day|week|month|year|1000 judgements)( per channel)?"
 )
 _BLOCKS = (8, 12, 16, 24, 48)
-_TABLE = ((1 / 300, (1.5,) * 5), (1 / 1000, (5, 4, 3.5, 3, 2.5)), (1 / 5000, (13, 8, 6.5, 5, 4)))
+#: Rate per judgement -> heights by blocks.
+_TABLE = {1 / 5000: (13, 8, 6.5, 5, 4), 1 / 1000: (5, 4, 3.5, 3, 2.5), 1 / 300: (1.5,) * 5}
 
 
 @dataclass(frozen=True)
@@ -102,12 +103,8 @@ def by_replay(rate: float, judgements: int, episodes: Mapping[int, int]) -> Heig
 
 def by_table(rate: float, blocks: int) -> Height:
     """Return the height for a channel of at least 8 blocks by the table for normal blocks."""
-    asked = min(max(rate, 1 / 5000), 1 / 300)
-    heights = [(row, float(np.interp(blocks, _BLOCKS, columns))) for row, columns in _TABLE]
-    upper = next(i for i, (row, _) in enumerate(heights[1:]) if asked >= row or i == len(heights) - 2)
-    (high, first), (low, second) = heights[upper], heights[upper + 1]
-    share = (math.log(high) - math.log(asked)) / (math.log(high) - math.log(low))
-    return Height(_in_quarters(first + share * (second - first)), "table")
+    heights = [float(np.interp(blocks, _BLOCKS, by_blocks)) for by_blocks in _TABLE.values()]
+    return Height(_in_quarters(float(np.interp(math.log(rate), np.log([*_TABLE]), heights))), "table")
 
 
 def _carried_on(expected: float, episodes: Mapping[int, int]) -> float | None:
