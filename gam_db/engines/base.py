@@ -59,16 +59,6 @@ class Texts:
     instant: Callable[[exp.Expr, str | None], exp.Expr]
 
 
-def as_it_is(relation: exp.Expr, _: Mapping[str, str]) -> exp.Expr:
-    """Leave a relation as it is."""
-    return relation
-
-
-def not_seen(_: exp.Expr) -> exp.Query | None:
-    """Return nothing: what an engine reads as a time was said."""
-    return None
-
-
 def table_as(table: exp.Table, query: exp.Query) -> exp.Create:
     """Return CREATE TABLE ... AS, with nothing said of its storage."""
     return exp.Create(this=table, kind="TABLE", expression=query)
@@ -149,8 +139,8 @@ class Engine:
     range_of: RangeRewrite | None = None
     types: Types = USUAL
     texts: Texts | None = None
-    seen_formats: Callable[[exp.Expr], exp.Query | None] = not_seen
-    retyped: Callable[[exp.Expr, Mapping[str, str]], exp.Expr] = as_it_is
+    seen_formats: Callable[[exp.Expr], exp.Query | None] = lambda _: None
+    retyped: Callable[[exp.Expr, Mapping[str, str]], exp.Expr] = lambda relation, _: relation
     rewrites: Sequence[Rewrite] = ()
     create_table: Callable[[exp.Table, exp.Query], exp.Create] = table_as
     storage: Storage = APART

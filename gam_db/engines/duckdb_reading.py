@@ -6,11 +6,16 @@ from collections.abc import Mapping, Sequence
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.engines.base import called
+from gam_db.engines.base import called, formula
 from gam_db.form import SPACES, Form, number_pattern
 
 #: An hour, and behind it a zone.
 _ZONED = r"[0-9][T ][0-9].*(Z|[+-][0-9]{2}(:?[0-9]{2})?)\s*$"
+_INSTANT = """
+    CASE WHEN own.REGEXP_MATCHES(own.TRIM(:words), :zoned)
+    THEN own.MAKE_TIMESTAMP(own.EPOCH_US(TRY_CAST(own.TRIM(:words) AS TIMESTAMPTZ)))
+    ELSE TRY_CAST(own.TRIM(:words) AS TIMESTAMP) END
+"""
 
 
 def number_of(words: exp.Expr, form: Form) -> exp.Expr:
@@ -30,14 +35,9 @@ def instant_of_text(words: exp.Expr, time_format: str | None) -> exp.Expr:
     Cause: cast to TIMESTAMP, a text loses its zone; cast to TIMESTAMPTZ, one without takes that of the
     connection. Symptom: 10:00+01:00 is 10:00.
     """
-    trimmed = called("TRIM", words)
     if time_format is not None:
-        return called("TRY_STRPTIME", trimmed, template.text(time_format))
-    zoned = exp.TryCast(this=trimmed, to=exp.DataType.build("TIMESTAMPTZ"))
-    in_utc = called("MAKE_TIMESTAMP", called("EPOCH_US", zoned))
-    has_zone = called("REGEXP_MATCHES", trimmed.copy(), template.text(_ZONED))
-    plain = exp.TryCast(this=trimmed.copy(), to=exp.DataType.build("TIMESTAMP", dialect="duckdb"))
-    return exp.Case(ifs=[exp.If(this=has_zone, true=in_utc)], default=plain)
+        return called("TRY_STRPTIME", called("TRIM", words), template.text(time_format))
+    return formula(_INSTANT, words=words, zoned=template.text(_ZONED))
 
 
 def is_csv_reader(relation: exp.Expr) -> bool:
