@@ -173,7 +173,6 @@ class PostgresDriver(DbapiDriver):
             exp.ColumnDef(
                 this=template.name(name),
                 kind=exp.DataType.build(kind, dialect=self.engine.dialect),
-                constraints=[_by_bytes()] if kind == "text" else [],
             )
             for name, kind in types.items()
         ]
@@ -331,16 +330,8 @@ class PostgresDriver(DbapiDriver):
         self.execute(self.engine.text(exp.Analyze(tables=[table.copy()])))
 
 
-def _by_bytes() -> exp.ColumnConstraint:
-    return exp.ColumnConstraint(kind=exp.CollateColumnConstraint(this=template.name("C")))
-
-
 def _check_address(address: str) -> None:
-    """Refuse an address that libpq would cut up otherwise than it was meant.
-
-    Raises:
-        EngineError: a sign of the password stands for itself where it must be written otherwise.
-    """
+    """Refuse an address with a sign in its password by which libpq would cut it up otherwise."""
     parts = urlsplit(address)
     people = parts.netloc.count("@")
     if people > 1 or "@" in parts.path + parts.fragment or ("@" in parts.query and not people):

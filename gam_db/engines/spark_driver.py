@@ -38,9 +38,9 @@ def connected(target: Any, writable: bool) -> "SparkDriver":
         EngineError: Spark cannot be started, is too old, or the folder cannot be used.
     """
     if isinstance(target, str):
-        address = address_of(target)
-        folder = Folder(address.folder, writable)
-        return SparkDriver(started(address), ENGINE, writable, folder)
+        master, path = address_of(target)
+        folder = Folder(path, writable)
+        return SparkDriver(started(master), ENGINE, writable, folder)
     needed("pyspark", "spark")
     session = beside(target)
     form = format_of(session)
@@ -129,11 +129,7 @@ class SparkDriver(Driver):
         return dict(self._tables.relations(schema))
 
     def file(self, relation: Any, form: Form | None = None) -> exp.Expr:
-        """Return the node that reads a file, a folder of files, or what a pattern matches.
-
-        Raises:
-            SourceError: there is none, or Spark cannot read it.
-        """
+        """Return the node that reads a file, a folder of files, or what a pattern matches."""
         path, reader = str(relation), self._session.read
         with quiet():
             if path.lower().endswith((".parquet", ".pq")):

@@ -13,7 +13,6 @@ import sys
 import tempfile
 import warnings
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -27,16 +26,8 @@ from gam_db.errors import EngineError
 from gam_db.extras import needed
 
 
-@dataclass(frozen=True)
-class Address:
-    """What an address says: the master (None: what the environment says) and the folder."""
-
-    master: str | None
-    folder: Path
-
-
-def address_of(url: str) -> Address:
-    """Return what ``spark:///FOLDER`` or ``spark://HOST:PORT/FOLDER`` says.
+def address_of(url: str) -> tuple[str | None, Path]:
+    """Return master (None: what the environment says) and folder of ``spark://HOST:PORT/FOLDER``.
 
     Raises:
         EngineError: it names no folder.
@@ -50,10 +41,10 @@ def address_of(url: str) -> Address:
             f"{url} names no folder for the tables; write spark:///FOLDER, or spark://HOST:7077/FOLDER "
             "with a folder that all workers can reach."
         )
-    return Address(f"spark://{parts.netloc}" if parts.netloc else None, Path(folder).absolute())
+    return f"spark://{parts.netloc}" if parts.netloc else None, Path(folder).absolute()
 
 
-def started(address: Address) -> Any:
+def started(master: str | None) -> Any:
     """Return a new session of the Spark of this process, which is started if there is none.
 
     Raises:
@@ -62,12 +53,12 @@ def started(address: Address) -> Any:
     """
     context = needed("pyspark", "spark").SparkContext._active_spark_context
     if context is None:
-        base = _started(address.master or os.environ.get("SPARK_MASTER"))
+        base = _started(master or os.environ.get("SPARK_MASTER"))
     else:
-        if address.master not in (None, context.master):
+        if master not in (None, context.master):
             raise EngineError(
                 f"This process runs Spark on {context.master} already, and one process has one Spark; "
-                f"{address.master} takes another process."
+                f"{master} takes another process."
             )
         base = needed("pyspark.sql", "spark").SparkSession.builder.getOrCreate()
     with quiet():
