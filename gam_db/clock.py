@@ -192,11 +192,7 @@ def shown_length(steps: int, kind: TimeKind) -> str:
 
 
 def zone(name: str) -> dt.tzinfo:
-    """Return a time zone by its name.
-
-    Raises:
-        ConfigurationError: there is none of that name.
-    """
+    """Return a time zone by its name, or raise a ConfigurationError."""
     if name == "UTC":
         return dt.UTC
     try:

@@ -42,12 +42,8 @@ class Settings:
     """Everything that can be set, as it was said.
 
     Attributes:
-        source: see :class:`SourceSettings`.
-        parameters: keywords of :class:`~gam_db.Parameters`; only what was said.
-        calibration: keywords of :class:`~gam_db.Calibration`; only what was said.
+        parameters, calibration: keywords of these; only what was said.
         overrides: parameters of some channels.
-        alarms: see :class:`~gam_db.Alarms`.
-        monitor: see :class:`MonitorSettings`.
         file: the file it was read from, None if there was none.
         is_of_another: its section [source] was said of another source, and left out.
     """
@@ -105,11 +101,7 @@ class Settings:
         )
 
     def method(self) -> tuple[Parameters, Calibration]:
-        """Return the parameters and the calibration.
-
-        Raises:
-            ParameterError, CalibrationError: a value is out of its range, or they contradict.
-        """
+        """Return the parameters and the calibration, which are checked as they are made."""
         return Parameters(**self.parameters, overrides=self.overrides), Calibration(**self.calibration)
 
 
@@ -137,12 +129,7 @@ def load(path: Path | None = None, folder: Path | None = None) -> Settings:
 
 
 def _check_where(source: SourceSettings) -> None:
-    """Refuse a condition that reads other tables or files, unless that is wanted.
-
-    Raises:
-        ConfigurationError: it does.
-        SourceError: it is no condition.
-    """
+    """Refuse a condition that reads other tables or files, unless that is wanted."""
     if source.where is None or source.where_any:
         return
     from sqlglot import exp  # most commands need neither
@@ -157,13 +144,7 @@ def _check_where(source: SourceSettings) -> None:
 
 
 def _check_owner(path: Path) -> None:
-    """Refuse a settings file that nobody asked for and another user could write.
-
-    Its conditions are SQL that runs with the rights of whoever calls gam.
-
-    Raises:
-        ConfigurationError: it, or its folder, belongs to another user.
-    """
+    """Refuse a settings file of another user that nobody named: its SQL runs with our rights."""
     if not hasattr(os, "getuid"):
         return
     for one in (path, path.resolve().parent):

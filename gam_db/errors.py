@@ -1,20 +1,7 @@
 """What can go wrong, and whose it is.
 
-    GamError
-    ├── UserError               something the user can mend; the command line exits with 1
-    │   ├── ParameterError      a parameter of the method is out of its range
-    │   ├── CalibrationError    the calibration is contradictory or cannot be resolved
-    │   ├── SourceError         the relation, a column of it, or its rows are not usable
-    │   ├── ConfigurationError  gam.toml or an option of the command line
-    │   ├── EngineError         an unknown engine, or one that cannot do what is asked
-    │   │   └── RunAgainError   only the moment was wrong; the command line exits with 75
-    │   │       ├── ConflictError        another writer was faster
-    │   │       ├── LockedError          another process has the file
-    │   │       └── LostConnectionError  the server went away, or is not there yet
-    │   └── StateError          the state tables are missing, changed, or of another gam-db
-    └── InternalError           our fault; the command line exits with 3
-        ├── TemplateError       a file in sql/ breaks a rule, or its slots were not filled
-        └── StatementError      a statement that we made failed; carries it as ``statement``
+The command line exits with 1 where the user can mend it (UserError), with 75 where only the moment was
+wrong (RunAgainError), and with 3 where it is our fault (InternalError).
 
 A message says what is wrong, where, and what to do. Values of the telemetry never appear in one,
 but for the first word that cannot be read as the number or time that it should be.

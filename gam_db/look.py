@@ -64,11 +64,7 @@ def kind_of(source: AnySource, columns: dict[str, str], session: Session) -> Tim
 
 
 def check_kind(kind: TimeKind, expected: TimeKind, monitor: str) -> None:
-    """Refuse a source that tells time otherwise than the one its monitor was made for.
-
-    Raises:
-        SourceError: it does.
-    """
+    """Refuse (SourceError) a source that tells time otherwise than its monitor was made for."""
     if kind is not expected:
         raise SourceError(
             f"The time of this source is a {kind.value}; the monitor {monitor!r} was made for a "
@@ -101,11 +97,7 @@ def check_rows(names: pa.Table) -> None:
 
 
 def check_clock(names: pa.Table) -> None:
-    """Refuse times with which nothing can be computed; ``names`` is the step of that name.
-
-    Raises:
-        SourceError: a counter beyond 2^62.
-    """
+    """Refuse (SourceError) a counter beyond 2^62; ``names`` is the step of that name."""
     edges = [row[edge] for row in names.to_pylist() for edge in ("earliest", "latest")]
     if any(edge is not None and abs(edge) >= FAR_AHEAD for edge in edges):
         raise SourceError(

@@ -82,10 +82,7 @@ def _alias(name: str) -> exp.TableAlias:
 
 
 def _retyped(session: Session, source: AnySource, columns: dict[str, str]) -> dict[str, str]:
-    """Return the columns of a text file that are to be read as another type than the one it looks like.
-
-    Integers at its beginning may be followed by fractions, and thousands are checked, not only left out.
-    """
+    """Return the columns of a text file whose types its beginning does not tell, and these."""
     types = session.engine.types
     wanted = "VARCHAR" if source.thousands else "DOUBLE"
     return {
@@ -176,11 +173,7 @@ def _misfits(
 
 
 def _check_numbers(source: AnySource, name: str, type_name: str, found: list[Row]) -> None:
-    """Refuse a column of text that was not said to hold numbers, or holds other words, too.
-
-    Raises:
-        SourceError: it does.
-    """
+    """Refuse a column of text that was not said to hold numbers, or holds other words, too."""
     if source.reads_words and not found:
         return
     role = "value" if name == getattr(source, "value", None) else "channel"
@@ -201,11 +194,7 @@ def _check_numbers(source: AnySource, name: str, type_name: str, found: list[Row
 
 
 def _check_times(source: AnySource, type_name: str, found: list[Row]) -> None:
-    """Refuse words that are no times in ISO 8601, or as was said.
-
-    Raises:
-        SourceError: there are some.
-    """
+    """Refuse words that are no times in ISO 8601, or as was said."""
     if not found:
         return
     wanted = f"a time like {source.time_format!r}" if source.time_format else "a time in ISO 8601"
@@ -222,11 +211,7 @@ def _check_times(source: AnySource, type_name: str, found: list[Row]) -> None:
 
 
 def _check_order(session: Session, source: AnySource, stored: exp.Expr) -> None:
-    """Refuse dates of a text file that were taken day before month, or the other way round, by chance.
-
-    Raises:
-        SourceError: all of them can be read in both ways.
-    """
+    """Refuse dates of a text file that can be read day before month, or the other way round."""
     texts, asked = session.engine.texts, session.engine.seen_formats(stored)
     if texts is None or asked is None:
         return

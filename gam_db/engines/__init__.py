@@ -16,15 +16,9 @@ from gam_db.errors import EngineError, nearest
 
 @dataclass(frozen=True)
 class Evidence:
-    """A row of the table.
+    """A row of the table: what ran or parsed the SQL of an engine, its version, when, in which tests.
 
-    Attributes:
-        engine: its name.
-        evidence: how much is known, in words; docs/engines.md says what each kind means.
-        by: what ran or parsed the SQL.
-        version: of that, in the last run.
-        date: of the last run, as YYYY-MM-DD.
-        tests: the file of the tests.
+    Of the kinds of evidence docs/engines.md says what each means.
     """
 
     engine: str

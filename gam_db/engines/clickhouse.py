@@ -50,11 +50,7 @@ def _stored(definition: Definition) -> list[exp.Expr]:
 
 
 def _null_by_type(column: exp.ColumnDef) -> None:
-    """Say by its type whether a column can be NULL.
-
-    Symptom otherwise: ``Nullable(Int64) NOT NULL`` is refused, and a nullable column cannot be part of
-    the key.
-    """
+    """Say by its type whether a column can be NULL; ``Nullable(Int64) NOT NULL`` is refused."""
     present = [rule for rule in column.constraints if isinstance(rule.kind, exp.NotNullColumnConstraint)]
     for rule in present:
         rule.pop()
@@ -87,10 +83,7 @@ def _merge_tree(key: exp.Expr) -> list[exp.Expr]:
 
 
 def _partition() -> exp.Expr:
-    """Return how buckets are cut: by stretches of each channel's life, and by groups of channels.
-
-    A month of the clock would be no month for a source that counts time.
-    """
+    """Return how buckets are cut: by stretches of a channel's life, not of the clock, and by groups."""
     parts = "(own.intDiv(bucket_no, :length), own.modulo(version_id, :groups))"
     return exp.PartitionedByProperty(this=formula(parts, length=_BUCKETS_OF_A_PART, groups=_GROUPS))
 

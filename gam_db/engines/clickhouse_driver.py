@@ -152,11 +152,7 @@ class ClickHouseDriver(Driver):
             raise
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
-        """Make a temporary table of the rows of an Arrow table.
-
-        Raises:
-            SourceError: it holds a column of a type that ClickHouse has not.
-        """
+        """Make a temporary table of an Arrow table, or refuse types that ClickHouse has not."""
         rows = types.insertable(rows)
         columns = [
             exp.ColumnDef(
@@ -220,11 +216,7 @@ class ClickHouseDriver(Driver):
         return [(database, name) if database else (name,) for database, name in rows]
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
-        """Return the columns of a relation and the engine's names of their types.
-
-        Raises:
-            SourceError: it is in another database than the current one, and its name does not say so.
-        """
+        """Return columns and their types; of another database only where the name says so."""
         try:
             described = exp.Describe(this=relation.copy(), kind="TABLE")
             rows = self.fetch(self.engine.text(described)).to_pylist()

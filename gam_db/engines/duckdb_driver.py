@@ -11,14 +11,7 @@ from sqlglot import exp
 from gam_db.engines.base import temporary
 from gam_db.engines.driver import Driver
 from gam_db.engines.duckdb import ENGINE
-from gam_db.engines.duckdb_files import (
-    late_word,
-    leaves,
-    matching,
-    no_table,
-    unalike,
-    without_results,
-)
+from gam_db.engines.duckdb_files import late_word, leaves, matching, no_table, unalike, without_results
 from gam_db.engines.duckdb_journal import Journal
 from gam_db.engines.duckdb_opening import check_settings, opened, rows_at_once
 from gam_db.engines.duckdb_reading import file_reader, is_csv_reader, is_text_file
@@ -67,12 +60,7 @@ class DuckDriver(Driver):
         self._registered: set[str] = set()
 
     def execute(self, statement: str) -> None:
-        """Run one statement.
-
-        Raises:
-            EngineError: the database cannot be written: it is only read, its disk is full, or another
-                connection changed the same rows.
-        """
+        """Run one statement, and say why the database cannot be written if it cannot."""
         try:
             self.connection.execute(statement)
         except duckdb.Error as error:
@@ -117,11 +105,7 @@ class DuckDriver(Driver):
         return first == second
 
     def checkpoint(self, above: int = 0) -> None:
-        """Write the log of the file into it, if it is ours and its log larger than so many bytes.
-
-        Raises:
-            EngineError: the disk is full; what was committed stays in the log.
-        """
+        """Write the log into the file if it is ours, and the log larger than so many bytes."""
         if self._journal is not None:
             try:
                 self._journal.checkpoint(above)
@@ -134,11 +118,7 @@ class DuckDriver(Driver):
         self.connection.execute(self.engine.text(temporary(table, query)))
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
-        """Let an Arrow table be read where it lies.
-
-        Raises:
-            SourceError: it holds a column of a type that DuckDB has not.
-        """
+        """Let an Arrow table be read where it lies, or refuse types that DuckDB has not."""
         try:
             self.connection.register(table.name, rows)
         except duckdb.Error as error:
@@ -165,11 +145,7 @@ class DuckDriver(Driver):
         ).fetchall()
 
     def located(self, table: exp.Expr) -> exp.Expr:
-        """Return the node as it is.
-
-        Raises:
-            SourceError: it is a view of what cannot be read.
-        """
+        """Return the node as it is, but for a view of what cannot be read."""
         try:
             self.describe(table)
         except duckdb.Error as error:
@@ -185,11 +161,7 @@ class DuckDriver(Driver):
         return {str(row[0]): str(row[1]) for row in rows}
 
     def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
-        """Return the tables and views of a schema with their columns, names of tables in lower case.
-
-        Raises:
-            EngineError: the schema is called like a database, and DuckDB cannot tell which is meant.
-        """
+        """Return the tables and views of a schema, unless DuckDB takes its name for a database's."""
         databases = self.connection.execute("SELECT database_name FROM duckdb_databases()").fetchall()
         if schema is not None and schema.casefold() in {name.casefold() for (name,) in databases}:
             raise EngineError(
@@ -205,11 +177,7 @@ class DuckDriver(Driver):
         return {name.casefold(): tuple(columns) for name, columns in rows.fetchall()}
 
     def file(self, relation: Any, form: Form | None = None) -> exp.Expr:
-        """Return the node that reads files, written in a form.
-
-        Raises:
-            SourceError: they are not there, or cannot be read.
-        """
+        """Return the node that reads files, written in a form, which all have the same columns."""
         paths = paths_of(relation)
         found = without_results(self.connection, paths)
         node = file_reader(found, form)
@@ -240,11 +208,7 @@ class DuckDriver(Driver):
         return {one: self._columns(file_reader([one], form), one) for one in files}
 
     def _columns(self, node: exp.Expr, path: str) -> dict[str, str]:
-        """Return the columns of files, which are shown as a path, and their types.
-
-        Raises:
-            SourceError: they cannot be read, or have no rows.
-        """
+        """Return the columns of files, which are shown as a path, and their types."""
         try:
             columns = self.describe(node)
             if is_csv_reader(node) and set(columns.values()) == {"VARCHAR"}:

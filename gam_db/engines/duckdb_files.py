@@ -74,11 +74,7 @@ def without_results(connection: duckdb.DuckDBPyConnection, paths: Sequence[str])
 
 
 def _inside(connection: duckdb.DuckDBPyConnection, path: str) -> str:
-    """Return the pattern of the files in a folder; a path as it is.
-
-    Raises:
-        SourceError: there are none, or they are a table of another format.
-    """
+    """Return the pattern of the files in a folder; a path as it is."""
     path = as_folder(path)
     if path.endswith("/"):
         for table, (log, through) in _TABLES.items():

@@ -19,13 +19,7 @@ from gam_db import template
 from gam_db.engines.driver import Driver
 from gam_db.engines.refusals import CONFLICT as CONFLICT
 from gam_db.engines.refusals import OPEN
-from gam_db.errors import (
-    EngineError,
-    LostConnectionError,
-    SourceError,
-    StatementError,
-    nearest,
-)
+from gam_db.errors import EngineError, LostConnectionError, SourceError, StatementError, nearest
 from gam_db.form import Form
 from gam_db.source import is_file, table_names
 

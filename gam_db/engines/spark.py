@@ -9,13 +9,7 @@ from sqlglot import exp
 
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, table_as
-from gam_db.engines.storage import (
-    Definition,
-    Storage,
-    clustered,
-    merged,
-    overwritten,
-)
+from gam_db.engines.storage import Definition, Storage, clustered, merged, overwritten
 from gam_db.engines.types import Types
 
 #: Groups of channels, by hash, that the large tables are stored in: a look at one machine opens the
@@ -43,11 +37,7 @@ def create_table(table: exp.Table, query: exp.Query) -> exp.Create:
 
 
 def _stored(form: str) -> Storage:
-    """Return how tables of a form are kept: the large ones in groups of channels.
-
-    In Parquet a group is no column of the table, so that it reads as everywhere else, and its own
-    statistics leave out what lies outside a range of time.
-    """
+    """Return how tables of a form are kept: large ones in groups of channels, which are no column."""
 
     def properties(definition: Definition) -> list[exp.Expr]:
         key, grouped = definition.key, list[exp.Expr]()

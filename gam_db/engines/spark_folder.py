@@ -28,14 +28,9 @@ _FORGOTTEN = 7 * 86_400
 
 @dataclass(frozen=True)
 class Entry:
-    """A table or view of the folder.
+    """A table or view: the statement that makes it, without the place of its rows, and its columns.
 
-    Attributes:
-        schema: where it lies; None for the folder itself.
-        name: its name.
-        statement: what makes it, without the place of its rows.
-        columns: their names, in order.
-        data: the folder of its rows; None for a view.
+    Its schema is None in the folder itself, the folder of its rows (*data*) is None for a view.
     """
 
     schema: str | None

@@ -126,11 +126,7 @@ class SqliteDriver(DbapiDriver):
         }
 
     def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
-        """Return the tables and views of the main file with their columns.
-
-        Raises:
-            EngineError: a schema is named.
-        """
+        """Return the tables and views of the main file with their columns; there are no schemas."""
         if schema is not None:
             raise EngineError("SQLite has no schemas; leave schema out and give another prefix.")
         found = {}

@@ -32,12 +32,7 @@ _KINDS = {
 
 @dataclass(frozen=True)
 class Types:
-    """The types of an engine.
-
-    Attributes:
-        dialect: sqlglot's name of its SQL.
-        others: (name of a type that sqlglot does not know, another one that means the same).
-    """
+    """The types of an engine: its dialect of sqlglot, and names that this takes for other ones."""
 
     dialect: str
     others: tuple[tuple[str, str], ...] = ()

@@ -134,12 +134,7 @@ def _add_probes(steps: Pipeline, search: Search, d: int) -> None:
     coordinates = [exp.column(f"u_{j}") for j in range(d + 1)]
     slots: dict[str, template.Slot] = {"d": d, "coordinates": coordinates[:d]}
     add(steps, "selection/patterns", slots, f"patterns_{d}")
-    slots = {
-        "d": d,
-        "carried": coordinates,
-        "theiler": search.theiler,
-        "references": search.references,
-    }
+    slots = {"d": d, "carried": coordinates, "theiler": search.theiler, "references": search.references}
     add(steps, "selection/probes", slots, f"probes_{d}")
     steps.small |= {f"patterns_{d}", f"probes_{d}"}
 
