@@ -169,19 +169,14 @@ WAYS = ("fraction", "duration", "intervals")
 
 @dataclass(frozen=True)
 class Rule:
-    """A calibration rule in integers: what the steps rules and declared are filled with.
+    """A calibration rule in integers: what the steps rules and declared are filled with."""
 
-    Attributes:
-        fraction, duration, declared_end: at most one is not None; none: no calibration of its own.
-        score_from: first instant to be scored, where given.
-        allowed: disjoint closed intervals, ascending, exclusions taken out.
-    """
-
+    #: At most one of the first three is not None; none: no calibration of its own.
     fraction: float | None = None
     duration: int | None = None
     declared_end: int | None = None
-    score_from: int | None = None
-    allowed: tuple[Interval, ...] = ()
+    score_from: int | None = None  # first instant to be scored, where given
+    allowed: tuple[Interval, ...] = ()  # disjoint closed intervals, ascending, exclusions taken out
 
 
 def resolve(calibration: Calibration, kind: TimeKind) -> list[Rule]:

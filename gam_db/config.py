@@ -39,23 +39,17 @@ SECTIONS: Mapping[str, type] = {
 
 @dataclass(frozen=True)
 class Settings:
-    """Everything that can be set, as it was said.
-
-    Attributes:
-        parameters, calibration: keywords of these; only what was said.
-        overrides: parameters of some channels.
-        file: the file it was read from, None if there was none.
-        is_of_another: its section [source] was said of another source, and left out.
-    """
+    """Everything that can be set, as it was said."""
 
     source: SourceSettings = field(default_factory=SourceSettings)
+    #: Keywords of these two; only what was said.
     parameters: Mapping[str, Any] = field(default_factory=dict)
     calibration: Mapping[str, Any] = field(default_factory=dict)
-    overrides: tuple[Override, ...] = ()
+    overrides: tuple[Override, ...] = ()  # parameters of some channels
     alarms: Alarms = field(default_factory=Alarms)
     monitor: MonitorSettings = field(default_factory=MonitorSettings)
-    file: Path | None = None
-    is_of_another: bool = False
+    file: Path | None = None  # the file it was read from, None if there was none
+    is_of_another: bool = False  # its section [source] was said of another source, and left out
 
     def for_source(self, relation: str | tuple[str, ...] | None) -> "Settings":
         """Return these settings for a source that was named beside the file.

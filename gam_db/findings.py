@@ -36,26 +36,16 @@ Row = dict[str, Any]
 
 @dataclass(frozen=True)
 class Course:
-    """What a channel showed since it is scored.
+    """What a channel showed since it is scored."""
 
-    Attributes:
-        hi: (points,) the health indicator, oldest first; NaN until a window is scored.
-        highest: its highest value; None until a window is scored.
-        vectors: scored vectors in full buckets.
-        novel, out_of_range: of those of the last window, or of as many as there are.
-        has_moved: a vector was novel at some time.
-        since: the instant at which the first point begins, as the source tells time.
-        time: that of the last full bucket.
-    """
-
-    hi: NDArray[np.float64]
-    highest: float | None
-    vectors: int
-    novel: int
+    hi: NDArray[np.float64]  # (points,) the health indicator, oldest first; NaN until a window is scored
+    highest: float | None  # its highest value; None until a window is scored
+    vectors: int  # scored vectors in full buckets
+    novel: int  # novel, out_of_range: of those of the last window, or of as many as there are
     out_of_range: int
-    has_moved: bool
-    since: Any = None
-    time: Any = None
+    has_moved: bool  # a vector was novel at some time
+    since: Any = None  # the instant at which the first point begins, as the source tells time
+    time: Any = None  # that of the last full bucket
 
 
 def findings(study: Study, alarms: Alarms | None = None, longest: int | None = None) -> list[Row]:

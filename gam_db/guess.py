@@ -106,17 +106,11 @@ _NONE = {"asset": "--no-asset if it is one machine", "channel": "--no-channel if
 
 @dataclass(frozen=True)
 class Guess:
-    """A source with its columns, and what of it was guessed.
+    """A source with its columns, and what of it was guessed."""
 
-    Attributes:
-        source: all columns named.
-        guessed: role -> column, or a short phrase, for what nobody had said.
-        unused: columns that are not read.
-    """
-
-    source: AnySource
-    guessed: Mapping[str, str]
-    unused: tuple[str, ...]
+    source: AnySource  # all columns named
+    guessed: Mapping[str, str]  # role -> column, or a short phrase, for what nobody had said
+    unused: tuple[str, ...]  # columns that are not read
 
 
 def guess(relation: Any, columns: Mapping[str, str], said: SourceSettings, session: Session) -> Guess:

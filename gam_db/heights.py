@@ -32,17 +32,11 @@ _TABLE = {1 / 5000: (13, 8, 6.5, 5, 4), 1 / 1000: (5, 4, 3.5, 3, 2.5), 1 / 300: 
 
 @dataclass(frozen=True)
 class Rate:
-    """How many false alarms are asked for.
+    """How many false alarms are asked for."""
 
-    Attributes:
-        number: of them.
-        days: in so many days; None for in 1,000 judgements.
-        per_channel: of each channel, not of all.
-    """
-
-    number: float
-    days: int | None
-    per_channel: bool
+    number: float  # of them
+    days: int | None  # in so many days; None for in 1,000 judgements
+    per_channel: bool  # of each channel, not of all
 
     @classmethod
     def of(cls, said: object) -> "Rate":

@@ -21,23 +21,14 @@ from gam_db.source import AnySource, parsed_condition, read_from
 
 @dataclass(frozen=True)
 class Prepared:
-    """A source that can be read.
+    """A source that can be read."""
 
-    Attributes:
-        source: as it was given, with its channels named.
-        columns: name -> type of the columns as they are stored.
-        stored: the node that reads them.
-        rows: how the relation below is read; conditions that it holds already are left out.
-        relation: the node that reads columns of numbers and times.
-        kind: how time is told there.
-    """
-
-    source: AnySource
-    columns: dict[str, str]
-    stored: exp.Expr
-    rows: AnySource
-    relation: exp.Expr
-    kind: TimeKind
+    source: AnySource  # as it was given, with its channels named
+    columns: dict[str, str]  # name -> type of the columns as they are stored
+    stored: exp.Expr  # the node that reads them
+    rows: AnySource  # how the relation below is read; conditions that it holds already are left out
+    relation: exp.Expr  # the node that reads columns of numbers and times
+    kind: TimeKind  # how time is told there
 
 
 def prepared(session: Session, source: AnySource) -> Prepared:

@@ -20,56 +20,35 @@ _Class = TypeVar("_Class")
 
 @dataclass(frozen=True)
 class Kind:
-    """What a setting takes.
+    """What a setting takes."""
 
-    Attributes:
-        checked: from setting, name and value to the value as it is kept; raises ParameterError.
-        option: type of the option on the command line; bool for one that takes no value.
-        read: from the option's name and value to the value of the setting.
-        metavar: stands for the value in help.
-        how: how an option is written, in help; ``{example!r}`` stands for the setting's example.
-        none: that there is none is said by an option of its own, --no-NAME.
-    """
-
+    #: From setting, name and value to the value as it is kept; raises ParameterError.
     checked: Callable[["Setting", str, Any], Any]
-    option: Any = str
+    option: Any = str  # type of the option on the command line; bool for one that takes no value
+    #: From the option's name and value to the value of the setting.
     read: Callable[[str, Any], Any] = lambda _, given: given
-    metavar: str | None = None
-    how: str = ""
-    none: bool = False
+    metavar: str | None = None  # stands for the value in help
+    how: str = ""  # how an option is written, in help; ``{example!r}`` stands for the setting's example
+    none: bool = False  # that there is none is said by an option of its own, --no-NAME
 
 
 @dataclass(frozen=True)
 class Setting:
-    """What a field says of itself beside its type.
+    """What a field says of itself beside its type."""
 
-    Attributes:
-        default: what counts where nothing is said.
-        takes: the values it takes.
-        what: what it is, and its unit.
-        option: name of its option, where it is not that of the field.
-        metavar: stands for the value in help, where it is not that of its kind.
-        more: what else the option's help says.
-        off: value and words of "there is none": false in gam.toml, 'none' or --no-NAME as an option.
-        usual: the default in words, where the value does not say it.
-        example: value in docs/gam.toml, by default the default.
-        note: what else is said there.
-        aside: the example is a comment there, since it goes with others.
-        least, most: bounds of a number, or of the length of a text.
-    """
-
-    default: Any
-    takes: Kind
-    what: str
-    option: str = ""
-    metavar: str | None = None
-    more: str = ""
+    default: Any  # what counts where nothing is said
+    takes: Kind  # the values it takes
+    what: str  # what it is, and its unit
+    option: str = ""  # name of its option, where it is not that of the field
+    metavar: str | None = None  # stands for the value in help, where it is not that of its kind
+    more: str = ""  # what else the option's help says
+    #: Value and words of "there is none": false in gam.toml, 'none' or --no-NAME as an option.
     off: tuple[Any, str] | None = None
-    usual: str = ""
-    example: Any = None
-    note: str = ""
-    aside: bool = False
-    least: float | None = None
+    usual: str = ""  # the default in words, where the value does not say it
+    example: Any = None  # value in docs/gam.toml, by default the default
+    note: str = ""  # what else is said there
+    aside: bool = False  # the example is a comment there, since it goes with others
+    least: float | None = None  # least, most: bounds of a number, or of the length of a text
     most: float | None = None
 
     @property

@@ -48,14 +48,10 @@ def temporary(made: exp.Expr, query: exp.Query | None = None, *storage: exp.Expr
 
 @dataclass(frozen=True)
 class Texts:
-    """How an engine reads text: the nodes are NULL where a word does not fit.
+    """How an engine reads text: the nodes are NULL where a word does not fit."""
 
-    Attributes:
-        number: the number of a word that is written in a form.
-        instant: the timestamp of a word in a format, None for ISO 8601.
-    """
-
-    number: Callable[[exp.Expr, Form], exp.Expr]
+    number: Callable[[exp.Expr, Form], exp.Expr]  # the number of a word that is written in a form
+    #: The timestamp of a word in a format, None for ISO 8601.
     instant: Callable[[exp.Expr, str | None], exp.Expr]
 
 
@@ -88,81 +84,56 @@ def formula(said: str, **slots: template.Slot) -> exp.Expr:
 
 @dataclass(frozen=True)
 class Engine:
-    """One engine, as data.
+    """One engine, as data."""
 
-    Attributes:
-        name: what users call it.
-        title: what it calls itself.
-        dialect: sqlglot's name of its SQL.
-        micros: the integer time of a column (``:time``) of a kind of calendar time, see :func:`formula`.
-        instant: the way back (of ``:micros``), for the last step of a query.
-        counted: the integer time of a column that counts; engines refuse the product of a timestamp.
-        range_of: conditions on a column of times, where its own order is not that of the instants.
-        types: what those of its columns mean.
-        texts: how numbers and times are read from text; None where that is left to views.
-        seen_formats: asks for the formats of times that the reader of a text file took by itself.
-        retyped: lets columns of a text file be read as other types (name -> type).
-        rewrites: from tree to tree, each with its reason in its docstring.
-        create_table: CREATE TABLE ... AS with what the engine wants to know of storage.
-        storage: how tables and views of the state are kept, with keys, formats and comments.
-        fill: what the rows that are there have in such columns, as one step.
-        schemas: whether CREATE SCHEMA is known.
-        home: the schema of tables that name none, which is then written out; None leaves it to the
-            engine. In a session it is the current schema of the connection.
-        temporary: the schema that temporary tables are written with; None for none.
-        opening: what a script begins with.
-        condition_note: what is said beside a condition of the user's that the engine refuses.
-        flow_hint: whether a WITH entry can be marked NOT MATERIALIZED.
-        reads_files: whether a Parquet or CSV path can stand in FROM.
-        unpivots: whether UNPIVOT INCLUDE NULLS is known.
-        macros: whether a script may define table macros.
-        oldest: the oldest version that is accepted; None where gam-db does not connect.
-        extra: of this package, that installs its driver; None for none.
-        transactions: whether statements can be undone together.
-        undoes_definitions: whether that holds of tables and views that were made, too.
-        limits: what it cannot promise, and what a user has to know.
-        bits: for one whose tables give their rows in the order in which they were stored, and whose
-            windows without an order follow it (:mod:`gam_db.streaming`); None for all others.
-        delays: the body of the delay vectors that costs least (:mod:`gam_db.method.delays`); None for
-            windows.
-        holds_delays: whether that body has all of a source in memory at once.
-        by_sets: whether a row is looked up in a set (IN) at less cost than it is joined.
-        most_in_set: asks how many rows a set may have for that (one row, *most*); None for any number.
-    """
-
-    name: str
-    title: str
-    dialect: str
+    name: str  # what users call it
+    title: str  # what it calls itself
+    dialect: str  # sqlglot's name of its SQL
+    #: The integer time of a column (``:time``) of a kind of calendar time, see :func:`formula`.
     micros: Formulas = field(hash=False)
-    instant: Formulas = field(hash=False)
+    instant: Formulas = field(hash=False)  # the way back (of ``:micros``), for the last step of a query
+    #: The integer time of a column that counts; engines refuse the product of a timestamp.
     counted: str = "CAST(:time * 1 AS BIGINT)"
+    #: Conditions on a column of times, where its own order is not that of the instants.
     range_of: RangeRewrite | None = None
-    types: Types = USUAL
+    types: Types = USUAL  # what those of its columns mean
+    #: How numbers and times are read from text; None where that is left to views.
     texts: Texts | None = None
+    #: Asks for the formats of times that the reader of a text file took by itself.
     seen_formats: Callable[[exp.Expr], exp.Query | None] = lambda _: None
+    #: Lets columns of a text file be read as other types (name -> type).
     retyped: Callable[[exp.Expr, Mapping[str, str]], exp.Expr] = lambda relation, _: relation
-    rewrites: Sequence[Rewrite] = ()
+    rewrites: Sequence[Rewrite] = ()  # from tree to tree, each with its reason in its docstring
+    #: CREATE TABLE ... AS with what the engine wants to know of storage.
     create_table: Callable[[exp.Table, exp.Query], exp.Create] = table_as
+    #: How tables and views of the state are kept, with keys, formats and comments.
     storage: Storage = APART
+    #: What the rows that are there have in such columns, as one step.
     fill: Callable[[Filling], list[exp.Expr]] = updated
-    schemas: bool = True
+    schemas: bool = True  # whether CREATE SCHEMA is known
+    #: The schema of tables that name none, which is then written out; None leaves it to the engine. In a
+    #: session it is the current schema of the connection.
     home: str | None = None
-    temporary: str | None = None
-    opening: Sequence[exp.Expr] = ()
-    condition_note: str = ""
-    flow_hint: bool = False
-    reads_files: bool = False
-    unpivots: bool = False
-    macros: bool = False
-    oldest: str | None = None
-    extra: str | None = None
-    transactions: bool = True
-    undoes_definitions: bool = True
-    limits: str = ""
+    temporary: str | None = None  # the schema that temporary tables are written with; None for none
+    opening: Sequence[exp.Expr] = ()  # what a script begins with
+    condition_note: str = ""  # what is said beside a condition of the user's that the engine refuses
+    flow_hint: bool = False  # whether a WITH entry can be marked NOT MATERIALIZED
+    reads_files: bool = False  # whether a Parquet or CSV path can stand in FROM
+    unpivots: bool = False  # whether UNPIVOT INCLUDE NULLS is known
+    macros: bool = False  # whether a script may define table macros
+    oldest: str | None = None  # the oldest version that is accepted; None where gam-db does not connect
+    extra: str | None = None  # of this package, that installs its driver; None for none
+    transactions: bool = True  # whether statements can be undone together
+    undoes_definitions: bool = True  # whether that holds of tables and views that were made, too
+    limits: str = ""  # what it cannot promise, and what a user has to know
+    #: For one whose tables give their rows in the order in which they were stored, and whose windows
+    #: without an order follow it (:mod:`gam_db.streaming`); None for all others.
     bits: Bits | None = None
+    #: The body of the delay vectors that costs least (:mod:`gam_db.method.delays`); None for windows.
     delays: str | None = None
-    holds_delays: bool = False
-    by_sets: bool = False
+    holds_delays: bool = False  # whether that body has all of a source in memory at once
+    by_sets: bool = False  # whether a row is looked up in a set (IN) at less cost than it is joined
+    #: Asks how many rows a set may have for that (one row, *most*); None for any number.
     most_in_set: exp.Query | None = None
 
     def is_too_old(self, version: str) -> bool:

@@ -17,18 +17,12 @@ from gam_db.errors import UserError
 
 
 class DbapiDriver(Driver):
-    """A connection of such a library, open and with no transaction.
-
-    Attributes:
-        begins: the statement that begins a transaction.
-        place: what stands for a value in a statement.
-        storage: what is said of the storage of temporary tables.
-    """
+    """A connection of such a library, open and with no transaction."""
 
     transactions = True
-    begins = "BEGIN"
-    place = "?"
-    storage: Sequence[exp.Expr] = ()
+    begins = "BEGIN"  # the statement that begins a transaction
+    place = "?"  # what stands for a value in a statement
+    storage: Sequence[exp.Expr] = ()  # what is said of the storage of temporary tables
 
     def __init__(self, connection: Any, owned: bool) -> None:
         self._connection, self._owned = connection, owned

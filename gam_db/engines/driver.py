@@ -20,19 +20,15 @@ class Driver(Protocol):
     """A connection to an engine, as its client library has it.
 
     What has a body here is what most engines do; one that has no transactions leaves those be.
-
-    Attributes:
-        engine: how trees become its text.
-        transactions: whether begin, commit and rollback mean something.
-        errors: what the client library raises when the engine refuses something.
-        no_files: what is said of the file {path} where the engine reads none.
-        most_rows: how many readings can be worked on at once, where that is fixed: it sorts on its disk.
     """
 
-    engine: Engine
-    transactions: bool = False
+    engine: Engine  # how trees become its text
+    transactions: bool = False  # whether begin, commit and rollback mean something
+    #: What the client library raises when the engine refuses something.
     errors: tuple[type[Exception], ...]
+    #: What is said of the file {path} where the engine reads none.
     no_files: str = "{path} is a file, which this engine does not read."
+    #: How many readings can be worked on at once, where that is fixed: it sorts on its disk.
     most_rows: int = 4_000_000
 
     def execute(self, statement: str) -> None:

@@ -15,29 +15,22 @@ Note: TypeAlias = Callable[[exp.Expr], exp.Expr]
 
 @dataclass(frozen=True)
 class Storage:
-    """How an engine keeps tables and views, and what it has of comments.
+    """How an engine keeps tables and views, and what it has of comments."""
 
-    Attributes:
-        comments: whether they are statements of their own, stand inside of definitions, or are none.
-        view_comments: whether views have some, too, where they stand inside.
-        note: how the comment of the whole is written there.
-        column_note: the same of a column.
-        properties: what is said of the storage of a table.
-        column: changes a column of a table that is made or added.
-        index: whether texts of any length can be in an index on the key; None for no index.
-        adds_twice: whether a column that is there can be left alone when it is added again.
-        replaces_views: whether CREATE OR REPLACE VIEW is known.
-    """
-
+    #: Whether they are statements of their own, stand inside of definitions, or are none.
     comments: Literal["apart", "inside", "none"] = "apart"
-    view_comments: bool = True
+    view_comments: bool = True  # whether views have some, too, where they stand inside
+    #: How the comment of the whole is written there.
     note: Note = lambda said: exp.SchemaCommentProperty(this=said)
-    column_note: Note = lambda said: exp.CommentColumnConstraint(this=said)
+    column_note: Note = lambda said: exp.CommentColumnConstraint(this=said)  # the same of a column
+    #: What is said of the storage of a table.
     properties: Callable[["Definition"], Sequence[exp.Expr]] = lambda _: ()
+    #: Changes a column of a table that is made or added.
     column: Callable[[exp.ColumnDef], None] = lambda _: None
+    #: Whether texts of any length can be in an index on the key; None for no index.
     index: bool | None = None
-    adds_twice: bool = True
-    replaces_views: bool = True
+    adds_twice: bool = True  # whether a column that is there can be left alone when it is added again
+    replaces_views: bool = True  # whether CREATE OR REPLACE VIEW is known
 
 
 #: As most do.
@@ -46,17 +39,11 @@ APART = Storage()
 
 @dataclass(frozen=True)
 class Definition:
-    """A table or view, and what a data dictionary says of it.
+    """A table or view, and what a data dictionary says of it."""
 
-    Attributes:
-        create: CREATE TABLE with its columns, or CREATE VIEW with its query.
-        comment: what it holds, as a literal.
-        columns: what each column means, by its name, in order.
-    """
-
-    create: exp.Create
-    comment: exp.Expr
-    columns: Mapping[str, exp.Expr]
+    create: exp.Create  # CREATE TABLE with its columns, or CREATE VIEW with its query
+    comment: exp.Expr  # what it holds, as a literal
+    columns: Mapping[str, exp.Expr]  # what each column means, by its name, in order
 
     @property
     def is_view(self) -> bool:
@@ -73,17 +60,12 @@ class Definition:
 
 @dataclass(frozen=True)
 class Addition:
-    """Columns that a table gets later; rows that are there have NULL in them.
+    """Columns that a table gets later; rows that are there have NULL in them."""
 
-    Attributes:
-        table: that is changed.
-        columns: what is added, by name, in order.
-        comments: what each column means, by its name, and what columns that are there mean from now on:
-            an engine whose comments stand inside the definition leaves those as they are.
-    """
-
-    table: exp.Table
-    columns: Mapping[str, exp.ColumnDef]
+    table: exp.Table  # that is changed
+    columns: Mapping[str, exp.ColumnDef]  # what is added, by name, in order
+    #: What each column means, by its name, and what columns that are there mean from now on: an engine
+    #: whose comments stand inside the definition leaves those as they are.
     comments: Mapping[str, exp.Expr]
 
 
