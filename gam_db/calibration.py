@@ -199,21 +199,15 @@ def resolve(calibration: Calibration, kind: TimeKind) -> list[Rule]:
 
 
 def _resolve_one(calibration: Calibration, kind: TimeKind) -> Rule:
-    score_from = (
-        None if calibration.score_from is None else instant(calibration.score_from, kind, "score_from")
-    )
-    excluded = closed("exclude", calibration.exclude, kind)
-    if calibration.intervals is None:
-        allowed = subtract([(LONG_AGO, FAR_AHEAD)], excluded)
-        if calibration.fraction is not None:
-            return Rule(float(calibration.fraction), None, None, score_from, tuple(allowed))
-        lasting = length(calibration.duration, kind, "The calibration duration")
-        return Rule(None, lasting, None, score_from, tuple(allowed))
-    declared = closed("intervals", calibration.intervals, kind)
+    declared = closed("intervals", calibration.intervals or (), kind)
+    within = [(LONG_AGO, FAR_AHEAD)] if calibration.intervals is None else merge(declared)
+    share, lasting, begins = calibration.fraction, calibration.duration, calibration.score_from
     return Rule(
+        fraction=None if share is None else float(share),
+        duration=None if lasting is None else length(lasting, kind, "The calibration duration"),
         declared_end=max((end for _, end in declared), default=None),
-        score_from=score_from,
-        allowed=tuple(subtract(merge(declared), excluded)),
+        score_from=None if begins is None else instant(begins, kind, "score_from"),
+        allowed=tuple(subtract(within, closed("exclude", calibration.exclude, kind))),
     )
 
 
