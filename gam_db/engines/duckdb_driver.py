@@ -13,7 +13,7 @@ from gam_db.engines.driver import Driver
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_files import late_word, leaves, matching, no_table, unalike, without_results
 from gam_db.engines.duckdb_journal import Journal
-from gam_db.engines.duckdb_opening import check_settings, opened, rows_at_once
+from gam_db.engines.duckdb_opening import check_settings, opened
 from gam_db.engines.duckdb_reading import file_reader, is_csv_reader, is_text_file
 from gam_db.engines.refusals import FULL, refusal
 from gam_db.engines.session import first_line
@@ -23,6 +23,11 @@ from gam_db.source import paths_of, shown_relation
 
 #: The log goes into the file when it has grown beyond so many bytes, and when the file is closed.
 LARGE_LOG = 2**24
+
+_UNITS = {"bytes": 1, "KiB": 2**10, "MiB": 2**20, "GiB": 2**30, "TiB": 2**40}
+
+#: What one reading takes while it is scored, in bytes: kept once, sorted in a window, joined.
+_PER_READING = 100
 
 
 class DuckDriver(Driver):
@@ -224,7 +229,9 @@ class DuckDriver(Driver):
         return columns
 
     def rows_at_once(self) -> int:
-        return rows_at_once(self.connection)
+        row = self.connection.execute("SELECT current_setting('memory_limit')").fetchall()[0]
+        amount, _, unit = str(row[0]).partition(" ")
+        return max(int(float(amount) * _UNITS.get(unit, 2**20)) // _PER_READING, 100_000)
 
     def problem(self, error: Exception) -> UserError | None:
         if isinstance(error, duckdb.PermissionException) and self.owned:

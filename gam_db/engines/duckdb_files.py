@@ -37,11 +37,6 @@ _TABLES = {
 }
 
 
-def source_mark(sources: Iterable[str]) -> str:
-    """Return what is written of the sources of results: their full paths."""
-    return ";".join(one if "://" in one else os.path.abspath(one) for one in dict.fromkeys(sources))
-
-
 def without_results(connection: duckdb.DuckDBPyConnection, paths: Sequence[str]) -> list[str]:
     """Return the files of patterns, folders and lists but for those that gam-db wrote; a path as it is.
 
@@ -117,7 +112,8 @@ def _matching(connection: duckdb.DuckDBPyConnection, pattern: str) -> list[str]:
 
 def metadata(sources: Sequence[str]) -> exp.Expr:
     """Return what a file of results says of itself: whose results, and where from."""
-    said = {MARK: __version__, SOURCE_MARK: source_mark(sources)}
+    paths = (one if "://" in one else os.path.abspath(one) for one in dict.fromkeys(sources))
+    said = {MARK: __version__, SOURCE_MARK: ";".join(paths)}
     pairs = [
         exp.PropertyEQ(this=template.text(name), expression=template.text(value))
         for name, value in said.items()

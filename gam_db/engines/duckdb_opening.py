@@ -2,30 +2,16 @@
 
 import contextlib
 import os
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
 import duckdb
 import sqlglot
-from sqlglot import exp
 
-from gam_db import template
-from gam_db.engines.duckdb_journal import Journal, journal_of, put_back
+from gam_db.engines.duckdb_journal import journal_of, put_back
 from gam_db.engines.refusals import refused
-from gam_db.errors import EngineError, SourceError
-
-_UNITS = {"bytes": 1, "KiB": 2**10, "MiB": 2**20, "GiB": 2**30, "TiB": 2**40}
-
-#: What one reading takes while it is scored, in bytes: kept once, sorted in a window, joined.
-_PER_READING = 100
-
-
-def rows_at_once(connection: duckdb.DuckDBPyConnection) -> int:
-    """Return how many readings can be worked on at once within the connection's memory limit."""
-    row = connection.execute("SELECT current_setting('memory_limit')").fetchall()[0]
-    amount, _, unit = str(row[0]).partition(" ")
-    return max(int(float(amount) * _UNITS.get(unit, 2**20)) // _PER_READING, 100_000)
+from gam_db.errors import EngineError
 
 
 def opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:
@@ -97,42 +83,7 @@ def _named_in_views(connection: duckdb.DuckDBPyConnection) -> set[str]:
 
 
 @contextlib.contextmanager
-def attached(
-    run: Callable[[exp.Expr], Any], connection: duckdb.DuckDBPyConnection, name: str, path: Path
-) -> Iterator[exp.Identifier]:
-    """Open another database file for writing beside the one at hand, and give its catalogue.
-
-    It is made if it is not there; *run* runs a statement on the connection to the one at hand.
-
-    Raises:
-        SourceError: it cannot be opened.
-    """
-    catalog = template.name(name)
-    attach = exp.Attach(
-        this=exp.alias_(template.text(str(path)), catalog, table=False),
-        # Said in full: a session that only reads would attach other files for reading, too.
-        expressions=[exp.AttachOption(this=exp.var("READ_WRITE"))],
-    )
-    put_back(path)
-    try:
-        run(attach)
-    except (duckdb.IOException, duckdb.BinderException) as error:
-        raise SourceError(f"{path} cannot be opened as a DuckDB file for writing.") from error
-    journal = Journal(connection, name)
-    try:
-        with _written(path):
-            journal.keep()  # on a connection of the user's DuckDB may make a checkpoint of its own
-        with _written(path):
-            yield catalog
-        with _written(path):
-            journal.checkpoint()
-    finally:
-        with _written(path), contextlib.closing(journal), _without_checkpoint(connection):
-            run(exp.Detach(this=catalog.copy()))
-
-
-@contextlib.contextmanager
-def _without_checkpoint(connection: duckdb.DuckDBPyConnection) -> Iterator[None]:
+def without_checkpoint(connection: duckdb.DuckDBPyConnection) -> Iterator[None]:
     """Let a file be detached as it is."""
     query = "SELECT current_setting('checkpoint_on_detach')"
     before = connection.execute(query).fetchall()[0][0]
@@ -144,7 +95,8 @@ def _without_checkpoint(connection: duckdb.DuckDBPyConnection) -> Iterator[None]
 
 
 @contextlib.contextmanager
-def _written(path: Path) -> Iterator[None]:
+def written(path: Path) -> Iterator[None]:
+    """Say in the user's words why a file of results cannot be written."""
     try:
         yield
     except (OSError, duckdb.IOException, duckdb.FatalException, duckdb.TransactionException) as error:

@@ -2,7 +2,7 @@
 
 import contextlib
 import secrets
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +12,8 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.engines.duckdb_driver import DuckDriver
 from gam_db.engines.duckdb_files import metadata
-from gam_db.engines.duckdb_opening import attached, shut
+from gam_db.engines.duckdb_journal import Journal, put_back
+from gam_db.engines.duckdb_opening import shut, without_checkpoint, written
 from gam_db.engines.refusals import refused
 from gam_db.engines.session import Session
 from gam_db.errors import SourceError, StatementError
@@ -94,13 +95,35 @@ class DuckSession(Session):
         """Return where this session writes what becomes a file when all of it is there."""
         return path.with_name(f".{path.name}.{self._mark}")
 
-    def attached(self, path: Path) -> contextlib.AbstractContextManager[exp.Identifier]:
+    @contextlib.contextmanager
+    def attached(self, path: Path) -> Iterator[exp.Identifier]:
         """Open another DuckDB file for writing beside this one, and give its catalogue.
 
         Raises:
             SourceError: it cannot be opened.
         """
-        return attached(self._run, self.connection, f"{self._mark}_target", path)
+        catalog = template.name(f"{self._mark}_target")
+        attach = exp.Attach(
+            this=exp.alias_(template.text(str(path)), catalog, table=False),
+            # Said in full: a session that only reads would attach other files for reading, too.
+            expressions=[exp.AttachOption(this=exp.var("READ_WRITE"))],
+        )
+        put_back(path)
+        try:
+            self._run(attach)
+        except (duckdb.IOException, duckdb.BinderException) as error:
+            raise SourceError(f"{path} cannot be opened as a DuckDB file for writing.") from error
+        journal = Journal(self.connection, catalog.name)
+        try:
+            with written(path):
+                journal.keep()  # on a connection of the user's DuckDB may make a checkpoint of its own
+            with written(path):
+                yield catalog
+            with written(path):
+                journal.checkpoint()
+        finally:
+            with written(path), contextlib.closing(journal), without_checkpoint(self.connection):
+                self._run(exp.Detach(this=catalog.copy()))
 
     def progress(self) -> float:
         """Return how far the running statement is, in percent; negative if it is not known."""
