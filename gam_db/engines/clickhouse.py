@@ -10,8 +10,6 @@ from gam_db.engines.base import Engine, called, escape_by_backslash, formula, ta
 from gam_db.engines.storage import Definition, Filling, Storage
 from gam_db.engines.types import Types
 
-_PLAN_STEPS = 1_000_000
-
 #: Rows of a channel that lie beside one another, and groups of versions.
 _BUCKETS_OF_A_PART, _GROUPS = 2**20, 8
 _ROWS_OF_A_MARK = 512
@@ -42,10 +40,17 @@ def temporary_table(table: exp.Expr, query: exp.Query | None = None) -> exp.Crea
 
 
 def _stored(definition: Definition) -> list[exp.Expr]:
-    """Return a MergeTree ordered by its key."""
+    """Return a MergeTree ordered by its key.
+
+    Buckets are cut by stretches of a channel's life, since a month of the clock would be none for a
+    source that counts time, and by groups of channels. A restart wants a window of one, not 8192 rows.
+    """
     properties = _merge_tree(exp.Tuple(expressions=definition.key))
     if {"version_id", "bucket_no"} <= definition.columns.keys():
-        properties += [_partition(), _marks()]
+        parts = "(own.intDiv(bucket_no, :length), own.modulo(version_id, :groups))"
+        cut = formula(parts, length=_BUCKETS_OF_A_PART, groups=_GROUPS)
+        marks = formula("index_granularity = :rows", rows=_ROWS_OF_A_MARK)
+        properties += [exp.PartitionedByProperty(this=cut), exp.SettingsProperty(expressions=[marks])]
     return properties
 
 
@@ -68,8 +73,7 @@ def exchanged(filling: Filling) -> list[exp.Expr]:
     create.this.set("this", beside.copy())
     insert = filling.rows
     insert.this.set("this", beside.copy())
-    nulls = exp.EQ(this=exp.var("join_use_nulls"), expression=exp.Literal.number(1))
-    insert.expression.set("settings", [nulls])
+    insert.expression.set("settings", [formula("join_use_nulls = 1")])
     drop = exp.Drop(tables=[beside], kind="TABLE", exists=True)
     names = " AND ".join(one.sql(dialect="clickhouse") for one in (beside, filling.table))
     exchange = exp.Command(this="EXCHANGE", expression=f"TABLES {names}")
@@ -82,20 +86,6 @@ def _merge_tree(key: exp.Expr) -> list[exp.Expr]:
     return [exp.EngineProperty(this=exp.to_identifier("MergeTree")), order]
 
 
-def _partition() -> exp.Expr:
-    """Return how buckets are cut: by stretches of a channel's life, not of the clock, and by groups."""
-    parts = "(own.intDiv(bucket_no, :length), own.modulo(version_id, :groups))"
-    return exp.PartitionedByProperty(this=formula(parts, length=_BUCKETS_OF_A_PART, groups=_GROUPS))
-
-
-def _marks() -> exp.Expr:
-    """Return how many rows are read at least: a restart wants a window of a channel, not 8192 rows."""
-    granularity = exp.EQ(
-        this=exp.var("index_granularity"), expression=exp.Literal.number(_ROWS_OF_A_MARK)
-    )
-    return exp.SettingsProperty(expressions=[granularity])
-
-
 def allow_long_plans(tree: exp.Expr) -> exp.Expr:
     """Lift the limit on the length of a plan.
 
@@ -105,8 +95,7 @@ def allow_long_plans(tree: exp.Expr) -> exp.Expr:
     """
     query = tree.expression if isinstance(tree, exp.Create) else tree
     if isinstance(query, exp.Select):
-        limit = exp.var("query_plan_max_optimizations_to_apply")
-        query.set("settings", [exp.EQ(this=limit, expression=exp.Literal.number(_PLAN_STEPS))])
+        query.set("settings", [formula("query_plan_max_optimizations_to_apply = 1000000")])
     return tree
 
 

@@ -1,5 +1,6 @@
 """PostgreSQL 14 and later."""
 
+import sqlglot
 from sqlglot import exp
 
 from gam_db import template
@@ -77,19 +78,15 @@ def _by_bytes(column: exp.ColumnDef) -> None:
         column.args["constraints"].insert(0, exp.ColumnConstraint(kind=by_bytes))
 
 
-#: What one row of a set takes where it is looked up by its hash, in bytes: a narrow row, its head, and
-#: room for an estimate that is wrong by half.
-_PER_ROW_OF_SET = 64
-
-
-def most_in_set() -> exp.Query:
-    """Return the query for how many rows a set (IN) may have: of a larger one every row is compared."""
-    settings = exp.Table(this=template.name("pg_settings"), db=template.name("pg_catalog"))
-    kilobytes = exp.cast(exp.column("setting"), "BIGINT")
-    rows = exp.Mul(this=kilobytes, expression=exp.Literal.number(1024 // _PER_ROW_OF_SET))
-    of_memory = exp.EQ(this=exp.column("name"), expression=template.text("work_mem"))
-    return exp.select(exp.alias_(rows, "most")).from_(settings).where(of_memory)
-
+#: How many rows a set (IN) may have: of a larger one every row is compared. A row takes 64 bytes where
+#: it is looked up by its hash: its few columns, its head, and room for an estimate wrong by half.
+_MOST_IN_SET = sqlglot.parse_one(
+    """
+    SELECT CAST(setting AS BIGINT) * 16 AS most FROM "pg_catalog"."pg_settings" WHERE name = 'work_mem'
+    """,
+    dialect="postgres",
+    into=exp.Select,
+)
 
 #: Where names are looked up: nowhere but in PostgreSQL itself, and last among temporary tables. Whoever
 #: may create objects in a schema that is searched could else run code as our user, by a function or an
@@ -120,6 +117,6 @@ ENGINE = Engine(
         "and tables of others in full: public.f(x), a OPERATOR(public.+) b, public.t."
     ),
     by_sets=True,
-    most_in_set=most_in_set(),
+    most_in_set=_MOST_IN_SET,
     rewrites=(compared_by(BYTES), keep_small_steps, fence_windows, fence_sets),
 )
