@@ -17,7 +17,7 @@ Four kinds of slot value:
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, reduce
 from itertools import takewhile
 from pathlib import Path
 from typing import TypeAlias
@@ -191,10 +191,7 @@ def column(value: str) -> exp.Column:
 
 def added(terms: Sequence[exp.Expr]) -> exp.Expr:
     """Return the sum of the terms, from left to right."""
-    total = terms[0]
-    for term in terms[1:]:
-        total = exp.Add(this=total, expression=term)
-    return total
+    return reduce(lambda total, term: exp.Add(this=total, expression=term), terms)
 
 
 def case(cases: Iterable[tuple[exp.Expr, int | None]], default: int | None | exp.Expr) -> exp.Expr:

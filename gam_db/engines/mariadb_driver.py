@@ -101,7 +101,8 @@ class MariaDriver(DbapiDriver):
             return pa.array(column, pa.int64())
         if kind in (types.DATETIME, types.TIMESTAMP):
             return pa.array(column, pa.timestamp("us"))
-        return pa.array(column, pa.string()) if kind in _texts(types) else pa.array(column)
+        texts = (types.VAR_STRING, types.STRING, types.BLOB, types.LONG_BLOB, types.MEDIUM_BLOB)
+        return pa.array(column, pa.string()) if kind in texts else pa.array(column)
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
         check_columns(rows)
@@ -144,7 +145,3 @@ class MariaDriver(DbapiDriver):
 
     def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
         return by_table(self._asked(_QUERIES["relations"], (schema,)))
-
-
-def _texts(types: Any) -> tuple[int, ...]:
-    return (types.VAR_STRING, types.STRING, types.BLOB, types.LONG_BLOB, types.MEDIUM_BLOB)

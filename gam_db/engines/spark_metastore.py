@@ -29,9 +29,6 @@ class MetastoreTables(Rewriting):
         super().__init__(session, run, engine)
         self._form = form
 
-    def ready(self, text: str) -> None:
-        """Do nothing: Spark knows them."""
-
     def execute(self, text: str) -> None:
         """Run a statement that changes something."""
         tree = sqlglot.parse_one(text, dialect="spark") if text.startswith("INSERT OVERWRITE") else None
@@ -85,9 +82,6 @@ class MetastoreTables(Rewriting):
                 self._do(exp.Refresh(this=table.copy(), kind="TABLE"))
                 found[row.name.casefold()] = self._columns(table)
         return found
-
-    def close(self) -> None:
-        """Do nothing: the session is the user's."""
 
     def _place(self, table: exp.Table) -> str:
         asked = exp.Describe(this=table.copy(), style="EXTENDED", kind="TABLE")

@@ -28,6 +28,12 @@ class Rewriting:
     def __init__(self, session: Any, run: Callable[[str], Any], engine: Engine) -> None:
         self._session, self._run, self._engine = session, run, engine
 
+    def ready(self, text: str) -> None:
+        """Let the session know, as they are now, the tables that a statement may name."""
+
+    def close(self) -> None:
+        """Let the session forget what is not the user's."""
+
     def _do(self, tree: exp.Expr) -> Any:
         return self._run(self._engine.text(tree))
 
