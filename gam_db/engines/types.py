@@ -4,6 +4,7 @@ sqlglot reads the names that engines give their types; an engine says what is re
 """
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from sqlglot import exp
@@ -30,6 +31,16 @@ _KINDS = {
 }
 
 
+def _among(kinds: set[exp.DType]) -> Callable[["Types", str], bool]:
+    """Return the method that tells whether a column of a type holds one of some kinds."""
+
+    def is_among(types: "Types", type_name: str) -> bool:
+        kind = types._read(type_name)
+        return kind is not None and kind.this in kinds
+
+    return is_among
+
+
 @dataclass(frozen=True)
 class Types:
     """The types of an engine: its dialect of sqlglot, and names that this takes for other ones."""
@@ -50,33 +61,12 @@ class Types:
         zoned = kind.this in _ZONED or any(not one.isdecimal() for one in said)
         return _KINDS[kind.this is _Type.TIMESTAMP_NS or digits > 6, zoned]
 
-    def is_numeric(self, type_name: str) -> bool:
-        """Tell whether a column of this type holds numbers (truth is none)."""
-        return self._is_among(_NUMBERS, type_name)
-
-    def is_truth(self, type_name: str) -> bool:
-        """Tell whether a column of this type holds true and false."""
-        return self._is_among({_Type.BOOLEAN}, type_name)
-
-    def is_whole(self, type_name: str) -> bool:
-        """Tell whether a column of this type holds integers."""
-        return self._is_among(_INTEGERS, type_name)
-
-    def is_binary_float(self, type_name: str) -> bool:
-        """Tell whether a column of this type holds numbers that are rounded to so many bits."""
-        return self._is_among({_Type.FLOAT, _Type.DOUBLE}, type_name)
-
-    def is_name(self, type_name: str) -> bool:
-        """Tell whether a column of this type can name an asset or a channel."""
-        return self._is_among(_NAMES, type_name)
-
-    def is_text(self, type_name: str) -> bool:
-        """Tell whether a column of this type holds text."""
-        return self._is_among(_TEXTS, type_name)
-
-    def _is_among(self, types: set[exp.DType], type_name: str) -> bool:
-        kind = self._read(type_name)
-        return kind is not None and kind.this in types
+    is_numeric = _among(_NUMBERS)  # truth is none
+    is_truth = _among({_Type.BOOLEAN})
+    is_whole = _among(_INTEGERS)
+    is_binary_float = _among({_Type.FLOAT, _Type.DOUBLE})  # rounded to so many bits
+    is_name = _among(_NAMES)  # of an asset or a channel
+    is_text = _among(_TEXTS)
 
     def _read(self, type_name: str) -> exp.DataType | None:
         """Return a type as a node, without what may stand around it; None if nobody knows it."""
