@@ -119,7 +119,7 @@ def judgements(
     Raises:
         UserError: see its subclasses; the message says what to mend.
     """
-    return _asked("judgements", source, parameters, calibration, alarms, engine)
+    return _asked("judgements", alarms, source, parameters, calibration, engine)
 
 
 def episodes(
@@ -140,7 +140,7 @@ def episodes(
         as many judgements as calibration has blocks, so that either calibration was no fair sample or
         something changed right after it).
     """
-    return _asked("episodes", source, parameters, calibration, alarms, engine)
+    return _asked("episodes", alarms, source, parameters, calibration, engine)
 
 
 def limits(
@@ -163,18 +163,11 @@ def limits(
         1,000; NULL where none can be stated), reason (why there is no limit, and all that follows from
         one is NULL).
     """
-    return _asked("limits", source, parameters, calibration, alarms, engine)
+    return _asked("limits", alarms, source, parameters, calibration, engine)
 
 
-def _asked(
-    step: str,
-    source: Any,
-    parameters: Parameters | None,
-    calibration: Calibration | None,
-    alarms: Alarms | None,
-    engine: Any,
-) -> pa.Table:
-    with studied(source, parameters, calibration, engine) as study:
+def _asked(step: str, alarms: Alarms | None, *of: Any) -> pa.Table:
+    with studied(*of) as study:
         rows = limits_of(study, alarms or Alarms())
         if step == "limits":
             return with_units(table_of(rows, _LIMITS), study.method.kind)
