@@ -14,13 +14,13 @@ from typing import Any
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db import template
+from gam_db import data, template
 from gam_db.address import shown
 from gam_db.engines import clickhouse_types as types
 from gam_db.engines.base import deletion
 from gam_db.engines.clickhouse import ENGINE, create_table, temporary_table
 from gam_db.engines.clickhouse_address import EXTRA, folder, is_locked, server
-from gam_db.engines.driver import Driver, at_work, by_table, usual
+from gam_db.engines.driver import Driver, by_table, usual
 from gam_db.engines.refusals import refusal
 from gam_db.engines.session import first_line
 from gam_db.errors import EngineError, SourceError, UserError
@@ -34,7 +34,8 @@ _GRANT = re.compile(r"the grant (.+?)(?:\. \(ACCESS_DENIED\)|\.?$)", re.MULTILIN
 #: Seconds that a session may wait for its next statement.
 _IDLE = 3_600
 
-_SETTINGS, _QUERIES = at_work("clickhouse")["settings"], at_work("clickhouse")["queries"]
+_AT_WORK = data.table("gam_db.engines", "clickhouse.toml")
+_SETTINGS, _QUERIES = _AT_WORK["settings"], _AT_WORK["queries"]
 
 #: What a reading takes while it is scored, in bytes: the kept steps, a sort, and the sides of joins.
 _PER_READING = 200

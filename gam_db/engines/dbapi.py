@@ -19,7 +19,6 @@ from gam_db.errors import UserError
 class DbapiDriver(Driver):
     """A connection of such a library, open and with no transaction."""
 
-    transactions = True
     begins = "BEGIN"  # the statement that begins a transaction
     place = "?"  # what stands for a value in a statement
     storage: Sequence[exp.Expr] = ()  # what is said of the storage of temporary tables

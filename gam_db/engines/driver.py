@@ -9,7 +9,6 @@ from typing import Any, Protocol
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db import data
 from gam_db.engines.base import Engine, deletion
 from gam_db.errors import SourceError, UserError
 from gam_db.form import Form
@@ -23,7 +22,6 @@ class Driver(Protocol):
     """
 
     engine: Engine  # how trees become its text
-    transactions: bool = False  # whether begin, commit and rollback mean something
     #: What the client library raises when the engine refuses something.
     errors: tuple[type[Exception], ...]
     #: What is said of the file {path} where the engine reads none.
@@ -106,11 +104,6 @@ class Driver(Protocol):
 
     def close(self) -> None:
         """Close the connection if it is ours."""
-
-
-def at_work(engine: str) -> dict[str, dict[str, Any]]:
-    """Return what a connection to an engine is set to, and what is asked of it: the file NAME.toml."""
-    return data.table("gam_db.engines", f"{engine}.toml")
 
 
 def usual(rows: pa.Table) -> pa.Table:

@@ -39,7 +39,6 @@ class DuckDriver(Driver):
     """
 
     engine = ENGINE
-    transactions = True
     errors = (duckdb.Error,)
 
     def __init__(self, target: Any, threads: int | None, writable: bool) -> None:

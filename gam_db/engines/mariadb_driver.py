@@ -12,9 +12,10 @@ from urllib.parse import unquote, urlsplit
 import pyarrow as pa
 from sqlglot import exp
 
+from gam_db import data
 from gam_db.address import shown
 from gam_db.engines.dbapi import DbapiDriver
-from gam_db.engines.driver import at_work, by_table
+from gam_db.engines.driver import by_table
 from gam_db.engines.mariadb import COLLATION, ENGINE
 from gam_db.engines.refusals import OPEN, refused
 from gam_db.engines.session import check_columns
@@ -26,7 +27,8 @@ PORT = 3306
 #: Seconds to wait for a server.
 PATIENCE = 15
 
-_SETTINGS, _QUERIES = at_work("mariadb")["settings"], at_work("mariadb")["queries"]
+_AT_WORK = data.table("gam_db.engines", "mariadb.toml")
+_SETTINGS, _QUERIES = _AT_WORK["settings"], _AT_WORK["queries"]
 
 
 def connected(target: Any, writable: bool) -> "MariaDriver":

@@ -17,10 +17,10 @@ import pyarrow as pa
 import pyarrow.csv
 from sqlglot import exp
 
-from gam_db import template
+from gam_db import data, template
 from gam_db.engines.base import temporary
 from gam_db.engines.dbapi import DbapiDriver
-from gam_db.engines.driver import at_work, by_table
+from gam_db.engines.driver import by_table
 from gam_db.engines.postgres import ENGINE, PATH
 from gam_db.engines.postgres_refusals import of_connecting, of_statement
 from gam_db.engines.postgres_types import ARROW, travelling
@@ -28,7 +28,7 @@ from gam_db.engines.refusals import refused
 from gam_db.errors import EngineError, SourceError, UserError
 from gam_db.extras import needed
 
-_AT_WORK = at_work("postgres")
+_AT_WORK = data.table("gam_db.engines", "postgres.toml")
 _QUERIES = _AT_WORK["queries"]
 
 _SCHEMA = re.compile(r'CREATE SCHEMA IF NOT EXISTS "([^"]+)"')

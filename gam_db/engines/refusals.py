@@ -6,7 +6,6 @@ of it (``*`` any text, ``?`` one character). Words in braces are filled in.
 
 import csv
 from fnmatch import fnmatchcase
-from functools import cache
 
 from gam_db import data, errors
 from gam_db.errors import UserError
@@ -19,6 +18,8 @@ CONFLICT = (
     "Run it again."
 )
 
+_TABLE = list(csv.DictReader(data.text("gam_db.engines", "refusals.csv").splitlines()))
+
 #: What several engines say.
 _SHARED = {"conflict": CONFLICT, "full": FULL, "read_only": READ_ONLY}
 
@@ -29,7 +30,7 @@ def refusal(of: str, *told: str, **words: object) -> UserError | None:
     It is looked up by the name in the first column of the table and by what is known of the error (its
     name or number, what is said of it); words fill the braces of sentences.
     """
-    for row in _table():
+    for row in _TABLE:
         signs = row["signs"].split("|")
         if row["of"] == of and any(fnmatchcase(one, sign) for one in told for sign in signs):
             error: UserError = getattr(errors, row["error"])(row["said"].format(**_SHARED, **words))
@@ -42,8 +43,3 @@ def refused(of: str, *told: str, **words: object) -> UserError:
     found = refusal(of, *told, **words)
     assert found is not None, of
     return found
-
-
-@cache
-def _table() -> list[dict[str, str]]:
-    return list(csv.DictReader(data.text("gam_db.engines", "refusals.csv").splitlines()))

@@ -46,7 +46,7 @@ class Session:
     def __init__(self, driver: Driver) -> None:
         self.driver = driver
         self.engine = driver.engine
-        self.transactions = driver.transactions
+        self.transactions = driver.engine.transactions
         self._number: int | None = None
         self._made: dict[str, exp.Table] = {}
 

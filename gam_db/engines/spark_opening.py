@@ -18,12 +18,14 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlsplit
 
-from gam_db.engines.driver import at_work
+from gam_db import data
 from gam_db.engines.refusals import refused
 from gam_db.engines.session import first_line
 from gam_db.engines.spark import ENGINE
 from gam_db.errors import EngineError
 from gam_db.extras import needed
+
+_AT_WORK = data.table("gam_db.engines", "spark.toml")
 
 
 def address_of(url: str) -> tuple[str | None, Path]:
@@ -118,7 +120,7 @@ def as_before(session: Any) -> Iterator[None]:
 def _set(session: Any, base: Any) -> Any:
     if ENGINE.is_too_old(session.version):
         raise EngineError(f"Spark {session.version} is too old; gam-db needs {ENGINE.oldest} or later.")
-    for name, value in at_work("spark")["settings"].items():
+    for name, value in _AT_WORK["settings"].items():
         session.conf.set(name, value)
     if base.sparkContext.master.startswith("local"):
         session.conf.set("spark.sql.shuffle.partitions", str(base.sparkContext.defaultParallelism))
@@ -134,7 +136,7 @@ def _started(master: str | None) -> Any:
     if master is not None:
         builder = builder.master(master)
     is_local = master is None or master.startswith("local")
-    settings = at_work("spark")["started"] | (at_work("spark")["local"] if is_local else {})
+    settings = _AT_WORK["started"] | (_AT_WORK["local"] if is_local else {})
     for name, value in settings.items():
         builder = builder.config(name, value)
     # A quarter of the memory, unless the settings of Spark say otherwise.

@@ -21,7 +21,6 @@ class GoogleSqlDriver(Driver):
     """The tables of a plant, as a driver; see :class:`gam_db.engines.driver.Driver`."""
 
     engine = engine_named("bigquery")
-    transactions = True
     errors: tuple[type[Exception], ...] = (GoogleSqlError,)
     most_rows = 1_000_000
 
