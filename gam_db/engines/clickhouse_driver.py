@@ -8,7 +8,7 @@ import contextlib
 import re
 import secrets
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import pyarrow as pa
@@ -16,11 +16,10 @@ from sqlglot import exp
 
 from gam_db import data, template
 from gam_db.address import shown
-from gam_db.engines import clickhouse_types as types
 from gam_db.engines.base import deletion
 from gam_db.engines.clickhouse import ENGINE, create_table, temporary_table
 from gam_db.engines.clickhouse_address import EXTRA, folder, is_locked, server
-from gam_db.engines.driver import Driver, by_table, usual
+from gam_db.engines.driver import Driver, by_table, is_text, usual
 from gam_db.engines.refusals import refusal
 from gam_db.engines.session import first_line
 from gam_db.errors import EngineError, SourceError, UserError
@@ -154,11 +153,11 @@ class ClickHouseDriver(Driver):
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
         """Make a temporary table of an Arrow table, or refuse types that ClickHouse has not."""
-        rows = types.insertable(rows)
+        rows = _insertable(rows)
         columns = [
             exp.ColumnDef(
                 this=template.name(field.name),
-                kind=exp.DataType.build(types.column_type(field.type), dialect=ENGINE.dialect),
+                kind=exp.DataType.build(_column_type(field.type), dialect=ENGINE.dialect),
             )
             for field in rows.schema
         ]
@@ -274,3 +273,43 @@ def problem(error: Exception, address: str) -> UserError | None:
         grant=found[1] if found else "SELECT, INSERT, CREATE TABLE, ALTER DELETE, DROP",
         name=getattr(error, "name", None) or code,
     )
+
+
+def _column_type(arrow: pa.DataType) -> str:
+    """Return the type of a column that holds what an Arrow column does, NULL included."""
+    for is_of, name in _COLUMN_TYPES:
+        if is_of(arrow):
+            return f"Nullable({name(arrow)})"
+    raise SourceError(
+        f"ClickHouse cannot read the Arrow table; it holds a column of the type {arrow}. Cast it, or "
+        "leave it out."
+    )
+
+
+def _insertable(rows: pa.Table) -> pa.Table:
+    """Return an Arrow table without dictionaries and views, which go in as other types."""
+    fields = []
+    for field in rows.schema:
+        held = field.type
+        held = held.value_type if pa.types.is_dictionary(held) else held
+        held = pa.string() if is_text(held) else pa.float64() if pa.types.is_float16(held) else held
+        fields.append(pa.field(field.name, held))
+    return rows.cast(pa.schema(fields))
+
+
+def _instant(arrow: pa.TimestampType) -> str:
+    digits = {"s": 0, "ms": 3, "us": 6, "ns": 9}[arrow.unit]
+    return f"DateTime64({digits})" if arrow.tz is None else f"DateTime64({digits}, 'UTC')"
+
+
+_COLUMN_TYPES: tuple[tuple[Callable[[pa.DataType], bool], Callable[[pa.DataType], str]], ...] = (
+    (pa.types.is_boolean, lambda held: "Bool"),
+    (pa.types.is_signed_integer, lambda held: f"Int{held.bit_width}"),
+    (pa.types.is_unsigned_integer, lambda held: f"UInt{held.bit_width}"),
+    (pa.types.is_floating, lambda held: f"Float{max(held.bit_width, 32)}"),
+    (pa.types.is_decimal, lambda held: f"Decimal({held.precision}, {held.scale})"),
+    (pa.types.is_timestamp, _instant),
+    (pa.types.is_date, lambda held: "Date32"),
+    (is_text, lambda held: "String"),
+    (pa.types.is_null, lambda held: "UInt8"),
+)
