@@ -1,7 +1,9 @@
 """DuckDB at work: a driver on a connection."""
 
 import contextlib
+import os
 from collections.abc import Iterable, Sequence
+from pathlib import Path
 from typing import Any
 
 import duckdb
@@ -12,10 +14,9 @@ from gam_db.engines.base import temporary
 from gam_db.engines.driver import Driver
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_files import late_word, leaves, matching, no_table, unalike, without_results
-from gam_db.engines.duckdb_journal import Journal
-from gam_db.engines.duckdb_opening import check_settings, opened
+from gam_db.engines.duckdb_journal import Journal, journal_of, put_back
 from gam_db.engines.duckdb_reading import file_reader, is_csv_reader, is_text_file
-from gam_db.engines.refusals import FULL, refusal
+from gam_db.engines.refusals import FULL, refusal, refused
 from gam_db.engines.session import first_line
 from gam_db.errors import EngineError, SourceError, UserError
 from gam_db.form import Form
@@ -29,14 +30,20 @@ _UNITS = {"bytes": 1, "KiB": 2**10, "MiB": 2**20, "GiB": 2**30, "TiB": 2**40}
 #: What one reading takes while it is scored, in bytes: kept once, sorted in a window, joined.
 _PER_READING = 100
 
+#: What a connection of ours is set to.
+_OURS = (
+    # Checkpoints of DuckDB's own accord have no journal.
+    "SET checkpoint_threshold = '1000 TB'",
+    "PRAGMA disable_checkpoint_on_shutdown",
+    "SET TimeZone = 'UTC'",
+    # Progress is counted, for whoever asks, but not painted: standard output is the caller's.
+    "SET enable_progress_bar = true",
+    "SET enable_progress_bar_print = false",
+)
+
 
 class DuckDriver(Driver):
-    """A connection to DuckDB; arguments and errors are those of its session.
-
-    Attributes:
-        owned: whether the connection is ours.
-        sources: paths of the files that were read.
-    """
+    """A connection to DuckDB; arguments and errors are those of its session."""
 
     engine = ENGINE
     errors = (duckdb.Error,)
@@ -48,18 +55,16 @@ class DuckDriver(Driver):
             )
         self.owned = not isinstance(target, duckdb.DuckDBPyConnection)
         if self.owned:
-            self.connection = opened(target, writable)
+            self.connection = _opened(target, writable)
+            for statement in _OURS:
+                self.connection.execute(statement)
             self._journal = Journal(self.connection) if writable and target is not None else None
-            self.connection.execute("SET TimeZone = 'UTC'")
-            # Progress is counted, for whoever asks, but not painted: standard output is the caller's.
-            self.connection.execute("SET enable_progress_bar = true")
-            self.connection.execute("SET enable_progress_bar_print = false")
         else:
             self.connection, self._journal = target, None
-            check_settings(target)
+            _check_settings(target)
         if threads is not None:
             self.connection.execute("SET threads = ?", [threads])
-        self.sources: list[str] = []
+        self.sources: list[str] = []  # paths of the files that were read
         self._readers: list[exp.Expr] = []
         self._registered: set[str] = set()
 
@@ -267,3 +272,48 @@ class DuckDriver(Driver):
         self.connection.close()
         if self._journal is not None:
             self._journal.close(others)
+
+
+def _opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:
+    """Open a database file, or one in memory for None."""
+    if target is None:
+        return duckdb.connect()
+    path = Path(str(target).removeprefix("duckdb:///"))
+    if not path.exists() and not (writable and path.parent.is_dir()):
+        raise EngineError(f"There is no database file {path}.")
+    put_back(path)
+    try:
+        return duckdb.connect(str(path), read_only=not writable)
+    except duckdb.Error as error:
+        journal, target = journal_of(path.resolve()), path if path.exists() else path.parent
+        may_write = os.access(target, os.W_OK, effective_ids=os.access in os.supports_effective_ids)
+        raise refused(
+            *("duckdb_opening", f"{error}{' journal' * journal.exists()}"),
+            *(["unwritable"] if writable and not may_write else []),
+            path=path,
+            journal=journal.name,
+        ) from error
+
+
+def _check_settings(connection: duckdb.DuckDBPyConnection) -> None:
+    """Refuse a connection that is closed, or that compares or orders otherwise than the method."""
+    try:
+        found = connection.execute(
+            "SELECT current_setting('default_order'), current_setting('default_collation')"
+        ).fetchall()
+    except duckdb.Error as error:
+        raise EngineError(
+            "The DuckDB connection cannot be used; is it closed, in a transaction that has failed, or "
+            "still giving out the rows of a query?"
+        ) from error
+    order, collation = found[0]
+    if str(order).upper().startswith("DESC"):
+        raise EngineError(
+            "The DuckDB connection has default_order = DESC, which would turn time around; RESET "
+            "default_order, or give another connection."
+        )
+    if str(collation):
+        raise EngineError(
+            f"The DuckDB connection has default_collation = {collation}, under which different names "
+            "can be equal; RESET default_collation, or give another connection."
+        )

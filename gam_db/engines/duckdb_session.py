@@ -7,16 +7,19 @@ from pathlib import Path
 from typing import Any
 
 import duckdb
+import sqlglot
 from sqlglot import exp
 
 from gam_db import template
 from gam_db.engines.duckdb_driver import DuckDriver
 from gam_db.engines.duckdb_files import metadata
 from gam_db.engines.duckdb_journal import Journal, put_back
-from gam_db.engines.duckdb_opening import shut, without_checkpoint, written
 from gam_db.engines.refusals import refused
 from gam_db.engines.session import Session
 from gam_db.errors import SourceError, StatementError
+
+#: What DuckDB writes beside a database file.
+_BESIDE = ("", ".wal", ".wal.checkpoint", ".wal.recovery")
 
 
 class DuckSession(Session):
@@ -57,7 +60,7 @@ class DuckSession(Session):
     def check_condition(self, relation: exp.Expr, condition: exp.Expr, shown: str) -> None:
         """Try a user's condition on no row; from then on no other files are opened."""
         if self.driver.owned:
-            shut(self.connection, self.driver.sources, self._results)
+            self._shut()
         super().check_condition(relation, condition, shown)
 
     def write(self, query: exp.Query, path: Path, table: str) -> None:
@@ -115,14 +118,12 @@ class DuckSession(Session):
             raise SourceError(f"{path} cannot be opened as a DuckDB file for writing.") from error
         journal = Journal(self.connection, catalog.name)
         try:
-            with written(path):
+            with _written(path):
                 journal.keep()  # on a connection of the user's DuckDB may make a checkpoint of its own
-            with written(path):
                 yield catalog
-            with written(path):
                 journal.checkpoint()
         finally:
-            with written(path), contextlib.closing(journal), without_checkpoint(self.connection):
+            with _written(path), contextlib.closing(journal), _without_checkpoint(self.connection):
                 self._run(exp.Detach(this=catalog.copy()))
 
     def progress(self) -> float:
@@ -132,6 +133,26 @@ class DuckSession(Session):
     def interrupt(self) -> None:
         """Ask the running statement to stop."""
         self.connection.interrupt()
+
+    def _shut(self) -> None:
+        """Open no other files from now on than the database, the sources, what views name, and results.
+
+        All stays as it is where a source is remote, as what reads that is loaded when it is needed, and
+        where the database is open on another connection of the process, which shares the setting.
+        """
+        ask = self.connection.execute
+        query = "SELECT current_setting('enable_external_access') AND count = 1 "
+        if ask(query + "FROM duckdb_connection_count()").fetchall() != [(True,)]:
+            return
+        patterns = {*self.driver.sources, *_named_in_views(self.connection)}
+        if any("://" in one for one in patterns):
+            return
+        allowed = patterns | {f"{path}{end}" for path in self._results for end in _BESIDE}
+        for pattern in patterns:
+            with contextlib.suppress(duckdb.IOException):  # a text in a view that is no pattern
+                allowed.update(*ask("SELECT file FROM glob(?)", [pattern]).fetchall())
+        ask("SET allowed_paths = ?", [sorted(allowed)])
+        ask("SET enable_external_access = false")
 
     def _write_table(self, query: exp.Query, path: Path, table: str) -> None:
         with self.attached(path) as catalog:
@@ -162,3 +183,33 @@ class DuckSession(Session):
             f"There is no table or view {shown!r} in the database{where}{hint}. A file must end in "
             ".parquet, .csv or .tsv."
         )
+
+
+def _named_in_views(connection: duckdb.DuckDBPyConnection) -> set[str]:
+    """Return all in the definitions of views that may be the path of a file."""
+    views = connection.execute("SELECT sql FROM duckdb_views() WHERE NOT internal").fetchall()
+    tokens = [token for (text,) in views for token in sqlglot.tokenize(text, read="duckdb")]
+    quoted = (sqlglot.TokenType.STRING, sqlglot.TokenType.IDENTIFIER)
+    texts = {one.text for one in tokens if one.token_type in quoted and {".", "/"} & {*one.text}}
+    return {text for text in texts if not text.endswith(("/", "."))}
+
+
+@contextlib.contextmanager
+def _without_checkpoint(connection: duckdb.DuckDBPyConnection) -> Iterator[None]:
+    """Let a file be detached as it is."""
+    query = "SELECT current_setting('checkpoint_on_detach')"
+    before = connection.execute(query).fetchall()[0][0]
+    connection.execute("SET checkpoint_on_detach = 'DISABLED'")
+    try:
+        yield
+    finally:
+        connection.execute("SET checkpoint_on_detach = ?", [before])
+
+
+@contextlib.contextmanager
+def _written(path: Path) -> Iterator[None]:
+    """Say in the user's words why a file of results cannot be written."""
+    try:
+        yield
+    except (OSError, duckdb.IOException, duckdb.FatalException, duckdb.TransactionException) as error:
+        raise refused("results", str(error), path=path) from error
