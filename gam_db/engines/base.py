@@ -284,22 +284,18 @@ def escape_by_backslash(tree: exp.Expr) -> exp.Expr:
     return tree
 
 
-def compared_by(collation: exp.Expr) -> Rewrite:
-    """Return the rewrite that compares and orders names by their bytes, by a collation that does.
+def compare_by_bytes(collation: exp.Expr, tree: exp.Expr) -> exp.Expr:
+    """Compare and order names by their bytes, by a collation that does, from where they are read on.
 
     Cause: text is compared and ordered by the collation of its column, else of the database. Symptom:
     with a common locale (en_US, not C) channels are numbered in another order than elsewhere, and the
     blocks of a pool with them; in a case-insensitive column A1 and a1 are one machine.
     """
-
-    def compare_by_bytes(tree: exp.Expr) -> exp.Expr:
-        for alias in tree.find_all(exp.Alias):
-            if isinstance(alias.this, exp.Cast) and alias.this.to.is_type(*exp.DataType.TEXT_TYPES):
-                collated = exp.Collate(this=alias.this.copy(), expression=collation.copy())
-                alias.set("this", collated)
-        return tree
-
-    return compare_by_bytes
+    for alias in tree.find_all(exp.Alias):
+        if isinstance(alias.this, exp.Cast) and alias.this.to.is_type(*exp.DataType.TEXT_TYPES):
+            collated = exp.Collate(this=alias.this.copy(), expression=collation.copy())
+            alias.set("this", collated)
+    return tree
 
 
 def deletion(table: exp.Table, keys: Sequence[str], found: exp.Query) -> exp.Delete:

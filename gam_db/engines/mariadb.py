@@ -1,8 +1,10 @@
 """MariaDB 10.11 and later; times are DATETIME(6) in UTC, or integers."""
 
+from functools import partial
+
 from sqlglot import exp
 
-from gam_db.engines.base import Engine, compared_by, escape_by_backslash
+from gam_db.engines.base import Engine, compare_by_bytes, escape_by_backslash
 from gam_db.engines.storage import Storage
 from gam_db.engines.types import Types
 
@@ -54,5 +56,10 @@ ENGINE = Engine(
         properties=lambda _: [exp.CollateProperty(this=exp.var(COLLATION))],
         index=False,
     ),
-    rewrites=(compared_by(exp.var(COLLATION)), escape_by_backslash, quote_names, floor_to_double),
+    rewrites=(
+        partial(compare_by_bytes, exp.var(COLLATION)),
+        escape_by_backslash,
+        quote_names,
+        floor_to_double,
+    ),
 )

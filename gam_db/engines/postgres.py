@@ -1,11 +1,13 @@
 """PostgreSQL 14 and later."""
 
+from functools import partial
+
 import sqlglot
 from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import TimeKind
-from gam_db.engines.base import Engine, compared_by
+from gam_db.engines.base import Engine, compare_by_bytes
 from gam_db.engines.storage import Storage
 from gam_db.engines.types import Types
 
@@ -118,5 +120,5 @@ ENGINE = Engine(
     ),
     by_sets=True,
     most_in_set=_MOST_IN_SET,
-    rewrites=(compared_by(BYTES), keep_small_steps, fence_windows, fence_sets),
+    rewrites=(partial(compare_by_bytes, BYTES), keep_small_steps, fence_windows, fence_sets),
 )

@@ -35,13 +35,7 @@ _TAKING = threading.Lock()
 
 
 class Session:
-    """An engine at work: describes relations, keeps steps as tables, runs trees.
-
-    Attributes:
-        driver: an open connection.
-        engine: how trees become its text.
-        transactions: whether :meth:`transaction` can undo what was executed inside.
-    """
+    """An engine at work: describes relations, keeps steps as tables, runs trees."""
 
     def __init__(self, driver: Driver) -> None:
         self.driver = driver
