@@ -70,11 +70,8 @@ class TimeKind(Enum):
 def instant(value: object, kind: TimeKind, what: str) -> int:
     """Return an instant as an integer: a counter value, or microseconds since 1970 (UTC).
 
-    Args:
-        value: an integer for a counter; a datetime (without zone: UTC), a date, a numpy.datetime64 or
-            an ISO 8601 text for timestamps.
-        kind: how the source tells time.
-        what: names the value in an error.
+    It is an integer for a counter; a datetime (without zone: UTC), a date, a numpy.datetime64 or an ISO
+    8601 text for timestamps. An error calls it *what*.
 
     Raises:
         ParameterError: the value cannot be an instant of that kind.
@@ -124,13 +121,9 @@ def told_time(tick: int, kind: TimeKind) -> int | dt.datetime:
 def length(value: object, kind: TimeKind, what: str) -> int:
     """Return a length of time as an integer: counter steps, or microseconds.
 
-    A fraction of a step is dropped: no step of an integer clock lies between.
-
-    Args:
-        value: a number (steps of a counter; seconds where the source has timestamps), a timedelta, or
-            a text such as ``"30 d"``, ``"1.5h"``, ``"200ms"``.
-        kind: how the source tells time.
-        what: names the value in an error.
+    It is a number (steps of a counter; seconds where the source has timestamps), a timedelta, or a text
+    such as ``"30 d"``, ``"1.5h"``, ``"200ms"``. A fraction of a step is dropped: no step of an integer
+    clock lies between. An error calls it *what*.
 
     Raises:
         ParameterError: the value is no length of that kind, or negative.

@@ -23,7 +23,8 @@ STATED_FROM = 0.0005
 
 _DAYS = {"day": 1, "week": 7, "month": 30, "year": 365}
 _ASKED = re.compile(
-    r"([0-9.]+(?:[eE][+-]?[0-9]+)?) per (day|week|month|year|1000 judgements)( per channel)?"
+    r"((?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?) per (day|week|month|year|1000 judgements)"
+    r"( per channel)?"
 )
 _BLOCKS = (8, 12, 16, 24, 48)
 #: Rate per judgement -> heights by blocks.
@@ -46,12 +47,7 @@ class Rate:
             ParameterError: it says none.
         """
         match = _ASKED.fullmatch(" ".join(said.split())) if isinstance(said, str) else None
-        number = 0.0
-        if match is not None:
-            try:
-                number = float(match[1])
-            except ValueError:
-                match = None
+        number = float(match[1]) if match else 0.0
         days = None if match is None else _DAYS.get(match[2])
         if match is None or not 0 < number < math.inf or (days is None and match[3]):
             raise ParameterError(

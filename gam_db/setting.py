@@ -66,21 +66,13 @@ class Setting:
         return f"{words[0].upper()}{words[1:]}."
 
     def checked(self, name: str, value: Any) -> Any:
-        """Return a value as it is kept.
-
-        Raises:
-            ParameterError: it is none that the setting takes.
-        """
+        """Return a value as it is kept; a ParameterError says that it is none that the setting takes."""
         if value is self.default or (self.off is not None and value is self.off[0]):
             return value
         return self.takes.checked(self, name, value)
 
     def of_toml(self, name: str, value: Any) -> Any:
-        """Return the value that gam.toml says, where false means that there is none.
-
-        Raises:
-            ParameterError: it is none that the setting takes.
-        """
+        """Return the same of a value in gam.toml, where false means that there is none."""
         if value is False and self.off is not None:
             return self.off[0]
         return self.takes.checked(self, name, value)

@@ -141,6 +141,11 @@ class Engine:
         oldest = [int(part) for part in (self.oldest or "0").split(".")]
         return [int(part) for part in version.split(".")[: len(oldest)]] < oldest
 
+    def check_version(self, version: str) -> None:
+        """Refuse, by an EngineError, a version that is too old."""
+        if self.is_too_old(version):
+            raise EngineError(f"{self.title} {version} is too old; gam-db needs {self.oldest} or later.")
+
     def micros_of(self, kind: TimeKind, column: exp.Expr) -> exp.Expr:
         """Return the integer time of a column that tells time in a way."""
         return formula(self.counted if kind.is_counter else _of_kind(self.micros, kind), time=column)

@@ -49,10 +49,7 @@ class DuckDriver(Driver):
     errors = (duckdb.Error,)
 
     def __init__(self, target: Any, threads: int | None, writable: bool) -> None:
-        if ENGINE.is_too_old(duckdb.__version__):
-            raise EngineError(
-                f"DuckDB {duckdb.__version__} is too old; gam-db needs {ENGINE.oldest} or later."
-            )
+        ENGINE.check_version(duckdb.__version__)
         self.owned = not isinstance(target, duckdb.DuckDBPyConnection)
         if self.owned:
             self.connection = _opened(target, writable)

@@ -25,13 +25,7 @@ _BESIDE = ("", ".wal", ".wal.checkpoint", ".wal.recovery")
 class DuckSession(Session):
     """DuckDB at work: reads files and Arrow tables where they lie, and writes files.
 
-    Args:
-        target: None for a database in memory, the path of a database file, or an open connection,
-            which stays open and keeps nothing of ours.
-        threads: processor threads; None leaves DuckDB's own choice.
-        writable: open a database file for writing, and make it if it is not there; else it is only read.
-        files: what it may open, beside its database and its sources, once a condition of a user's was
-            tried; an open connection keeps its settings, and may open all that it could.
+    Arguments are those of :func:`gam_db.connect`, but that a file is only read unless told otherwise.
 
     Raises:
         EngineError: the file cannot be opened, this DuckDB is too old, or the connection is closed or
@@ -64,13 +58,10 @@ class DuckSession(Session):
         super().check_condition(relation, condition, shown)
 
     def write(self, query: exp.Query, path: Path, table: str) -> None:
-        """Write the rows of a query as Parquet, or as a table of a DuckDB file.
+        """Write the rows of a query as all sessions do.
 
-        The rows go to a file beside the target first, or are written in one transaction: what was
-        there before stays as it was until everything is written.
-
-        Raises:
-            SourceError: the target cannot be written.
+        They go to a file beside the target first, or are written in one transaction: what was there
+        before stays as it was until everything is written.
         """
         if path.suffix in (".duckdb", ".db"):
             self._write_table(query, path, table)

@@ -118,8 +118,7 @@ def as_before(session: Any) -> Iterator[None]:
 
 
 def _set(session: Any, base: Any) -> Any:
-    if ENGINE.is_too_old(session.version):
-        raise EngineError(f"Spark {session.version} is too old; gam-db needs {ENGINE.oldest} or later.")
+    ENGINE.check_version(session.version)
     for name, value in _AT_WORK["settings"].items():
         session.conf.set(name, value)
     if base.sparkContext.master.startswith("local"):

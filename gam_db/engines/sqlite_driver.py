@@ -34,10 +34,7 @@ def connected(target: Any, writable: bool) -> "SqliteDriver":
     Raises:
         EngineError: it cannot be opened, is no SQLite database, or this SQLite is too old.
     """
-    if ENGINE.is_too_old(sqlite3.sqlite_version):
-        raise EngineError(
-            f"SQLite {sqlite3.sqlite_version} is too old; gam-db needs {ENGINE.oldest} or later."
-        )
+    ENGINE.check_version(sqlite3.sqlite_version)
     if isinstance(target, sqlite3.Connection):
         if target.in_transaction:
             raise EngineError(OPEN)

@@ -75,11 +75,8 @@ def add_embedding(steps: Pipeline, search: Search, bins: int) -> None:
 def add_dimensions(steps: Pipeline, search: Search, usable: int, waiting: Waiting) -> None:
     """Add false nearest neighbours and Cao's quantities for every dimension, and the choice of m.
 
-    Args:
-        steps: with the embedding.
-        search: the options.
-        usable: vectors of the longest channel that take part; the first boxes are made for as many.
-        waiting: asked after each round with the name of the step that counts; it may run that step.
+    The first boxes are made for the vectors of the longest channel that take part. What says how many
+    wait is asked after each round with the name of the step that counts, and may run that step.
     """
     _add_draws(steps, search)
     fates, growths = [], []
