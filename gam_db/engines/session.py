@@ -266,9 +266,7 @@ def arrow_table(relation: Any) -> pa.Table:
         relation = relation.collect()
     elif not hasattr(relation, "__arrow_c_stream__") and hasattr(relation, "to_pyarrow"):
         relation = relation.to_pyarrow()
-    if not isinstance(relation, (pa.Table, pa.RecordBatch)) and not hasattr(
-        relation, "__arrow_c_stream__"
-    ):
+    if not hasattr(relation, "__arrow_c_stream__"):
         raise SourceError(
             f"relation is a {type(relation).__name__}; it takes the name of a table, the path of a "
             "Parquet or CSV file, an Arrow table or a data frame."

@@ -1,6 +1,7 @@
 """SQLite: the engine of the standard library; times are ISO 8601 texts in UTC or integers."""
 
 import datetime as dt
+from collections.abc import Callable
 
 from sqlglot import exp
 
@@ -72,6 +73,11 @@ def _literal(sign: str) -> str:
     return f"[{sign}]" if sign in "*?[" else sign
 
 
+def _with_part(parts: str) -> Callable[[Types, str], bool]:
+    """Return the method that tells whether a type has one of some parts in it."""
+    return lambda _, type_name: any(part in type_name for part in parts.split())
+
+
 class Affinities(Types):
     """SQLite takes any word for a type; what it holds follows from parts of the word."""
 
@@ -82,17 +88,9 @@ class Affinities(Types):
         is_date = any(word in type_name for word in ("TIME", "DATE"))
         return TimeKind.TIMESTAMP if is_date or self.is_text(type_name) else None
 
-    def is_numeric(self, type_name: str) -> bool:
-        """Tell whether a column of this type holds numbers."""
-        return any(word in type_name for word in ("INT", "REAL", "FLOA", "DOUB", "NUM", "DEC"))
-
-    def is_name(self, type_name: str) -> bool:
-        """Tell whether a column of this type can name an asset or a channel."""
-        return "INT" in type_name or self.is_text(type_name)
-
-    def is_text(self, type_name: str) -> bool:
-        """Tell whether a column of this type holds text."""
-        return any(word in type_name for word in ("CHAR", "TEXT", "CLOB"))
+    is_numeric = _with_part("INT REAL FLOA DOUB NUM DEC")
+    is_name = _with_part("INT CHAR TEXT CLOB")  # of an asset or a channel
+    is_text = _with_part("CHAR TEXT CLOB")
 
 
 ENGINE = Engine(
