@@ -103,7 +103,7 @@ def render(
             table.set("db", template.name(schema))
         return table
 
-    parts = _view_statements(steps, only, method, chosen, place)
+    parts = _view_statements(steps, only, chosen, place)
     body = "\n".join(
         f"{_commented(comment.splitlines())}\n{chosen.text(statement, pretty=True)};\n"
         for comment, statement in parts
@@ -112,11 +112,7 @@ def render(
 
 
 def _view_statements(
-    steps: Pipeline,
-    only: Pipeline | None,
-    method: Method,
-    engine: Engine,
-    place: Callable[[str], exp.Table],
+    steps: Pipeline, only: Pipeline | None, engine: Engine, place: Callable[[str], exp.Table]
 ) -> Iterator[tuple[str, exp.Expr]]:
     """Give the statements of the view form in order, each with its comment."""
     names = [name for name in steps.steps if _table_of(name) in (*_PASSING, *_LASTING)]

@@ -34,7 +34,7 @@ from gam_db.source import AnySource, readings
 Rewrite = Callable[[exp.Expr], exp.Expr]
 #: A formula for each kind of time: that of TIMESTAMP for all that have none of their own.
 Formulas = str | Mapping[TimeKind, str]
-RangeRewrite = Callable[[TimeKind, exp.Expr, int | None, int | None], list[exp.Expr]]
+RangeRewrite = Callable[[exp.Expr, int | None, int | None], list[exp.Expr]]
 
 #: Engine, its home and hash of a tree -> its text.
 _WRITTEN: Lately[str] = Lately(3000)
@@ -108,7 +108,7 @@ class Engine:
     create_table: Callable[[exp.Table, exp.Query], exp.Create] = table_as
     #: How tables and views of the state are kept, with keys, formats and comments.
     storage: Storage = APART
-    #: What the rows that are there have in such columns, as one step.
+    #: Writes what the rows that are there have in columns that were added, as one step.
     fill: Callable[[Filling], list[exp.Expr]] = updated
     schemas: bool = True  # whether CREATE SCHEMA is known
     #: The schema of tables that name none, which is then written out; None leaves it to the engine. In a
@@ -166,7 +166,7 @@ class Engine:
         None is no limit. They are on the column itself: an index or the statistics of a file serve.
         """
         if self.range_of is not None and not kind.is_counter:
-            return self.range_of(kind, column, earliest, latest)
+            return self.range_of(column, earliest, latest)
         conditions: list[exp.Expr] = []
         if earliest is not None:
             start = self.instant_of(kind, template.node_of(earliest))

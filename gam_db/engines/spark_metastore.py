@@ -65,8 +65,8 @@ class MetastoreTables(Rewriting):
         found: list[tuple[str, ...]] = []
         for schema in [current, *(one for one in schemas[:_SCHEMAS] if one != current)]:
             shown = template.name(schema).sql(dialect="spark")
-            for row in self._session.catalog.listTables(shown):
-                found.append((row.name,) if row.isTemporary else (catalogue, schema, row.name))
+            rows = self._session.catalog.listTables(shown)
+            found += [(row.name,) if row.isTemporary else (catalogue, schema, row.name) for row in rows]
         return found
 
     def relations(self, schema: str | None) -> Mapping[str, tuple[str, ...]]:

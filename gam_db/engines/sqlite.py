@@ -26,9 +26,7 @@ _INSTANT = (
 _LAST_DAY = 253_402_214_400 * SECOND
 
 
-def range_of(
-    kind: TimeKind, column: exp.Expr, earliest: int | None, latest: int | None
-) -> list[exp.Expr]:
+def range_of(column: exp.Expr, earliest: int | None, latest: int | None) -> list[exp.Expr]:
     """Return the conditions that a text tells an instant in a range.
 
     Cause: texts are compared sign by sign. Symptom: ``12:00:00`` is less than ``12:00:00.000000``, and
