@@ -40,19 +40,17 @@ def _stored(form: str) -> Storage:
     """Return how tables of a form are kept: large ones in groups of channels, which are no column."""
 
     def properties(definition: Definition) -> list[exp.Expr]:
-        key, grouped = definition.key, list[exp.Expr]()
+        key, groups = definition.key, exp.Literal.number(GROUPS)
         if not is_large([column.name for column in key]):
-            pass
-        elif form == "PARQUET":
-            ordered = [exp.Ordered(this=column.copy()) for column in key]
-            groups = exp.Literal.number(GROUPS)
-            grouped = [exp.ClusteredByProperty(expressions=key[:1], sorted_by=ordered, buckets=groups)]
-        elif form == "ICEBERG":
-            group = called("BUCKET", exp.Literal.number(GROUPS), key[0])
-            grouped = [exp.PartitionedByProperty(this=exp.Schema(expressions=[group]))]
-        else:
-            grouped = clustered(definition)
-        return [_format(form), *grouped]
+            return [_format(form)]
+        if form == "DELTA":
+            return [_format(form), *clustered(definition)]
+        if form == "ICEBERG":
+            by_hash = exp.Schema(expressions=[called("BUCKET", groups, key[0])])
+            return [_format(form), exp.PartitionedByProperty(this=by_hash)]
+        ordered = [exp.Ordered(this=column.copy()) for column in key]
+        buckets = exp.ClusteredByProperty(expressions=key[:1], sorted_by=ordered, buckets=groups)
+        return [_format(form), buckets]
 
     return Storage("inside", properties=properties, adds_twice=False)
 
