@@ -55,8 +55,7 @@ def prepared(session: Session, source: AnySource) -> Prepared:
     every = [
         exp.alias_(changes.get(name, template.column(name)), template.name(name)) for name in columns
     ]
-    outer = exp.select(*every).from_(exp.Subquery(this=inner, alias=_alias("written")))
-    relation = exp.Subquery(this=outer, alias=_alias("prepared"))
+    relation = exp.select(*every).from_(inner.subquery("written")).subquery("prepared")
     rows = dataclasses.replace(source, where=None)
     # Not every engine tells what a query gives: PostgreSQL tells it of tables alone, SQLite the type
     # of the column in it.
@@ -66,10 +65,6 @@ def prepared(session: Session, source: AnySource) -> Prepared:
         described = {source.time: "TIMESTAMP"} if is_made else session.describe(relation)
     kind = look.kind_of(rows, described, session)
     return Prepared(source, columns, stored, rows, relation, kind)
-
-
-def _alias(name: str) -> exp.TableAlias:
-    return exp.TableAlias(this=exp.to_identifier(name))
 
 
 def _retyped(session: Session, source: AnySource, columns: dict[str, str]) -> dict[str, str]:

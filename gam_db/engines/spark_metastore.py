@@ -96,16 +96,11 @@ class MetastoreTables(Rewriting):
 
 def _merge(table: exp.Table, keys: Sequence[str], found: exp.Query) -> exp.Merge:
     """Return what deletes by keys where DELETE takes no query: Delta's does not."""
-    doomed = exp.Subquery(
-        this=exp.select(*(exp.column(template.name(key)) for key in keys))
-        .distinct()
-        .from_(found.subquery("found")),
-        alias=exp.TableAlias(this=exp.to_identifier("gone")),
-    )
+    gone = exp.select(*(exp.column(template.name(key)) for key in keys)).distinct()
     matched = exp.When(matched=True, then=exp.var("DELETE"))
     return exp.Merge(
         this=table.copy().as_("staying"),
-        using=doomed,
+        using=gone.from_(found.subquery("found")).subquery("gone"),
         on=same_keys(keys),
         whens=exp.Whens(expressions=[matched]),
     )

@@ -47,7 +47,7 @@ class Rewriting:
         same = same_keys(keys)
         rows = exp.select(*(exp.column(template.name(name), table="staying") for name in columns))
         rows = rows.from_(table.copy().as_("staying"))
-        doomed = exp.Subquery(this=found.copy(), alias=exp.TableAlias(this=exp.to_identifier("gone")))
+        doomed = found.subquery("gone")
         any_row = rows.join(doomed.copy(), on=same.copy(), join_type="left semi").limit(1)
         if self._do(any_row).isEmpty():
             return None
