@@ -77,7 +77,7 @@ def _by_bytes(column: exp.ColumnDef) -> None:
     """Let texts be compared by their bytes."""
     if column.args["kind"].is_type(*exp.DataType.TEXT_TYPES):
         by_bytes = exp.CollateColumnConstraint(this=BYTES.copy())
-        column.args["constraints"].insert(0, exp.ColumnConstraint(kind=by_bytes))
+        column.set("constraints", [exp.ColumnConstraint(kind=by_bytes), *column.constraints])
 
 
 #: How many rows a set (IN) may have: of a larger one every row is compared. A row takes 64 bytes where
