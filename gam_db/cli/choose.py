@@ -18,7 +18,8 @@ from gam_db.cli.options import option
 from gam_db.config import DEFAULT_FILE, Settings, load
 from gam_db.errors import printable
 from gam_db.findings import Row
-from gam_db.selection import Search, Selection, alone
+from gam_db.selection.search import Search
+from gam_db.selection.select import Selection, alone
 
 
 @options.taking(

@@ -25,7 +25,8 @@ from gam_db.errors import ConfigurationError
 from gam_db.findings import Row
 from gam_db.parameters import Parameters, pattern_matches
 from gam_db.patterns import Name, grouped
-from gam_db.selection import Search, Selection, Studied, alone, selected_by_all
+from gam_db.selection.search import Search
+from gam_db.selection.select import Selection, Studied, alone, selected_by_all
 from gam_db.setting import settings_of
 from gam_db.study import Study
 

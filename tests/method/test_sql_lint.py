@@ -33,7 +33,7 @@ from gam_db.selection.lags import add_delays, add_samples
 from gam_db.selection.neighbours import add_dimensions, add_embedding
 from gam_db.selection.search import Search
 from gam_db.source import Source, WideSource, readings
-from gam_db.stored import alarms
+from gam_db.stored import alarms, scoring
 from gam_db.stored.migration_files import definitions
 from gam_db.stored.migrations import rendered
 from gam_db.stored.monitor import Monitor
@@ -647,7 +647,7 @@ def watch_once() -> None:
             monitor.calibrate()
             monitor.score()
             monitor.append_only, monitor.lookback = True, 5
-            assert monitor.score().moved == 0
+            assert [monitor.score().moved for _ in range(2)] == [1, 0]
             assert monitor.health().num_rows > 0
             assert monitor.check_state().num_rows == 0
             assert monitor.status()["scored"].to_pylist() == [32]
@@ -757,6 +757,12 @@ def stream_once() -> None:
             study.table("bucket_health")
             assert study.is_streamed
             study.forget()
+        monitor = Monitor(session, source, gam_db.Parameters(), CALIBRATIONS[0])
+        monitor.migrate()
+        monitor.calibrate()
+        with pytest.MonkeyPatch.context() as patched:
+            patched.setattr(scoring, "TRUSTED_FROM", 0)
+            monitor.score()
 
 
 def test_every_file_is_used() -> None:

@@ -14,7 +14,7 @@ import frozen
 import gam_db
 import harness
 from gam_db import streaming
-from gam_db.stored import ordered, scoring
+from gam_db.stored import ordered, scoring, steps
 from gam_db.stored.monitor import Monitor
 from small_plant import source
 from strategies import Row
@@ -118,7 +118,9 @@ def test_channels_in_order_are_scored_as_they_are_stored(
         assert ways == [True, False]
         assert rows_of(connection, RUNS) == rows_of(other, RUNS)
     assert made.check_state().num_rows == 0
-    more = [(asset, "x", time, float(time % 7)) for asset in "abc" for time in range(700, 760)]
+    more: list[Row] = [
+        (asset, "x", time, float(time % 7)) for asset in "abc" for time in range(700, 760)
+    ]
     put(connection, more)
     made.score()
     compare(connection, [*by_channel(), *more], METHODS[case], by_channel())
@@ -173,7 +175,8 @@ def test_rows_that_come_meanwhile_are_noticed(
     connection: duckdb.DuckDBPyConnection, ways: list[bool], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """One of before the end is there when channels are counted again: then all is copied and sorted."""
-    late, begun = ("a", "x", 301, 99.0), ordered.reading_steps
+    late: Row = ("a", "x", 301, 99.0)
+    begun = steps.reading_steps
 
     def meanwhile(*asked: Any) -> Any:
         put(connection, [late])
