@@ -48,6 +48,26 @@ def test_the_catalogue_lists_all_of_sql() -> None:
     assert page == sql_page.text(), "python tests/tools/sql_page.py > sql/README.md"
 
 
+def test_the_picture_of_the_house_shows_every_room() -> None:
+    """And none that is not there."""
+    page = (ROOT / "docs" / "structure.svg").read_text(encoding="utf-8")
+    shown = {
+        word for text in re.findall(r">([^<>]+)</text>", page) for word in re.findall(r"[\w/]+/", text)
+    }
+    rooms = {
+        f"{one.name}/" for base in ("gam_db", "sql") for one in (ROOT / base).iterdir() if one.is_dir()
+    }
+    rooms -= {"__pycache__/", "lab/"}
+    assert rooms <= shown
+    places = [ROOT, ROOT / "gam_db", ROOT / "sql", ROOT / "tests"]
+    assert [name for name in shown if not any((place / name).is_dir() for place in places)] == []
+    modules = re.findall(r"\b(\w+\.py)\b", page)
+    assert [name for name in modules if not (ROOT / "gam_db" / name).exists()] == [
+        "test_wall.py",
+        "page.py",
+    ]
+
+
 def test_what_the_page_on_reliability_names_is_there() -> None:
     rows = (ROOT / "docs" / "reliability.md").read_text(encoding="utf-8").split("\n|")[3:]
     assert len(rows) > 15
