@@ -131,9 +131,9 @@ class DuckSession(Session):
         All stays as it is where a source is remote, as what reads that is loaded when it is needed, and
         where the database is open on another connection of the process, which shares the setting.
         """
+        query = "SELECT current_setting('enable_external_access') AND count = 1 FROM duckdb_connection_count()"
         ask = self.connection.execute
-        query = "SELECT current_setting('enable_external_access') AND count = 1 "
-        if ask(query + "FROM duckdb_connection_count()").fetchall() != [(True,)]:
+        if ask(query).fetchall() != [(True,)]:
             return
         patterns = {*self.driver.sources, *_named_in_views(self.connection)}
         if any("://" in one for one in patterns):

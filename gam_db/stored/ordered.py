@@ -64,7 +64,7 @@ def is_given(
         steps.add("visited", streaming.stacked(vectors))
         running.put("visited", steps.query("visited", running.placed))
         # The newest rows, which are summed up, are copied before all are counted again.
-        since = min(max(row["read_from"], row["read_until"] - row["late_by"]) for row in there)
+        since = min(max(row["read_from"], row["read_until"] - 2 * row["late_by"]) for row in there)
         newest = reading_steps(reader.readings(assets, since))
         running.put("identified", newest.query("identified", running.placed))
         steps.add("again", streaming.stacked([_seen(row) for row in there]))

@@ -1,4 +1,5 @@
--- Read sums: what was read of each channel, as far as rows may still come late, in one integer.
+-- Read sums: what was read of each channel, as far as rows may still come late, in one integer; twice as far, so that
+-- it shows where one came too late.
 -- Reads:  identified, cohort, seen
 -- A row:  one channel that has a row in its range.
 -- Slots:  :code  the expression of support/code.sql
@@ -25,7 +26,7 @@ FROM (
         member.lo AS lo,
         member.hi AS hi,
         CASE
-          WHEN ranged.read_to - member.late_by > member.read_from THEN ranged.read_to - member.late_by
+          WHEN ranged.read_to - 2 * member.late_by > member.read_from THEN ranged.read_to - 2 * member.late_by
           ELSE member.read_from
         END AS summed_from
       FROM cohort AS member

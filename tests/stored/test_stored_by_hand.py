@@ -499,10 +499,10 @@ def test_a_version_is_checked_with_what_the_newest_records_say_of_it() -> None:
     ]
 
 
-def test_what_was_read_comes_to_a_sum_of_times_and_codes_as_far_as_rows_may_come_late() -> None:
+def test_what_was_read_comes_to_a_sum_of_times_and_codes_twice_as_far_as_rows_may_come_late() -> None:
     """One integer for each row, as Python makes it; of the second channel all is summed."""
     seen = rows("channel_id read_to", (1, 90), (2, 9))
-    cohort = rows("channel_id read_from late_by lo hi", (1, -60, 50, 0.0, 8.0), (2, -8, 50, 0.0, 8.0))
+    cohort = rows("channel_id read_from late_by lo hi", (1, -60, 25, 0.0, 8.0), (2, -8, 25, 0.0, 8.0))
     times = {1: (-60, 39, 40, 90), 2: (-8, 9)}
     values = {1: (1.0, 2.0, -1.0, 9.0), 2: (8.0, None)}
     codes = {1: (3, 4, 1, 6), 2: (5, 0)}
