@@ -335,11 +335,11 @@ def high(row: Row, height: Height) -> Row:
 _REASONS = columns((WORD, "asset channel reason"))
 _MEMBERS = counts("channel_id family_no g")
 FROZEN = counts("channel_id blocks reference height cap")
-_LIMITS = columns(
-    (WORD, "asset channel"),
+LIMIT = (
     (COUNT, "family blocks g centre spread reference height cap quarters"),
     (WORD, "basis"),
     (COUNT, "order_ratio"),
     (SHARE, "judgements_per_day rate stated_rate"),
     (WORD, "reason"),
 )
+_LIMITS = columns((WORD, "asset channel"), *LIMIT)

@@ -15,6 +15,11 @@ _UNIT_OF = {
 }
 
 
+def told_by(kind: TimeKind) -> pa.DataType:
+    """Return the type of instants as the source tells them."""
+    return pa.int64() if kind.is_counter else pa.timestamp("us", "UTC" if kind.has_zone else None)
+
+
 def with_units(table: pa.Table, kind: TimeKind) -> pa.Table:
     """Return a result with units and the way of telling time in its schema.
 

@@ -16,6 +16,7 @@ from gam_db.stored import dropping, migrations, pruning
 from gam_db.stored.migrations import Status
 from gam_db.stored.pruning import COUNTED, Retention
 from gam_db.stored.roles import Roles
+from gam_db.stored.state import State
 from gam_db.stored.tables import StateTables
 
 
@@ -110,7 +111,7 @@ def prune(
     said = settings.monitor
     retention = Retention(said.keep, said.keep_novel, keep_versions, said.lookback)
     with options.opened(settings) as session:
-        sizes = pruning.prune(session, said.tables, said.name, retention, dry_run)
+        sizes = pruning.prune(State(session, said.tables), said.name, retention, dry_run)
     _tell_sizes(sizes, said.name, dry_run, common)
 
 
@@ -121,9 +122,10 @@ def compact(settings: Settings, common: options.Common) -> None:
     For engines without transactions (ClickHouse, Spark), where scoring only appends; on the others it
     finds nothing. The indicator does not change.
     """
+    said = settings.monitor
     with options.opened(settings) as session:
-        sizes = pruning.compact(session, settings.monitor.tables, settings.monitor.name)
-    _tell_sizes(sizes, settings.monitor.name, False, common)
+        sizes = pruning.compact(State(session, said.tables), said.name)
+    _tell_sizes(sizes, said.name, False, common)
 
 
 def _tell_sizes(sizes: pa.Table, monitor: str, dry_run: bool, common: options.Common) -> None:

@@ -17,6 +17,7 @@ from gam_db.findings import Row, need_attention, share
 from gam_db.parameters import pattern_matches
 from gam_db.stored import status as stored_status
 from gam_db.stored.proving import Proof
+from gam_db.stored.state import State
 
 ASSETS = 20
 """Assets shown unless all are asked for."""
@@ -37,8 +38,9 @@ def status(
     """
     name, silence, shown_in = settings.monitor.name, settings.monitor.park_after, zone(common.time_zone)
     with options.opened(settings, writable=False) as session:
-        channels = stored_status.status(session, settings.monitor.tables, name, silence)
-        proof = stored_status.proved(session, settings.monitor.tables, name)
+        state = State(session, settings.monitor.tables)
+        channels = stored_status.status(state, name, silence)
+        proof = stored_status.proved(state, name)
     unheard = stored_status.unheard_for(channels, silence, dt.datetime.now(dt.UTC))
     if asset is not None:
         named = [pattern_matches(asset, one) for one in channels["asset"].to_pylist()]

@@ -26,15 +26,7 @@ from gam_db.source import TimeNode
 _JOINED_HEALTH = ("window_counts",)
 _JOINED_BUCKETS = ("bucket_counts", "novel_cells")
 _JOINED_CERTIFICATE = (
-    "bounds",
-    "run_up",
-    "cells",
-    "blocks",
-    "ladder",
-    "learning",
-    "spread",
-    "finest",
-    "outlook",
+    *("bounds", "run_up", "cells", "blocks", "ladder", "learning", "spread", "finest", "outlook"),
     "missing_vectors",
 )
 

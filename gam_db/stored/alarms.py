@@ -17,10 +17,11 @@ from gam_db.errors import ParameterError, UserError, nearest
 from gam_db.method.adding import add
 from gam_db.pipeline import Pipeline
 from gam_db.stored.episodes import Log, records_of
-from gam_db.stored.limits import keep
+from gam_db.stored.limits import CHOSEN
 from gam_db.stored.reading import Reader
 from gam_db.stored.sources import source_of
 from gam_db.stored.state import State, kind_of, now
+from gam_db.units import told_by
 
 Row = dict[str, Any]
 
@@ -54,11 +55,25 @@ def alarms(state: State, name: str) -> pa.Table:
     Raises:
         ConfigurationError: there is no such monitor.
     """
-    kind = kind_of(state.monitor(name))
-    rows = state.rows("stored/alarm_rows", {"monitor": template.text(name)})
-    order = {"proving": 0, "open": 1}
-    rows.sort(key=lambda row: (not row["needs_attention"], order.get(row["told_as"], 2)))
-    return _table(rows, kind)
+    time = told_by(kind_of(state.monitor(name)))
+    schema = columns(
+        (COUNT, "episode"),
+        (WORD, "asset channel status"),
+        (TRUTH, "needs_attention"),
+        (time, "since opened last_time"),
+        (SHARE, "sure"),
+        (WORD, "basis"),
+        (SHARE, "stated_rate"),
+        (WORD, "asked"),
+        (COUNT, "signals_open group signals_together"),
+        (WORD, "label"),
+        (pa.timestamp("us"), "label_until"),
+        (WORD, "note"),
+        (COUNT, "merged_into onset first_judgement last_judgement"),
+        (COUNT, "evidence height seq channel_id version_id"),
+    )
+    found = state.fetch("stored/alarm_rows", {"monitor": template.text(name)})
+    return found.rename_columns(schema.names).cast(schema)
 
 
 def judgements(state: State, episode: Row) -> list[Row]:
@@ -177,8 +192,7 @@ def label(
     ends = None if span is None else _ticks(span, time)
     ends_at = None if until is None else instant(until, TimeKind.TIMESTAMP, "until")
     with state.session.transaction():
-        if state.session.transactions:
-            state.lock(monitor_id)
+        state.lock(monitor_id)
         records = records_of(state, monitor_id)
         channels = {
             row["channel_id"]: row
@@ -207,13 +221,11 @@ def label(
         given = state.rows("stored/labels", {"monitor_id": monitor_id})
         if kind in DECISIONS and not instead:
             _check_agrees(kind, about, asset, given, channels)
+        number = 1 + max((one["label_id"] for one in given), default=0)
         row = {
-            **{
-                "monitor_id": monitor_id,
-                "label_id": 1 + max((one["label_id"] for one in given), default=0),
-            },
-            **{"episode_id": episode, "asset": asset, "time_from": ends[0], "time_to": ends[1]},
-            **{"kind": kind, "note": note, "until": ends_at, "created": now()},
+            **{"monitor_id": monitor_id, "label_id": number, "episode_id": episode, "asset": asset},
+            **{"time_from": ends[0], "time_to": ends[1], "kind": kind},
+            **{"note": note, "until": ends_at, "created": now()},
         }
         state.append_rows("label", [row])
         log = Log(monitor_id, records)
@@ -327,48 +339,9 @@ def _switch_off(state: State, name: str, versions: set[int]) -> None:
     made = []
     for row in limits(state, name) if versions else ():
         if row["version_id"] in versions and row["reason"] is None:
-            gone = dict.fromkeys(("centre", "spread", "reference", "height", "cap", "quarters", "basis"))
-            begin = state.fetch("stored/next_judgement", {"version_id": row["version_id"]})
-            made.append(
-                {
-                    **{**row, **gone, "rate": None, "stated_rate": None, "reason": UNREPRESENTATIVE},
-                    **{"limit_no": row["limit_no"] + 1, "created": now(), "cause": "false_alarm"},
-                    "from_judgement": begin["next_no"][0].as_py() or 0,
-                }
-            )
+            (begin,) = state.rows("stored/next_judgement", {"version_id": row["version_id"]})
+            said = {"reason": UNREPRESENTATIVE, "cause": "false_alarm", "created": now()}
+            numbers = {"limit_no": row["limit_no"] + 1, "from_judgement": begin["next_no"] or 0}
+            made.append({**row, **dict.fromkeys(CHOSEN), **said, **numbers})
     if made:
-        keep(state, made)
-
-
-def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
-    time = pa.int64()
-    if not kind.is_counter:
-        time = pa.timestamp("us", "UTC" if kind.has_zone else None)
-    schema = columns(
-        (COUNT, "episode"),
-        (WORD, "asset channel status"),
-        (TRUTH, "needs_attention"),
-        (time, "since opened last_time"),
-        (SHARE, "sure"),
-        (WORD, "basis"),
-        (SHARE, "stated_rate"),
-        (WORD, "asked"),
-        (COUNT, "signals_open group signals_together"),
-        (WORD, "label"),
-        (pa.timestamp("us"), "label_until"),
-        (WORD, "note"),
-        (COUNT, "merged_into onset first_judgement last_judgement"),
-        (COUNT, "evidence height seq channel_id version_id"),
-    )
-    made = [{**row, "sure": row["evidence"] / row["height"]} for row in rows]
-    return pa.table(
-        [pa.array([row[_CALLED.get(of.name, of.name)] for row in made]).cast(of.type) for of in schema],
-        schema=schema,
-    )
-
-
-#: What the table calls otherwise than the state does.
-_CALLED = {
-    **{"episode": "episode_id", "status": "told_as", "group": "group_id"},
-    **{"since": "since_tick", "opened": "first_tick", "last_time": "last_tick"},
-}
+        state.append_rows("limit", made)

@@ -8,8 +8,8 @@ from collections.abc import Callable, Sequence
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.alarms import Alarms, Row, chosen_limits
-from gam_db.columns import COUNT, SHARE, WORD, columns
+from gam_db.alarms import LIMIT, Alarms, Row, chosen_limits
+from gam_db.columns import COUNT, WORD, columns
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_spreads
 from gam_db.pipeline import Pipeline
@@ -35,14 +35,9 @@ def learnt(
     """
     steps = Pipeline(small=frozenset({"active", "limit_channels", "buffered"}))
     add(steps, "stored/active", {"monitor_id": monitor_id})
-    verdict = exp.column("verdict", table="learnt")
-    add(
-        *(steps, "stored/limit_channels"),
-        {
-            "limit_reason": template.fill("judgement/limit_reason", {"verdict": verdict}),
-            "heeding": int(is_heeding),
-        },
-    )
+    verdict = {"verdict": exp.column("verdict", table="learnt")}
+    reason = template.fill("judgement/limit_reason", verdict)
+    add(steps, "stored/limit_channels", {"limit_reason": reason, "heeding": int(is_heeding)})
     add(steps, "stored/kept_buffered", name="buffered")
     add_spreads(steps, families, "limit_channels")
     return Running(state.session, steps, state.tables.placed())
@@ -84,26 +79,14 @@ def make(
     for row in rows:
         row["family"] = families.index(row["family"])
     rows.sort(key=lambda row: (row["asset"], row["channel"]))
-    keep(state, [_row(row, known[row["channel_id"]], cause, asked) for row in rows])
+    said, made = {"created": now(), "cause": cause, "asked": asked}, []
+    for row in rows:
+        before = known[row["channel_id"]]
+        begin = before["judgements"] if before["limit_no"] else 0
+        numbers = {"limit_no": before["limit_no"] + 1, "from_judgement": begin}
+        made.append({**row, "version_id": before["version_id"], **numbers, **said})
+    state.append_rows("limit", made)
     return rows
-
-
-def keep(state: State, rows: list[Row]) -> None:
-    """Append rows of limits."""
-    state.append_rows("limit", rows)
-
-
-def _row(row: Row, known: Row, cause: str, asked: str) -> Row:
-    return {
-        **dict.fromkeys(CHOSEN),
-        **row,
-        "version_id": known["version_id"],
-        "limit_no": known["limit_no"] + 1,
-        "from_judgement": known["judgements"] if known["limit_no"] else 0,
-        "created": now(),
-        "cause": cause,
-        "asked": asked,
-    }
 
 
 #: What is shown of limits: the newest ones, by the names of their channels.
@@ -111,9 +94,5 @@ SHOWN = columns(
     (WORD, "asset channel"),
     (COUNT, "limit_no from_judgement"),
     (WORD, "cause asked"),
-    (COUNT, "family blocks g centre spread reference height cap quarters"),
-    (WORD, "basis"),
-    (COUNT, "order_ratio"),
-    (SHARE, "judgements_per_day rate stated_rate"),
-    (WORD, "reason"),
+    *LIMIT,
 )

@@ -86,6 +86,12 @@ class Monitor(MonitorSettings):
     def __exit__(self, *_: object) -> None:
         self.close()
 
+    @property
+    def _required(self) -> State:
+        """The state, once it is known that its tables are those of this gam-db."""
+        migrations.require(self.session, self.state.tables)
+        return self.state
+
     def close(self) -> None:
         """Close the database if this monitor opened it; a session that was given stays open."""
         if self._is_ours:
@@ -127,8 +133,7 @@ class Monitor(MonitorSettings):
         Raises:
             UserError: the source or the calibration cannot be used; nothing is half written.
         """
-        migrations.require(self.session, self.state.tables)
-        healthy = without(self.calibration, stored_alarms.left_out(self.state, self.name))
+        healthy = without(self.calibration, stored_alarms.left_out(self._required, self.name))
         asked = self.parameters, healthy, on_step
         study = Study(self.session, self.source, *asked, short_cuts=True, on_trust=False)
         try:
@@ -173,8 +178,7 @@ class Monitor(MonitorSettings):
             UserError: there is no such monitor, or the source cannot be used. Channels that were scored
                 before the error stay scored; of the others nothing is half written.
         """
-        migrations.require(self.session, self.state.tables)
-        kind = kind_of(self.state.monitor(self.name))
+        kind = kind_of(self._required.monitor(self.name))
         wanted = Wanted(
             lookback=lengths.lookback(self.lookback, kind),
             append_only=self.append_only,
@@ -212,8 +216,7 @@ class Monitor(MonitorSettings):
 
     def checked_state(self, limit: int | None = None, on_step: Listener = unheard) -> Checked:
         """Return what :meth:`check_state` does, and what is to be recorded of it; nothing is written."""
-        migrations.require(self.session, self.state.tables)
-        kind = kind_of(self.state.monitor(self.name))
+        kind = kind_of(self._required.monitor(self.name))
         lookback = lengths.lookback(self.lookback, kind)
         return check_state(self.state, self.source, self.name, lookback, limit, on_step)
 
@@ -234,7 +237,7 @@ class Monitor(MonitorSettings):
         Raises:
             UserError: there is no such monitor, or no state.
         """
-        return status(self.session, self.state.tables, self.name, self.park_after)
+        return status(self.state, self.name, self.park_after)
 
     def alarms(self) -> pa.Table:
         """Return the episodes, those that need attention first; the source is not read.
@@ -245,8 +248,7 @@ class Monitor(MonitorSettings):
         Raises:
             UserError: there is no such monitor, or no state.
         """
-        migrations.require(self.session, self.state.tables)
-        return stored_alarms.alarms(self.state, self.name)
+        return stored_alarms.alarms(self._required, self.name)
 
     def label(
         self,
@@ -276,8 +278,7 @@ class Monitor(MonitorSettings):
         Raises:
             UserError: it is about nothing, or contradicts what was said before; nothing is written.
         """
-        migrations.require(self.session, self.state.tables)
-        about = (self.state, self.name, kind, episode, asset, span)
+        about = (self._required, self.name, kind, episode, asset, span)
         return stored_alarms.label(*about, note, until, instead)
 
     def limits(self, again: bool = False, reason: str = "asked for") -> pa.Table:
@@ -294,8 +295,7 @@ class Monitor(MonitorSettings):
         Raises:
             UserError: there is no such monitor, or no state.
         """
-        migrations.require(self.session, self.state.tables)
-        self.state.monitor(self.name)
+        self._required.monitor(self.name)
         if again:
             with self.session.transaction():
                 limits.make(self.state, self.name, self.asked, reason, lambda _: True)
@@ -339,7 +339,7 @@ class Monitor(MonitorSettings):
             keep_versions,
             self.lookback,
         )
-        return prune(self.session, self.state.tables, self.name, retention, dry_run)
+        return prune(self.state, self.name, retention, dry_run)
 
     def compact(self) -> pa.Table:
         """Delete the rows that nobody sees; see :func:`gam_db.stored.pruning.compact`.
@@ -347,7 +347,7 @@ class Monitor(MonitorSettings):
         Raises:
             UserError: there is no such monitor, or the database cannot be written.
         """
-        return compact(self.session, self.state.tables, self.name)
+        return compact(self.state, self.name)
 
     def health(self, asset: str = "*", channel: str = "*") -> pa.Table:
         """Return the stored health indicator; the source is not read.
@@ -365,13 +365,11 @@ class Monitor(MonitorSettings):
         Raises:
             UserError: there is no such monitor, or no state.
         """
-        migrations.require(self.session, self.state.tables)
-        self.state.monitor(self.name)
-        conditions = [named_like("asset", asset), named_like("channel", channel)]
-        chosen = exp.and_(exp.true(), *(one for one in conditions if one is not None))
-        return self.state.fetch(
-            "stored/health_rows", {"monitor": template.text(self.name), "chosen": chosen}
-        )
+        self._required.monitor(self.name)
+        conditions = (named_like("asset", asset), named_like("channel", channel))
+        chosen = exp.and_(exp.true(), *filter(None, conditions))
+        slots = {"monitor": template.text(self.name), "chosen": chosen}
+        return self.state.fetch("stored/health_rows", slots)
 
     def report(
         self, path: str | Path, wishes: Wishes | None = None, on_step: Listener = unheard
@@ -391,8 +389,7 @@ class Monitor(MonitorSettings):
         Raises:
             UserError: there is no such monitor, nothing is calibrated, or the file cannot be written.
         """
-        migrations.require(self.session, self.state.tables)
-        kind = kind_of(self.state.monitor(self.name))
+        kind = kind_of(self._required.monitor(self.name))
         return write(self.state, self.source, kind, self.name, path, wishes, on_step)
 
 

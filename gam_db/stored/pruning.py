@@ -13,7 +13,6 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.clock import FAR_AHEAD, Length, TimeKind, length
-from gam_db.engines.session import Session
 from gam_db.errors import EngineError, ParameterError
 from gam_db.pipeline import Pipeline, filled, place
 from gam_db.stored import lengths, migrations
@@ -82,8 +81,7 @@ class _UndoneError(Exception):
 
 
 def prune(
-    session: Session,
-    tables: StateTables,
+    state: State,
     monitor: str = "default",
     retention: Retention | None = None,
     dry_run: bool = False,
@@ -102,8 +100,7 @@ def prune(
     ``..._after``. A support that a pool shares counts for each of its channels.
 
     Args:
-        session: on a database that can be written, also for a dry run.
-        tables: where the state lies.
+        state: the state tables, in a session that can write, also for a dry run.
         monitor: its name; other monitors are left alone.
         retention: how long what is kept; None is Retention().
         dry_run: undo it all; the result is the same.
@@ -114,16 +111,17 @@ def prune(
         ParameterError: a length of time or a number is none.
         EngineError: the database cannot be written, a transaction is open, or there is none to undo.
     """
-    migrations.require(session, tables)
-    if dry_run and not session.transactions:
+    migrations.require(state.session, state.tables)
+    if dry_run and not state.session.transactions:
         raise EngineError(
-            f"{session.engine.title} has no transaction that could be undone; leave out the dry run."
+            f"{state.session.engine.title} has no transaction that could be undone; leave out the dry "
+            "run."
         )
-    kind = kind_of(State(session, tables).monitor(monitor))
-    return _deleted(session, tables, monitor, _slots(retention or Retention(), kind), dry_run)
+    kind = kind_of(state.monitor(monitor))
+    return _deleted(state, monitor, _slots(retention or Retention(), kind), dry_run)
 
 
-def compact(session: Session, tables: StateTables, monitor: str = "default") -> pa.Table:
+def compact(state: State, monitor: str = "default") -> pa.Table:
     """Delete the rows that a later run hides or that a run left unfinished; nothing visible changes.
 
     Where there are transactions, scoring does so itself, and there is little left to do. Without them,
@@ -131,18 +129,14 @@ def compact(session: Session, tables: StateTables, monitor: str = "default") -> 
 
     Arguments, errors and the result are those of :func:`prune`.
     """
-    migrations.require(session, tables)
-    return _deleted(session, tables, monitor, {**dict.fromkeys(_LIMITS, FAR_AHEAD), "lookback": 0})
+    migrations.require(state.session, state.tables)
+    return _deleted(state, monitor, {**dict.fromkeys(_LIMITS, FAR_AHEAD), "lookback": 0})
 
 
 def _deleted(
-    session: Session,
-    tables: StateTables,
-    monitor: str,
-    limits: Mapping[str, template.Slot],
-    dry_run: bool = False,
+    state: State, monitor: str, limits: Mapping[str, template.Slot], dry_run: bool = False
 ) -> pa.Table:
-    state = State(session, tables)
+    session, tables = state.session, state.tables
     monitor_id = state.monitor(monitor)["monitor_id"]
     # A run that is seen without its end, where there are transactions, was cut short; else it may go on
     # for a day. What seems to begin later than that did so while a clock stood ahead, and counts as cut
@@ -163,8 +157,7 @@ def _deleted(
     sizes = filled("stored/state_sizes", {"monitor": slots["monitor"]})
     place(sizes, tables.placed())
     with contextlib.suppress(_UndoneError), session.transaction():
-        if session.transactions:  # a run that publishes now is there as a whole, or not yet
-            state.lock(monitor_id)
+        state.lock(monitor_id)  # a run that publishes now is there as a whole, or not yet
         before = session.fetch(sizes)
         kept: dict[str, exp.Table] = {}
         for step in _STEPS:
@@ -173,7 +166,7 @@ def _deleted(
         # Recorded first: what is cut short then is too much kept, and not a loss.
         told = steps.steps["new_horizons"].query.named_selects
         horizons = exp.select(*(template.column(one) for one in told)).from_(kept["new_horizons"].copy())
-        State(session, tables).append("horizon", horizons)
+        state.append("horizon", horizons)
         for table, step in _EXPIRED.items():
             keys = steps.steps[step].query.named_selects
             found = exp.select(*(template.column(key) for key in keys)).from_(kept[step].copy())

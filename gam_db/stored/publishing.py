@@ -85,8 +85,7 @@ def publication(
         ConflictError: something else is there by now; nothing of this run counts.
     """
     with state.session.transaction():
-        if state.session.transactions:
-            state.lock(monitor_id)
+        state.lock(monitor_id)
         _compare(state, group, planned)
         yield lambda: None if state.session.transactions else _compare(state, group, planned)
         if not state.session.transactions:

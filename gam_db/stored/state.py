@@ -158,12 +158,13 @@ class State:
                 )
 
     def lock(self, monitor_id: int) -> None:
-        """Let nobody else publish or prune runs of a monitor until this transaction ends.
+        """Let nobody else publish or prune runs of a monitor until this transaction ends, if it is one.
 
         Raises:
             ConflictError: another one does so, and the engine does not wait for it.
         """
-        self._touch("monitor", "monitor_id", monitor_id, "created")
+        if self.session.transactions:
+            self._touch("monitor", "monitor_id", monitor_id, "created")
 
     def _touch(self, table: str, key: str, value: int, column: str) -> None:
         """Change a row and change it back: the same value alone would be no change to DuckDB."""

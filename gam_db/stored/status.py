@@ -6,32 +6,26 @@ This module owns the table that ``gam status`` prints. What deserves attention i
 
 import datetime as dt
 import itertools
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Literal
 
 import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 from numpy.typing import NDArray
-from sqlglot import exp
 
 from gam_db.clock import Length, TimeKind, instant, shown_instant
 from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns
-from gam_db.engines.session import Session
 from gam_db.findings import ORDER, Course, Row, at_end, ended, finding
-from gam_db.pipeline import filled, place
 from gam_db.stored import lengths, migrations
 from gam_db.stored.proving import STATE, Proof, last_proofs
 from gam_db.stored.state import State, kind_of
-from gam_db.stored.tables import StateTables
-from gam_db.template import Slot, text
+from gam_db.template import text
+from gam_db.units import told_by
 
 
 def status(
-    session: Session,
-    tables: StateTables,
-    monitor: str = "default",
-    park_after: Length | Literal[False] | None = None,
+    state: State, monitor: str = "default", park_after: Length | Literal[False] | None = None
 ) -> pa.Table:
     """Return what the state says of each channel of a monitor, the most urgent first.
 
@@ -72,8 +66,7 @@ def status(
     Times are timestamps as in the source, or integers where it counts.
 
     Args:
-        session: on the database that holds the state; it is only read.
-        tables: where the state lies.
+        state: the state tables; they are only read.
         monitor: its name.
         park_after: how far a channel may lag behind the others before it is called silent; False for
             ever. Default one day, for counters for ever.
@@ -83,33 +76,31 @@ def status(
         ConfigurationError: there is no such monitor.
         ParameterError: ``park_after`` is no length of time of this monitor.
     """
-    migrations.require(session, tables)
-    kind = kind_of(State(session, tables).monitor(monitor))
+    migrations.require(state.session, state.tables)
+    kind = kind_of(state.monitor(monitor))
     longest = lengths.park_after(park_after, kind)
-    stored = _fetched(session, tables, "stored/status_rows", {"monitor": text(monitor)})
-    loaded = session.load(stored)
-    courses = _courses(_fetched(session, tables, "stored/course", {}, {"status_rows": loaded}))
-    session.forget(loaded)
+    stored = state.fetch("stored/status_rows", {"monitor": text(monitor)})
+    with state.session.lent(stored) as lent:
+        courses = _courses(state.fetch("stored/course", given={"status_rows": lent}))
     rows = stored.sort_by(list(ORDER)).to_pylist()
-    newest = max((row["data_tick"] for row in rows if row["data_tick"] is not None), default=None)
+    newest = max((row["last_data"] for row in rows if row["last_data"] is not None), default=None)
     found = []
     for row in rows:
-        row |= ended(row["data_tick"], newest, None if row["looked_at"] is None else longest)
+        row |= ended(row["last_data"], newest, None if row["looked_at"] is None else longest)
         course = _course(row, courses.get(row["version_id"]))
         said = finding(row, (row["m"] - 1) * row["tau"], row["window_length"], course)
         found.append({**said, "remarks": [*said["remarks"], *_remarks(row, kind)]})
     return _table(found, kind)
 
 
-def proved(session: Session, tables: StateTables, monitor: str = "default") -> Proof | None:
+def proved(state: State, monitor: str = "default") -> Proof | None:
     """Return when the state of a monitor was last compared with its source; None if it never was.
 
     Raises:
         StateError: there is no state of this gam-db.
         ConfigurationError: there is no such monitor.
     """
-    migrations.require(session, tables)
-    state = State(session, tables)
+    migrations.require(state.session, state.tables)
     return last_proofs(state, state.monitor(monitor)["monitor_id"]).get(STATE)
 
 
@@ -162,18 +153,6 @@ def unheard_for(
     return behind if longest is not None and behind > longest else None
 
 
-def _fetched(
-    session: Session,
-    tables: StateTables,
-    name: str,
-    slots: Mapping[str, Slot],
-    given: Mapping[str, exp.Table] | None = None,
-) -> pa.Table:
-    query = filled(name, slots)
-    place(query, {**tables.placed(), **(given or {})})
-    return session.fetch(query)
-
-
 def _courses(stretches: pa.Table) -> dict[int, tuple[NDArray[np.float64], int]]:
     """Cut the stretches, which come in order, into one course per version, with when it begins."""
     versions = stretches["version_id"].to_numpy()
@@ -203,49 +182,30 @@ def _course(row: Row, known: tuple[NDArray[np.float64], int] | None) -> Course |
 
 def _remarks(row: Row, kind: TimeKind) -> list[str]:
     """Return what only the state can tell."""
-    remarks = at_end(row, row["still_since_tick"], kind)
-    if row["episode_id"] is not None:
+    remarks = at_end(row, row["still_since"], kind)
+    if row["episode"] is not None:
         zone = "" if kind.is_counter else " UTC"
-        onset = row["since_tick"] if row["status"] in ("proving", "open") else None
+        onset = row["onset"] if row["status"] in ("proving", "open") else None
         since = "" if onset is None else f" since {shown_instant(onset, kind)}{zone}"
-        remarks.append(f"episode {row['episode_id']}{since}: gam alarm {row['episode_id']}")
+        remarks.append(f"episode {row['episode']}{since}: gam alarm {row['episode']}")
     runs = row["differing_contexts"]
     if runs:
-        since = shown_instant(row["repair_from_tick"], kind)
+        since = shown_instant(row["repair_from"], kind)
         remarks.append(
             f"{runs:,} run{'s' * (runs != 1)} found other samples than were scored, so rows came later "
             f"than lookback or were taken away: gam score --from {since}"
         )
-    added = _added(row)
+    added = row["calibration_rows_added"]
     if added:
         remarks.append(
-            f"calibration data changed: {added:+,} rows since version {row['version_no']} was made"
+            f"calibration data changed: {added:+,} rows since version {row['version']} was made"
         )
     return remarks
 
 
-def _added(row: Row) -> int | None:
-    now = row["calibration_readings_now"]
-    return None if now is None else now - row["calibration_readings"]
-
-
-#: What the state calls otherwise.
-_STORED = {
-    "version": "version_no",
-    "window": "window_length",
-    "last_time": "last_tick",
-    "last_data": "data_tick",
-    "still_since": "still_since_tick",
-    "repair_from": "repair_from_tick",
-    "calibration_rows": "calibration_readings",
-    "episode": "episode_id",
-    "onset": "since_tick",
-}
-
-
 def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
     """Return the findings as a table, in their order."""
-    time = COUNT if kind.is_counter else pa.timestamp("us", "UTC" if kind.has_zone else None)
+    time = told_by(kind)
     schema = columns(
         (WORD, "asset channel"),
         *((COUNT, "version"), (WORD, "status"), (TRUTH, "needs_attention"), (WORD, "verdict")),
@@ -258,17 +218,7 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
         *((COUNT, "episode asking"), (time, "onset"), (WORD, "settings_hash method_hash")),
         (pa.list_(WORD), "remarks"),
     )
-    made = [{**row, "trend": _trend(row), "calibration_rows_added": _added(row)} for row in rows]
     found = {
-        one.name: pa.array(
-            [row[_STORED.get(one.name, one.name)] for row in made], one.type, from_pandas=True
-        )
-        for one in schema
+        one.name: pa.array([row[one.name] for row in rows], one.type, from_pandas=True) for one in schema
     }
     return pa.table(found, schema=schema)
-
-
-def _trend(row: Row) -> float | None:
-    """Return by how much the indicator rose since the window before."""
-    now, before = row["novel_in_window"], row["novel_window_before"]
-    return None if now is None or before is None else (now - before) / row["window_length"]

@@ -1,35 +1,38 @@
 -- Alarm rows: the episodes of a monitor, for people.
 -- Reads:  stored_alarm
--- A row:  one episode, the newest first.
+-- A row:  one episode, those that need attention first, then by what it is, the newest first; times are integers.
 -- Slots:  :monitor  its name
 SELECT
-  episode_id,
-  asset,
-  channel,
-  status,
-  told_as,
-  needs_attention,
-  label,
-  label_until,
-  note,
-  since_tick,
-  first_tick,
-  last_tick,
-  onset,
-  first_judgement,
-  last_judgement,
-  evidence,
-  height,
-  basis,
-  asked,
-  stated_rate,
-  signals_open,
-  group_id,
-  signals_together,
-  merged_into,
-  seq,
-  version_id,
-  channel_id
-FROM stored_alarm
-WHERE monitor = :monitor
-ORDER BY episode_id DESC
+  raised.episode_id AS episode,
+  raised.asset AS asset,
+  raised.channel AS channel,
+  raised.told_as AS status,
+  raised.needs_attention AS needs_attention,
+  raised.since_tick AS since,
+  raised.first_tick AS opened,
+  raised.last_tick AS last_time,
+  CAST(raised.evidence AS DOUBLE) / CAST(raised.height AS DOUBLE) AS sure,
+  raised.basis AS basis,
+  raised.stated_rate AS stated_rate,
+  raised.asked AS asked,
+  raised.signals_open AS signals_open,
+  raised.group_id AS group_id,
+  raised.signals_together AS signals_together,
+  raised.label AS label,
+  raised.label_until AS label_until,
+  raised.note AS note,
+  raised.merged_into AS merged_into,
+  raised.onset AS onset,
+  raised.first_judgement AS first_judgement,
+  raised.last_judgement AS last_judgement,
+  raised.evidence AS evidence,
+  raised.height AS height,
+  raised.seq AS seq,
+  raised.channel_id AS channel_id,
+  raised.version_id AS version_id
+FROM stored_alarm AS raised
+WHERE raised.monitor = :monitor
+ORDER BY
+  raised.needs_attention DESC,
+  CASE raised.told_as WHEN 'proving' THEN 0 WHEN 'open' THEN 1 ELSE 2 END,
+  raised.episode_id DESC

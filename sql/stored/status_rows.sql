@@ -5,7 +5,7 @@
 SELECT
   known.asset AS asset,
   known.channel AS channel,
-  known.version_no AS version_no,
+  known.version_no AS version,
   known.version_id AS version_id,
   known.verdict AS verdict,
   known.status AS status,
@@ -22,6 +22,8 @@ SELECT
   known.hi_highest AS hi_highest,
   known.novel_in_window AS novel_in_window,
   known.novel_window_before AS novel_window_before,
+  CAST(known.novel_in_window - known.novel_window_before AS DOUBLE) / CAST(known.window_length AS DOUBLE)
+    AS trend,
   known.out_of_range_in_window AS out_of_range_in_window,
   known.novel_in_buckets AS novel_in_buckets,
   known.window_length AS window_length,
@@ -30,21 +32,21 @@ SELECT
   known.tau AS tau,
   known.bins AS bins,
   known.bucket AS bucket,
-  known.last_tick AS last_tick,
-  known.data_tick AS data_tick,
+  known.last_tick AS last_time,
+  known.data_tick AS last_data,
   known.looked_at AS looked_at,
   known.differing_contexts AS differing_contexts,
-  known.repair_from_tick AS repair_from_tick,
-  known.calibration_readings AS calibration_readings,
-  known.calibration_readings_now AS calibration_readings_now,
+  known.repair_from_tick AS repair_from,
+  known.calibration_readings AS calibration_rows,
+  known.calibration_readings_now - known.calibration_readings AS calibration_rows_added,
   known.settings_hash AS settings_hash,
   known.method_hash AS method_hash,
   known.is_above AS is_above,
   known.judged_by AS judged_by,
-  known.episode_id AS episode_id,
+  known.episode_id AS episode,
   known.asking AS asking,
-  known.since_tick AS since_tick,
-  CASE WHEN still.hit = 1 THEN still.still_since_tick END AS still_since_tick
+  known.since_tick AS onset,
+  CASE WHEN still.hit = 1 THEN still.still_since_tick END AS still_since
 FROM stored_fleet AS known
 LEFT JOIN (
   SELECT version_id, still_since_tick, 1 AS hit

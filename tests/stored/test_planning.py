@@ -144,7 +144,7 @@ def test_pruning_leaves_the_window_before_what_was_recorded(
     put(plant, readings(FIRST, 200))
     monitor(plant).score()
     with monitor(plant) as mine:
-        prune(mine.session, mine.state.tables, retention=Retention(keep=0, lookback=0))
+        prune(mine.state, retention=Retention(keep=0, lookback=0))
     put(plant, readings(200, LENGTH))
     monitor(plant).score()
     assert searches == []
@@ -163,7 +163,7 @@ def test_pruning_leaves_the_newest_record(plant: duckdb.DuckDBPyConnection) -> N
     plant.execute("DELETE FROM telemetry WHERE asset <> 'a'; DELETE FROM telemetry WHERE time > 0")
     monitor(plant).score()
     with monitor(plant) as mine:
-        prune(mine.session, mine.state.tables)
+        prune(mine.state)
     kept = ("asset", "first_bucket", "first_scored", "read_from")
     left = [[row[name] for name in kept] for row in planned(plant, LOOKBACK, False)]
     assert left == [[row[name] for name in kept] for row in hidden]

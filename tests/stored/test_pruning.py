@@ -12,7 +12,7 @@ from gam_db.errors import ConfigurationError, EngineError, ParameterError
 from gam_db.pipeline import place
 from gam_db.stored import checksums, pruning
 from gam_db.stored.pruning import COUNTED, Retention, prune
-from gam_db.stored.state import first_run_at, now
+from gam_db.stored.state import State, first_run_at, now
 from gam_db.stored.status import status
 from gam_db.stored.steps import DAY
 from gam_db.stored.tables import TABLES as ALL
@@ -116,12 +116,12 @@ def test_what_is_young_or_needed_stays_and_nothing_else(
     active = [versions[kept:] for versions in drawn]
     expected = [staying(versions, said, most) for versions in active]
 
-    before, told = everything(session), status(session, TABLES).to_pylist()
+    before, told = everything(session), status(State(session, TABLES)).to_pylist()
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(pruning, "NOVEL_ROWS", most)
-        tried = prune(session, TABLES, retention=Retention(**said), dry_run=True)
+        tried = prune(State(session, TABLES), retention=Retention(**said), dry_run=True)
         assert everything(session) == before
-        done = prune(session, TABLES, retention=Retention(**said))
+        done = prune(State(session, TABLES), retention=Retention(**said))
     assert done.equals(tried)
 
     after = everything(session)
@@ -139,7 +139,7 @@ def test_what_is_young_or_needed_stays_and_nothing_else(
         assert left == was
     versions_left = {version.version_id for versions in active for version in versions} | strangers
     assert {row[0] for row in after["version"]} == versions_left
-    again = status(session, TABLES).to_pylist()
+    again = status(State(session, TABLES)).to_pylist()
     for row, was in zip(again, told, strict=True):
         # Where pruning cut the run above the limit, the oldest bucket that is left is the least.
         kept, begun = row.pop("onset"), was.pop("onset")
@@ -180,7 +180,7 @@ def test_a_saturated_channel_is_bounded_where_nothing_is_said(
     healthy = plant.version(plant.channel(monitor, "R1", "healthy"), learnt)
     plant.run(healthy, [{bucket: 1} if bucket % 10 == 0 else {} for bucket in range(50)])
     plant.write(emptied(session, TABLES), TABLES)
-    sizes = prune(session, TABLES).to_pylist()
+    sizes = prune(State(session, TABLES)).to_pylist()
     counts = ("channel", "bucket_rows", "bucket_rows_after", "novel_rows", "novel_rows_after")
     assert [tuple(row[count] for count in counts) for row in sizes] == [
         ("saturated", 50, 50, 500, 20),
@@ -213,7 +213,7 @@ def test_a_version_goes_with_what_only_it_had_learnt(session: DuckSession) -> No
         )
         plant.add("ladder", support_id=learnt, bins=4, floor=0.5)
     plant.write(emptied(session, TABLES), TABLES)
-    prune(session, TABLES, retention=Retention(keep_versions=0))
+    prune(State(session, TABLES), retention=Retention(keep_versions=0))
     assert [row[0] for row in rows(session, "version", "version_no, channel_id")] == [1, 3]
     assert len(rows(session, "calibration")) == len(rows(session, "run")) + 1 == 2
     assert rows(session, "horizon", "version_id") == [(version.version_id,)]
@@ -235,12 +235,12 @@ def test_records_of_runs_go_unless_they_still_tell_something(session: DuckSessio
     for _ in range(20):
         newest = plant.run(version, [{}], from_bucket=5)
     plant.write(emptied(session, TABLES), TABLES)
-    prune(session, TABLES)
+    prune(State(session, TABLES))
     left = [first, counted, settled, differing, furthest, newest]
     assert [row[0] for row in rows(session, "run", "run_id")] == left
     plant.run(version, [{}] * 4, from_bucket=5, settled_bucket=8)
     plant.write(session, TABLES)
-    prune(session, TABLES, retention=Retention(keep=0, lookback=0))
+    prune(State(session, TABLES), retention=Retention(keep=0, lookback=0))
     assert differing not in [row[0] for row in rows(session, "run", "run_id")]
 
 
@@ -254,7 +254,7 @@ def test_what_was_pruned_before_that_was_recorded_is_found_when_the_state_goes_u
     plant.run(version, [{0: 1}] * 8)
     plant.write(emptied(session, TABLES), TABLES)
     ages = {"keep": 60 * STEP, "keep_novel": 30 * STEP}
-    prune(session, TABLES, retention=Retention(**ages, lookback=0))
+    prune(State(session, TABLES), retention=Retention(**ages, lookback=0))
     recorded = rows(session, "horizon")
     assert recorded == [(version.version_id, 1, 4)]
     session.connection.execute("DELETE FROM gam_horizon")
@@ -282,7 +282,7 @@ def test_without_transactions_what_a_run_left_without_end_waits_for_a_day(
     plant.ids = first_run_at(now() - 2 * DAY)
     plant.run(other, [{}] * 3, committed=False)
     plant.write(emptied(session, TABLES), TABLES)
-    prune(session, TABLES)
+    prune(State(session, TABLES))
     assert {row[2] for row in rows(session, "bucket")} == {finished, young}
 
 
@@ -297,8 +297,8 @@ def test_what_cannot_be_pruned_is_refused(session: DuckSession) -> None:
         (Retention(keep_versions=-1), "keep_versions is -1"),
     ):
         with pytest.raises(ParameterError, match=message):
-            prune(session, TABLES, retention=wrong)
+            prune(State(session, TABLES), retention=wrong)
     with pytest.raises(ConfigurationError, match="no monitor 'nobody'"):
-        prune(session, TABLES, "nobody")
+        prune(State(session, TABLES), "nobody")
     with session.transaction(), pytest.raises(EngineError, match="transaction open"):
-        prune(session, TABLES)
+        prune(State(session, TABLES))

@@ -12,6 +12,7 @@ from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import ConfigurationError, ParameterError, StateError
 from gam_db.findings import shortcomings
 from gam_db.stored import status as stored_status
+from gam_db.stored.state import State
 from gam_db.stored.status import by_asset
 from gam_db.stored.tables import StateTables
 from stored_rows import STEP, Plant, emptied
@@ -33,7 +34,7 @@ def session() -> Iterator[DuckSession]:
 def status(session: DuckSession, plant: Plant, monitor: str = "default", **more: Any) -> pa.Table:
     """The status of a plant."""
     plant.write(emptied(session, TABLES), TABLES)
-    return stored_status.status(session, TABLES, monitor, **more)
+    return stored_status.status(State(session, TABLES), monitor, **more)
 
 
 def test_the_most_urgent_channel_comes_first_and_says_why(session: DuckSession) -> None:
@@ -126,11 +127,11 @@ def test_a_channel_that_lags_behind_is_silent(session: DuckSession) -> None:
     assert remarks["gone"] == ["silent: 3 d behind the newest data"]
     assert remarks["none"] == ["silent: no data was ever found"]
     for park_after, expected in (("5 d", ["none"]), ("2 h", ["late", "gone", "none"]), (False, [])):
-        table = stored_status.status(session, TABLES, park_after=park_after)
+        table = stored_status.status(State(session, TABLES), park_after=park_after)
         found = [row["asset"] for row in table.to_pylist() if row["silent"]]
         assert sorted(found) == sorted(expected)
     with pytest.raises(ParameterError, match="park_after is 'soon'"):
-        stored_status.status(session, TABLES, park_after="soon")
+        stored_status.status(State(session, TABLES), park_after="soon")
 
 
 def test_what_lies_outside_the_contract_is_told(session: DuckSession) -> None:
@@ -163,7 +164,7 @@ def test_a_counter_stays_a_counter(session: DuckSession) -> None:
     assert rows["j1"]["remarks"][0].endswith("gam score --from 40")
     assert rows["j1"]["remarks"][1].startswith("calibration data changed: -5 rows")
     assert not any(row["silent"] for row in rows.values())
-    found = stored_status.status(session, TABLES, park_after=100).to_pylist()
+    found = stored_status.status(State(session, TABLES), park_after=100).to_pylist()
     assert [row["channel"] for row in found if row["silent"]] == ["j2"]
     assert f"{2**61 - 5:,} steps behind" in found[0]["remarks"][-1]
 
@@ -182,17 +183,17 @@ def test_monitors_are_kept_apart(session: DuckSession) -> None:
         version = plant.version(plant.channel(plant.monitor(name), asset, "j1"), plant.support())
         plant.run(version, [FULL, FULL])
     assert status(session, plant, "it's \\another")["asset"].to_pylist() == ["R2"]
-    assert stored_status.status(session, TABLES)["asset"].to_pylist() == ["R1"]
+    assert stored_status.status(State(session, TABLES))["asset"].to_pylist() == ["R1"]
     with pytest.raises(ConfigurationError, match=r"no monitor 'defualt' yet in gam_.*mean 'default'"):
-        stored_status.status(session, TABLES, "defualt")
+        stored_status.status(State(session, TABLES), "defualt")
 
 
 def test_state_that_is_not_there_is_named(session: DuckSession) -> None:
     emptied(session, TABLES)
     with pytest.raises(ConfigurationError, match="`gam calibrate` makes it"):
-        stored_status.status(session, TABLES)
+        stored_status.status(State(session, TABLES))
     with pytest.raises(StateError, match="no state tables other_"):
-        stored_status.status(session, StateTables(prefix="other_"))
+        stored_status.status(State(session, StateTables(prefix="other_")))
 
 
 def test_a_monitor_without_channels_has_none(session: DuckSession) -> None:
