@@ -21,8 +21,8 @@ from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, need_attention
 from gam_db.setting import FLAG, INSTANT, TEXT, setting
 from gam_db.source import shown_relation
+from gam_db.stored.calibrating import differing
 from gam_db.stored.copying import copy
-from gam_db.stored.differing import differing
 from gam_db.stored.scoring import Report
 from gam_db.stored.sources import relation_of
 from gam_db.stored.state import kind_of

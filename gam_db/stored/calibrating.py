@@ -12,7 +12,7 @@ from typing import Any
 import pyarrow as pa
 
 from gam_db import template
-from gam_db.calibration import Calibration, Rule, subtract
+from gam_db.calibration import Calibration, subtract
 from gam_db.clock import LONG_AGO, Instant
 from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns, table_of
 from gam_db.errors import CalibrationError
@@ -20,12 +20,13 @@ from gam_db.method import Method
 from gam_db.method.adding import add
 from gam_db.method.alarms import NEAR, add_bands, add_learnt_limits
 from gam_db.method.judgement import add_judged
+from gam_db.method.source import add_source
 from gam_db.parameters import Parameters, pattern_matches
-from gam_db.pipeline import filled, place
+from gam_db.pipeline import Pipeline, filled, place
 from gam_db.stored import checksums
 from gam_db.stored.planning import Row, by, whole_pools
 from gam_db.stored.sources import described
-from gam_db.stored.state import State, now
+from gam_db.stored.state import State, kind_of, now
 from gam_db.study import Study
 
 #: The folders of ``sql/`` that decide what the numbers of a version are.
@@ -42,12 +43,6 @@ _SUMMED = {
     "frozen": "version_rows",
     **{f"stored_{part}": f"{part}_rows" for part in ("bounds", "support", "calibration")},
 }
-
-#: What is told of a new version, as its support says it.
-_TOLD = (
-    *("verdict", "floor", "floor_sd", "floor_max", "vectors", "cells"),
-    *("blocks", "finest_bins", "vectors_needed", "hi_limit", "limit_reason", "status"),
-)
 
 
 def calibrate(
@@ -120,13 +115,12 @@ def calibrate(
         steps.small |= {"identified"}
     for group in groups:
         study.begin_anew()
-        wanted = state.session.load(table_of(group, _NAMED))
-        asked = filled("stored/wanted_names")
-        place(asked, {"names": names, "wanted": wanted})
-        running.placed["names"] = state.session.keep("wanted_names", asked)
-        made += _write(state, study, monitor, group, versions, keys)
-        state.session.forget(running.placed["names"])
-        state.session.forget(wanted)
+        with state.session.lent(table_of(group, _NAMED)) as wanted:
+            asked = filled("stored/wanted_names")
+            place(asked, {"names": names, "wanted": wanted})
+            running.placed["names"] = state.session.keep("wanted_names", asked)
+            made += _write(state, study, monitor, group, versions, keys)
+            state.session.forget(running.placed["names"])
         running.placed["names"] = names
     made.sort(key=lambda row: (row["asset"], row["channel"]))
     return table_of(made, _RESULT)
@@ -166,14 +160,8 @@ def settings_hash(method: Method, channel: Mapping[str, Any]) -> str:
         method: what the user asks for.
         channel: asset, channel, settings_no and calibration_no of the channel.
     """
-    pool = next(
-        (
-            group
-            for group in method.calibration.pools
-            if any(pattern_matches(pattern, channel["asset"]) for pattern in group)
-        ),
-        None,
-    )
+    pools = (one for one in method.calibration.pools if number_of(channel["asset"], one))
+    pool = next(pools, None)
     setting = method.settings[channel["settings_no"]]
     figures = _figures(setting, method.gaps[channel["settings_no"]])
     if method.asked is not None:  # what is found anew each time is no other setting
@@ -184,6 +172,33 @@ def settings_hash(method: Method, channel: Mapping[str, Any]) -> str:
         del figures["least_vectors"]
     said = (figures, method.rules[channel["calibration_no"]], pool)
     return hashlib.sha256(repr(said).encode()).hexdigest()[:16]
+
+
+def differing(
+    state: State, name: str, parameters: Parameters, calibration: Calibration
+) -> list[tuple[str, str]]:
+    """Return asset and channel of the active versions that were made under other settings.
+
+    Args:
+        state: the state tables.
+        name: of the monitor.
+        parameters: what is set now.
+        calibration: likewise.
+
+    Raises:
+        UserError: there is no such monitor, or a length does not fit how it tells time.
+    """
+    monitor = state.monitor(name)
+    method = Method(parameters.finest(), calibration, kind_of(monitor), parameters)
+    rows = state.rows("stored/active", {"monitor_id": monitor["monitor_id"]})
+    names = table_of([{**row, "readings": 1, "missing_readings": 0} for row in rows], _COUNTED)
+    steps = Pipeline()
+    add_source(steps, method)
+    with state.session.lent(names) as lent:
+        chosen = state.session.rows(steps.query("channels", {"names": lent}))
+    wanted = {(row["asset"], row["channel"]): settings_hash(method, row) for row in chosen}
+    made = {(row["asset"], row["channel"]): row["settings_hash"] for row in rows}
+    return sorted(channel for channel, hashed in made.items() if wanted[channel] != hashed)
 
 
 def method_hash() -> str:
@@ -233,13 +248,8 @@ def _due(found: Sequence[Row], versions: Mapping[tuple[str, str], Row], again: b
     for pool in by("support_id", found).values():
         for row in pool:
             version = versions.get((row["asset"], row["channel"]))
-            row["reason"] = (
-                "first calibration"
-                if version is None
-                else "other settings"
-                if version["settings_hash"] != row["hash"]
-                else None
-            )
+            is_other = version is not None and version["settings_hash"] != row["hash"]
+            row["reason"] = "other settings" if is_other else None if version else "first calibration"
         if again or any(row["reason"] for row in pool):
             for row in pool:
                 row["reason"] = row["reason"] or ("asked for" if again else "pool changed")
@@ -269,14 +279,8 @@ def _write(
         key = (row["asset"], row["channel"])
         if key not in known:
             known[key] = last["channel"] + len(channels) + 1
-            channels.append(
-                {
-                    "channel_id": known[key],
-                    "monitor_id": monitor["monitor_id"],
-                    "asset": row["asset"],
-                    "channel": row["channel"],
-                }
-            )
+            ids = {"channel_id": known[key], "monitor_id": monitor["monitor_id"]}
+            channels.append({**ids, "asset": row["asset"], "channel": row["channel"]})
         before = versions.get(key)
         number = row["settings_no"]
         numbering.append(
@@ -294,45 +298,32 @@ def _write(
                 "method_hash": method,
             }
         )
-    loaded = state.session.load(table_of(numbering, _NUMBERING))
-    running.placed["numbering"] = loaded
-    # The support first: what reads its cells reads channels in stored order, where they can be.
-    queries = {part: study.query(f"{part}_rows") for part in ("support", *_WRITTEN)}
-    running.on_step("writing")
-    with state.alone(keys):
-        if channels:
-            state.append_rows("channel", channels)
-        for part in _WRITTEN:
-            state.append(part, queries[part])
-    verdicts = {row["channel_id"]: row for row in running.rows("unscored")}
-    ranges = {row["channel_id"]: row for row in running.rows("bounds")}
-    study.begin_anew()
-    del running.placed["numbering"]
-    state.session.forget(loaded)
-    return [
-        {
-            **{key: row[key] for key in ("asset", "channel", "reason")},
-            **{key: numbered[key] for key in ("version_no", "m", "tau", "bins")},
-            **{key: ranges[numbered["channel_id"]][key] for key in checksums.ENDS},
-            **{key: verdicts[numbered["channel_id"]][key] for key in _TOLD},
-            "needs_attention": bool(verdicts[numbered["channel_id"]]["needs_attention"]),
-            "left_out": _left_out(
-                row["said"],
-                study.method.rules[row["calibration_no"]],
-                ranges[numbered["channel_id"]]["calibration_end"],
-            ),
-        }
-        for row, numbered in zip(group, numbering, strict=True)
-    ]
-
-
-def _left_out(said: Rule, used: Rule, end: int | None) -> int:
-    """Return how many intervals were taken out of what a rule allows up to the end of calibration."""
-    gone = subtract(said.allowed, used.allowed)
-    return sum(end is not None and start <= end for start, _ in gone)
+    with state.session.lent(table_of(numbering, _NUMBERING)) as loaded:
+        running.placed["numbering"] = loaded
+        # The support first: what reads its cells reads channels in stored order, where they can be.
+        queries = {part: study.query(f"{part}_rows") for part in ("support", *_WRITTEN)}
+        running.on_step("writing")
+        with state.alone(keys):
+            if channels:
+                state.append_rows("channel", channels)
+            for part in _WRITTEN:
+                state.append(part, queries[part])
+        learnt = {row["channel_id"]: row for row in running.rows("bounds")}
+        for row in running.rows("unscored"):
+            learnt[row["channel_id"]] |= row
+        study.begin_anew()
+        del running.placed["numbering"]
+    made = []
+    for row, numbered in zip(group, numbering, strict=True):
+        taught, used = learnt[numbered["channel_id"]], study.method.rules[row["calibration_no"]]
+        end, gone = taught["calibration_end"], subtract(row["said"].allowed, used.allowed)
+        left_out = sum(end is not None and start <= end for start, _ in gone)
+        made.append({**row, **taught, **numbered, "left_out": left_out})
+    return made
 
 
 _NAMED = columns((WORD, "asset channel"))
+_COUNTED = columns((WORD, "asset channel"), (COUNT, "readings missing_readings"))
 _NUMBERING = columns(
     (COUNT, "channel_id stored_channel_id version_id stored_support_id parent_id version_no m tau bins"),
     (COUNT, "window_length stride max_gap still_after least_vectors score_from"),

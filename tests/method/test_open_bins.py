@@ -15,7 +15,7 @@ import reference
 import scripts
 from gam_db import Calibration, Override, Parameters
 from gam_db.errors import ParameterError
-from gam_db.stored.differing import differing
+from gam_db.stored.calibrating import differing
 from gam_db.stored.monitor import Monitor
 from visible import BUCKETS, NOVEL, visible
 
