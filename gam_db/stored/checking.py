@@ -21,7 +21,7 @@ from gam_db.columns import COUNT, WORD, columns, counts, table_of
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
 from gam_db.stored.consistency import inconsistencies
-from gam_db.stored.planning import Row, assets_of, by, portions, whole_pools
+from gam_db.stored.planning import Row, assets_of, portions, whole_pools
 from gam_db.stored.proving import STATE, Proof, mismatched
 from gam_db.stored.reading import Reader, cohort_of, plan_rows, searched_plan_rows
 from gam_db.stored.state import State, kind_of, now
@@ -40,17 +40,38 @@ PARTS = (
     *("scored", "calibration", "certificate"),
 )
 
-_VERSIONS = {
-    "is_misnumbered": "its number, reason or predecessor does not follow from the one before",
-    "is_unbounded": "its bounds are missing, there twice, or contradict themselves",
-    "is_miscelled": "the cells of its support are not those that its bounds count",
-    "is_misblocked": "its blocks of calibration are not those that its bounds and cells count",
-}
-_BUCKETS = {
-    "torn": "numbers are missing or there twice",
-    "misplaced": "times out of order",
-    "miscounted": "counts out of their bounds",
-    "unsummed": "windows that are not the sum of their buckets",
+#: What must hold between the tables, whatever the source: the steps that look, each with its part, and
+#: what each of its columns counts.
+_HELD = {
+    "inconsistent_versions": (
+        "versions",
+        {
+            "is_misnumbered": "its number, reason or predecessor does not follow from the one before",
+            "is_unbounded": "its bounds are missing, there twice, or contradict themselves",
+            "is_miscelled": "the cells of its support are not those that its bounds count",
+            "is_misblocked": "its blocks of calibration are not those that its bounds and cells count",
+        },
+    ),
+    "inconsistent_buckets": (
+        "buckets",
+        {
+            "torn": "numbers are missing or there twice",
+            "misplaced": "times out of order",
+            "miscounted": "counts out of their bounds",
+            "unsummed": "windows that are not the sum of their buckets",
+        },
+    ),
+    "inconsistent_novel": (
+        "novel cells",
+        {"differing": "buckets whose novel vectors are not those of their cells"},
+    ),
+    "inconsistent_runs": (
+        "runs",
+        {
+            "misrecorded": "records of runs that do not agree with the buckets",
+            "other_samples": "runs that found other samples before their first bucket than were scored",
+        },
+    ),
 }
 _CERTIFICATE = {
     "support": "cells of the support",
@@ -147,64 +168,32 @@ class _Check:
 
     def soundness(self, monitor_id: int) -> int:
         """Look at what must hold whatever the source; return how many buckets there are."""
+        buckets = 0
         with self._running(soundness_steps(monitor_id, self.session.transactions)) as running:
             rows = running.rows("checked")
             running.load("checked", table_of(rows, _CHECKED))
             self.versions = {row["version_id"]: row for row in rows}
-            self._frozen()
-            for row in running.rows("inconsistent_versions"):
-                for column, said in _VERSIONS.items():
-                    if row[column]:
-                        self.note(row["version_id"], "versions", what=said, differing=1)
-            buckets = running.rows("inconsistent_buckets")
-            for row in buckets:
-                for column, said in _BUCKETS.items():
-                    if row[column]:
-                        since = self._mending(row)
-                        self.note(
-                            row["version_id"], "buckets", what=said, differing=row[column], since=since
-                        )
-            for row in running.rows("inconsistent_novel"):
-                what = "buckets whose novel vectors are not those of their cells"
-                since = self._mending(row)
-                self.note(
-                    row["version_id"], "novel cells", what=what, differing=row["differing"], since=since
-                )
-            self._runs(running.rows("inconsistent_runs"))
+            with self.session.lent(table_of(rows, counts("version_id"))) as wanted:
+                frozen = mismatched(self.state, wanted)
+            for row in frozen:
+                self.unusable |= set() if row["is_usable"] else {row["version_id"]}
+                what = f"changed since calibration froze it: {row['said']}"
+                self.note(row["version_id"], "frozen", what=what, differing=1)
+            for step, (part, held) in _HELD.items():
+                for row in running.rows(step):
+                    buckets += row.get("buckets", 0)
+                    key = row["version_id"]  # where nothing scores any more, scoring mends nothing
+                    since = row.get("since") if self.versions[key]["is_active"] else None
+                    for column, what in held.items():
+                        if row[column]:
+                            self.note(key, part, what=what, differing=row[column], since=since)
             for row in running.rows("orphans"):
                 table = self.state.tables.shown(row["of_table"])
                 what = f"rows of {table} whose {row['lacks']} is not there"
                 if row["lacks"] == "another key":
                     what = f"keys or names that are there twice in {table}"
                 self.note(None, "tables", what=what, differing=row["found"])
-        return sum(row["buckets"] for row in buckets)
-
-    def _frozen(self) -> None:
-        keys = [{"version_id": version} for version in self.versions]
-        with self.session.lent(table_of(keys, counts("version_id"))) as wanted:
-            found = mismatched(self.state, wanted)
-        for row in found:
-            if not row["is_usable"]:
-                self.unusable.add(row["version_id"])
-            what = f"changed since calibration froze it: {row['said']}"
-            self.note(row["version_id"], "frozen", what=what, differing=1)
-
-    def _runs(self, rows: Iterable[Row]) -> None:
-        for others, what in (
-            (0, "records of runs that do not agree with the buckets"),
-            (1, "runs that found other samples before their first bucket than were scored"),
-        ):
-            found = (row for row in rows if row["has_other_samples"] == others)
-            for key, told in by("version_id", found).items():
-                since = min(row["since"] for row in told) if others and self._is_active(key) else None
-                self.note(key, "runs", what=what, differing=len(told), since=since)
-
-    def _mending(self, row: Row) -> int | None:
-        """Return from where on scoring mends what was found; None where nothing scores any more."""
-        return int(row["since"]) if self._is_active(row["version_id"]) else None
-
-    def _is_active(self, version_id: int) -> bool:
-        return bool(self.versions[version_id]["is_active"])
+        return buckets
 
     def readings(self) -> dict[tuple[str, str], int]:
         steps = reading_steps(self.reader.readings())
@@ -226,7 +215,9 @@ class _Check:
             rows = reading_steps(self.reader.readings(assets_of(group), earliest))
             running.put("identified", rows.query("identified", running.placed))
             again = {row["channel_id"]: row for row in running.rows("reread")}
-            same = [_is_same(again.get(row["channel_id"])) for row in group]
+            reread = [again.get(row["channel_id"]) for row in group]
+            # Where no row came since the last run, its last buckets can be compared, too.
+            same = [row is not None and row["rows_now"] == row["rows_then"] for row in reread]
             until = [
                 end if is_same else row["first_scored"] - 1
                 for row, end, is_same in zip(settled, ends, same, strict=True)
@@ -272,8 +263,7 @@ class _Check:
             running.put("identified", rows.query("identified", running.placed))
             counted = self.session.rows(rows.query("recount", running.placed))
             changed = running.rows("relearnt")
-            otherwise = running.rows("certified")
-            extents = running.rows("certified_extents")
+            otherwise = [*running.rows("certified"), *running.rows("certified_extents")]
         cells = {row["support_id"]: row["differing"] for row in changed}
         now_read = {row["channel_id"]: row["calibration_readings"] for row in counted}
         came = set(cells)
@@ -285,32 +275,19 @@ class _Check:
                 what = "the last run that counted rows of calibration found another number"
                 self.note(row["version_id"], "runs", what=what, differing=1)
             if row["is_active"] and (found != then or row["support_id"] in cells):
-                self.note(
-                    row["version_id"],
-                    "calibration",
-                    samples_then=then,
-                    samples_now=found,
-                    differing=cells.get(row["support_id"], 0),
-                )
-        for row in otherwise:
-            if row["support_id"] in came:  # what else differs follows from that
-                continue
-            member = next(one for one in group if one["support_id"] == row["support_id"])
-            what = f"{_CERTIFICATE[row['part']]} are not what calibration gives"
-            self.note(member["version_id"], "certificate", what=what, differing=row["differing"])
+                said = {"samples_then": then, "samples_now": found}
+                differing = cells.get(row["support_id"], 0)
+                self.note(row["version_id"], "calibration", **said, differing=differing)
         support_of = {row["version_id"]: row["support_id"] for row in group}
-        for row in extents:
-            if support_of[row["version_id"]] not in came:
+        member = {support: version for version, support in reversed(support_of.items())}
+        for row in otherwise:
+            version = row.get("version_id", member.get(row.get("support_id")))
+            if support_of[version] not in came:  # else it follows from that
                 what = f"{_CERTIFICATE[row['part']]} are not what calibration gives"
-                self.note(row["version_id"], "certificate", what=what, differing=row["differing"])
+                self.note(version, "certificate", what=what, differing=row["differing"])
 
     def _running(self, steps: Any) -> Running:
         return Running(self.session, steps, self.state.tables.placed(), self.on_step)
-
-
-def _is_same(again: Row | None) -> bool:
-    """Tell whether no row came since the last run, so that its last buckets can be compared, too."""
-    return again is not None and bool(again["rows_now"] == again["rows_then"])
 
 
 def _taught(versions: Iterable[Row]) -> list[Row]:

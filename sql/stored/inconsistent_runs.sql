@@ -3,19 +3,18 @@
 -- It was planned from the finished run before it, or from a later one that pruning took. What a later run
 -- wrote anew, or pruning took, says nothing any more.
 -- Reads:  checked, stored_finished_run, stored_run, stored_visible_bucket
--- A row:  one run of one version that breaks one of these rules; has_other_samples = 1 if it found other samples than
---         were scored (see the view fleet), which is no fault of its record.
+-- A row:  one version with runs that break one of these rules, or with such that found other samples than were scored
+--         (see the view fleet), which is no fault of their record; since is where the first of the latter begins to read.
 -- Slots:  :nothing   from_bucket of a run that read nothing: beyond all buckets
 --         :long_ago  an instant before all others
 SELECT
   version_id,
-  run_id,
-  has_other_samples,
-  read_from AS since
+  CAST(SUM(1 - has_other_samples) AS BIGINT) AS misrecorded,
+  CAST(SUM(has_other_samples) AS BIGINT) AS other_samples,
+  MIN(CASE WHEN has_other_samples = 1 THEN judged.read_from END) AS since
 FROM (
   SELECT
     run.version_id AS version_id,
-    run.run_id AS run_id,
     run.read_from AS read_from,
     CASE
       WHEN run.read_to IS NOT NULL
@@ -152,3 +151,4 @@ FROM (
   ) AS calm ON calm.version_id = run.version_id AND calm.run_id = run.run_id
 ) AS judged
 WHERE is_inconsistent = 1 OR has_other_samples = 1
+GROUP BY version_id, has_other_samples
