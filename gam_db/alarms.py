@@ -8,7 +8,7 @@ import math
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any, TypeAlias
 
 import pyarrow as pa
 
@@ -21,7 +21,7 @@ from gam_db.method.adding import add
 from gam_db.method.alarms import FAR, NEAR, add_judgements, add_learnt_limits, add_replay
 from gam_db.method.judgement import add_judged, add_standing
 from gam_db.parameters import Parameters
-from gam_db.pipeline import Pipeline
+from gam_db.running import Running
 from gam_db.setting import COLUMNS, TEXT, Kind, check, declared, setting
 from gam_db.study import Study, studied
 from gam_db.units import with_units
@@ -36,18 +36,8 @@ _LARGEST_EXTENT = 3_000_000_000
 Row = dict[str, Any]
 
 
-class Work(Protocol):
-    """Steps at work: what a study does, and tables that calibration left."""
-
-    @property
-    def steps(self) -> Pipeline:
-        """The steps."""
-
-    def rows(self, step: str) -> list[Row]:
-        """Return the rows of a step."""
-
-    def load(self, step: str, rows: pa.Table) -> None:
-        """Let a table be a step that later ones can read."""
+#: Steps at work: what a study does, and tables that calibration left.
+Work: TypeAlias = Study | Running
 
 
 @declared
@@ -119,7 +109,8 @@ def judgements(
     Raises:
         UserError: see its subclasses; the message says what to mend.
     """
-    return _asked("judgements", alarms, source, parameters, calibration, engine)
+    with studied(source, parameters, calibration, engine) as study:
+        return _judged(study, alarms, "judgements")
 
 
 def episodes(
@@ -140,7 +131,8 @@ def episodes(
         as many judgements as calibration has blocks, so that either calibration was no fair sample or
         something changed right after it).
     """
-    return _asked("episodes", alarms, source, parameters, calibration, engine)
+    with studied(source, parameters, calibration, engine) as study:
+        return _judged(study, alarms, "episodes")
 
 
 def limits(
@@ -163,16 +155,14 @@ def limits(
         1,000; NULL where none can be stated), reason (why there is no limit, and all that follows from
         one is NULL).
     """
-    return _asked("limits", alarms, source, parameters, calibration, engine)
-
-
-def _asked(step: str, alarms: Alarms | None, *of: Any) -> pa.Table:
-    with studied(*of) as study:
+    with studied(source, parameters, calibration, engine) as study:
         rows = limits_of(study, alarms or Alarms())
-        if step == "limits":
-            return with_units(table_of(rows, _LIMITS), study.method.kind)
-        judge(study, rows)
-        return with_units(study.table(step), study.method.kind)
+        return with_units(table_of(rows, _LIMITS), study.method.kind)
+
+
+def _judged(study: Study, alarms: Alarms | None, step: str) -> pa.Table:
+    judge(study, limits_of(study, alarms or Alarms()))
+    return with_units(study.table(step), study.method.kind)
 
 
 def judge(study: Study, rows: Sequence[Row]) -> list[Row]:

@@ -151,14 +151,7 @@ def _from(rows: Sequence[Row], judgement: str) -> exp.Expr:
 
 
 def _match(log: Log, found: list[Row], live: list[Row], judged: Mapping[str, Any]) -> None:
-    """Give the episodes of a channel their numbers, and say what became of those it had.
-
-    Args:
-        log: to be written.
-        found: episodes as the judgements of the active version that are looked at say it.
-        live: records of episodes that may be among them.
-        judged: version_id, and what judged_ranges says of it; without a limit nothing else.
-    """
+    """Give the episodes of a channel their numbers, and say what became of those it had (live)."""
     version, first = judged["version_id"], judged.get("first_judgement") or 0
     begin, newest = judged.get("first_scored"), judged.get("last_time")
     free = [

@@ -5,6 +5,7 @@ come to is done by the next one.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import zip_longest
 
 from sqlglot import exp
 
@@ -33,12 +34,15 @@ def explain(state: State, reader: Reader, monitor_id: int, plan: Iterable[Row], 
     if not asked:
         return
     slots["raised_versions"] = _among("version_id", "judged", asked)
-    wanted = _placed(state, state.rows("stored/uncounted", slots))
-    rounds: list[list[Row]] = []
-    for number, row in _runs(wanted, known):
-        rounds += [[]] * (number == len(rounds))
-        rounds[number] = [*rounds[number], row]
-    for channels in rounds:  # of one channel at most
+    runs: dict[int, list[list[Row]]] = {}  # of judgements that follow one another
+    for row in _placed(state, state.rows("stored/uncounted", slots)):
+        mine = runs.setdefault(row["version_id"], [])
+        if mine and mine[-1][-1]["judgement_no"] + 1 == row["judgement_no"]:
+            mine[-1].append(row)
+        else:
+            mine.append([row])
+    for together in zip_longest(*runs.values()):  # of one channel one at most
+        channels = [_asked(found, known) for found in together if found]
         counts = {(row["asset"], row["channel"]): 6 * row["window_length"] for row in channels}
         for group in portions(channels, counts, limit):
             _count(state, reader, group)
@@ -67,22 +71,6 @@ def _placed(state: State, wanted: Sequence[Row]) -> list[Row]:
         elif row["judgement_no"] == 0:
             made.append(row)
     return made
-
-
-def _runs(wanted: Sequence[Row], known: Mapping[int, Row]) -> Iterable[tuple[int, Row]]:
-    """Yield a row per run of judgements that follow one another, and its number in its version."""
-    number, found = 0, list[Row]()
-    for row in wanted:
-        last: Row = found[-1] if found else {"version_id": None}
-        is_next = row["version_id"] == last["version_id"]
-        if is_next and row["judgement_no"] == last["judgement_no"] + 1:
-            found.append(row)
-            continue
-        if found:
-            yield number, _asked(found, known)
-        number, found = (number + 1 if is_next else 0), [row]
-    if found:
-        yield number, _asked(found, known)
 
 
 def _asked(found: Sequence[Row], known: Mapping[int, Row]) -> Row:

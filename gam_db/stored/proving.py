@@ -65,16 +65,15 @@ def mismatched(state: State, wanted: exp.Table) -> list[Row]:
     Returns:
         Rows with version_id; said, what of it differs, in words; is_usable, whether only cells do.
     """
+    found = []
     placed = {**state.tables.placed(), "wanted": wanted}
-    rows = state.session.rows(checksums.matching_steps().query("mismatched", placed))
-    return [
-        {
-            "version_id": row["version_id"],
-            "said": _words(row),
-            "is_usable": row["summed"] and not any(row[name] for name in _NEEDED),
-        }
-        for row in rows
-    ]
+    for row in state.session.rows(checksums.matching_steps().query("mismatched", placed)):
+        said = ", ".join(said for column, said in _SAID.items() if row[column])
+        if not row["summed"]:
+            said = "its bounds or its checksum are not there just once"
+        is_usable = row["summed"] and not any(row[name] for name in _NEEDED)
+        found.append({"version_id": row["version_id"], "said": said, "is_usable": is_usable})
+    return found
 
 
 def verify(state: State, wanted: exp.Table, versions: Sequence[Row]) -> None:
@@ -139,9 +138,3 @@ def last_proofs(state: State, monitor_id: int) -> dict[str, Proof]:
     """Return the newest record of each extent."""
     slots = {"monitor_id": monitor_id, "now": now()}
     return {row["extent"]: Proof(**row) for row in state.rows("stored/last_proofs", slots)}
-
-
-def _words(row: Row) -> str:
-    if not row["summed"]:
-        return "its bounds or its checksum are not there just once"
-    return ", ".join(said for column, said in _SAID.items() if row[column])

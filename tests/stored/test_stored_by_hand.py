@@ -445,17 +445,30 @@ def test_bands_of_an_alarm_are_those_that_stand_out() -> None:
     assert [(row[0], row[-1]) for row in found] == [("band 3", 2.0), ("band 1", 0.5)]
 
 
-def test_alarms_are_told_newest_first_with_all_that_was_noted() -> None:
-    names = (
-        "episode_id asset channel status told_as needs_attention label label_until note since_tick "
-        "first_tick last_tick onset first_judgement last_judgement evidence height basis asked "
-        "stated_rate signals_open group_id signals_together merged_into seq version_id channel_id"
+def test_alarms_are_told_most_urgent_first_then_newest_first_with_all_that_was_noted() -> None:
+    noted = (
+        *("asset", "channel", "since_tick", "first_tick", "last_tick", "basis", "stated_rate", "asked"),
+        *("signals_open", "group_id", "signals_together", "label", "label_until", "note", "merged_into"),
+        *("onset", "first_judgement", "last_judgement", "seq", "channel_id", "version_id"),
     )
-    one = tuple(f"{name} of 1" for name in names.split()[1:])
-    two = tuple(f"{name} of 2" for name in names.split()[1:])
-    alarms = rows(f"monitor {names}", ("gam", 1, *one), ("gam", 2, *two), ("other", 3, *two))
+
+    def alarm(monitor: str, number: int, asks: int, told_as: str) -> tuple[int | str, ...]:
+        said = (monitor, number, "open", told_as, asks, 3, 2)
+        return (*said, *(f"{name} of {number}" for name in noted))
+
+    names = "monitor episode_id status told_as needs_attention evidence height " + " ".join(noted)
+    alarms = rows(
+        names,
+        *(alarm("gam", 1, 0, "open"), alarm("gam", 2, 1, "ended"), alarm("gam", 3, 0, "ended")),
+        *(alarm("gam", 4, 0, "ended"), alarm("other", 5, 1, "open"), alarm("gam", 6, 0, "proving")),
+    )
     found = step("stored/alarm_rows", {"monitor": "gam"}, stored_alarm=alarms)
-    assert found == [(2, *two), (1, *one)]
+    assert [row[0] for row in found] == [2, 6, 1, 4, 3]
+    of = dict(zip(noted, alarm("gam", 2, 1, "ended")[7:], strict=True))
+    assert found[0] == (
+        *(2, of["asset"], of["channel"], "ended", 1, of["since_tick"], of["first_tick"]),
+        *(of["last_tick"], 1.5, *(of[name] for name in noted[5:18]), 3, 2, *(of[n] for n in noted[18:])),
+    )
 
 
 def test_a_version_is_checked_with_what_the_newest_records_say_of_it() -> None:
