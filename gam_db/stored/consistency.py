@@ -8,7 +8,8 @@ import math
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import groupby, pairwise
+from itertools import accumulate, groupby, pairwise
+from operator import itemgetter, or_
 from typing import NamedTuple
 
 import pyarrow as pa
@@ -38,7 +39,7 @@ _LEAVES = {
 _LIVE = ("open", "ended")
 
 #: Columns of an episode that follow from judgements; the rest only while those of its begin are kept.
-_ENDS = ("version_id", "last_judgement", "last_time", "status")
+_ended = itemgetter("version_id", "last_judgement", "last_time", "status")
 _WHOLE = (
     *("onset", "first_judgement", "onset_time", "first_time"),
     *("evidence", "height", "is_proving"),
@@ -114,22 +115,16 @@ def _limits(
     day = day_of(kind)
     for rows_of in said.values():
         assess(rows_of[NEAR], day)
-    for version, made in groupby(rows, key=lambda row: row["version_id"]):
-        own = list(made)
-        numbers = [row["limit_no"] for row in own]
-        begins = [row["from_judgement"] for row in own]
+    for version, own in by("version_id", rows).items():
         if not versions[version]["is_active"]:
             continue
+        numbers, begins = ([row[name] for row in own] for name in ("limit_no", "from_judgement"))
         if numbers != list(range(1, len(own) + 1)) or begins[0] != 0 or begins != sorted(begins):
             yield Inconsistency(version, "limits", "numbers are missing, or judgements without a limit")
         if version in said:
-            off = [False]
-            for row in own:
-                off.append(off[-1] or row["cause"] == "false_alarm")
-            wrong = sum(
-                not _follows(row, said[version], is_off)
-                for row, is_off in zip(own, off[1:], strict=True)
-            )
+            off = accumulate((row["cause"] == "false_alarm" for row in own), or_)
+            pairs = zip(own, off, strict=True)
+            wrong = sum(not _follows(row, said[version], is_off) for row, is_off in pairs)
             if wrong:
                 yield Inconsistency(version, "limits", "limits that calibration does not give", wrong)
 
@@ -206,38 +201,31 @@ def _episodes(
             before["status"] in _LIVE or (row["what"], row["status"]) == ("labelled", before["status"])
             for before, row in pairwise(rows)
         ):
-            yield Inconsistency(
-                rows[-1]["version_id"], "episodes", "changes that do not follow from one another"
-            )
+            what = "changes that do not follow from one another"
+            yield Inconsistency(rows[-1]["version_id"], "episodes", what)
     active = {key for key, row in versions.items() if row["is_active"]}
-    live = [
-        row
+    live = {
+        _ended(row): row
         for row in newest
         if row["status"] in _LIVE
         and row["version_id"] in active
         and row["last_judgement"] >= judged.oldest.get(row["version_id"], -FAR_AHEAD)
-    ]
-    there = [row for row in judged.episodes if row["version_id"] in active]
-    for row in there:
+    }
+    again = [row for row in judged.episodes if row["version_id"] in active]
+    for row in again:
         row["status"] = "open" if row["is_open"] else "ended"
-    wrong = {_ended(row) for row in live} ^ {_ended(row) for row in there}
-    known = {_ended(row): row for row in live}
-    for row in there:
-        oldest = judged.oldest[row["version_id"]]
-        mine = known.get(_ended(row))
-        is_whole = oldest == 0 or oldest <= row["onset"]
-        if mine is not None and is_whole and any(mine[name] != row[name] for name in _WHOLE):
-            wrong.add(_ended(row))
-    begins = {_ended(row): row["first_time"] for row in (*there, *live)}
-    for version, rows_of in groupby(sorted(wrong), key=lambda ended: ended[0]):
-        starts = [begins[one] for one in rows_of]
+    there = {_ended(row): row for row in again}
+    wrong = set(live.keys() ^ there.keys())
+    for key in live.keys() & there.keys():
+        row = there[key]
+        is_whole = judged.oldest[row["version_id"]] <= row["onset"]
+        if is_whole and any(live[key][name] != row[name] for name in _WHOLE):
+            wrong.add(key)
+    begins = {**there, **live}
+    for version, ends in groupby(sorted(wrong), key=itemgetter(0)):
+        starts = [begins[one]["first_time"] for one in ends]
         what = "episodes that are not those of the judgements"
         yield Inconsistency(version, "episodes", what, len(starts), min(starts))
-
-
-def _ended(row: Row) -> tuple[int, int, int, str]:
-    version, last, time, status = (row[name] for name in _ENDS)
-    return version, last, time, status
 
 
 def _is_change(
@@ -280,9 +268,8 @@ def _labels(
             or row["asset"] not in assets
             or row["time_from"] > row["time_to"]
         ):
-            yield Inconsistency(
-                None, "labels", f"label {row['label_id']} is of nothing, or contradicts itself"
-            )
+            what = f"label {row['label_id']} is of nothing, or contradicts itself"
+            yield Inconsistency(None, "labels", what)
     known = {row["episode_id"] for row in labels}
     beside = by("asset", (row for row in labels if row["episode_id"] is None))
     for row in marked:
@@ -290,6 +277,5 @@ def _labels(
             one["time_from"] <= row["last_time"] and row["first_time"] <= one["time_to"]
             for one in beside.get(channels.get(row["channel_id"], ""), ())
         ):
-            yield Inconsistency(
-                row["version_id"], "labels", "an episode was labelled, and no label says how"
-            )
+            what = "an episode was labelled, and no label says how"
+            yield Inconsistency(row["version_id"], "labels", what)

@@ -13,7 +13,7 @@ from gam_db.engines.duckdb_session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, SourceError
 from gam_db.stored import migrations
-from gam_db.stored.tables import TABLES, StateTables
+from gam_db.stored.tables import TABLES, StateTables, insertion
 
 
 def copy(session: Session, tables: StateTables, path: Path) -> None:
@@ -71,13 +71,8 @@ def copy(session: Session, tables: StateTables, path: Path) -> None:
 
 def _fill(session: DuckSession, tables: StateTables, name: str, catalog: exp.Identifier) -> None:
     source = tables.table(name)
-    columns = [template.name(column) for column in session.describe(source)]
     target = source.copy()
     target.set("db", target.args.get("db") or template.name("main"))
     target.set("catalog", catalog.copy())
-    session.execute(
-        exp.Insert(
-            this=exp.Schema(this=target, expressions=columns),
-            expression=exp.select(*(exp.Column(this=one.copy()) for one in columns)).from_(source),
-        )
-    )
+    columns = [exp.column(exp.to_identifier(name)) for name in session.describe(source)]
+    session.execute(insertion(target, exp.select(*columns).from_(source)))

@@ -14,8 +14,6 @@ from gam_db.errors import StateError, nearest
 from gam_db.stored.migrations import recorded
 from gam_db.stored.tables import TABLES, VIEWS, StateTables
 
-_COUNT = exp.alias_(exp.Count(this=exp.Star()), "found")
-
 
 @dataclass(frozen=True)
 class Removal:
@@ -56,7 +54,7 @@ def removals(session: Session, tables: StateTables, monitor: str | None = None) 
             Removal(
                 name,
                 tables.table(name),
-                _count(session, exp.select(_COUNT).from_(tables.table(name)).where(owned)),
+                _count(session, tables.table(name), owned),
                 exp.select(owned.this.copy()).distinct().from_(tables.table(name)).where(owned),
             )
             for name, owned in rows_of.items()
@@ -81,36 +79,28 @@ def remove(session: Session, found: Sequence[Removal]) -> None:
 
 
 def _dropped(session: Session, tables: StateTables, name: str) -> Removal:
-    table = tables.table(name)
-    if name in VIEWS:
-        return Removal(name, table, None, exp.Drop(tables=[table.copy()], kind="VIEW"))
-    rows = _count(session, exp.select(_COUNT).from_(table.copy()))
-    return Removal(name, table, rows, exp.Drop(tables=[table.copy()], kind="TABLE"))
+    table, kind = tables.table(name), "VIEW" if name in VIEWS else "TABLE"
+    rows = None if name in VIEWS else _count(session, table)
+    return Removal(name, table, rows, exp.Drop(tables=[table.copy()], kind=kind))
 
 
 def _conditions(tables: StateTables, monitor_id: int) -> dict[str, exp.Expr]:
     """Return which rows of each table belong to a monitor, in the order in which they can go."""
+
+    def among(key: str, table: str, owned: exp.Expr) -> exp.Expr:
+        keys = exp.select(key).from_(tables.table(table)).where(owned)
+        return exp.column(key).isin(query=keys)
+
     of_monitor = exp.column("monitor_id").eq(exp.Literal.number(monitor_id))
-    channels = exp.select("channel_id").from_(tables.table("channel")).where(of_monitor)
-    of_channels = exp.column("channel_id").isin(query=channels)
-    versions = exp.select("version_id").from_(tables.table("version")).where(of_channels)
-    supports = exp.select("support_id").from_(tables.table("version")).where(of_channels)
-    of_versions = exp.column("version_id").isin(query=versions)
-    of_supports = exp.column("support_id").isin(query=supports)
+    of_channels = among("channel_id", "channel", of_monitor)
+    of_versions = among("version_id", "version", of_channels)
+    of_supports = among("support_id", "version", of_channels)
     return {
-        **dict.fromkeys(
-            (
-                *("bucket", "novel", "judgement", "run", "horizon", "calibration", "checksum"),
-                *("buffered", "band", "band_visit", "extent", "limit"),
-            ),
-            of_versions,
-        ),
+        **dict.fromkeys(("bucket", "novel", "judgement", "run", "horizon", "calibration"), of_versions),
+        **dict.fromkeys(("checksum", "buffered", "band", "band_visit", "extent", "limit"), of_versions),
         **dict.fromkeys(("block", "ladder", "support", "bounds"), of_supports),
         "version": of_channels,
-        **dict.fromkeys(("proof", "episode", "label"), of_monitor),
-        "channel": of_monitor,
-        "unplaced": of_monitor,
-        "monitor": of_monitor,
+        **dict.fromkeys(("proof", "episode", "label", "channel", "unplaced", "monitor"), of_monitor),
     }
 
 
@@ -124,5 +114,6 @@ def _monitor_id(session: Session, tables: StateTables, monitor: str) -> int:
     return int(known[monitor])
 
 
-def _count(session: Session, query: exp.Query) -> int:
-    return int(session.fetch(query).column("found")[0].as_py())
+def _count(session: Session, table: exp.Table, owned: exp.Expr | None = None) -> int:
+    query = exp.select(exp.alias_(exp.Count(this=exp.Star()), "found")).from_(table.copy())
+    return int(session.fetch(query.where(owned)).column("found")[0].as_py())

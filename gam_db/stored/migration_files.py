@@ -23,7 +23,7 @@ from gam_db.engines.base import Engine
 from gam_db.engines.storage import Addition, Definition, Filling
 from gam_db.pipeline import filled, place
 from gam_db.stored import checksums
-from gam_db.stored.tables import TABLES, VIEWS, StateTables
+from gam_db.stored.tables import TABLES, VIEWS, StateTables, insertion
 from gam_db.version import __version__
 
 RECORD = ("number", "name", "checksum", "applied_at", "gam_version")
@@ -87,14 +87,19 @@ class Migration:
             fresh: the state begins here, and no table of it has a row that would have to be filled.
         """
         if isinstance(self.definition, Addition):
-            missing = {
-                name: column for name, column in self.definition.columns.items() if name not in present
-            }
-            added = Addition(tables.table(self.name), missing, self.definition.comments)
-            extended = engine.extend(added)
+            columns = self.definition.columns
+            missing = {name: columns[name] for name in columns if name not in present}
+            extended = engine.extend(
+                Addition(tables.table(self.name), missing, self.definition.comments)
+            )
             if fresh or self.filling is None:
                 return extended
-            return [*extended, *engine.fill(self._filling(tables))]
+            whole, update = self.filling.whole, self.filling.update.copy()
+            create = whole.create.copy()
+            create.this.set("this", tables.table(self.name))
+            place(update, tables.placed())
+            filling = Filling(Definition(create, whole.comment, whole.columns), update)
+            return [*extended, *engine.fill(filling)]
         create = self.definition.create.copy()
         target = create.this.this if isinstance(create.this, exp.Schema) else create.this
         target.replace(tables.table(self.name))
@@ -106,16 +111,11 @@ class Migration:
         about = self.definition
         made = engine.define(Definition(create, about.comment, about.columns))
         rows = None if fresh else checksums.first_rows(self.name)
-        return made if rows is None else [*made, _rows_for(tables, self.name, rows.copy())]
-
-    def _filling(self, tables: StateTables) -> Filling:
-        """Return the filling with the tables in their place."""
-        assert self.filling is not None
-        whole, update = self.filling.whole, self.filling.update.copy()
-        create = whole.create.copy()
-        create.this.set("this", tables.table(self.name))
-        place(update, tables.placed())
-        return Filling(Definition(create, whole.comment, whole.columns), update)
+        if rows is None:
+            return made
+        rows = rows.copy()
+        place(rows, tables.placed())
+        return [*made, insertion(tables.table(self.name), rows)]
 
 
 def record(migrations: Sequence[Migration], tables: StateTables, applied_at: int) -> exp.Expr:
@@ -135,10 +135,7 @@ def record(migrations: Sequence[Migration], tables: StateTables, applied_at: int
     ]
     values = rows[0] if len(rows) == 1 else exp.union(*rows, distinct=False, copy=False)
     place(values, tables.placed())
-    columns = [exp.to_identifier(name) for name in RECORD]
-    return exp.Insert(
-        this=exp.Schema(this=tables.table("migration"), expressions=columns), expression=values
-    )
+    return insertion(tables.table("migration"), values)
 
 
 @cache
@@ -199,10 +196,3 @@ def parsed(content: bytes) -> list[exp.Expr]:
             node.comments = None
             node._meta = None
     return statements
-
-
-def _rows_for(tables: StateTables, name: str, rows: exp.Query) -> exp.Expr:
-    """Return the statement that gives a new table what an older state has to say."""
-    columns = [exp.to_identifier(column) for column in rows.named_selects]
-    place(rows, tables.placed())
-    return exp.Insert(this=exp.Schema(this=tables.table(name), expressions=columns), expression=rows)

@@ -14,11 +14,10 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.clock import FAR_AHEAD, Length, TimeKind, length
 from gam_db.errors import EngineError, ParameterError
-from gam_db.pipeline import Pipeline, filled, place
+from gam_db.pipeline import Pipeline
 from gam_db.stored import lengths, migrations
 from gam_db.stored.state import State, first_run_at, kind_of, now
 from gam_db.stored.steps import DAY
-from gam_db.stored.tables import StateTables
 
 NOVEL_ROWS = 100_000
 """Rows of novel cells that a version keeps where nothing is said: those of 100,000 vectors if each is
@@ -153,9 +152,11 @@ def _deleted(
         "at_least": 0,  # whatever the next run's lookback, it may rely on what the last one recorded
         **limits,
     }
-    steps = _steps(tables, slots)
-    sizes = filled("stored/state_sizes", {"monitor": slots["monitor"]})
-    place(sizes, tables.placed())
+    steps = Pipeline(small=frozenset(_STEPS) - {"bucket_ages"})  # that one has a row per bucket
+    for step in _STEPS:
+        path = f"stored/{step}"
+        steps.add(step, state.query(path, {slot: slots[slot] for slot in template.load(path).slots}))
+    sizes = state.query("stored/state_sizes", {"monitor": slots["monitor"]})
     with contextlib.suppress(_UndoneError), session.transaction():
         state.lock(monitor_id)  # a run that publishes now is there as a whole, or not yet
         before = session.fetch(sizes)
@@ -164,13 +165,10 @@ def _deleted(
             if step in steps.small:
                 kept[step] = session.keep(step, steps.query(step, kept))
         # Recorded first: what is cut short then is too much kept, and not a loss.
-        told = steps.steps["new_horizons"].query.named_selects
-        horizons = exp.select(*(template.column(one) for one in told)).from_(kept["new_horizons"].copy())
-        state.append("horizon", horizons)
+        state.append("horizon", steps.query("new_horizons", kept))
         for table, step in _EXPIRED.items():
-            keys = steps.steps[step].query.named_selects
-            found = exp.select(*(template.column(key) for key in keys)).from_(kept[step].copy())
-            session.delete(tables.table(table), keys, found)
+            found = steps.query(step, kept)
+            session.delete(tables.table(table), found.named_selects, found)
         after = session.fetch(sizes)
         for made in kept.values():
             session.forget(made)
@@ -194,21 +192,10 @@ def _slots(retention: Retention, kind: TimeKind) -> dict[str, template.Slot]:
     return slots
 
 
-def _steps(tables: StateTables, slots: Mapping[str, template.Slot]) -> Pipeline:
-    steps = Pipeline(small=frozenset(_STEPS) - {"bucket_ages"})  # that one has a row per bucket
-    for step in _STEPS:
-        path = f"stored/{step}"
-        query = filled(path, {slot: slots[slot] for slot in template.load(path).slots})
-        place(query, tables.placed())
-        steps.add(step, query)
-    return steps
-
-
 def _compared(before: pa.Table, after: pa.Table) -> pa.Table:
     """Put the sizes beside one another; both have a row per channel, in the same order."""
-    counted = ("versions", *COUNTED)
     rows = before
-    for column in counted:
+    for column in ("versions", *COUNTED):
         rows = rows.append_column(f"{column}_after", after[column])
     sizes = [sum(row[column] for column in COUNTED) for row in before.to_pylist()]
     order = sorted(range(len(sizes)), key=lambda number: -sizes[number])

@@ -17,7 +17,6 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.errors import ConflictError
-from gam_db.pipeline import filled, place
 from gam_db.stored.planning import Row
 from gam_db.stored.reading import listed
 from gam_db.stored.state import State
@@ -131,9 +130,7 @@ def _look_again(state: State, group: Sequence[Row], planned: Snapshots, run_id: 
 
 def withdraw(state: State, run_id: int) -> None:
     """Append what lets a run, of all versions that it has recorded so far, count no more."""
-    second = filled("stored/withdrawal", {"run_id": run_id})
-    place(second, state.tables.placed())
-    state.append("run", second)
+    state.append("run", state.query("stored/withdrawal", {"run_id": run_id}))
 
 
 def _versions(group: Sequence[Row]) -> exp.Expr:

@@ -8,7 +8,7 @@ import secrets
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeAlias
 
 import pyarrow as pa
 from sqlglot import exp
@@ -20,7 +20,11 @@ from gam_db.engines.session import CONFLICT, Row, Session
 from gam_db.errors import ConfigurationError, ConflictError, EngineError, StateError, nearest
 from gam_db.pipeline import filled, place
 from gam_db.stored.migration_files import columns_of
-from gam_db.stored.tables import StateTables
+from gam_db.stored.tables import StateTables, insertion
+
+#: The slots of a file, and tables that stand for what it reads besides.
+Slots: TypeAlias = Mapping[str, template.Slot] | None
+Given: TypeAlias = Mapping[str, exp.Table] | None
 
 #: A run id is the time of the run with this many random bits below, so that two writers differ.
 _RANDOM_BITS = 10
@@ -48,56 +52,36 @@ class State:
     session: Session
     tables: StateTables
 
-    def fetch(
-        self,
-        path: str,
-        slots: Mapping[str, template.Slot] | None = None,
-        given: Mapping[str, exp.Table] | None = None,
-    ) -> pa.Table:
+    def fetch(self, path: str, slots: Slots = None, given: Given = None) -> pa.Table:
         """Return the rows of one file of ``sql/`` that reads state tables, and perhaps some others."""
-        return self.session.fetch(self._placed(path, slots, given))
+        return self.session.fetch(self.query(path, slots, given))
 
-    def rows(
-        self,
-        path: str,
-        slots: Mapping[str, template.Slot] | None = None,
-        given: Mapping[str, exp.Table] | None = None,
-    ) -> list[Row]:
+    def rows(self, path: str, slots: Slots = None, given: Given = None) -> list[Row]:
         """Return the same, each row by the names of its columns."""
-        return self.session.rows(self._placed(path, slots, given))
+        return self.session.rows(self.query(path, slots, given))
 
-    def _placed(
-        self,
-        path: str,
-        slots: Mapping[str, template.Slot] | None,
-        given: Mapping[str, exp.Table] | None,
-    ) -> exp.Query:
-        """Return the query of one file, filled, over where its tables lie."""
+    def query(self, path: str, slots: Slots = None, given: Given = None) -> exp.Query:
+        """Return the query of such a file, filled, over where its tables lie."""
         query = filled(path, slots)
         place(query, {**self.tables.placed(), **(given or {})})
         return query
 
-    def append(self, table: str, query: exp.Query, columns: Sequence[str] | None = None) -> None:
+    def append(self, table: str, query: exp.Query) -> None:
         """Append the rows of a query to a state table; columns go by name."""
-        names = [exp.to_identifier(name) for name in columns or query.named_selects]
-        self.session.execute(
-            exp.Insert(
-                this=exp.Schema(this=self.tables.table(table), expressions=names), expression=query
-            )
-        )
+        self.session.execute(insertion(self.tables.table(table), query))
 
     def append_rows(self, table: str, rows: Sequence[Row]) -> None:
         """Append rows to a state table: what it has columns for, and NULL for what a row lacks."""
         schema = columns_of(table)
         with self.session.lent(table_of(rows, schema)) as lent:
             names = [exp.column(exp.to_identifier(name)) for name in schema.names]
-            self.append(table, exp.select(*names).from_(lent), schema.names)
+            self.append(table, exp.select(*names).from_(lent))
 
     def delete_hidden(self, table: str, run_id: int, after: int, near: exp.Expr) -> None:
         """Delete the rows of a table that a run has replaced; the slots are those of the file."""
-        superseded = filled("stored/superseded", {"run_id": run_id, "after": after, "near": near})
         target = self.tables.table(table)
-        place(superseded, {**self.tables.placed(), "appended": target})
+        slots: Slots = {"run_id": run_id, "after": after, "near": near}
+        superseded = self.query("stored/superseded", slots, {"appended": target})
         self.session.delete(target, superseded.named_selects, superseded)
 
     def monitors(self) -> list[dict[str, Any]]:
