@@ -14,7 +14,7 @@ from gam_db.engines.session import Session
 from gam_db.method import Method
 from gam_db.method.adding import add, add_stacked
 from gam_db.parameters import Parameters
-from gam_db.pipeline import Pipeline, filled
+from gam_db.pipeline import Pipeline
 from gam_db.running import Listener
 from gam_db.source import AnySource, TimeNode, parsed_condition, read_from
 from gam_db.study import Study
@@ -71,10 +71,9 @@ def add_look(steps: Pipeline, method: Method, instant_of: TimeNode) -> None:
     add(steps, "check/quanta")
     shortest = (_SHORTEST_LAG, *[_SHORTEST_LAG_OF_BLOCKS] * (len(SCALES) - 1))
     rungs = [
-        filled("check/scales", {"scale": scale, "shortest": lag})
-        for scale, lag in zip(SCALES, shortest, strict=True)
+        {"scale": scale, "shortest": lag} for scale, lag in zip(SCALES, shortest, strict=True)
     ]
-    add_stacked(steps, "scales", "check/scales", rungs)
+    add_stacked(steps, "check/scales", rungs)
     add(steps, "check/block_sums", {"blocks": _BLOCKS})
     add(steps, "check/lag_sums", {"longest_lag": LONGEST_LAG})
     add(steps, "check/correlations")

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from sqlglot import exp
 
@@ -9,7 +10,7 @@ from gam_db import template
 from gam_db.method.resolved import Method
 from gam_db.method.slots import following
 from gam_db.parameters import Parameters
-from gam_db.pipeline import Pipeline, union_of
+from gam_db.pipeline import Pipeline, filled, union_of
 
 
 def add(
@@ -76,14 +77,15 @@ class OfSet:
 
 def add_stacked(
     steps: Pipeline,
-    name: str,
     path: str,
-    rows: Sequence[exp.Query],
+    rows: Sequence[Mapping[str, Any]],
+    name: str | None = None,
     tables: Mapping[str, str] | None = None,
 ) -> None:
-    """Add a step of literal rows: one file, filled once per row, one under another."""
-    query = rows[0] if len(rows) == 1 else exp.union(*rows, distinct=False)
-    steps.add(name, query, template.load(path).comment, tables)
+    """Add a step of one file that is filled once per row of slots, one under another."""
+    queries = [filled(path, slots) for slots in rows]
+    query = queries[0] if len(rows) == 1 else exp.union(*queries, distinct=False)
+    steps.add(name or path.rpartition("/")[2], query, template.load(path).comment, tables)
 
 
 def join_sets(steps: Pipeline, method: Method, names: Sequence[str]) -> None:

@@ -1,7 +1,6 @@
 """Judgements, their limits and episodes (alarms, sections 2 to 4)."""
 
 from collections.abc import Sequence
-from functools import reduce
 
 from sqlglot import exp
 
@@ -24,10 +23,7 @@ _SMALL = (
 def add_learnt_limits(steps: Pipeline, method: Method, families: Sequence[str]) -> None:
     """Add what calibration says of the judgements of each channel; the last step is *learnt_limits*.
 
-    Args:
-        steps: those of :func:`gam_db.method.pipeline`.
-        method: what the user asked for.
-        families: patterns of channel names.
+    Families are patterns of channel names.
     """
     join_sets(steps, method, ("visits", "block_sizes"))
     add_counted(steps, method.has_instants)
@@ -37,18 +33,12 @@ def add_learnt_limits(steps: Pipeline, method: Method, families: Sequence[str]) 
 def add_counted(steps: Pipeline, has_instants: bool = True) -> None:
     """Add what is counted in calibration, up to *buffered*, *order_ratios* and *lengths*.
 
-    Args:
-        steps: with what the certificate is made of.
-        has_instants: whether calibration may be single instants; then the samples are read for them.
+    Where calibration may be single instants (``has_instants``), the samples are read for them.
     """
     steps.small |= {"visits", "block_sizes", "own_cells", "chances"}
-    reaches = (NEAR, ORDERED, FAR)
-    add_stacked(
-        steps, "buffered", "alarms/buffered", [filled("alarms/buffered", {"g": g}) for g in reaches]
-    )
+    add_stacked(steps, "alarms/buffered", [{"g": g} for g in (NEAR, ORDERED, FAR)])
     add(steps, "alarms/own_cells")
-    chances = [_chance(blocks) for blocks in range(1, 2 * ORDERED + 2)]
-    add_stacked(steps, "chances", "alarms/chances", chances)
+    add_stacked(steps, "alarms/chances", [_chance(blocks) for blocks in range(1, 2 * ORDERED + 2)])
     add(steps, "alarms/order_ratios", {"g": ORDERED})
     add(steps, "alarms/declared_lengths", name=None if has_instants else "lengths")
     if has_instants:
@@ -58,9 +48,8 @@ def add_counted(steps: Pipeline, has_instants: bool = True) -> None:
 def add_bands(steps: Pipeline, bounds: str = "bounds") -> None:
     """Add where calibration was, by the newest coordinate, after :func:`add_counted`."""
     band = band_of(exp.column("cell_key", table="visit"), exp.column("bins", table="scale"))
-    slots: list[dict[str, template.Slot]] = [{"g": g, "band": band} for g in (NEAR, FAR)]
-    rows = [filled("alarms/bands", one) for one in slots]
-    add_stacked(steps, "bands", "alarms/bands", rows, {"bounds": bounds})
+    slots = [{"g": g, "band": band} for g in (NEAR, FAR)]
+    add_stacked(steps, "alarms/bands", slots, tables={"bounds": bounds})
 
 
 def band_of(key: exp.Expr, bins: exp.Expr) -> exp.Expr:
@@ -121,12 +110,9 @@ def add_judged(steps: Pipeline, instant_of: TimeNode) -> None:
 
 
 def add_kept_judgements(steps: Pipeline, buckets: int, near: exp.Expr) -> None:
-    """Add judgements over tables of a state, up to *opened*.
+    """Add judgements over *judged_buckets* and *limit_spans* of a state, up to *opened*.
 
-    Args:
-        steps: with *judged_buckets* and *limit_spans*.
-        buckets: of a window.
-        near: a condition on *bucket* that holds for the judgements before.
+    Near is a condition on *bucket* that holds for the judgements before; a window has so many buckets.
     """
     slots: dict[str, template.Slot] = {"buckets": buckets}
     add(steps, "alarms/judged_windows", slots, tables={"bucket_counts": "judged_buckets"})
@@ -144,9 +130,7 @@ def add_rejudged(steps: Pipeline) -> None:
 
 def add_backtested(steps: Pipeline, healthy: Sequence[tuple[int, int]]) -> None:
     """Add what limits raise in closed intervals of time (none: always), after :func:`add_judgements`."""
-    spans: list[dict[str, template.Slot]] = [
-        {"time_from": start, "time_to": end} for start, end in healthy
-    ]
+    spans = [{"time_from": start, "time_to": end} for start, end in healthy]
     inside = [template.fill("alarms/within", span) for span in spans]
     add(steps, "alarms/backtested", {"healthy": exp.or_(*inside) if inside else exp.true()})
 
@@ -159,14 +143,12 @@ def _add_episodes(steps: Pipeline, rooted: str, suffix: str) -> None:
 
 
 def _figures() -> dict[str, template.Slot]:
-    total, blocks = exp.column("total"), exp.column("blocks")
+    least, total, squares, blocks = map(exp.column, ("least", "total", "squares", "blocks"))
+    centre = {"least": least, "total": total, "blocks": blocks}
+    spread = {"total": total, "squares": squares, "blocks": blocks}
     return {
-        "centre": template.fill(
-            "alarms/centre", {"least": exp.column("least"), "total": total, "blocks": blocks}
-        ),
-        "spread": template.fill(
-            "alarms/spread", {"total": total, "squares": exp.column("squares"), "blocks": blocks}
-        ),
+        "centre": template.fill("alarms/centre", centre),
+        "spread": template.fill("alarms/spread", spread),
     }
 
 
@@ -174,18 +156,12 @@ def _root(column: str, table: str | None = None) -> exp.Expr:
     return template.fill("alarms/root", {"count": exp.column(column, table=table)})
 
 
-def _chance(visited_blocks: int) -> exp.Query:
-    factors = [
-        exp.paren(template.fill("alarms/chance_factor", {"i": i})) for i in range(visited_blocks - 1)
-    ]
-    certain: exp.Expr = exp.cast(exp.Literal.number(1), "DOUBLE")
-    product = reduce(lambda left, right: exp.Mul(this=left, expression=right), factors, certain)
-    slots: dict[str, template.Slot] = {
-        "visited_blocks": visited_blocks,
-        "g": ORDERED,
-        "product": product,
-    }
-    return filled("alarms/chances", slots)
+def _chance(visited_blocks: int) -> dict[str, template.Slot]:
+    product: exp.Expr = exp.cast(exp.Literal.number(1), "DOUBLE")
+    for i in range(visited_blocks - 1):
+        factor = exp.paren(template.fill("alarms/chance_factor", {"i": i}))
+        product = exp.Mul(this=product, expression=factor)
+    return {"visited_blocks": visited_blocks, "g": ORDERED, "product": product}
 
 
 def _learnt(g: int, families: Sequence[str]) -> exp.Query:

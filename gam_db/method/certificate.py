@@ -2,7 +2,7 @@
 
 from gam_db import template
 from gam_db.method.adding import OfSet, add_stacked
-from gam_db.pipeline import filled, union_of
+from gam_db.pipeline import union_of
 
 
 def add_certificate(one: OfSet, by_halves: bool = False) -> None:
@@ -26,11 +26,8 @@ def add_judgement(one: OfSet, by_halves: bool = False) -> None:
     rungs = [k for k in bins if k == 0 or bins[k] >= 2]
 
     def add_levels(name: str, divisors: dict[int, int]) -> None:
-        rows = [
-            filled("certificate/levels", {"level": k, "divisor": divisor, "level_bins": bins[k]})
-            for k, divisor in divisors.items()
-        ]
-        add_stacked(one.steps, one.named(name), "certificate/levels", rows)
+        rows = [{"level": k, "divisor": of, "level_bins": bins[k]} for k, of in divisors.items()]
+        add_stacked(one.steps, "certificate/levels", rows, one.named(name))
 
     add_levels("levels", {k: 2**k for k in rungs})
     radix, top = setting.radix, setting.m - 1

@@ -8,7 +8,7 @@ from gam_db import template
 from gam_db.clock import LONG_AGO
 from gam_db.method.adding import add, add_stacked
 from gam_db.method.resolved import Method
-from gam_db.pipeline import Pipeline, filled
+from gam_db.pipeline import Pipeline
 
 
 def add_source(steps: Pipeline, method: Method) -> None:
@@ -44,27 +44,19 @@ def add_intervals(steps: Pipeline) -> None:
 
 def add_rules(steps: Pipeline, method: Method) -> None:
     """Add how long calibration lasts, and the intervals that are declared, rule by rule (section 4)."""
+    known = ("fraction", "duration", "declared_end", "score_from")
     rules = [
-        filled(
-            "calibration/rules",
-            {
-                "calibration_no": number,
-                "fraction": rule.fraction,
-                "duration": rule.duration,
-                "declared_end": rule.declared_end,
-                "score_from": rule.score_from,
-            },
-        )
+        {"calibration_no": number, **{name: getattr(rule, name) for name in known}}
         for number, rule in enumerate(method.rules)
     ]
-    add_stacked(steps, "rules", "calibration/rules", rules)
+    add_stacked(steps, "calibration/rules", rules)
     pieces = [
-        filled("calibration/declared", {"calibration_no": number, "time_from": start, "time_to": end})
+        {"calibration_no": number, "time_from": start, "time_to": end}
         for number, rule in enumerate(method.rules)
         for start, end in rule.allowed
     ]
     if pieces:
-        add_stacked(steps, "declared", "calibration/declared", pieces)
+        add_stacked(steps, "calibration/declared", pieces)
     else:
         add(steps, "calibration/undeclared", name="declared")
 

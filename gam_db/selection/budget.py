@@ -9,10 +9,10 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.method import Method
-from gam_db.method.adding import OfSet, add
+from gam_db.method.adding import OfSet, add, add_stacked
 from gam_db.method.certificate import add_certificate
 from gam_db.parameters import LARGEST_KEY, Override, Parameters
-from gam_db.pipeline import Pipeline, filled
+from gam_db.pipeline import Pipeline
 from gam_db.selection.search import Search
 
 _OWN = 1
@@ -33,16 +33,9 @@ def add_budget(steps: Pipeline, method: Method, search: Search) -> None:
     beside = Override(m=fitting[-1], tau=general.tau + 1)  # a set with a name of its own
     sets = dataclasses.replace(method, parameters=dataclasses.replace(general, overrides=[beside]))
     steps.small |= sets.small() | {"learners", "budget", "joint"}
-    learners = [filled("selection/learners", {"m": m, "window": general.window}) for m in fitting]
-    taught = [
-        filled("selection/teachable", {"m": m, "cell_key": _cell_key(general, m)}) for m in fitting
-    ]
-    for name, path, rows in (
-        ("learners", "selection/learners", learners),
-        (sets.named("learnable", _OWN), "selection/teachable", taught),
-    ):
-        query = rows[0] if len(rows) == 1 else exp.union(*rows, distinct=False)
-        steps.add(name, query, template.load(path).comment)
+    add_stacked(steps, "selection/learners", [{"m": m, "window": general.window} for m in fitting])
+    taught = [{"m": m, "cell_key": _cell_key(general, m)} for m in fitting]
+    add_stacked(steps, "selection/teachable", taught, sets.named("learnable", _OWN))
     steps.add(
         sets.named("bounds", _OWN),
         exp.select(*_BOUNDS).from_(exp.to_table("learners")),

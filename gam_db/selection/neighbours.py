@@ -16,7 +16,7 @@ from sqlglot import exp
 
 from gam_db import template
 from gam_db.method.adding import add, add_stacked
-from gam_db.pipeline import Pipeline, filled, union_of
+from gam_db.pipeline import Pipeline, union_of
 from gam_db.selection.search import Search
 
 MOST_VECTORS = 2**15
@@ -225,13 +225,10 @@ def _shifts(steps: Pipeline, coordinates: int, bits: int) -> str:
     name = f"shifts_{coordinates}"
     if name not in steps.steps:
         rows = [
-            filled(
-                "selection/shifts",
-                {"shift": sum(aside * 2 ** (bits * place) for place, aside in enumerate(asides))},
-            )
+            {"shift": sum(aside * 2 ** (bits * place) for place, aside in enumerate(asides))}
             for asides in itertools.product((-1, 0, 1), repeat=coordinates)
         ]
-        add_stacked(steps, name, "selection/shifts", rows)
+        add_stacked(steps, "selection/shifts", rows, name)
         steps.small |= {name}
     return name
 

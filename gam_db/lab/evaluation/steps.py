@@ -8,7 +8,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.lab.evaluation.conventions import Conventions
 from gam_db.method.adding import add, add_stacked
-from gam_db.pipeline import Pipeline, filled
+from gam_db.pipeline import Pipeline
 
 #: Steps that others read more than once, and the last ones before the results: kept on the way.
 KEPT = ("centred", "moments", "prefixes", "series_metrics")
@@ -71,11 +71,8 @@ def series_steps(conventions: Conventions, counts: bool) -> Pipeline:
 def chance_steps(conventions: Conventions, units: int) -> Pipeline:
     """Return the steps from *selected* and *surrogates*, which are given, to *chance_levels*."""
     steps = series_steps(conventions, counts=True)
-    rows = [
-        filled("lab/evaluation/chance_parts", {"part": part, "quantity": exp.column(column)})
-        for part, column in _TREND_PARTS
-    ]
-    add_stacked(steps, "drawn", "lab/evaluation/chance_parts", rows)
+    rows = [{"part": part, "quantity": exp.column(column)} for part, column in _TREND_PARTS]
+    add_stacked(steps, "lab/evaluation/chance_parts", rows, "drawn")
     _add_means(steps, conventions, units)
     add(steps, "lab/evaluation/chance_levels")
     return steps
@@ -101,13 +98,13 @@ def evaluation_steps(conventions: Conventions, counts: bool, units: int, reasons
     add(steps, "lab/evaluation/rated")
     rows = [_part(part, column, 0, 0) for part, column in _TREND_PARTS]
     rows += [_part(part, column, stratum, 1) for part, column, stratum in _FLEET_PARTS]
-    add_stacked(steps, "parts", "lab/evaluation/parts", rows)
+    add_stacked(steps, "lab/evaluation/parts", rows)
     add(steps, "lab/evaluation/drawn")
     _add_means(steps, conventions, units)
     for name in ("fleet_parts", "life_points", "life_pairs", "trendability", "fleet_metrics"):
         add(steps, f"lab/evaluation/{name}")
     metrics = [_metric(number, *metric, reasons) for number, metric in enumerate(_METRICS)]
-    add_stacked(steps, "metric_values", "lab/evaluation/metric_values", metrics)
+    add_stacked(steps, "lab/evaluation/metric_values", metrics)
     add(steps, "lab/evaluation/fleet_summary", {"tail": (1 - conventions.confidence) / 2})
     return steps
 
@@ -134,24 +131,23 @@ def _add_means(steps: Pipeline, conventions: Conventions, units: int) -> None:
     add(steps, "lab/evaluation/part_means", {"ddof": conventions.ddof})
 
 
-def _part(part: int, column: str, stratum: int, with_outcome: int) -> exp.Query:
-    slots: dict[str, template.Slot] = {
+def _part(part: int, column: str, stratum: int, with_outcome: int) -> dict[str, template.Slot]:
+    return {
         "part": part,
         "quantity": exp.column(column),
         "from_stratum": stratum,
         "with_outcome": with_outcome,
     }
-    return filled("lab/evaluation/parts", slots)
 
 
 def _metric(
     number: int, name: str, column: str, spread: str | None, counted: str, reasons: bool
-) -> exp.Query:
+) -> dict[str, template.Slot]:
     path = {"prog": "prog_reason", "disc": "disc_reason", "trendability": "trendability_reason"}
     reason: exp.Expr = template.text("no_outcomes")
     if reasons or name not in path:
         reason = template.fill(f"lab/evaluation/{path.get(name, 'mean_reason')}")
-    slots: dict[str, template.Slot] = {
+    return {
         "metric": template.text(name),
         "number": number,
         "value": exp.column(column),
@@ -159,4 +155,3 @@ def _metric(
         "counted": exp.column(counted),
         "reason": reason,
     }
-    return filled("lab/evaluation/metric_values", slots)
