@@ -76,10 +76,7 @@ def backtest(
 
 
 def figures(asked: str, rows: Sequence[Row], found: list[Row]) -> Row:
-    """Return what :func:`backtest` does, of a rate in words, limits, and the rows of *backtested*.
-
-    Limits are as :func:`gam_db.alarms.limits_of` returns them; of the rows there is at least one.
-    """
+    """Return what :func:`backtest` does, of limits (``limits_of``) and the rows of *backtested*."""
     limit_of = {(row["asset"], row["channel"]): row for row in rows}
     mine = [limit_of[row["asset"], row["channel"]] for row in found]
     judged = np.array([row["judgements"] for row in found], np.float64)

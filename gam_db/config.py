@@ -138,7 +138,7 @@ def _check_where(source: SourceSettings) -> None:
 
 
 def _check_owner(path: Path) -> None:
-    """Refuse a settings file of another user that nobody named: its SQL runs with our rights."""
+    """Refuse a file that nobody asked for and another user could write: it says SQL that runs."""
     if not hasattr(os, "getuid"):
         return
     for one in (path, path.resolve().parent):

@@ -15,9 +15,7 @@ from gam_db.pipeline import Pipeline, union_of
 def limit_slots(learnt: str, target_floor: exp.Expr) -> dict[str, template.Slot]:
     """Return the slots ``:hi_limit`` and ``:limit_reason``.
 
-    Args:
-        learnt: what the query calls the rows that hold verdict, floor and floor_max.
-        target_floor: health indicator that a healthy machine may show.
+    ``learnt`` is what the query calls the rows that hold verdict, floor and floor_max.
     """
     said = {name: exp.column(name, table=learnt) for name in ("verdict", "floor", "floor_max")}
     return {
@@ -31,13 +29,9 @@ _KNOWN = {"hi": "DOUBLE", "has_limit": "BIGINT", "raised": "VARCHAR", "asks": "B
 
 
 def add_judged(steps: Pipeline, assessed: str = "assessed", name: str = "judged") -> None:
-    """Add the step that judges channels.
+    """Add the step that judges channels, over one with a row per channel: verdict and hi_limit.
 
-    Args:
-        steps: with the step *assessed*.
-        assessed: its name; it has a row per channel, with verdict and hi_limit. Without hi nothing is
-            scored yet; without has_limit, raised and asks there are no episodes.
-        name: of the step.
+    Without hi nothing is scored yet; without has_limit, raised and asks there are no episodes.
     """
     columns = steps.steps[assessed].query.named_selects
     slots: dict[str, template.Slot] = {
@@ -49,12 +43,7 @@ def add_judged(steps: Pipeline, assessed: str = "assessed", name: str = "judged"
 
 
 def add_standing(steps: Pipeline, method: Method) -> None:
-    """Add the step *standing*: what is judged of channels, and which of them stand still at their end.
-
-    Args:
-        steps: with *judged*.
-        method: what the user asked for.
-    """
+    """Add the step *standing*, over *judged*: which channels stand still at their end, too."""
     numbers = [n for n, setting in enumerate(method.settings) if setting.still_after is not None]
     for number in numbers:
         tables = {"moving_codes": "marked_moving_codes", "cohort": "bounds"}
@@ -65,8 +54,7 @@ def add_standing(steps: Pipeline, method: Method) -> None:
         parts = [method.named("stillness", number) for number in numbers]
         rows = union_of(steps, parts)
         steps.add("stillness", rows, template.load("stored/stillness").comment)
-    told = [
-        name for name in steps.steps["judged"].query.named_selects if name not in ("status", "is_above")
-    ]
+    known = steps.steps["judged"].query.named_selects
+    told = [name for name in known if name not in ("status", "is_above")]
     columns = [exp.column(name, table="judged").as_(name) for name in told]
     add(steps, "judgement/standing", {"columns": columns})

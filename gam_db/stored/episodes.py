@@ -40,12 +40,7 @@ _WHAT = {("ended", "open"): "reopened", ("open", "ended"): "ended"}
 
 
 class Log:
-    """New rows of the history of a monitor's episodes.
-
-    Args:
-        monitor_id: of the monitor.
-        records: the newest row of each episode.
-    """
+    """New rows of the history of a monitor's episodes, after the newest one of each."""
 
     def __init__(self, monitor_id: int, records: Sequence[Row]) -> None:
         self.rows: list[Row] = []
@@ -79,14 +74,8 @@ def records_of(state: State, monitor_id: int) -> list[Row]:
 def follow(state: State, monitor_id: int, group: Sequence[Row], judged: Mapping[int, int]) -> None:
     """Let the episodes of some channels be those of their stored judgements.
 
-    Looked at again are the judgements from the tenth before the first one written anew, and those of
-    the episodes that reach them or are open.
-
-    Args:
-        state: the state tables, in a session that can write.
-        monitor_id: of the monitor.
-        group: rows of the plan, of one setting: the channels.
-        judged: the first judgement written anew, of each version that has, or had, a limit.
+    Looked at again are the judgements from the tenth before the first one written anew (``judged``, of
+    each version that has, or had, a limit), and those of the episodes that reach them or are open.
     """
     records = records_of(state, monitor_id)
     live = by("channel_id", (row for row in records if row["status"] in _LIVE))

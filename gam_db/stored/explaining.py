@@ -20,12 +20,7 @@ from gam_db.stored.steps import explaining_steps, reading_steps, setting_of
 def explain(state: State, reader: Reader, monitor_id: int, plan: Iterable[Row], limit: int) -> None:
     """Count where signals were in the first five judgements of episodes, where that is not known yet.
 
-    Args:
-        state: the state tables, in a session that can write.
-        reader: of the source.
-        monitor_id: of the monitor.
-        plan: rows of the plan; only their channels are read.
-        limit: most readings to work on at once.
+    Only the channels of the plan are read, ``limit`` readings at once at most.
     """
     known = {row["version_id"]: row for row in plan}
     slots: dict[str, template.Slot] = {"monitor_id": monitor_id}

@@ -23,13 +23,8 @@ _BEFORE = 50
 def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) -> dict[int, int]:
     """Append the judgements of a run that is not committed yet.
 
-    Args:
-        state: the state tables, in a session that can write.
-        group: rows of the plan, of one setting.
-        given: the tables of *cohort*, *stamp* and *new_buckets* of the run.
-
-    Returns:
-        The first judgement written anew, of each version that has, or had, a limit.
+    Given are its tables *cohort*, *stamp* and *new_buckets*. Returned is the first judgement written
+    anew, of each version that has, or had, a limit.
     """
     buckets = buckets_of(group)
     placed = {**state.tables.placed(), **given}

@@ -52,12 +52,9 @@ Snapshots: TypeAlias = Mapping[int, Snapshot]
 def snapshots(
     state: State, among: exp.Expr | None = None, near: exp.Expr | None = None
 ) -> dict[int, Snapshot]:
-    """Return what is there of the active versions.
+    """Return what is there of the active versions, ``among`` which a condition on *version* chooses.
 
-    Args:
-        state: the state tables.
-        among: a condition on *version*; None for all.
-        near: a condition on *run* that holds for all runs that may matter; None for all.
+    Near is a condition on *run* that holds for all runs that may matter.
     """
     slots: dict[str, template.Slot] = {"among": among or exp.true(), "near": near or exp.true()}
     rows = state.rows("stored/newest_runs", slots)
@@ -69,13 +66,6 @@ def publication(
     state: State, monitor_id: int, group: Sequence[Row], planned: Snapshots, run_id: int
 ) -> Iterator[Callable[[], None]]:
     """Do all inside as one run that counts, or not at all.
-
-    Args:
-        state: the state tables.
-        monitor_id: of the monitor.
-        group: rows of the plan: the channels that are published.
-        planned: what was there when the run was planned.
-        run_id: of the run.
 
     Yields:
         What is to be called before the rows that commit the run are appended.

@@ -17,9 +17,6 @@ from gam_db.stored.tables import TABLES, StateTables
 
 ROLES = ("owner", "writer", "reader")
 
-#: Rows are added to all tables but the record of migrations.
-_INSERTED = tuple(name for name in TABLES if name != "migration")
-
 #: Rows that a later run hides, or that are old, go.
 _DELETED = (
     *("version", "calibration", "bounds", "block", "support", "bucket", "novel", "run", "unplaced"),
@@ -116,7 +113,8 @@ def after(tables: StateTables, roles: Roles) -> Iterator[exp.Expr]:
     if roles.writer is not None:
         for name in (*TABLES, *_COUNTING):
             privileges: dict[str, str | None] = {"SELECT": None}
-            privileges |= {"INSERT": None} if name in _INSERTED else {}
+            # Rows are added to all tables but the record of migrations.
+            privileges |= {"INSERT": None} if name in TABLES and name != "migration" else {}
             privileges |= {"DELETE": None} if name in _DELETED else {}
             privileges |= {"UPDATE": _TOUCHED[name]} if name in _TOUCHED else {}
             yield _grant(privileges, "TABLE", tables.table(name), roles.writer)

@@ -113,23 +113,17 @@ def by_asset(channels: pa.Table) -> pa.Table:
     Args:
         channels: what :func:`status` returned, or some of its rows in their order.
     """
-    worst: dict[str, int] = {}
-    counts: dict[str, list[int]] = {}
-    flags = zip(
-        *(channels[name].to_pylist() for name in ("asset", "needs_attention", "silent")), strict=True
+    schema = columns(
+        (WORD, "asset channel status"),
+        (SHARE, "hi hi_limit trend"),
+        (COUNT, "channels need_attention silent"),
     )
-    for place_of, (asset, needs_attention, silent) in enumerate(flags):
-        worst.setdefault(asset, place_of)
-        count = counts.setdefault(asset, [0, 0, 0])
-        count[0] += 1
-        count[1] += needs_attention
-        count[2] += silent
-    rows = channels.select(["asset", "channel", "status", "hi", "hi_limit", "trend"]).take(
-        pa.array(worst.values(), pa.int64())
-    )
-    for number, name in enumerate(("channels", "need_attention", "silent")):
-        rows = rows.append_column(name, pa.array([one[number] for one in counts.values()], pa.int64()))
-    return rows
+    any_value = pc.ScalarAggregateOptions(skip_nulls=False)
+    worst = [(name, "first", any_value) for name in schema.names[1:6]]
+    counted = [("asset", "count"), ("needs_attention", "sum"), ("silent", "sum")]
+    rows = channels.group_by("asset", use_threads=False).aggregate([*worst, *counted])
+    made = [f"{name}_{how}" for name, how, *_ in (*worst, *counted)]
+    return rows.select(["asset", *made]).rename_columns(schema.names).cast(schema)
 
 
 def unheard_for(
