@@ -16,6 +16,7 @@ from typing import Any
 
 import pyarrow as pa
 
+from gam_db import data
 from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.columns import COUNT, WORD, columns, counts, table_of
 from gam_db.running import Listener, Running, unheard
@@ -40,48 +41,8 @@ PARTS = (
     *("scored", "calibration", "certificate"),
 )
 
-#: What must hold between the tables, whatever the source: the steps that look, each with its part, and
-#: what each of its columns counts.
-_HELD = {
-    "inconsistent_versions": (
-        "versions",
-        {
-            "is_misnumbered": "its number, reason or predecessor does not follow from the one before",
-            "is_unbounded": "its bounds are missing, there twice, or contradict themselves",
-            "is_miscelled": "the cells of its support are not those that its bounds count",
-            "is_misblocked": "its blocks of calibration are not those that its bounds and cells count",
-        },
-    ),
-    "inconsistent_buckets": (
-        "buckets",
-        {
-            "torn": "numbers are missing or there twice",
-            "misplaced": "times out of order",
-            "miscounted": "counts out of their bounds",
-            "unsummed": "windows that are not the sum of their buckets",
-        },
-    ),
-    "inconsistent_novel": (
-        "novel cells",
-        {"differing": "buckets whose novel vectors are not those of their cells"},
-    ),
-    "inconsistent_runs": (
-        "runs",
-        {
-            "misrecorded": "records of runs that do not agree with the buckets",
-            "other_samples": "runs that found other samples before their first bucket than were scored",
-        },
-    ),
-}
-_CERTIFICATE = {
-    "support": "cells of the support",
-    "block": "blocks of calibration",
-    "ladder": "floors of coarser grids",
-    "bounds": "figures of the certificate",
-    "buffered": "counts of blocks that limits are made of",
-    "band": "counts of bands that alarms are explained by",
-    "extent": "the length or the order of calibration",
-}
+#: What is said of what does not hold.
+_WORDS = data.table("gam_db.stored", "checks.toml")
 
 
 @dataclass(frozen=True)
@@ -107,15 +68,9 @@ def check_state(
 ) -> Checked:
     """Compare all that is computed in the tables of a monitor with its source, and with one another.
 
-    The whole source is read, a group of channels at a time.
-
-    Args:
-        state: the state tables.
-        source: where the telemetry lies.
-        name: of the monitor.
-        lookback: buckets that the next run would write anew are compared only where no row came since.
-        limit: most readings to work on at once; None for what memory allows.
-        on_step: called with what is done next.
+    The whole source is read, a group of channels at a time (at most ``limit`` readings; None for what
+    memory allows). Buckets that the next run would write anew, since rows may come as late as
+    ``lookback``, are compared only where no row came since.
 
     Returns:
         One row per difference, ordered: asset, channel (NULL for rows that belong to none), version (its
@@ -179,7 +134,8 @@ class _Check:
                 self.unusable |= set() if row["is_usable"] else {row["version_id"]}
                 what = f"changed since calibration froze it: {row['said']}"
                 self.note(row["version_id"], "frozen", what=what, differing=1)
-            for step, (part, held) in _HELD.items():
+            for step, said in _WORDS["held"].items():
+                ((part, held),) = said.items()
                 for row in running.rows(step):
                     buckets += row.get("buckets", 0)
                     key = row["version_id"]  # where nothing scores any more, scoring mends nothing
@@ -283,7 +239,7 @@ class _Check:
         for row in otherwise:
             version = row.get("version_id", member.get(row.get("support_id")))
             if support_of[version] not in came:  # else it follows from that
-                what = f"{_CERTIFICATE[row['part']]} are not what calibration gives"
+                what = f"{_WORDS['certificate'][row['part']]} are not what calibration gives"
                 self.note(version, "certificate", what=what, differing=row["differing"])
 
     def _running(self, steps: Any) -> Running:

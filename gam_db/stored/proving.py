@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from sqlglot import exp
 
+from gam_db import data
 from gam_db.columns import counts, table_of
 from gam_db.errors import StateError
 from gam_db.stored import checksums
@@ -21,16 +22,7 @@ from gam_db.stored.steps import DAY
 #: How much was checked: the whole state with its source, or the checksums of the active versions.
 STATE, CHECKSUMS = "state", "checksums"
 
-#: Columns of ``sql/stored/mismatched.sql``, and what each says.
-_SAID = {
-    "support_differs": "the cells of its support",
-    "intervals_differ": "its calibration intervals",
-    "figures_differ": "its integers",
-    "range_differs": "its range or target",
-    "words_differ": "its hashes",
-}
-
-#: Those without which nothing can be computed.
+#: Columns of ``sql/stored/mismatched.sql`` about that without which nothing can be computed.
 _NEEDED = ("intervals_differ", "figures_differ", "range_differs")
 
 _SHOWN = 3
@@ -56,11 +48,7 @@ class Proof:
 
 
 def mismatched(state: State, wanted: exp.Table) -> list[Row]:
-    """Return the versions that are no longer what calibration froze.
-
-    Args:
-        state: the state tables.
-        wanted: the node of a table with the versions to look at (version_id).
+    """Return those of the wanted versions that are no longer what calibration froze.
 
     Returns:
         Rows with version_id; said, what of it differs, in words; is_usable, whether only cells do.
@@ -68,7 +56,8 @@ def mismatched(state: State, wanted: exp.Table) -> list[Row]:
     found = []
     placed = {**state.tables.placed(), "wanted": wanted}
     for row in state.session.rows(checksums.matching_steps().query("mismatched", placed)):
-        said = ", ".join(said for column, said in _SAID.items() if row[column])
+        words = data.table("gam_db.stored", "checks.toml")["frozen"]
+        said = ", ".join(what for column, what in words.items() if row[column])
         if not row["summed"]:
             said = "its bounds or its checksum are not there just once"
         is_usable = row["summed"] and not any(row[name] for name in _NEEDED)
@@ -77,12 +66,7 @@ def mismatched(state: State, wanted: exp.Table) -> list[Row]:
 
 
 def verify(state: State, wanted: exp.Table, versions: Sequence[Row]) -> None:
-    """Refuse to go on with versions that are no longer what calibration froze.
-
-    Args:
-        state: the state tables.
-        wanted: the node of a table with the versions to look at (version_id).
-        versions: rows with version_id, asset and channel, for the message.
+    """Refuse to go on with wanted versions that are no longer what calibration froze; rows name them.
 
     Raises:
         StateError: what of which channel differs, and what to do.
@@ -103,10 +87,6 @@ def verify(state: State, wanted: exp.Table, versions: Sequence[Row]) -> None:
 
 def verify_daily(state: State, monitor: Row) -> bool:
     """Verify all active versions of a monitor, unless that was done within a day; tell whether.
-
-    Args:
-        state: the state tables, in a session that can write.
-        monitor: its row.
 
     Raises:
         StateError: see :func:`verify`.
