@@ -55,17 +55,10 @@ def calibrate(
 ) -> pa.Table:
     """Make a version of every channel that has none with these settings (method, section 4).
 
-    A pool is calibrated as a whole. What is resolved is frozen: a later call with the same settings
-    leaves a version as it is, unless it is asked for again.
-
-    Args:
-        state: the state tables, in a session that can write.
-        study: the source, under the parameters and the calibration that are to be frozen.
-        name: of the monitor; it is made if it is not there.
-        again: make a new version of every channel.
-        limit: most readings to work on at once; None for what memory allows.
-        said: the calibration as the user gave it, where more is taken out of the study's; that is no
-            other setting.
+    A pool is calibrated as a whole, and a monitor made if it is not there. What is resolved is frozen: a
+    later call with the same settings leaves a version as it is, unless it is asked for ``again``. At
+    most ``limit`` readings are worked on at once; None for what memory allows. Where more is taken out
+    of the study's calibration than the user ``said``, that is no other setting.
 
     Returns:
         One row per new version, ordered: asset, channel, version_no, reason, m, tau, bins,
@@ -129,12 +122,7 @@ def calibrate(
 def without(
     calibration: Calibration, spans: Mapping[str, Sequence[tuple[Instant, Instant]]]
 ) -> Calibration:
-    """Return a rule from which intervals of single assets are taken out besides.
-
-    Args:
-        calibration: the rule.
-        spans: asset -> closed intervals.
-    """
+    """Return a rule from which closed intervals of single assets are taken out besides."""
     own: dict[str, Calibration | None] = {}
     for asset, cut in spans.items():
         number = number_of(asset, tuple(calibration.overrides))
@@ -156,9 +144,7 @@ def number_of(asset: str, patterns: Sequence[str]) -> int:
 def settings_hash(method: Method, channel: Mapping[str, Any]) -> str:
     """Return what tells whether a channel's settings are those of its version.
 
-    Args:
-        method: what the user asks for.
-        channel: asset, channel, settings_no and calibration_no of the channel.
+    Of the channel must be known: asset, channel, settings_no and calibration_no.
     """
     pools = (one for one in method.calibration.pools if number_of(channel["asset"], one))
     pool = next(pools, None)
@@ -177,13 +163,7 @@ def settings_hash(method: Method, channel: Mapping[str, Any]) -> str:
 def differing(
     state: State, name: str, parameters: Parameters, calibration: Calibration
 ) -> list[tuple[str, str]]:
-    """Return asset and channel of the active versions that were made under other settings.
-
-    Args:
-        state: the state tables.
-        name: of the monitor.
-        parameters: what is set now.
-        calibration: likewise.
+    """Return asset and channel of the active versions that were made under other settings than these.
 
     Raises:
         UserError: there is no such monitor, or a length does not fit how it tells time.

@@ -20,12 +20,7 @@ def copy(session: Session, tables: StateTables, path: Path) -> None:
     """Write all state tables and views into a DuckDB file of their own.
 
     It is written beside and renamed, so that a reader finds the old copy or the new one, whole; who has
-    the old one open keeps reading that.
-
-    Args:
-        session: on the database that holds the state.
-        tables: where it lies, and will lie in the copy.
-        path: the file, replaced if it is there.
+    the old one open keeps reading that. The tables lie in the copy as they do in the database.
 
     Raises:
         StateError: there is no state, or it is not of this gam-db.

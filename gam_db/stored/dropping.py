@@ -33,12 +33,9 @@ class Removal:
 
 
 def removals(session: Session, tables: StateTables, monitor: str | None = None) -> tuple[Removal, ...]:
-    """Return what would be removed, in the order in which it can be.
+    """Return what would be removed, in the order in which it can be; nothing is written.
 
-    Args:
-        session: on the database; nothing is written.
-        tables: where the state lies.
-        monitor: the one whose rows go; None for all tables and views.
+    That is the rows of a monitor, or without one all tables and views.
 
     Raises:
         StateError: there is no state, no such monitor, or a newer gam-db made the state.

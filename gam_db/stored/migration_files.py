@@ -80,11 +80,8 @@ class Migration:
     ) -> list[exp.Expr]:
         """Return the statements for an engine, with the tables in their place.
 
-        Args:
-            engine: what runs them.
-            tables: where the state lies.
-            present: columns of the table that are there already, and are not added.
-            fresh: the state begins here, and no table of it has a row that would have to be filled.
+        Columns of the table that are ``present`` are not added. Where a state begins ``fresh``, no table
+        of it has a row that would have to be filled.
         """
         if isinstance(self.definition, Addition):
             columns = self.definition.columns

@@ -6,7 +6,7 @@ a newer gam-db made is refused.
 """
 
 import time
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -17,6 +17,7 @@ from gam_db.engines.base import Engine
 from gam_db.engines.session import CONFLICT, Session
 from gam_db.engines.storage import Definition
 from gam_db.errors import ConflictError, EngineError, StateError
+from gam_db.running import Listener, unheard
 from gam_db.stored import roles
 from gam_db.stored.migration_files import RECORD, Migration, files, record
 from gam_db.stored.roles import Roles
@@ -49,10 +50,7 @@ class Status:
 def recorded(session: Session, tables: StateTables, there: Relations) -> tuple[Applied, ...]:
     """Return the rows of the record, in order; none if there is no record.
 
-    Args:
-        session: on the database.
-        tables: where the state lies.
-        there: what :meth:`Session.relations` says of the schema.
+    What is ``there`` is what :meth:`Session.relations` says of the schema.
 
     Raises:
         StateError: the table is none of ours, or a newer gam-db wrote it.
@@ -71,16 +69,13 @@ def recorded(session: Session, tables: StateTables, there: Relations) -> tuple[A
     return rows
 
 
-def status(session: Session, tables: StateTables) -> Status:
+def status(session: Session, tables: StateTables, there: Relations | None = None) -> Status:
     """Return what was applied and what is pending; nothing is written.
 
     Raises:
         StateError: the state is of a newer gam-db, was changed by hand, or its names are taken.
     """
-    return _status(session, tables, session.relations(tables.schema))
-
-
-def _status(session: Session, tables: StateTables, there: Relations) -> Status:
+    there = session.relations(tables.schema) if there is None else there
     applied = recorded(session, tables, there)
     _check_record(applied, tables)
     known = files()
@@ -102,22 +97,17 @@ def _status(session: Session, tables: StateTables, there: Relations) -> Status:
     return Status(applied, pending)
 
 
-def migrate(
-    session: Session, tables: StateTables, on_step: Callable[[str], None] | None = None
-) -> tuple[Migration, ...]:
+def migrate(session: Session, tables: StateTables, on_step: Listener = unheard) -> tuple[Migration, ...]:
     """Apply what is pending and return it: all as one with its record where definitions can be undone.
 
-    Args:
-        session: on a database that can be written.
-        tables: where the state lies; its schema is made if it is not there.
-        on_step: called with the name of each migration before it is applied.
+    A schema is made if it is not there. The name of each is told (``on_step``) before it is applied.
 
     Raises:
         StateError: see :func:`status`.
         EngineError: the database cannot be written, or another connection migrates it now.
     """
     there = session.relations(tables.schema)
-    pending = _status(session, tables, there).pending
+    pending = status(session, tables, there).pending
     as_one = session.transactions and session.engine.undoes_definitions
     for group in [pending] if as_one and pending else [(migration,) for migration in pending]:
         with session.transaction():
@@ -130,7 +120,7 @@ def _apply(
     tables: StateTables,
     group: Sequence[Migration],
     there: Relations,
-    on_step: Callable[[str], None] | None,
+    on_step: Listener,
 ) -> None:
     """Apply migrations and record them; *there* is what was there before the first of all."""
     first = group[0].number
@@ -140,16 +130,16 @@ def _apply(
         raise ConflictError(CONFLICT)
     now = time.time_ns() // 1000
     fresh = not any(tables.folded(migration.name) in there for migration in files())
+    for statement in _schema(session.engine, tables) if first == 1 else ():
+        session.execute(statement)
     for migration in group:
-        if on_step is not None:
-            on_step(migration.name)
+        on_step(migration.name)
         if fresh and _is_made_again(migration, group):
             continue
         # Some columns may be there, of a run that was cut short or of a script that was printed.
         present = there.get(tables.folded(migration.name), ())
-        statements = _complete(migration, session.engine, tables, present, fresh=fresh)
         if not (_gets_more(migration) and len(present) > len(migration.definition.columns)):
-            for statement in statements:
+            for statement in migration.statements(session.engine, tables, present, fresh):
                 session.execute(statement)
     session.execute(record(group, tables, now))
 
@@ -174,12 +164,7 @@ def rendered(engine: Engine, tables: StateTables, who: Roles | None = None) -> s
     """Return all migrations as a script of an engine; it can be run on an empty or an older state.
 
     Where an engine has no ADD COLUMN IF NOT EXISTS, what adds a column says so, and is left out where it
-    was applied.
-
-    Args:
-        engine: what runs it.
-        tables: where the state lies.
-        who: owner, writer and reader, who are given what they need; None for nobody.
+    was applied. Owner, writer and reader (``who``) are given what they need.
 
     Raises:
         EngineError: the engine has no schemas, and one is named; or it has other grants.
@@ -191,8 +176,9 @@ def rendered(engine: Engine, tables: StateTables, who: Roles | None = None) -> s
         parts.append(_part("-- Who may do what.", roles.before(engine, tables, who), engine))
     for migration in files():
         title = f"-- Migration {migration.number}: {tables.shown(migration.name)}."
-        statements = _complete(migration, engine, tables, makes_schema=who is None)
-        statements = [*(() if _gets_more(migration) else statements), record([migration], tables, now)]
+        statements = _schema(engine, tables) if migration.number == 1 and who is None else []
+        statements += [] if _gets_more(migration) else migration.statements(engine, tables)
+        statements.append(record([migration], tables, now))
         if any(_adds_once(statement) for statement in statements):
             title += f" Only where it is pending: {engine.title} cannot be told to add a column once."
         if migration.filling is not None:
@@ -207,24 +193,13 @@ def _part(title: str, statements: Iterable[exp.Expr], engine: Engine) -> str:
     return "\n".join([title, *(f"{engine.text(statement, pretty=True)};" for statement in statements)])
 
 
-def _complete(
-    migration: Migration,
-    engine: Engine,
-    tables: StateTables,
-    present: Collection[str] = (),
-    makes_schema: bool = True,
-    fresh: bool = False,
-) -> Sequence[exp.Expr]:
-    """Return all statements of a migration but the record; the very first makes the schema."""
-    statements = migration.statements(engine, tables, present, fresh)
+def _schema(engine: Engine, tables: StateTables) -> list[exp.Expr]:
+    """Return the statement that makes the schema, where one is named."""
     if tables.schema is None:
-        return statements
+        return []
     if not engine.schemas:
         raise EngineError(f"{engine.name} has no schemas; leave schema out and give another prefix.")
-    if migration.number == 1 and makes_schema:
-        schema = exp.Table(db=template.name(tables.schema))
-        statements.insert(0, exp.Create(this=schema, kind="SCHEMA", exists=True))
-    return statements
+    return [exp.Create(this=exp.Table(db=template.name(tables.schema)), kind="SCHEMA", exists=True)]
 
 
 def _is_made_again(migration: Migration, group: Sequence[Migration]) -> bool:
@@ -239,10 +214,7 @@ def _is_made_again(migration: Migration, group: Sequence[Migration]) -> bool:
 
 
 def _gets_more(migration: Migration) -> bool:
-    """Tell whether a view is made again later on, with more columns.
-
-    Where it has them already, an engine may refuse to take them away.
-    """
+    """Tell whether a view is made again with more columns: an engine may refuse to take them away."""
     later = [one for one in files()[migration.number :] if one.name == migration.name]
     columns = {tuple(one.definition.columns) for one in (migration, *later)}
     return migration.name in VIEWS and len(columns) > 1
@@ -255,21 +227,18 @@ def _adds_once(statement: exp.Expr) -> bool:
 
 
 def _check_record(applied: Sequence[Applied], tables: StateTables) -> None:
-    known = files()
     for place_of, row in enumerate(applied, start=1):
+        what = None
         if row.number != place_of:
-            what = "is there twice" if row.number < place_of else f"lacks number {place_of}"
+            what = "it is there twice" if row.number < place_of else f"it lacks number {place_of}"
+        elif row.name != (name := files()[place_of - 1].name):
+            what = f"migration {row.number} is called {row.name!r} in it and made {tables.shown(name)}"
+        if what is not None:
             raise StateError(
-                f"The record {tables.shown('migration')} was changed by hand: it {what}; put it back "
+                f"The record {tables.shown('migration')} was changed by hand: {what}; put it back "
                 "from a copy of the database."
             )
-        if row.name != known[row.number - 1].name:
-            raise StateError(
-                f"The record {tables.shown('migration')} was changed by hand: migration {row.number} is "
-                f"called {row.name!r} in it and made {tables.shown(known[row.number - 1].name)}; put it "
-                "back from a copy of the database."
-            )
-        if row.checksum != known[row.number - 1].checksum:
+        if row.checksum != files()[place_of - 1].checksum:
             raise StateError(
                 f"Migration {row.number} ({row.name}) was applied by gam-db {row.gam_version} with "
                 f"another text than gam-db {__version__} has; install the gam-db that made the state, "

@@ -62,14 +62,10 @@ def assets_of(channels: Iterable[Row]) -> list[str] | None:
 def planned(
     rows: Sequence[Row], lookback: int, park_after: int | None, now: int, everything: bool
 ) -> Plan:
-    """Return the plan of a run.
+    """Return the plan of a run, of the rows of ``sql/stored/plan.sql``.
 
-    Args:
-        rows: of ``sql/stored/plan.sql``.
-        lookback: how far behind the newest bucket late rows are looked for, in the unit of time.
-        park_after: how far back a channel is read without a special reason; None parks none.
-        now: this instant, in microseconds.
-        everything: read the parked channels, too.
+    Lookback, and how far back a channel is read without a special reason (``park_after``; None parks
+    none), are in the unit of time, and now in microseconds. With ``everything`` no channel is parked.
     """
     fresh = [row for row in rows if row["looked_at"] == LONG_AGO]
     known = [row for row in rows if row["looked_at"] != LONG_AGO]
@@ -96,13 +92,7 @@ def is_due(last: int, now: int) -> bool:
 
 
 def resumed(parked: Iterable[Row], names: Iterable[Row], lookback: int) -> list[Cohort]:
-    """Return the cohorts of parked channels of which the look at today's rows found values.
-
-    Args:
-        parked: rows of the plan.
-        names: rows of ``sql/source/names.sql`` over today's rows.
-        lookback: in the unit of time.
-    """
+    """Return the cohorts of parked channels of which the look at today's rows (*names*) found values."""
     alive = {
         (row["asset"], row["channel"])
         for row in names
@@ -135,10 +125,7 @@ def portions(
 ) -> Iterator[list[Row]]:
     """Cut a cohort into groups of the same parameters whose readings stay below the limit.
 
-    Args:
-        channels: rows of the plan.
-        readings: (asset, channel) -> rows in the cohort's range.
-        limit: most readings at once; a channel with more is a group of its own.
+    A channel with more is a group of its own.
     """
     ordered = sorted(channels, key=lambda row: (repr(setting_of(row)), row["channel_id"]))
     for _, alike in groupby(ordered, key=setting_of):
@@ -150,10 +137,7 @@ def whole_pools(
 ) -> Iterator[list[Row]]:
     """Put whole pools (a channel alone is one) together as long as their readings stay below the limit.
 
-    Args:
-        channels: rows with asset, channel and support_id, which the members of a pool share.
-        readings: (asset, channel) -> rows to be read.
-        limit: most readings at once; a pool with more is a group of its own.
+    The members of a pool share a support_id; a pool with more readings is a group of its own.
     """
     return _below(limit, by("support_id", channels).values(), readings)
 
