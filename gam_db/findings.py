@@ -30,6 +30,9 @@ ORDER = (
 #: A grid of fewer bins tells little but high from low: then the advice is a longer calibration.
 FEWEST_BINS = 5
 
+#: What is known of a channel on the way only.
+_INNER = ("behind", "still_tick", "has_limit", "raised", "asks")
+
 #: What the other columns of a support row say is a count or a share; these are read by name here.
 Row = dict[str, Any]
 
@@ -75,26 +78,20 @@ def findings(study: Study, alarms: Alarms | None = None, longest: int | None = N
     found = []
     for row in study.table("standing").sort_by(list(ORDER)).to_pylist():
         name = (row["asset"], row["channel"])
-        setting = settings[name]
-        course = courses.get(name)
-        learnt_of = {"bins": setting.grid, **supports[name]}
-        row |= ended(ends[name], newest, longest)
-        since = row.pop("still_tick")
-        for inner in ("has_limit", "raised", "asks"):
-            del row[inner]
-        said = finding({**learnt_of, **row}, setting.span, setting.window, course)
+        setting, course, since = settings[name], courses.get(name), row["still_tick"]
+        row = {"bins": setting.grid, **supports[name], **row, **ended(ends[name], newest, longest)}
+        said = finding(row, setting.span, setting.window, course)
         said["remarks"] += [*at_end(row, since, kind), *_of_episode(row)]
-        del said["behind"]
         still = None if since is None else told_time(since, kind)
         if isinstance(still, dt.datetime) and not kind.has_zone:
             still = still.replace(tzinfo=None)  # as the source tells time
-        said["still_since"] = still
-        found.append({**said, "last_time": None if course is None else course.time})
+        said |= {"still_since": still, "last_time": None if course is None else course.time}
+        found.append({key: value for key, value in said.items() if key not in _INNER})
     return found
 
 
 def ended(end: int | None, newest: int | None, longest: int | None) -> Row:
-    """Return how far a channel ends before the others (``behind``), and whether it is ``silent``.
+    """Return how far a channel ends before the newest data (``behind``), and whether it is ``silent``.
 
     Its end is None if no data was ever found; *longest* is as for :func:`findings`.
     """

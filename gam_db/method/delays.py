@@ -123,7 +123,7 @@ def _in_arrays(one: OfSet, prefix: str) -> exp.Query:
         "time_from": exp.column("taught_from" if is_taught else "read_from"),
         "time_to": exp.column("taught_to") if is_taught else FAR_AHEAD,
         "delayed": delayed,
-        "read": _is_complete(prefix) if not is_taught else _is_there("taught_from"),
+        "read": exp.column("taught_from").is_(exp.null()).not_() if is_taught else _is_complete(prefix),
     }
     return filled("arrays/vectors", one.slots("arrays/vectors", slots))
 
@@ -131,21 +131,17 @@ def _in_arrays(one: OfSet, prefix: str) -> exp.Query:
 def _read(prefix: str) -> exp.Expr:
     """Return which readings the vectors of a prefix are made of."""
     time = exp.column("time", table="reading")
-    low, high, begin = (
+    first, last, begin = (
         exp.column(name, table="scale") for name in ("taught_from", "taught_to", "read_from")
     )
     if prefix == CALIBRATION:
-        return exp.Between(this=time, low=low, high=high)
-    return exp.and_(exp.GTE(this=time, expression=begin), _is_complete(prefix, "scale"))
+        return exp.Between(this=time, low=first, high=last)
+    return exp.and_(time >= begin, _is_complete(prefix, "scale"))
 
 
 def _is_complete(prefix: str, table: str | None = None) -> exp.Expr:
     """Return the condition that a channel has missing samples, or has none, as the prefix says."""
     return exp.column("complete", table=table).eq(int(prefix == COMPLETE))
-
-
-def _is_there(name: str) -> exp.Expr:
-    return exp.Not(this=exp.Is(this=exp.column(name), expression=exp.null()))
 
 
 _BODIES: dict[str, Callable[[OfSet, str], exp.Query]] = {"rowids": _by_row, "arrays": _in_arrays}

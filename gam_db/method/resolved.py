@@ -62,19 +62,18 @@ class Method:
                 "bins is 'auto', which is found where telemetry is read; a script or a package is "
                 "written without. Give a number: gam run --bins auto says which were taken."
             )
-        distinct = tuple(dict.fromkeys(self.parameters.variants()))
-        object.__setattr__(self, "assets", tuple(self.calibration.overrides))
-        object.__setattr__(self, "pools", self.calibration.pools)
-        object.__setattr__(self, "settings", distinct)
-        object.__setattr__(self, "rules", tuple(resolve(self.calibration, self.kind)))
-        object.__setattr__(
-            self,
-            "gaps",
-            tuple(
-                None if setting.max_gap is None else length(setting.max_gap, self.kind, "max_gap")
-                for setting in distinct
-            ),
-        )
+        settings = tuple(dict.fromkeys(self.parameters.variants()))
+        longest = (setting.max_gap for setting in settings)
+        gaps = (None if gap is None else length(gap, self.kind, "max_gap") for gap in longest)
+        found = {
+            "assets": tuple(self.calibration.overrides),
+            "pools": self.calibration.pools,
+            "settings": settings,
+            "rules": tuple(resolve(self.calibration, self.kind)),
+            "gaps": tuple(gaps),
+        }
+        for name, value in found.items():
+            object.__setattr__(self, name, value)
 
     def named(self, step: str, number: int) -> str:
         """Return what a step of one set is called."""
