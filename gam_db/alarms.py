@@ -201,8 +201,6 @@ def limits_of(study: Study, alarms: Alarms) -> list[Row]:
 def chosen_limits(work: Work, alarms: Alarms, kind: TimeKind) -> list[Row]:
     """Return the limits of all channels of the step *learnt_limits*: its columns, and those chosen.
 
-    *work* has the steps that a replay needs.
-
     Raises:
         ParameterError: as :meth:`Alarms.asked`.
     """
@@ -211,17 +209,14 @@ def chosen_limits(work: Work, alarms: Alarms, kind: TimeKind) -> list[Row]:
     near = [row for (_, g), row in sorted(found.items()) if g == NEAR]
     for row in near:
         assess(row, day_of(kind))
+    members = [row for row in near if row["reason"] is None]
     ratios: dict[int, list[int]] = defaultdict(list)
-    for row in near:
-        if row["reason"] is None and row["order_ratio"] is not None:
+    for row in members:
+        if row["order_ratio"] is not None:
             ratios[row["family_no"]].append(row["order_ratio"])
     drifting = {family for family, known in ratios.items() if sum(known) > _DRIFTING * len(known)}
-    rows = [
-        {**row, **_based(row, row["family_no"] in drifting)} if row["reason"] is None else row
-        for row in near
-    ]
-    members = [row for row in rows if row["reason"] is None]
     for row in members:
+        row |= _based(row, row["family_no"] in drifting)
         row |= {name: found[row["channel_id"], row["g"]][name] for name in ("centre", "spread")}
     total = math.fsum(row["judgements_per_day"] or 0.0 for row in members)
     for row in members:
@@ -236,11 +231,11 @@ def chosen_limits(work: Work, alarms: Alarms, kind: TimeKind) -> list[Row]:
                 height = by_replay(row["rate"], replayed[family], counted[family])
             height = Height(height.quarters, row["basis"] or height.basis)
         row |= high(row, height)
-    for row in rows:
+    for row in near:
         row["family"] = row["family_no"]
         if row["reason"] is not None:
             row |= {"centre": None, "spread": None}
-    return rows
+    return near
 
 
 def day_of(kind: TimeKind) -> int | None:

@@ -78,25 +78,20 @@ def alarms(state: State, name: str) -> pa.Table:
 
 def judgements(state: State, episode: Row) -> list[Row]:
     """Return the judgements of an episode (a row of :func:`alarms`), from its onset to its last one."""
-    slots: dict[str, template.Slot] = {
-        "version_id": episode["version_id"],
-        "first": episode["onset"],
-        "last": episode["last_judgement"],
-    }
-    return state.rows("stored/raised_judgements", slots)
+    ends = {"first": episode["onset"], "last": episode["last_judgement"]}
+    return state.rows("stored/raised_judgements", {"version_id": episode["version_id"], **ends})
 
 
-def bands(state: State, name: str, episode: Row, most: int = 3) -> list[Row]:
+def bands(state: State, name: str, episode: Row) -> list[Row]:
     """Return in which parts of its range an episode (a row of :func:`alarms`) stands out.
 
     Returns:
-        The most striking first, none without excess: place (below, within or above the range of
-        calibration), value_from, value_to (in units of the signal, None where there is none), novel and
-        visits (vectors of its first five judgements), calibration_novel, calibration_visits, excess
+        The three most striking, in order, none without excess: place (below, within or above the range
+        of calibration), value_from, value_to (in units of the signal, None where there is none), novel
+        and visits (vectors of its first five judgements), calibration_novel, calibration_visits, excess
         (novel less what as many visits held in calibration). Nothing before a run counted them.
     """
-    slots: dict[str, template.Slot] = {**_of(name, episode), "most": most}
-    return state.rows("stored/alarm_bands", slots)
+    return state.rows("stored/alarm_bands", {**_of(name, episode), "most": 3})
 
 
 def cells(state: State, name: str, episode: Row) -> list[Row]:
@@ -169,19 +164,7 @@ def label(
 ) -> list[int]:
     """Keep what somebody said of an episode, or of a machine in an interval of time.
 
-    Args:
-        state: the state tables, in a session that can write.
-        name: of the monitor.
-        kind: one of :data:`KINDS`.
-        episode: its number; else asset and span.
-        asset: the machine.
-        span: first and last instant.
-        note: what else was said.
-        until: when an acknowledgement, or a snooze, ends; with a time zone, else UTC.
-        instead: let it replace another decision.
-
-    Returns:
-        The numbers of the episodes that it is about.
+    Arguments and result are those of :meth:`gam_db.Monitor.label`; ``kind`` is one of :data:`KINDS`.
 
     Raises:
         ParameterError: it is about nothing, or contradicts what was said before.
@@ -194,33 +177,28 @@ def label(
     with state.session.transaction():
         state.lock(monitor_id)
         records = records_of(state, monitor_id)
-        channels = {
-            row["channel_id"]: row
-            for row in state.rows("stored/known_channels", {"monitor_id": monitor_id})
-        }
+        channels = state.rows("stored/known_channels", {"monitor_id": monitor_id})
+        assets = {row["channel_id"]: row["asset"] for row in channels}
         if episode is not None:
             about = [_episode(episode, records)]
-            asset = channels[about[0]["channel_id"]]["asset"]
+            asset = assets[about[0]["channel_id"]]
             ends = about[0]["first_time"], about[0]["last_time"]
         elif asset is None or ends is None:
             raise ParameterError("A label is about an episode, or about an asset in a time from and to.")
         else:
-            machines = sorted({row["asset"] for row in channels.values()})
-            if asset not in machines:
-                raise ParameterError(
-                    f"There is no asset {asset!r} in the monitor {name!r}{nearest(asset, machines)}"
-                )
+            if asset not in assets.values():
+                near = nearest(asset, sorted(set(assets.values())))
+                raise ParameterError(f"There is no asset {asset!r} in the monitor {name!r}{near}")
             about = [
                 row
                 for row in records
                 if row["status"] not in ("merged", "withdrawn")
-                and channels[row["channel_id"]]["asset"] == asset
-                and row["first_time"] <= ends[1]
-                and ends[0] <= row["last_time"]
+                and assets[row["channel_id"]] == asset
+                and _meet(*ends, row)
             ]
         given = state.rows("stored/labels", {"monitor_id": monitor_id})
         if kind in DECISIONS and not instead:
-            _check_agrees(kind, about, asset, given, channels)
+            _check_agrees(kind, about, asset, given)
         number = 1 + max((one["label_id"] for one in given), default=0)
         row = {
             **{"monitor_id": monitor_id, "label_id": number, "episode_id": episode, "asset": asset},
@@ -250,29 +228,24 @@ def left_out(state: State, name: str) -> dict[str, list[tuple[Instant, Instant]]
         return {}
     slots, kind = {"monitor_id": monitor["monitor_id"]}, kind_of(monitor)
     said = [row for row in state.rows("stored/labels", slots) if row["kind"] in DECISIONS]
+    episodes = {row["episode_id"]: row for row in records_of(state, slots["monitor_id"])}
     spans: dict[str, list[tuple[Instant, Instant]]] = {}
-    if any(row["kind"] in UNHEALTHY for row in said):
-        known = {row["episode_id"]: row for row in records_of(state, slots["monitor_id"])}
-        for number, row in enumerate(said):
-            if row["kind"] in UNHEALTHY and not any(_replaces(one, row) for one in said[number + 1 :]):
-                ends = row["time_from"], row["time_to"]
-                if row["episode_id"] in known:
-                    episode = known[row["episode_id"]]
-                    ends = min(ends[0], episode["onset_time"]), max(ends[1], episode["last_time"])
-                span = shown_instant(ends[0], kind), shown_instant(ends[1], kind)
-                spans.setdefault(row["asset"], []).append(span)
+    for number, row in enumerate(said, start=1):
+        if row["kind"] in UNHEALTHY and not any(_replaces(one, row) for one in said[number:]):
+            told = {"onset_time": row["time_from"], "last_time": row["time_to"]}
+            told = episodes.get(row["episode_id"], told)
+            begin = min(row["time_from"], told["onset_time"])
+            end = max(row["time_to"], told["last_time"])
+            span = shown_instant(begin, kind), shown_instant(end, kind)
+            spans.setdefault(row["asset"], []).append(span)
     return spans
 
 
 def _replaces(later: Row, row: Row) -> bool:
     """Tell whether a later decision is of the same episode, or of the machine in all that time."""
-    if row["episode_id"] is not None and later["episode_id"] == row["episode_id"]:
-        return True
-    return bool(
-        later["asset"] == row["asset"]
-        and later["time_from"] <= row["time_from"]
-        and row["time_to"] <= later["time_to"]
-    )
+    of_it = row["episode_id"] is not None and later["episode_id"] == row["episode_id"]
+    around = later["time_from"] <= row["time_from"] and row["time_to"] <= later["time_to"]
+    return bool(of_it or (later["asset"] == row["asset"] and around))
 
 
 def _check_kind(kind: str, until: dt.datetime | None) -> None:
@@ -312,26 +285,27 @@ def _episode(number: int, records: Sequence[Row]) -> Row:
     return row
 
 
-def _check_agrees(
-    kind: str, about: Sequence[Row], asset: str, given: Sequence[Row], channels: dict[int, Row]
-) -> None:
-    """Refuse a decision where another one was made of the same episode."""
+def _check_agrees(kind: str, about: Sequence[Row], asset: str, given: Sequence[Row]) -> None:
+    """Refuse a decision where another one was made of the same episode, or of the machine meanwhile."""
+    decisions = [said for said in reversed(given) if said["kind"] in DECISIONS]
     for row in about:
-        for said in reversed(given):
-            of_it = said["episode_id"] == row["episode_id"]
-            beside = (
-                said["episode_id"] is None
-                and said["asset"] == asset
-                and said["time_from"] <= row["last_time"]
-                and row["first_time"] <= said["time_to"]
+        said = next((one for one in decisions if _is_about(one, row, asset)), None)
+        if said is not None and said["kind"] != kind:
+            raise ParameterError(
+                f"Episode {row['episode_id']} is labelled {said['kind']} already, which {kind} "
+                "contradicts; if that was wrong, say --instead."
             )
-            if said["kind"] in DECISIONS and (of_it or beside):
-                if said["kind"] != kind:
-                    raise ParameterError(
-                        f"Episode {row['episode_id']} is labelled {said['kind']} already, which {kind} "
-                        "contradicts; if that was wrong, say --instead."
-                    )
-                break
+
+
+def _is_about(label: Row, episode: Row, asset: str) -> bool:
+    if label["episode_id"] is not None:
+        return bool(label["episode_id"] == episode["episode_id"])
+    return bool(label["asset"] == asset and _meet(label["time_from"], label["time_to"], episode))
+
+
+def _meet(start: int, end: int, episode: Row) -> bool:
+    """Tell whether an episode and a time have an instant in common."""
+    return bool(episode["first_time"] <= end and start <= episode["last_time"])
 
 
 def _switch_off(state: State, name: str, versions: set[int]) -> None:

@@ -6,22 +6,20 @@ What calibration counted for them is compared with the source by :mod:`gam_db.st
 
 import math
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import accumulate, groupby, pairwise
 from operator import itemgetter, or_
 from typing import NamedTuple
 
-import pyarrow as pa
-
 from gam_db.alarms import assess, day_of, high
 from gam_db.clock import FAR_AHEAD, TimeKind
-from gam_db.columns import counts
+from gam_db.columns import counts, table_of
 from gam_db.errors import ParameterError
 from gam_db.heights import UNSTATED, Height, Rate, by_table
 from gam_db.method.alarms import FAR, NEAR
 from gam_db.running import Running
 from gam_db.stored.alarms import DECISIONS, KINDS, UNREPRESENTATIVE
+from gam_db.stored.judging import buckets_of
 from gam_db.stored.limits import CHOSEN, learnt
 from gam_db.stored.planning import Row, by
 from gam_db.stored.state import State
@@ -56,9 +54,8 @@ class Inconsistency(NamedTuple):
     since: int | None = None
 
 
-@dataclass(frozen=True)
-class Judged:
-    """What judging anew gives: the episodes of all versions, and the judgements that are kept."""
+class Judged(NamedTuple):
+    """What judging anew gives: the episodes of all versions, and the oldest judgement of each."""
 
     episodes: list[Row]
     oldest: dict[int, int]
@@ -67,18 +64,11 @@ class Judged:
 def inconsistencies(
     state: State, monitor_id: int, kind: TimeKind, versions: Mapping[int, Row]
 ) -> Iterator[Inconsistency]:
-    """Give what does not hold between the tables of alarms.
-
-    Args:
-        state: the state tables.
-        monitor_id: of the monitor.
-        kind: how its source tells time.
-        versions: rows of the step *checked*, by version_id.
-    """
+    """Give what does not hold between the tables of alarms; versions are rows of the step *checked*."""
     yield from _limits(state, monitor_id, kind, versions)
     judged = Judged([], {})
-    by_length = sorted(versions.values(), key=_buckets)
-    for buckets, group in groupby(by_length, key=_buckets):
+    by_length = sorted(versions.values(), key=buckets_of)
+    for buckets, group in groupby(by_length, key=buckets_of):
         yield from _judgements(state, buckets, list(group), judged)
     slots = {"monitor_id": monitor_id}
     history = state.rows("stored/episode_history", slots)
@@ -88,15 +78,6 @@ def inconsistencies(
         what = "judgements whose bands are not all of their vectors"
         yield Inconsistency(row["version_id"], "episodes", what, row["differing"])
     yield from _labels(state.rows("stored/labels", slots), history, channels)
-
-
-def _buckets(version: Row) -> int:
-    return int(version["window_length"] // version["stride"])
-
-
-def _held(versions: Iterable[Row]) -> pa.Table:
-    keys = [row["version_id"] for row in versions]
-    return pa.table({"channel_id": keys, "version_id": keys}, schema=counts("channel_id version_id"))
 
 
 # Limits
@@ -137,17 +118,18 @@ def _follows(row: Row, said: Mapping[int, Row], is_off: bool) -> bool:
     wanted["reason"] = reason
     if reason is not None:
         return row["g"] in said and _same(row, {**wanted, **dict.fromkeys(CHOSEN)})
-    if row["basis"] not in _BASES or row["g"] != (FAR if row["basis"] == _DRIFTS else NEAR):
-        return False
-    if row["quarters"] is None or row["rate"] is None or not row["rate"] > 0:
-        return False
-    if row["basis"] == _NO_RATE and row["quarters"] != UNSTATED:
-        return False
-    if row["basis"] == _TABLED and row["quarters"] != by_table(row["rate"], row["blocks"]).quarters:
-        return False
+    basis, quarters, rate = row["basis"], row["quarters"], row["rate"]
     try:
         asked = Rate.of(row["asked"])
     except ParameterError:
+        return False
+    if (
+        basis not in _BASES
+        or row["g"] != (FAR if basis == _DRIFTS else NEAR)
+        or (quarters is None or rate is None or not rate > 0)
+        or (basis == _NO_RATE and quarters != UNSTATED)
+        or (basis == _TABLED and quarters != by_table(rate, row["blocks"]).quarters)
+    ):
         return False
     if asked.days is None:
         wanted["rate"] = asked.per_judgement(None, 0.0)
@@ -173,7 +155,8 @@ def _judgements(
 ) -> Iterator[Inconsistency]:
     """Judge the versions of one number of buckets anew, and note what that gives."""
     with Running(state.session, judging_steps(buckets), state.tables.placed()) as running:
-        running.load("judged_until", _held(group))
+        keys = [{"channel_id": row["version_id"], "version_id": row["version_id"]} for row in group]
+        running.load("judged_until", table_of(keys, counts("channel_id version_id")))
         found = running.rows("inconsistent_judgements")
         edges = running.rows("judged_edges")
         judged.oldest.update({row["channel_id"]: row["oldest_no"] for row in edges})

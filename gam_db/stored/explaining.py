@@ -12,7 +12,7 @@ from sqlglot import exp
 from gam_db import template
 from gam_db.running import Running
 from gam_db.stored.planning import Row, assets_of, portions
-from gam_db.stored.reading import Reader, cohort_of
+from gam_db.stored.reading import Reader, cohort_of, listed
 from gam_db.stored.state import State
 from gam_db.stored.steps import explaining_steps, reading_steps, setting_of
 
@@ -28,9 +28,11 @@ def explain(state: State, reader: Reader, monitor_id: int, plan: Iterable[Row], 
     asked = [version for version in raised if version in known]
     if not asked:
         return
-    slots["raised_versions"] = _among("version_id", "judged", asked)
+    # What is of no use is skipped by an engine where that is said in literals.
+    slots["raised_versions"] = listed(exp.column("version_id", table="judged"), asked)
     runs: dict[int, list[list[Row]]] = {}  # of judgements that follow one another
-    for row in _placed(state, state.rows("stored/uncounted", slots)):
+    wanted = [row for row in state.rows("stored/uncounted", slots) if row["version_id"] in known]
+    for row in _placed(state, wanted):
         mine = runs.setdefault(row["version_id"], [])
         if mine and mine[-1][-1]["judgement_no"] + 1 == row["judgement_no"]:
             mine[-1].append(row)
@@ -43,18 +45,14 @@ def explain(state: State, reader: Reader, monitor_id: int, plan: Iterable[Row], 
             _count(state, reader, group)
 
 
-def _among(column: str, table: str, numbers: Iterable[int]) -> exp.Expr:
-    """Return the condition by which an engine skips what is of no use: all but some numbers."""
-    return exp.column(column, table=table).isin(*map(exp.Literal.number, sorted(set(numbers))))
-
-
 def _placed(state: State, wanted: Sequence[Row]) -> list[Row]:
     """Return those of the judgements whose bucket before is kept, with where to begin to read."""
     if not wanted:
         return []
+    asked = {"version_id": "version_id", "bucket_no": "bucket_before"}
     conditions = (
-        _among("version_id", "full_bucket", (row["version_id"] for row in wanted)),
-        _among("bucket_no", "full_bucket", (row["bucket_before"] for row in wanted)),
+        listed(exp.column(name, table="full_bucket"), {row[of] for row in wanted})
+        for name, of in asked.items()
     )
     found = state.rows("stored/buckets_before", {"wanted": exp.and_(*conditions)})
     ends = {(row["version_id"], row["bucket_no"]): row for row in found}

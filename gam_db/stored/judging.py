@@ -26,7 +26,7 @@ def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) ->
     Given are its tables *cohort*, *stamp* and *new_buckets*. Returned is the first judgement written
     anew, of each version that has, or had, a limit.
     """
-    buckets = buckets_of(group)
+    buckets = buckets_of(group[0])
     placed = {**state.tables.placed(), **given}
     rows = state.rows("stored/judged_until", {"near": near(group, buckets)}, given)
     lost = [row for row in rows if row["first_judgement"] == 0 and row["first_bucket"] >= buckets]
@@ -54,9 +54,9 @@ def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) ->
     return {row["version_id"]: row["first_judgement"] for row in rows}
 
 
-def buckets_of(group: Sequence[Row]) -> int:
-    """Return how many buckets a window of a group has."""
-    return int(group[0]["window_length"] // group[0]["stride"])
+def buckets_of(version: Row) -> int:
+    """Return how many buckets a window of a version has."""
+    return int(version["window_length"] // version["stride"])
 
 
 _UNTIL = counts("channel_id version_id first_bucket first_judgement")

@@ -16,8 +16,6 @@ from gam_db.pipeline import Pipeline
 from gam_db.running import Running
 from gam_db.stored.state import State, kind_of, now
 
-CALIBRATED = "calibrated"
-
 #: What is NULL where there is no limit.
 CHOSEN = ("centre", "spread", "reference", "height", "cap", "quarters", "basis", "rate", "stated_rate")
 
@@ -27,11 +25,7 @@ def learnt(
 ) -> Running:
     """Return the steps *limit_channels* and *learnt_limits*, over the active versions of a monitor.
 
-    Args:
-        state: the state tables.
-        monitor_id: of the monitor.
-        families: patterns of channel names.
-        is_heeding: whether one with a false alarm right after calibration gets no limit any more.
+    Where it ``is_heeding``, one with a false alarm right after calibration gets no limit any more.
     """
     steps = Pipeline(small=frozenset({"active", "limit_channels", "buffered"}))
     add(steps, "stored/active", {"monitor_id": monitor_id})
@@ -47,18 +41,12 @@ def make(
     state: State,
     name: str,
     alarms: Alarms,
-    cause: str = CALIBRATED,
+    cause: str = "calibrated",
     wanted: Callable[[Row], bool] = lambda row: row["limit_no"] == 0,
 ) -> list[Row]:
-    """Make limits, from all active versions, and keep those of the wanted ones.
+    """Make limits, from all active versions, and keep those of the wanted ones, with their cause.
 
-    Args:
-        state: the state tables, in a session that can write.
-        name: of the monitor.
-        alarms: the asked rate and the families.
-        cause: why, as the rows will say.
-        wanted: which channels get new ones (asset, channel, limit_no: 0 for none yet); others keep
-            theirs.
+    Wanted is asked of a channel's row (asset, channel, limit_no: 0 for none yet); others keep theirs.
 
     Returns:
         One row per channel that got one, ordered, as :func:`gam_db.limits` returns them.

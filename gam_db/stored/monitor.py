@@ -6,7 +6,6 @@ This module owns the public calls of the stored form.
 import contextlib
 import datetime as dt
 import html
-from collections.abc import Callable
 from dataclasses import InitVar, dataclass
 from pathlib import Path
 from typing import Any
@@ -187,7 +186,7 @@ class Monitor(MonitorSettings):
             until=None if until is None else instant(until, kind, "until"),
             full=full,
             everything=everything,
-            chosen=_chosen(asset, channel),
+            chosen=lambda one, other: pattern_matches(asset, one) and pattern_matches(channel, other),
             limit=limit,
         )
         return score(self.state, self.source, self.name, wanted, dry_run, on_step)
@@ -269,7 +268,7 @@ class Monitor(MonitorSettings):
             asset: the machine.
             span: first and last instant.
             note: what else there is to say.
-            until: when an acknowledgement or a snooze ends.
+            until: when an acknowledgement, or a snooze, ends; with a time zone, else UTC.
             instead: let it replace another decision.
 
         Returns:
@@ -398,9 +397,3 @@ def _cell(value: Any) -> str:
     if value is None:
         return ""
     return html.escape(f"{value:.3g}" if isinstance(value, float) else str(value))
-
-
-def _chosen(asset: str, channel: str) -> Callable[[str, str], bool]:
-    return lambda its_asset, its_channel: (
-        pattern_matches(asset, its_asset) and pattern_matches(channel, its_channel)
-    )

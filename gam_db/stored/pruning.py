@@ -7,12 +7,14 @@ changes nothing that a later run computes.
 import contextlib
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import reduce
 
 import pyarrow as pa
+import pyarrow.compute as pc
 from sqlglot import exp
 
 from gam_db import template
-from gam_db.clock import FAR_AHEAD, Length, TimeKind, length
+from gam_db.clock import FAR_AHEAD, Length, length
 from gam_db.errors import EngineError, ParameterError
 from gam_db.pipeline import Pipeline
 from gam_db.stored import lengths, migrations
@@ -116,8 +118,17 @@ def prune(
             f"{state.session.engine.title} has no transaction that could be undone; leave out the dry "
             "run."
         )
-    kind = kind_of(state.monitor(monitor))
-    return _deleted(state, monitor, _slots(retention or Retention(), kind), dry_run)
+    kind, retention = kind_of(state.monitor(monitor)), retention or Retention()
+    slots: dict[str, template.Slot] = {  # in integers; 2^62 is for ever
+        role: FAR_AHEAD if given is None else length(given, kind, role)
+        for role, given in (("keep", retention.keep), ("keep_novel", retention.keep_novel))
+    }
+    slots["lookback"] = lengths.lookback(retention.lookback, kind)
+    slots["novel_rows"] = NOVEL_ROWS if retention.keep_novel is None else FAR_AHEAD
+    versions = FAR_AHEAD if retention.keep_versions is None else retention.keep_versions
+    if isinstance(versions, bool) or not isinstance(versions, int) or versions < 0:
+        raise ParameterError(f"keep_versions is {versions!r}; it is a number of versions, 0 or more.")
+    return _deleted(state, monitor, {**slots, "keep_versions": versions}, dry_run)
 
 
 def compact(state: State, monitor: str = "default") -> pa.Table:
@@ -174,29 +185,9 @@ def _deleted(
             session.forget(made)
         if dry_run:
             raise _UndoneError
-    return _compared(before, after)
-
-
-def _slots(retention: Retention, kind: TimeKind) -> dict[str, template.Slot]:
-    """Return the retention in integers; 2^62 is for ever."""
-    slots: dict[str, template.Slot] = {
-        role: FAR_AHEAD if given is None else length(given, kind, role)
-        for role, given in (("keep", retention.keep), ("keep_novel", retention.keep_novel))
-    }
-    slots["lookback"] = lengths.lookback(retention.lookback, kind)
-    slots["novel_rows"] = NOVEL_ROWS if retention.keep_novel is None else FAR_AHEAD
-    versions = FAR_AHEAD if retention.keep_versions is None else retention.keep_versions
-    if isinstance(versions, bool) or not isinstance(versions, int) or versions < 0:
-        raise ParameterError(f"keep_versions is {versions!r}; it is a number of versions, 0 or more.")
-    slots["keep_versions"] = versions
-    return slots
-
-
-def _compared(before: pa.Table, after: pa.Table) -> pa.Table:
-    """Put the sizes beside one another; both have a row per channel, in the same order."""
+    # Both have a row per channel, in the same order.
     rows = before
     for column in ("versions", *COUNTED):
         rows = rows.append_column(f"{column}_after", after[column])
-    sizes = [sum(row[column] for column in COUNTED) for row in before.to_pylist()]
-    order = sorted(range(len(sizes)), key=lambda number: -sizes[number])
-    return rows.take(pa.array(order, pa.int64()))
+    sizes = reduce(pc.add, (before[column] for column in COUNTED))
+    return rows.take(pc.sort_indices(pc.negate(sizes)))

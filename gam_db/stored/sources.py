@@ -30,26 +30,22 @@ _MORE = "and"
 
 def described(source: AnySource) -> dict[str, str | None]:
     """Return what is kept of a source: the values of :data:`SOURCE_COLUMNS`."""
-    is_long = isinstance(source, Source)
     condition = source.where.sql("duckdb") if isinstance(source.where, exp.Expr) else source.where
     return {
         "source": _shown(source.relation) + _written(source),
-        "layout": "long" if is_long else "wide",
+        "layout": "long" if isinstance(source, Source) else "wide",
         "asset_column": source.asset,
-        "channel_column": source.channel if isinstance(source, Source) else None,
+        "channel_column": getattr(source, "channel", None),
         "time_column": source.time,
-        "value_column": source.value if isinstance(source, Source) else None,
+        "value_column": getattr(source, "value", None),
         "condition": condition,
     }
 
 
 def source_of(monitor: Mapping[str, Any], channels: Sequence[str], relation: Any = None) -> AnySource:
-    """Return the source that a monitor was made from.
+    """Return the source that a monitor was made from, or one like it with another ``relation``.
 
-    Args:
-        monitor: its row.
-        channels: names of its channels, the columns of a wide source; all numeric ones if it has none.
-        relation: what to read instead of the relation that it was made from.
+    The names of its channels are the columns of a wide source: all numeric ones if it has none.
 
     Raises:
         ConfigurationError: it was made from an Arrow table, and no relation is given.
