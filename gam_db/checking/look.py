@@ -70,9 +70,7 @@ def add_look(steps: Pipeline, method: Method, instant_of: TimeNode) -> None:
     add(steps, "check/distinct_values", {"looked_at": VALUES_LOOKED_AT // 4})
     add(steps, "check/quanta")
     shortest = (_SHORTEST_LAG, *[_SHORTEST_LAG_OF_BLOCKS] * (len(SCALES) - 1))
-    rungs = [
-        {"scale": scale, "shortest": lag} for scale, lag in zip(SCALES, shortest, strict=True)
-    ]
+    rungs = [{"scale": scale, "shortest": lag} for scale, lag in zip(SCALES, shortest, strict=True)]
     add_stacked(steps, "check/scales", rungs)
     add(steps, "check/block_sums", {"blocks": _BLOCKS})
     add(steps, "check/lag_sums", {"longest_lag": LONGEST_LAG})

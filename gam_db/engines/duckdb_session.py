@@ -131,9 +131,11 @@ class DuckSession(Session):
         All stays as it is where a source is remote, as what reads that is loaded when it is needed, and
         where the database is open on another connection of the process, which shares the setting.
         """
-        query = "SELECT current_setting('enable_external_access') AND count = 1 FROM duckdb_connection_count()"
         ask = self.connection.execute
-        if ask(query).fetchall() != [(True,)]:
+        alone = ask(
+            "SELECT current_setting('enable_external_access'), count FROM duckdb_connection_count()"
+        )
+        if alone.fetchall() != [(True, 1)]:
             return
         patterns = {*self.driver.sources, *_named_in_views(self.connection)}
         if any("://" in one for one in patterns):

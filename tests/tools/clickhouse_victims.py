@@ -8,7 +8,6 @@ process that is told to die ``after`` a table dies when that table was appended 
 import json
 import os
 import signal
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -50,8 +49,8 @@ def die_after(table: str) -> None:
     """Let this process die when rows were appended to a table of the state."""
     append = State.append
 
-    def appended(state: State, name: str, query: Any, columns: Sequence[str] | None = None) -> None:
-        append(state, name, query, columns)
+    def appended(state: State, name: str, query: Any) -> None:
+        append(state, name, query)
         if name == table:
             os.kill(os.getpid(), signal.SIGKILL)
 
