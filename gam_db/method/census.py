@@ -33,8 +33,9 @@ from gam_db.pipeline import Pipeline, union_of
 #: are read again, which of evenly spaced ones are few.
 SLICES = 32
 
-#: Its own steps that are kept.
-KEPT = frozenset(("stored", "slices", "edges", "edge_samples"))
+#: Its own steps that are kept, up to what *names* are read off, and in all.
+OPENING = frozenset(("slices", *(step for steps in STORED.values() for step in steps)))
+KEPT = OPENING | {"edges", "edge_samples"}
 
 #: Small steps that are read once or are constants here: a table of each would cost more.
 FLOWING = frozenset(("rules", "declared", "series", "calibrated"))
@@ -73,7 +74,7 @@ def add_census(steps: Pipeline, method: Method, slicing: Slicing, delays: str | 
     add_channels(steps, method)
     reach = max(1, *(setting.span for setting in method.settings))
     add(steps, "census/edges", {"reach": reach})
-    if delays in STORED:
+    if delays is not None:
         add(steps, f"{delays}/edge_samples")
     else:
         _add_readings(steps, EDGES)
@@ -91,12 +92,12 @@ def add_names(steps: Pipeline, slicing: Slicing, delays: str | None = None) -> N
 
     Args:
         steps: the pipeline.
-        slicing: how times are cut, unless a body cuts what it keeps.
+        slicing: how times are cut for windows; a body cuts what it keeps.
         delays: the body of the delays (:mod:`gam_db.method.delays`).
     """
-    if delays in STORED:
-        add(steps, f"{delays}/stored")
-        add(steps, f"{delays}/slices")
+    if delays is not None:
+        for name in (*STORED[delays], "slices"):
+            add(steps, f"{delays}/{name}")
     else:
         add(steps, "census/slices", {"origin": slicing.origin, "width": slicing.width})
     add(steps, "census/names")

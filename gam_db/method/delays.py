@@ -8,7 +8,9 @@ that is not right for a source shows it by ``doubled``, too: that costs time, ne
 
 * ``embedding``, by windows: for every engine.
 * ``rowids``, by the numbers of rows that are kept in order: SQLite.
-* ``arrays``, by arrays that are kept in order: ClickHouse. Of these the census is made, too.
+* ``arrays``, by arrays that are kept in order: ClickHouse.
+
+What these two keep in order the census is made of, too.
 """
 
 from collections.abc import Callable
@@ -25,8 +27,9 @@ from gam_db.pipeline import filled
 #: What is kept before vectors are made of it, body by body.
 KEPT = {"rowids": ("coded", "runs"), "arrays": ()}
 
-#: The bodies for which the samples of the source are kept once, whatever is asked of them: *stored*.
-STORED = frozenset(("arrays",))
+#: What is kept of the samples of the source before they are cut, body by body: its *slices*, its
+#: *edge_samples* and its codes are read off it.
+STORED = {"rowids": ("spoken", "lined", "pieces"), "arrays": ("stored",)}
 
 #: The steps with a column ``doubled`` that prove a body right where it is 0 everywhere, as it must be in
 #: the one that buckets are counted from (:attr:`Ways.counted`).

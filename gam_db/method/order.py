@@ -6,7 +6,7 @@ from gam_db import template
 from gam_db.bits import Bits
 from gam_db.method.adding import OfSet, add, join_sets
 from gam_db.method.calibration import add_calibration
-from gam_db.method.census import FLOWING, Slicing, add_census, add_census_set, add_names, kept
+from gam_db.method.census import FLOWING, OPENING, Slicing, add_census, add_census_set, add_names, kept
 from gam_db.method.certificate import add_certificate
 from gam_db.method.delays import Ways
 from gam_db.method.judgement import limit_slots
@@ -73,7 +73,7 @@ def opening_pipeline(
     Arguments as for :func:`pipeline` and :func:`trusting_pipeline`, ``delays`` as of its ways; without
     ``slicing`` the former.
     """
-    steps = Pipeline(small=frozenset(("stored", "slices")))
+    steps = Pipeline(small=OPENING)
     _add_readings(steps, readings, glance)
     add(steps, "census/extent")
     if slicing is None:

@@ -1,7 +1,7 @@
 -- Runs: where each channel lies among the coded samples, by what was counted before. For SQLite. Proof: the rows
--- at both ends of each part, and the next one after it, are looked at; the samples are in order, so that all
--- between them are where they should be. doubled = 1 where one is not, or where an instant occurs twice among
--- the samples that no vector ends with; if so, all is done again by windows.
+-- at both ends of each part are looked at, and the vectors look at all between them.
+-- doubled = 1 where one is not where it should be, or where an instant occurs twice among the samples that no
+-- vector ends with; if so, all is done again by windows.
 -- Dialect: sqlite
 -- Reads:  scale, coded
 -- A row:  one channel: its rows, the last one of calibration, and the first one that the scored vectors read.
@@ -17,7 +17,6 @@ SELECT
   CASE
     WHEN first_one.channel_id = run.channel_id
       AND last_one.channel_id = run.channel_id
-      AND COALESCE(after_last.channel_id, 0) <> run.channel_id
       AND (run.taught_row < run.first_row OR taught.time < run.first_scored)
       AND (run.taught_row = run.last_row OR untaught.time >= run.first_scored)
       AND NOT EXISTS (
@@ -26,7 +25,7 @@ SELECT
         JOIN coded AS earlier ON earlier.rowid = later.rowid - 1
         WHERE later.rowid BETWEEN run.first_row + 1 AND run.first_row + :span
           AND later.rowid <= run.last_row
-          AND later.time = earlier.time
+          AND later.time <= earlier.time
       ) THEN 0
     ELSE 1
   END AS doubled
@@ -59,6 +58,5 @@ FROM (
 ) AS run
 LEFT JOIN coded AS first_one ON first_one.rowid = run.first_row
 LEFT JOIN coded AS last_one ON last_one.rowid = run.last_row
-LEFT JOIN coded AS after_last ON after_last.rowid = run.last_row + 1
 LEFT JOIN coded AS taught ON taught.rowid = run.taught_row
 LEFT JOIN coded AS untaught ON untaught.rowid = run.taught_row + 1
