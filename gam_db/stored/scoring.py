@@ -14,7 +14,7 @@ from sqlglot import exp
 
 from gam_db import look, template
 from gam_db.bits import Bits
-from gam_db.clock import FAR_AHEAD, LONG_AGO, shown_instant
+from gam_db.clock import LONG_AGO, shown_instant
 from gam_db.columns import counts, table_of
 from gam_db.errors import ConflictError, ParameterError, SourceError
 from gam_db.method.adding import add
@@ -147,6 +147,7 @@ class _Run:
         self.started = now()
         self.planned: Snapshots = {}
         self.sums, self.ranges = False, dict[int, list[Row]]()
+        self.latest: dict[tuple[str, str], int | None] = {}
         self.is_thorough = wanted.everything
         self.report = Report()
 
@@ -177,6 +178,7 @@ class _Run:
             cohort, moved = self._apart(cohort)
             cohorts += moved
             counts = {(row["asset"], row["channel"]): row["readings"] for row in names}
+            self.latest |= {(row["asset"], row["channel"]): row["latest"] for row in names}
             members = [(row["asset"], row["channel"]) for row in cohort.channels]
             if members:
                 self.report.ranges.append(
@@ -355,7 +357,7 @@ class _Run:
         self, running: Running, group: Sequence[Row], assets: Sequence[str] | None, bits: Bits
     ) -> bool:
         """Give the vectors of channels as they are stored, if they are in order."""
-        asked = [{**row, "read_until": self._until} for row in group]
+        asked = [{**row, "read_until": self._until(row)} for row in group]
         setting = method_of(setting_of(group[0]), self.reader.kind).settings[0]
         return is_given(running, self.reader, assets, asked, setting, bits)
 
@@ -436,12 +438,19 @@ class _Run:
     def _cohort(self, group: Sequence[Row]) -> pa.Table:
         due = [int(self._is_due(row)) for row in group]
         planned = [self.planned.get(row["version_id"], NOTHING).newest_run for row in group]
-        return cohort_of(group, read_until=self._until, recounted=due, planned_from=planned)
+        until = [self._until(row) for row in group]
+        return cohort_of(group, read_until=until, recounted=due, planned_from=planned)
 
-    @property
-    def _until(self) -> int:
-        """The last instant that is read."""
-        return FAR_AHEAD if self.wanted.until is None else self.wanted.until
+    def _until(self, row: Row) -> int:
+        """Return the last instant of a channel that is read: the newest one that the look has found.
+
+        What was read before is added up after that look. So whatever comes later must be no further
+        behind than the lookback allows from there, which is how far the next run adds up.
+        """
+        latest = self.latest.get((row["asset"], row["channel"]))
+        if latest is None:
+            return int(row["read_from"]) - 1
+        return latest if self.wanted.until is None else min(latest, self.wanted.until)
 
     def _is_due(self, row: Row) -> bool:
         """Tell whether the rows of a channel's calibration are to be counted anew."""

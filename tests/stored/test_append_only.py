@@ -14,6 +14,8 @@ import comparisons
 import frozen
 import harness
 import small_plant
+from gam_db.stored import scoring
+from gam_db.stored.growing import unmoved
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.scoring import Report
 from small_plant import FIRST, LENGTH, readings, seen, source
@@ -167,3 +169,28 @@ def test_so_it_is_without_a_word_and_a_changed_value_is_seen(plant: duckdb.DuckD
     run = grown(plant, append_only=False)
     assert {row["rows_read"] > STEP + STRIDE + CONTEXT + 1 for row in run.channels} == {False}
     assert monitor(plant, append_only=False).check_state().num_rows == 0
+
+
+def test_a_row_that_comes_while_a_run_is_at_work_is_not_lost(
+    plant: duckdb.DuckDBPyConnection, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It comes after what was read was added up, with rows that are as new as it may be late."""
+    (end,) = plant.execute("SELECT MAX(time) + 1 FROM telemetry").fetchall()[0]
+    first = readings(end, end + 2 * STEP)
+    late = [row for row in first if row[0] == "b" and row[2] == end + 5]
+    put(plant, [row for row in first if row not in late and row[2] < end + STEP])
+    monitor(plant, append_only=False).score(full=True)
+    put(plant, [row for row in first if row[2] >= end + STEP])
+
+    def meanwhile(*asked: Any) -> Any:
+        found = unmoved(*asked)
+        put(plant, [*late, *readings(end + 2 * STEP, end + 4 * STEP)])
+        monkeypatch.undo()
+        return found
+
+    monkeypatch.setattr(scoring, "unmoved", meanwhile)
+    run = monitor(plant, append_only=False).score()
+    assert {row["read_to"] for row in run.channels} == {end + 2 * STEP - 1}
+    monitor(plant, append_only=False).score()
+    assert monitor(plant, append_only=False).check_state().num_rows == 0
+    finished(plant)
