@@ -49,7 +49,8 @@ def test_an_hour_is_read_and_no_more(figures: dict[str, Any]) -> None:
     stride = figures["workload"]["stride"]
     for name, side in sides.items():
         if name == "script":
-            assert side["new_buckets"] == sides["large"]["new_buckets"]
+            again = side["new_buckets"] - sides["large"]["new_buckets"]
+            assert 0 < again <= CHANNELS * (lookback // stride + 1), "gam-db leaves those as they are"
             continue
         new = HOUR * CHANNELS
         assert new < side["rows_in_range"] <= new + (CHANNELS + 1) * (lookback + 3 * stride)

@@ -24,7 +24,9 @@ SIDES = ("small", "large", "append_only", "script", "parked", "quiet")
 MEANING = (
     "small, large: one hour of new rows of every channel, after the smaller and the larger history",
     "append_only: the same as large, of a source that is said to grow only: the hour before is counted",
-    "script: takes the rows out, counts with NumPy, writes buckets and novel cells; it proves nothing",
+    "script: takes the rows out from the lookback on, counts with NumPy, writes buckets and novel "
+    "cells; it proves nothing. gam-db adds up what it had read there, and leaves what is stored of it; "
+    "what is seen of buckets and cells in the end is compared",
     "parked, quiet: the same after the larger history with one channel more, silent for longer than "
     "park_after or for half of it",
     "processor: seconds of all threads, user and system, least of the runs; ratios are made of these",
