@@ -259,7 +259,8 @@ def _entry(step: str) -> exp.Table:
 def _selected_from(union: exp.Query) -> exp.Query:
     """Wrap a union, since not every engine takes a WITH list before one."""
     columns = [exp.column(exp.to_identifier(name), table="rows_of") for name in union.named_selects]
-    return exp.select(*(column.as_(column.name) for column in columns)).from_(union.subquery("rows_of"))
+    rows = union.subquery("rows_of", copy=False)
+    return exp.select(*(column.as_(column.name) for column in columns)).from_(rows, copy=False)
 
 
 def _names(query: exp.Expr) -> frozenset[str]:

@@ -311,7 +311,7 @@ def _over(path: str, slots: Slots, name: str, rows: exp.Query) -> exp.Query:
     """Return a file of ``sql/`` that reads the rows of a query where it has a name for them."""
     query = filled(path, slots)
     (read,) = (table for table in query.find_all(exp.Table) if table.name == name)
-    read.replace(rows.subquery(name))
+    read.replace(rows.subquery(name, copy=False))
     return query
 
 

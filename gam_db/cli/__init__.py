@@ -4,7 +4,6 @@ A module of commands owns them and their pages; what they print is found out bel
 errors are told.
 """
 
-import gc
 import json
 import sys
 import time
@@ -27,7 +26,7 @@ from gam_db.errors import (
     UserError,
     printable,
 )
-from gam_db.extras import leave_pandas
+from gam_db.extras import begin_process
 from gam_db.version import __version__
 
 #: What Typer raises for options it cannot parse; it does not export the name.
@@ -156,8 +155,7 @@ def of_every_command(
 
 def main() -> None:
     """Run the command line."""
-    gc.set_threshold(100_000, 20, 100)  # a command ends soon; looking for circles takes a tenth of it
-    leave_pandas()
+    begin_process()
     app()
 
 

@@ -84,7 +84,7 @@ def test_who_wants_pandas_gets_it() -> None:
     pytest.importorskip("pandas")
     asked = """
 from gam_db import extras
-extras.leave_pandas()
+extras.begin_process()
 try:
     import pandas
 except ImportError:

@@ -12,7 +12,7 @@ from typing import Any
 
 import gam_db
 from gam_db.errors import GamError, InternalError
-from gam_db.extras import leave_pandas
+from gam_db.extras import begin_process
 
 
 def run(module: str, task: str, job: str) -> dict[str, Any]:
@@ -44,9 +44,9 @@ def run(module: str, task: str, job: str) -> dict[str, Any]:
 def answer(work: Callable[[str], Mapping[str, Any]]) -> None:
     """Do the job that this process was started for, and print its figures as the last line.
 
-    Nobody loads pandas in it: no side is given a frame, and loading it takes as long as scoring an hour.
+    Every side begins as a command does.
     """
-    leave_pandas()
+    begin_process()
     try:
         print(json.dumps(work(sys.argv[1])))
     except GamError as error:
