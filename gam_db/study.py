@@ -6,7 +6,7 @@ This module owns the order of work: look at the source, resolve what was asked, 
 import contextlib
 import dataclasses
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
@@ -53,7 +53,8 @@ class Study:
             (:mod:`gam_db.trusting`); not for who changes what the steps read.
         on_trust: of the two, take the second as well; not for who asks for calibration alone, which
             proves nothing of what comes after it.
-        with_cells: novel cells will be asked for beside buckets, which are then made of them.
+        asked: the last steps that will be asked for, where that is known: what serves no other is made
+            so that it costs least. Others may be asked for, at a price.
 
     Raises:
         UserError: anything of the source, the parameters or the calibration that cannot be used.
@@ -69,7 +70,7 @@ class Study:
         strict: bool = True,
         short_cuts: bool = False,
         on_trust: bool = True,
-        with_cells: bool = False,
+        asked: Collection[str] = (),
     ) -> None:
         self.session, self._named = session, source.relation
         self._is_lent = not isinstance(source.relation, (str, Path, tuple, list))
@@ -89,7 +90,7 @@ class Study:
         slicing, ways = None, Ways()
         if short_cuts and on_trust and not is_streamed and trusting.serves(self.method):
             slicing, rows = trusting.sliced(self.running)
-            ways = ways if slicing is None else self._ways(rows, with_cells)
+            ways = ways if slicing is None else self._ways(rows, asked)
             self.running.steps = self._opening(slicing, ways.delays)
         self.running.keep("names")
         names = session.fetch(self.steps.query("names", self.running.placed))
@@ -107,8 +108,8 @@ class Study:
             self._short_cut = streams
         elif slicing is not None:
             made, careful = partial(self._steps, bits, slicing), partial(self._steps, bits)
-            asked = self.running, names, ways
-            self._short_cut = Trust(self.method, *asked, made, careful, self._readings)
+            given = self.running, names, ways
+            self._short_cut = Trust(self.method, *given, made, careful, self._readings)
 
     @property
     def steps(self) -> Pipeline:
@@ -172,11 +173,12 @@ class Study:
         steps = _opened(*self._asked, glance, slicing, delays).copied()
         return self._with_file(steps)
 
-    def _ways(self, rows: int, with_cells: bool) -> Ways:
+    def _ways(self, rows: int, asked: Collection[str]) -> Ways:
         """Return what this engine does in a way of its own with a source of so many rows."""
         engine = self.session.engine
         has_room = not engine.holds_delays or rows <= self.session.rows_at_once()
-        return Ways(engine.delays if has_room else None, engine.by_sets, has_cells=with_cells)
+        delays = engine.delays if has_room else None
+        return Ways(delays, engine.by_sets, asked=frozenset(asked))
 
     def _steps(
         self, bits: Bits | None, slicing: Slicing | None = None, ways: Ways | None = None
@@ -216,6 +218,7 @@ def studied(
     calibration: Calibration | None,
     engine: Any,
     short_cuts: bool = False,
+    asked: Collection[str] = (),
 ) -> Iterator[Study]:
     """Give a study of a source, whose columns are guessed where only a relation is given.
 
@@ -225,10 +228,11 @@ def studied(
         calibration: likewise.
         engine: see :func:`gam_db.connecting.borrowed`.
         short_cuts: see :class:`Study`.
+        asked: likewise.
     """
     with borrowed(engine) as session:
-        asked = (parameters or Parameters(), calibration or Calibration())
-        study = Study(session, sourced(source, session), *asked, short_cuts=short_cuts)
+        said = (parameters or Parameters(), calibration or Calibration())
+        study = Study(session, sourced(source, session), *said, short_cuts=short_cuts, asked=asked)
         try:
             yield study
         finally:

@@ -101,7 +101,8 @@ class Trust:
         self._bound(TAUGHT, "calibration", "time_from", "time_to")
         for number in self._sets:
             bounds, *marked = (
-                self._step(step, number) for step in ("bounds", *PROOFS[self._ways.delays])
+                self._step(step, number)
+                for step in ("bounds", *PROOFS[self._ways.delays], self._ways.taught)
             )
             self.running.keep(bounds)
             if self.running.table(bounds)["calibrated_lo"].null_count:

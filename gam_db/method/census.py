@@ -117,7 +117,9 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
     add_delays(one, CALIBRATION, ways.delays, TAUGHT)
     vectors = {"vectors": f"{CALIBRATION}vectors"}
     one.add("census/learnable", tables=vectors)
-    one.add("support/support")
+    if ways.taught == "taught":
+        one.add("census/taught")
+    one.add("support/support", tables={"learnable": ways.taught})
     add_support_bits(one, bits)
     add_delays(one, COMPLETE, ways.delays, scored)
     place = exp.column("position", table="vector") - setting.span
@@ -139,7 +141,7 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
 
 def kept(method: Method, ways: Ways) -> set[str]:
     """Return the steps of the census that are kept beside those of every form."""
-    own = ("learnable", "scale", *KEPT_BY.get(ways.delays or "", ()))
+    own = (ways.taught, "scale", *KEPT_BY.get(ways.delays or "", ()))
     return {method.named(step, number) for step in own for number in range(len(method.settings))} | KEPT
 
 

@@ -32,12 +32,11 @@ KEPT = {"rowids": ("coded", "runs"), "arrays": ()}
 STORED = {"rowids": ("spoken", "lined", "pieces"), "arrays": ("stored",)}
 
 #: The steps with a column ``doubled`` that prove a body right where it is 0 everywhere, as it must be in
-#: the one that buckets are counted from (:attr:`Ways.counted`).
-PROOFS = {
-    None: ("learnable",),
-    "rowids": ("runs", "learnable"),
-    "arrays": ("stored",),
-}
+#: the ones that supports and buckets are made of (:attr:`Ways.taught`, :attr:`Ways.counted`).
+PROOFS = {None: (), "rowids": ("runs",), "arrays": ("stored",)}
+
+#: What is made of scored vectors and of the support alone.
+_HEALTH = frozenset(("bucket_health", "novel_cells"))
 
 #: The vectors that are made, by their prefix: of calibration, and the scored ones of channels without
 #: and with missing samples.
@@ -52,19 +51,23 @@ class Ways:
         delays: the body of the delays; None for windows.
         by_sets: whether a cell is looked up in the support as a set, instead of by a join.
         has_missing: whether a channel lacks a sample; if none does, nothing is made for such.
-        has_cells: whether novel cells are asked for, too: buckets are counted from them then, and else
-            from the vectors, of which there are fewer groups.
+        asked: the last steps that will be asked for, where that is known; others may be, at a price.
     """
 
     delays: str | None = None
     by_sets: bool = False
     has_missing: bool = True
-    has_cells: bool = False
+    asked: frozenset[str] = frozenset()
+
+    @property
+    def taught(self) -> str:
+        """The step that supports are made of: vectors, or cells where no certificate is asked for."""
+        return "taught" if self.asked and self.asked <= _HEALTH else "learnable"
 
     @property
     def counted(self) -> str:
-        """The step that buckets are counted from."""
-        return "visited" if self.has_cells else "tallied"
+        """The step that buckets are counted from: by novel cell where these are asked for, too."""
+        return "visited" if "novel_cells" in self.asked else "tallied"
 
 
 def add_coded(one: OfSet, body: str) -> None:

@@ -84,8 +84,11 @@ def _gam(session: Session, job: EngineJob) -> dict[str, Any]:
     """Compute the buckets in the engine, into a table of it."""
     steps = Steps()
     source = gam_db.Source(job.table("telemetry").name, time="t")
-    study = Study(session, source, PARAMETERS, CALIBRATION, on_step=steps.begin, short_cuts=True)
-    query = study.query("bucket_health").copy()
+    asked = ["bucket_health"]
+    study = Study(
+        session, source, PARAMETERS, CALIBRATION, on_step=steps.begin, short_cuts=True, asked=asked
+    )
+    query = study.query(*asked).copy()
     query.set("order", None)
     steps.begin("bucket_health")
     _append(session, job.table("gam"), query, True)

@@ -97,7 +97,7 @@ def explain(source: Path, result: Path, threads: int) -> list[dict[str, Any]]:
 def _write(session: DuckSession, result: Path, steps: Steps) -> None:
     table = gam_db.Source("readings", time="t")
     study = Study(
-        session, table, PARAMETERS, CALIBRATION, on_step=steps.begin, short_cuts=True, with_cells=True
+        session, table, PARAMETERS, CALIBRATION, on_step=steps.begin, short_cuts=True, asked=RESULTS
     )
     for step in RESULTS:
         study.write(step, result, step)

@@ -279,7 +279,7 @@ def _exact_whole(job: StoredJob) -> dict[str, Any]:
     result.unlink(missing_ok=True)
     source = gam_db.Source("readings", time="t")
     with opened(Path(job.source), job.threads) as connection, DuckSession(connection) as session:
-        study = Study(session, source, PARAMETERS, CALIBRATION, short_cuts=True, with_cells=True)
+        study = Study(session, source, PARAMETERS, CALIBRATION, short_cuts=True, asked=WHOLE)
         for step in WHOLE:
             study.write(step, result, step)
     return {}
