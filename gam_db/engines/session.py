@@ -92,8 +92,10 @@ class Session:
         node = self.load(table)
         try:
             yield node
-        finally:
-            self.forget(node)
+        except BaseException:
+            self.forget_after_error(node)
+            raise
+        self.forget(node)
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
         """Return the columns of a relation and their types, in order."""
@@ -196,6 +198,12 @@ class Session:
         """Drop a table made by :meth:`keep`, or let go of one given to :meth:`load`."""
         table = self._made.pop(kept.name)
         self._asked(lambda: self.driver.drop(table))
+
+    def forget_after_error(self, kept: exp.Table) -> None:
+        """Do so if that is possible: in a transaction that has failed it is not, and closing does it."""
+        with contextlib.suppress(*self.driver.errors):
+            self.driver.drop(kept)
+            del self._made[kept.name]
 
     def write(self, query: exp.Query, path: Path, table: str) -> None:
         """Write the rows of a query as Parquet, or as a table of a DuckDB file.

@@ -6,7 +6,9 @@ import importlib
 import json
 from pathlib import Path
 
+import pyarrow as pa
 import pytest
+from sqlglot import exp
 from typer.testing import CliRunner
 
 import engine_page
@@ -16,7 +18,7 @@ from gam_db import data
 from gam_db.cli import app
 from gam_db.engines import EVIDENCE, NAMES, engine_named
 from gam_db.engines.refusals import refusal
-from gam_db.errors import UserError
+from gam_db.errors import StatementError, UserError
 
 ROOT = Path(__file__).parents[2]
 
@@ -84,3 +86,18 @@ def test_the_command_says_what_the_table_says() -> None:
 def test_the_page_is_up_to_date() -> None:
     page = ROOT / "docs" / "engines.md"
     assert page.read_text(encoding="utf-8") == engine_page.text(), "python tests/tools/engine_page.py"
+
+
+def test_what_is_refused_is_told_though_rows_were_lent(engine: str) -> None:
+    """Within a transaction that has failed nothing can be dropped, and that is not what went wrong."""
+    session = engines.session(engine)
+    rows = pa.table({"a": [1]})
+    with (
+        pytest.raises((StatementError, UserError)) as refused,
+        session.transaction(),
+        session.lent(rows) as lent,
+    ):
+        session.fetch(exp.select("nothing_such").from_(lent))
+    told = f"{refused.value} {refused.value.__cause__}"
+    assert "nothing_such" in told.lower()
+    assert session.fetch(exp.select("a").from_(session.load(rows))).num_rows == 1

@@ -24,7 +24,10 @@ pytestmark = pytest.mark.comments
 OWNER, WRITER, READER = "plant owner", 'the "writer"', "Reader"
 GRANTS = f"owner={OWNER},writer={WRITER},reader={READER}"
 SCHEMA = "plant state"
-SETTINGS = ("--m", "2", "--bins", "4", "--window", "20", "--stride", "5", "--calibrate", "0/99")
+SETTINGS = (
+    *("--m", "2", "--bins", "4", "--window", "10", "--stride", "5", "--calibrate", "0/99"),
+    *("--rate", "100 per 1000 judgements", "--least-vectors", "20"),
+)
 
 #: What the status takes, and what there is to look at.
 STATUS = {"migration", "monitor", "proof", "visible_bucket", "fleet", "stillness"}
@@ -41,6 +44,7 @@ KEPT = {"migration", "monitor", "channel", "proof", "episode", "label"}
 WORK = (
     ("calibrate", "telemetry", *SETTINGS),
     ("score",),
+    ("label", "1", "true_fault"),
     ("score", "--full"),
     ("calibrate", "telemetry", *SETTINGS, "--again"),
     ("score", "--everything"),

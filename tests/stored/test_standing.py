@@ -19,9 +19,9 @@ from gam_db.cli import app
 from gam_db.findings import findings
 from gam_db.stored.monitor import Monitor
 from gam_db.study import Study
-from recorded_alarms import RECORDINGS
 from strategies import Row
 from visible import visible
+from watched_recordings import RECORDINGS
 
 pytestmark = pytest.mark.thorough
 
