@@ -52,9 +52,11 @@ def add_scoring(one: OfSet, bits: Bits | None = None) -> None:
 def add_numbered(one: OfSet, bits: Bits | None = None, carried: Sequence[str] = ()) -> None:
     """Add Eq. 4 of one set by the complete form of its vectors; see :func:`add_vectors`."""
     add_vectors(one, "", exp.true(), carried)
-    travelling = [_carried(name) for name in carried]
-    one.add("score/monitored", {"carried": travelling})
-    add_novelty(one, [_carried("straddling"), *travelling], bits)
+    travelling = [_carried(name) for name in ("straddling", *carried)]
+    counted = exp.and_(template.fill("score/counted"), template.fill("score/untaught"))
+    slots: dict[str, template.Slot] = {"carried": travelling, "counted": counted}
+    one.add("score/monitored", slots, tables={"vectors": "marked_vectors"})
+    add_novelty(one, travelling, bits)
     named: dict[str, template.Slot] = {"carried": [exp.column(name) for name in carried]}
     one.add("health/numbered", named)
 
@@ -167,11 +169,18 @@ def _add_complete_scoring(one: OfSet, marks: Sequence[str], bits: Bits | None) -
     """Add the short form of Eq. 1 and Eq. 4 for channels without missing samples, with their marks."""
     prefix = COMPLETE
     _add_short_vectors(one, prefix, bool(marks))
-    renamed = {"vectors": f"{prefix}vectors"}
-    slots: dict[str, template.Slot] = {"carried": [_carried(mark) for mark in marks]}
-    one.add("score/monitored_complete", slots, f"{prefix}monitored", renamed)
-    carried = [_carried(name) for name in ("number", *marks)]
-    add_novelty(one, carried, bits, prefix)
+    travelling = [_carried(mark) for mark in marks]
+    slots: dict[str, template.Slot] = {
+        "carried": [place_of(one.setting), *travelling],
+        "counted": exp.true(),
+    }
+    one.add("score/monitored", slots, f"{prefix}monitored", {"vectors": f"{prefix}vectors"})
+    add_novelty(one, [_carried("number"), *travelling], bits, prefix)
+
+
+def place_of(setting: Parameters) -> exp.Expr:
+    """Return a vector's number where no sample is missing: its place less the samples of the run-up."""
+    return exp.alias_(exp.column("position", table="vector") - setting.span, "number")
 
 
 def add_incomplete(one: OfSet, marks: Sequence[str], bits: Bits | None, by_sets: bool = False) -> None:
@@ -183,7 +192,7 @@ def add_incomplete(one: OfSet, marks: Sequence[str], bits: Bits | None, by_sets:
         counted = exp.or_(counted, exp.column(mark, table="vector").eq(1))
     carried = [_carried(mark) for mark in marks]
     slots: dict[str, template.Slot] = {"carried": carried, "counted": counted}
-    one.add("score/monitored_short", slots, f"{prefix}monitored", renamed)
+    one.add("score/monitored", slots, f"{prefix}monitored", renamed)
     unasked = exp.alias_(exp.cast(exp.null(), "INT"), "straddling")
     add_novelty(one, [unasked, *carried], bits, prefix, by_sets=by_sets)
     said: dict[str, template.Slot] = {"carried": [exp.column(mark) for mark in marks]}
