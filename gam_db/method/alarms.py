@@ -30,26 +30,22 @@ def add_learnt_limits(steps: Pipeline, method: Method, families: Sequence[str]) 
     add_spreads(steps, families)
 
 
-def add_counted(steps: Pipeline, has_instants: bool = True) -> None:
-    """Add what is counted in calibration, up to *buffered*, *order_ratios* and *lengths*.
+def add_counted(steps: Pipeline, has_instants: bool = True, bounds: str = "bounds") -> None:
+    """Add what is counted in calibration: *buffered*, *bands*, *order_ratios* and *lengths*.
 
     Where calibration may be single instants (``has_instants``), the samples are read for them.
     """
-    steps.small |= {"visits", "block_sizes", "own_cells", "chances"}
+    steps.small |= {"visits", "block_sizes", "vouched", "own_cells", "chances"}
+    band = band_of(exp.column("cell_key", table="visit"), exp.column("bins", table="scale"))
+    add(steps, "alarms/vouched", {"band": band}, tables={"bounds": bounds})
     add_stacked(steps, "alarms/buffered", [{"g": g} for g in (NEAR, ORDERED, FAR)])
+    add_stacked(steps, "alarms/bands", [{"g": g} for g in (NEAR, FAR)])
     add(steps, "alarms/own_cells")
     add_stacked(steps, "alarms/chances", [_chance(blocks) for blocks in range(1, 2 * ORDERED + 2)])
     add(steps, "alarms/order_ratios", {"g": ORDERED})
     add(steps, "alarms/declared_lengths", name=None if has_instants else "lengths")
     if has_instants:
         add(steps, "alarms/lengths")
-
-
-def add_bands(steps: Pipeline, bounds: str = "bounds") -> None:
-    """Add where calibration was, by the newest coordinate, after :func:`add_counted`."""
-    band = band_of(exp.column("cell_key", table="visit"), exp.column("bins", table="scale"))
-    slots = [{"g": g, "band": band} for g in (NEAR, FAR)]
-    add_stacked(steps, "alarms/bands", slots, tables={"bounds": bounds})
 
 
 def band_of(key: exp.Expr, bins: exp.Expr) -> exp.Expr:

@@ -18,7 +18,7 @@ from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns, table_of
 from gam_db.errors import CalibrationError
 from gam_db.method import Method
 from gam_db.method.adding import add
-from gam_db.method.alarms import NEAR, add_bands, add_learnt_limits
+from gam_db.method.alarms import NEAR, add_learnt_limits
 from gam_db.method.judgement import add_judged
 from gam_db.method.source import add_source
 from gam_db.parameters import Parameters, pattern_matches
@@ -81,7 +81,6 @@ def calibrate(
     said_now = {"long_ago": LONG_AGO, "created": now()}
     add(steps, "stored/version_rows", said_now, tables={"recount": "first_count"})
     add_learnt_limits(steps, study.method, ())
-    add_bands(steps)
     for part in ("calibration", "bounds", "block", "ladder", "support", "buffered", "band"):
         add(steps, f"stored/{part}_rows")
     add(steps, "stored/extent_rows", {"g": NEAR})

@@ -18,7 +18,7 @@ from gam_db.calibration import Calibration
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.method import Method
 from gam_db.method.adding import OfSet, add
-from gam_db.method.alarms import add_bands, add_counted, add_rejudged, band_of
+from gam_db.method.alarms import add_counted, add_rejudged, band_of
 from gam_db.method.calibration import add_breaks, until_calibration_end
 from gam_db.method.certificate import add_judgement
 from gam_db.method.resolved import SMALL_OF_SET
@@ -283,8 +283,7 @@ def relearning_steps(
     add(steps, "stored/judged_bounds", slots)
     add(steps, "certificate/verdicts", tables={"bounds": "judged_bounds"})
     add(steps, "stored/certified")
-    add_counted(steps)
-    add_bands(steps, "judged_bounds")
+    add_counted(steps, bounds="judged_bounds")
     add(steps, "stored/certified_extents")
     return steps
 
