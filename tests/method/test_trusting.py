@@ -136,6 +136,27 @@ def test_an_instant_that_occurs_twice_is_found(engine: str, number: int) -> None
     agrees(engine, found, table, method)
 
 
+#: What comes again: nothing; the first row of all; one of calibration, of a channel that never moves.
+AGAIN: dict[str, list[Row]] = {"none": [], "the first": rows()[:1], "one like all others": rows()[65:66]}
+
+
+@pytest.mark.parametrize("again", AGAIN)
+def test_health_alone_has_the_same_proof(engine: str, again: str) -> None:
+    """No row per vector of calibration is kept for it; what else is asked for is answered, too."""
+    method = harness.made(*SERVED["delays"])
+    table = [*rows(), *AGAIN[again]]
+    session, expected = engines.session(engine), harness.all_by_reference(table, *method)
+    with session.lent(harness.arrow(table)) as lent:
+        study = Study(
+            session, gam_db.Source(lent.name), *method, short_cuts=True, asked=["bucket_health"]
+        )
+        for question in ("health_at_buckets", "support", "certificate"):
+            found = study.table(harness.STEPS[question]).to_pylist()
+            harness.assert_same(expected[question], found, question)
+            assert study.is_trusting is (again == "none"), question
+        study.forget()
+
+
 @pytest.mark.parametrize("number", range(0, 6 * LENGTH, 41))
 def test_wherever_an_instant_occurs_twice_it_is_found(number: int) -> None:
     method = harness.made(*SERVED["a reach of many slices"])

@@ -9,6 +9,7 @@ import pytest
 import gam_db
 import scripts
 from gam_db.engines.duckdb_session import DuckSession
+from gam_db.method.alarms import FAR, NEAR
 from gam_db.stored.monitor import Monitor
 from strategies import Row
 from visible import visible
@@ -94,6 +95,19 @@ def test_the_excess_of_a_band_is_what_calibration_does_not_explain(session: Duck
     plant.score(*[RAISED] * 7)
     counted = [(band, novel, visits, excess) for band, *_, novel, visits, _, _, excess in plant.bands()]
     assert counted == [(5, 0, 5, -5 / 16), (15, 10, 10, 10.0), (20, 5, 5, 5.0)], "of five windows"
+
+
+def test_bands_and_blocks_count_the_same_vectors(session: DuckSession) -> None:
+    """Some cells are visited in one block, some in two that are neighbours, some in two far apart."""
+    calm = [[0.0, 40.0, 10.0 + k, 11.0 + k] for k in range(10)] + [[0.0, 40.0, 10.0, 30.0]]
+    monitor = Plant(session, calm=calm).monitor
+    counted = (
+        "SELECT g, SUM({0}) AS vectors, SUM(novel_buffered) AS novel FROM gam_{1} GROUP BY g ORDER BY g"
+    )
+    blocks = visible(monitor, counted.format("vectors", "buffered"))
+    assert blocks[0]["novel"] < blocks[-1]["novel"]
+    of_bands = [row for row in blocks if row["g"] in (NEAR, FAR)]
+    assert visible(monitor, counted.format("visits", "band")) == of_bands
 
 
 @pytest.mark.full
