@@ -80,6 +80,12 @@ def pytest_collection_finish() -> None:
     gc.set_threshold(20_000, 20, 50)
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup() -> None:
+    """Keep a database small that grows slow with its tables."""
+    engines.begin()
+
+
 def pytest_unconfigure() -> None:
     """Let the process end as usual: DuckDB's binding tells at its end of what nobody collected."""
     gc.unfreeze()
