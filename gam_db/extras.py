@@ -1,4 +1,4 @@
-"""Optional libraries: imported where they are needed, never by ``import gam_db``."""
+"""Optional libraries, imported where they are needed, and what a process of our own goes without."""
 
 import gc
 import importlib

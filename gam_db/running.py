@@ -46,11 +46,8 @@ class Running:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, error: type[BaseException] | None, *_: object) -> None:
-        let_go = self.session.forget if error is None else self.session.forget_after_error
-        for step in list(self._kept):
-            let_go(self._kept.pop(step))
-            del self.placed[step]
+    def __exit__(self, *_: object) -> None:
+        self.forget()
 
     def query(self, step: str) -> exp.Query:
         """Return the query of a step; the small steps before it are kept for the next one."""

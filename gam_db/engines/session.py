@@ -92,10 +92,8 @@ class Session:
         node = self.load(table)
         try:
             yield node
-        except BaseException:
-            self.forget_after_error(node)
-            raise
-        self.forget(node)
+        finally:
+            self.forget(node)
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
         """Return the columns of a relation and their types, in order."""
@@ -195,12 +193,10 @@ class Session:
         return table.copy()
 
     def forget(self, kept: exp.Table) -> None:
-        """Drop a table made by :meth:`keep`, or let go of one given to :meth:`load`."""
-        table = self._made.pop(kept.name)
-        self._asked(lambda: self.driver.drop(table))
+        """Drop a table made by :meth:`keep`, or let go of one given to :meth:`load`.
 
-    def forget_after_error(self, kept: exp.Table) -> None:
-        """Do so if that is possible: in a transaction that has failed it is not, and closing does it."""
+        In a transaction that has failed that cannot be done, and closing does it: what failed is told.
+        """
         with contextlib.suppress(*self.driver.errors):
             self.driver.drop(kept)
             del self._made[kept.name]

@@ -24,7 +24,7 @@ from gam_db.method.scoring import (
     add_placed,
     add_run_up,
     add_support_bits,
-    place_of,
+    number_of,
 )
 from gam_db.method.source import add_channels, add_intervals, add_rules
 from gam_db.method.vectors import add_short_vectors
@@ -123,7 +123,7 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
     one.add("support/support", tables={"learnable": ways.taught})
     add_support_bits(one, bits)
     add_delays(one, COMPLETE, ways.delays, scored)
-    carried = [place_of(setting), exp.alias_(exp.column("doubled", table="vector"), "doubled")]
+    carried = [number_of(setting), exp.alias_(exp.column("doubled", table="vector"), "doubled")]
     add_novelty(one, carried, bits, COMPLETE, "vectors", ways.by_sets)
     parts = [f"{COMPLETE}novelty"]
     if ways.has_missing:

@@ -170,17 +170,15 @@ def _add_complete_scoring(one: OfSet, marks: Sequence[str], bits: Bits | None) -
     prefix = COMPLETE
     _add_short_vectors(one, prefix, bool(marks))
     travelling = [_carried(mark) for mark in marks]
-    slots: dict[str, template.Slot] = {
-        "carried": [place_of(one.setting), *travelling],
-        "counted": exp.true(),
-    }
+    carried = [number_of(one.setting), *travelling]
+    slots: dict[str, template.Slot] = {"carried": carried, "counted": exp.true()}
     one.add("score/monitored", slots, f"{prefix}monitored", {"vectors": f"{prefix}vectors"})
     add_novelty(one, [_carried("number"), *travelling], bits, prefix)
 
 
-def place_of(setting: Parameters) -> exp.Expr:
-    """Return a vector's number where no sample is missing: its place less the samples of the run-up."""
-    return exp.alias_(exp.column("position", table="vector") - setting.span, "number")
+def number_of(setting: Parameters) -> exp.Expr:
+    """Return the column of a vector's number where no sample is missing."""
+    return exp.alias_(template.fill("score/number", {"span": setting.span}), "number")
 
 
 def add_incomplete(one: OfSet, marks: Sequence[str], bits: Bits | None, by_sets: bool = False) -> None:
