@@ -23,7 +23,7 @@ from gam_db.setting import FLAG, INSTANT, TEXT, setting
 from gam_db.source import shown_relation
 from gam_db.stored.calibrating import differing
 from gam_db.stored.copying import copy
-from gam_db.stored.scoring import Report
+from gam_db.stored.report import Report
 from gam_db.stored.sources import relation_of
 from gam_db.stored.state import kind_of
 

@@ -25,14 +25,9 @@ from gam_db.stored.consistency import inconsistencies
 from gam_db.stored.planning import Row, assets_of, portions, whole_pools
 from gam_db.stored.proving import STATE, Proof, mismatched
 from gam_db.stored.reading import Reader, cohort_of, plan_rows, searched_plan_rows
+from gam_db.stored.soundness import soundness_steps
 from gam_db.stored.state import State, kind_of, now
-from gam_db.stored.steps import (
-    comparing_steps,
-    reading_steps,
-    relearning_steps,
-    setting_of,
-    soundness_steps,
-)
+from gam_db.stored.steps import comparing_steps, reading_steps, relearning_steps, setting_of
 
 #: Parts of the state, in the order in which they are told.
 PARTS = (

@@ -22,8 +22,8 @@ from gam_db.stored.alarms import DECISIONS, KINDS, UNREPRESENTATIVE
 from gam_db.stored.judging import buckets_of
 from gam_db.stored.limits import CHOSEN, learnt
 from gam_db.stored.planning import Row, by
+from gam_db.stored.soundness import judging_steps
 from gam_db.stored.state import State
-from gam_db.stored.steps import judging_steps
 
 _NO_RATE, _DRIFTS, _TABLED = "none", "drifting", "table"
 _BASES = ("replay", "extrapolated", _TABLED, _DRIFTS, _NO_RATE)

@@ -33,7 +33,8 @@ from gam_db.stored.calibrating import calibrate, without
 from gam_db.stored.checking import Checked, check_state
 from gam_db.stored.proving import Proof, keep
 from gam_db.stored.pruning import Retention, compact, prune
-from gam_db.stored.scoring import Report, Wanted, score
+from gam_db.stored.report import Report, Wanted
+from gam_db.stored.scoring import score
 from gam_db.stored.settings import MonitorSettings
 from gam_db.stored.state import State, kind_of
 from gam_db.stored.status import status
@@ -171,7 +172,7 @@ class Monitor(MonitorSettings):
             on_step: called with what is done next.
 
         Returns:
-            What was read and made; see :class:`gam_db.stored.scoring.Report`.
+            What was read and made; see :class:`gam_db.stored.report.Report`.
 
         Raises:
             UserError: there is no such monitor, or the source cannot be used. Channels that were scored

@@ -6,8 +6,8 @@ that are now hidden go in the same. It counts only if nobody else wrote meanwhil
 (:mod:`gam_db.stored.publishing`).
 """
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import pyarrow as pa
 from sqlglot import exp
@@ -17,8 +17,7 @@ from gam_db.bits import Bits
 from gam_db.clock import LONG_AGO, shown_instant
 from gam_db.columns import counts, table_of
 from gam_db.errors import ConflictError, ParameterError, SourceError
-from gam_db.method.adding import add
-from gam_db.pipeline import Pipeline, filled, place
+from gam_db.pipeline import filled, place
 from gam_db.running import Listener, Running, unheard
 from gam_db.source import AnySource
 from gam_db.stored.episodes import follow
@@ -37,6 +36,7 @@ from gam_db.stored.reading import (
     plan_rows,
     searched_plan_rows,
 )
+from gam_db.stored.report import Report, Wanted
 from gam_db.stored.state import State, kind_of, now
 from gam_db.stored.steps import (
     PUBLISHED,
@@ -46,6 +46,7 @@ from gam_db.stored.steps import (
     scoring_steps,
     setting_of,
 )
+from gam_db.stored.unplaced import keep_unplaced, note_unknown, undated
 
 #: With fewer rows, looking for repeated instants first is cheaper than scoring some channels twice.
 TRUSTED_FROM = 200_000
@@ -55,59 +56,6 @@ BITS_OF_A_ROW = 512
 
 #: Steps of a run that its judgements are made of.
 _JUDGED = ("cohort", "stamp", "new_buckets")
-
-
-@dataclass(frozen=True)
-class Wanted:
-    """What is asked of a run.
-
-    Attributes:
-        lookback: how far behind the newest bucket late rows are looked for, in the unit of time.
-        append_only: what was read within the lookback is counted; else it is summed up, which costs more
-            and tells a changed value, too. It is read again where that differs.
-        park_after: see :mod:`gam_db.stored.planning`; None parks no channel.
-        repair_from: score anew from this instant on; None for what the lookback asks for.
-        until: read nothing newer; None for all there is.
-        full: score everything anew.
-        everything: look at parked channels, and count calibration anew, without waiting for a day.
-        chosen: tells by asset and channel which channels are scored.
-        limit: most readings to work on at once; None for what memory allows.
-    """
-
-    lookback: int
-    append_only: bool = False
-    park_after: int | None = None
-    repair_from: int | None = None
-    until: int | None = None
-    full: bool = False
-    everything: bool = False
-    chosen: Callable[[str, str], bool] = lambda asset, channel: True
-    limit: int | None = None
-
-
-@dataclass
-class Report:
-    """What a run did, or would do.
-
-    Attributes:
-        channels: a row per channel that was read: asset, channel, first_bucket, buckets (new or written
-            anew), read_from, read_to (integer time), rows_read, context_rows, context_expected.
-        moved: of a source that is said to grow only: channels in which rows came late or went all the
-            same, or of which that is not known, so that they were read again as far as lookback.
-        parked: channels that were not read.
-        unknown_channels: rows of today that belong to no calibrated channel, by (asset, channel).
-        nameless: rows of today without asset or channel.
-        undated: rows of the source without a time.
-        ranges: of each query: earliest instant, channels, rows in the range.
-    """
-
-    channels: list[Row] = field(default_factory=list)
-    moved: int = 0
-    parked: int = 0
-    unknown_channels: dict[tuple[str, str], int] = field(default_factory=dict)
-    nameless: int = 0
-    undated: int = 0
-    ranges: list[Row] = field(default_factory=list)
 
 
 def score(
@@ -170,7 +118,7 @@ class _Run:
             cohort = cohorts.pop(0)
             names = self._look(cohort)
             if cohort.everyone:
-                self._note_unknown(names, known)
+                note_unknown(self.report, names, known)
                 back = resumed(parked, names, wanted.lookback)
                 cohorts += back
                 again = {row["version_id"] for group in back for row in group.channels}
@@ -198,9 +146,9 @@ class _Run:
                 rest = self._score(group, cohort, read, True) if trusts else group
                 self._score(rest, cohort, read, False)
         self.report.parked = len(parked)
-        self.report.undated = self._undated()
+        self.report.undated = undated(self.session, self.reader)
         if not dry_run:
-            self._keep_unplaced()
+            keep_unplaced(self.state, self.monitor["monitor_id"], self.started, self.report)
             most = wanted.limit or self.session.rows_at_once()
             explain(self.state, self.reader, self.monitor["monitor_id"], rows, most)
         return self.report
@@ -284,32 +232,6 @@ class _Run:
         """Refuse to score by versions that are no longer what calibration froze."""
         with self.session.lent(cohort_of(cohort.channels, read_until=0, planned_from=0)) as wanted:
             verify(self.state, wanted, cohort.channels)
-
-    def _undated(self) -> int:
-        steps = Pipeline()
-        steps.add("readings", self.reader.undated())
-        add(steps, "stored/undated")
-        return int(self.session.fetch(steps.query("undated"))["undated"][0].as_py())
-
-    def _keep_unplaced(self) -> None:
-        """Append what was given to no channel or instant, if there was any."""
-        report = self.report
-        found = {
-            "nameless": report.nameless,
-            "undated": report.undated,
-            "strangers": sum(report.unknown_channels.values()),
-            "stranger_channels": len(report.unknown_channels),
-        }
-        if any(found.values()):
-            run = {"monitor_id": self.monitor["monitor_id"], "started": self.started}
-            self.state.append_rows("unplaced", [{**run, **found}])
-
-    def _note_unknown(self, names: Sequence[Row], known: set[tuple[str, str]]) -> None:
-        for row in names:
-            if row["asset"] is None or row["channel"] is None:
-                self.report.nameless += row["readings"] + row["without_time"]
-            elif (row["asset"], row["channel"]) not in known and row["readings"]:
-                self.report.unknown_channels[row["asset"], row["channel"]] = row["readings"]
 
     def _bits(self, group: Sequence[Row], read: int) -> Bits | None:
         """Return how the engine keeps supports as bits; None where they take much beside the rows."""

@@ -18,7 +18,7 @@ from gam_db.calibration import Calibration
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.method import Method
 from gam_db.method.adding import OfSet, add
-from gam_db.method.alarms import add_counted, add_rejudged, band_of
+from gam_db.method.alarms import add_counted, band_of
 from gam_db.method.calibration import add_breaks, until_calibration_end
 from gam_db.method.certificate import add_judgement
 from gam_db.method.resolved import SMALL_OF_SET
@@ -285,54 +285,6 @@ def relearning_steps(
     add(steps, "stored/certified")
     add_counted(steps, bounds="judged_bounds")
     add(steps, "stored/certified_extents")
-    return steps
-
-
-@cache
-def soundness_steps(monitor_id: int, is_whole: bool) -> Pipeline:
-    """Return the steps that tell what does not hold between the state tables, without the source.
-
-    The last are *checked*, *inconsistent_versions*, *inconsistent_buckets*, *inconsistent_novel*,
-    *inconsistent_runs* and *orphans*.
-
-    Args:
-        monitor_id: of the monitor; *orphans* is about all.
-        is_whole: whether a run is there as a whole or not at all.
-    """
-    steps = Pipeline(small=frozenset({"checked"}))
-    add(steps, "stored/checked", {"monitor_id": monitor_id})
-    for name in ("inconsistent_versions", "inconsistent_buckets", "inconsistent_novel"):
-        add(steps, f"stored/{name}")
-    add(steps, "stored/inconsistent_runs", {"nothing": FAR_AHEAD, "long_ago": LONG_AGO})
-    add(steps, "stored/orphans", {"whole": int(is_whole)})
-    return steps
-
-
-@cache
-def judging_steps(buckets: int) -> Pipeline:
-    """Return the steps that judge the versions of *judged_until* anew, each as a channel of its own.
-
-    The last are *inconsistent_judgements*, *judged_edges* and *raised_again*.
-
-    Args:
-        buckets: of a window.
-    """
-    steps = Pipeline(
-        small=frozenset(
-            {"rejudged_buckets", "kept_judgements", "rejudged_windows", "judged_again", "merged"}
-        )
-    )
-    slots: dict[str, template.Slot] = {"buckets": buckets}
-    add(steps, "stored/limit_spans")
-    for name in ("rejudged_buckets", "kept_judgements"):
-        add(steps, f"stored/{name}")
-    add(steps, "alarms/judged_windows", slots, tables={"bucket_counts": "rejudged_buckets"})
-    add(steps, "stored/rejudged_windows", slots)
-    add_rejudged(steps)
-    for name in ("judged_again", "inconsistent_judgements", "judged_edges"):
-        add(steps, f"stored/{name}")
-    add(steps, "alarms/merged")
-    add(steps, "stored/raised_again")
     return steps
 
 

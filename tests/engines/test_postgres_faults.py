@@ -19,7 +19,7 @@ import postgres_server
 from gam_db.errors import ConflictError, EngineError, UserError
 from gam_db.running import Listener
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.scoring import Report
+from gam_db.stored.report import Report
 from sets import amounts
 from small_plant import FIRST, LOOKBACK, monitor, readings, whole
 from small_postgres import administrator, begin, database, put, rows_of, seen, source, stored

@@ -17,7 +17,7 @@ import small_plant
 from gam_db.stored import scoring
 from gam_db.stored.growing import unmoved
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.scoring import Report
+from gam_db.stored.report import Report
 from small_plant import FIRST, LENGTH, readings, seen, source
 from visible import BUCKETS, NOVEL, put, rows_of
 

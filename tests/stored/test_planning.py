@@ -22,6 +22,7 @@ from gam_db.stored import reading, scoring
 from gam_db.stored.planning import Row
 from gam_db.stored.pruning import Retention, prune
 from gam_db.stored.reading import near, plan_rows, searched_plan_rows
+from gam_db.stored.report import Wanted
 from gam_db.stored.steps import plan_steps
 from small_plant import FIRST, LENGTH, LOOKBACK, monitor, readings, seen, source
 from test_views import scanned
@@ -88,7 +89,7 @@ def test_many_versions_are_bounded_by_a_range(
     put(plant, readings(200, LENGTH))
     # Two groups, each within the range of the other's versions: neither touches what is the other's.
     for assets in ({"a", "d"}, {"b", "c"}):
-        asked = scoring.Wanted(LOOKBACK, chosen=partial(among, assets))
+        asked = Wanted(LOOKBACK, chosen=partial(among, assets))
         with monitor(plant) as mine:
             scoring.score(mine.state, mine.source, mine.name, asked)
     assert seen(plant) == small_plant.whole()

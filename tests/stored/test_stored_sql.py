@@ -10,6 +10,7 @@ from gam_db.source import Source, readings
 from gam_db.stored.checksums import matching_steps
 from gam_db.stored.migration_files import definitions
 from gam_db.stored.reading import cohort_of
+from gam_db.stored.soundness import soundness_steps
 from gam_db.stored.steps import (
     Setting,
     can_trust,
@@ -19,7 +20,6 @@ from gam_db.stored.steps import (
     relearning_steps,
     scoring_steps,
     searched_plan_steps,
-    soundness_steps,
     unmoved_steps,
 )
 from sql_lint import Kind

@@ -1,0 +1,59 @@
+"""What is asked of a run, and what it says that it did."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from gam_db.stored.planning import Row
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What is asked of a run.
+
+    Attributes:
+        lookback: how far behind the newest bucket late rows are looked for, in the unit of time.
+        append_only: what was read within the lookback is counted; else it is summed up, which costs more
+            and tells a changed value, too. It is read again where that differs.
+        park_after: see :mod:`gam_db.stored.planning`; None parks no channel.
+        repair_from: score anew from this instant on; None for what the lookback asks for.
+        until: read nothing newer; None for all there is.
+        full: score everything anew.
+        everything: look at parked channels, and count calibration anew, without waiting for a day.
+        chosen: tells by asset and channel which channels are scored.
+        limit: most readings to work on at once; None for what memory allows.
+    """
+
+    lookback: int
+    append_only: bool = False
+    park_after: int | None = None
+    repair_from: int | None = None
+    until: int | None = None
+    full: bool = False
+    everything: bool = False
+    chosen: Callable[[str, str], bool] = lambda asset, channel: True
+    limit: int | None = None
+
+
+@dataclass
+class Report:
+    """What a run did, or would do.
+
+    Attributes:
+        channels: a row per channel that was read: asset, channel, first_bucket, buckets (new or written
+            anew), read_from, read_to (integer time), rows_read, context_rows, context_expected.
+        moved: of a source that is said to grow only: channels in which rows came late or went all the
+            same, or of which that is not known, so that they were read again as far as lookback.
+        parked: channels that were not read.
+        unknown_channels: rows of today that belong to no calibrated channel, by (asset, channel).
+        nameless: rows of today without asset or channel.
+        undated: rows of the source without a time.
+        ranges: of each query: earliest instant, channels, rows in the range.
+    """
+
+    channels: list[Row] = field(default_factory=list)
+    moved: int = 0
+    parked: int = 0
+    unknown_channels: dict[tuple[str, str], int] = field(default_factory=dict)
+    nameless: int = 0
+    undated: int = 0
+    ranges: list[Row] = field(default_factory=list)
