@@ -170,7 +170,7 @@ class Streams:
             step = method.named(LEARNING, number)
             self._give(step, learnable)
             none = filled("certificate/missing_vectors")
-            self._replace(method.named("missing_vectors", number), none, {"marked_vectors": step})
+            self._replace(method.named("missing_vectors", number), none, {"vectors": step})
             if running.largest(step, "out_of_order"):
                 return False
             has_learnt = True

@@ -2,6 +2,7 @@
 
 from sqlglot import exp
 
+from gam_db import template
 from gam_db.method.adding import OfSet
 from gam_db.method.vectors import add_short_vectors, add_vectors
 
@@ -13,20 +14,27 @@ def add_calibration(one: OfSet) -> None:
     if one.method.is_unbroken(one.number) and all(len(rule.allowed) <= 1 for rule in one.method.rules):
         one.add("calibration/calibration_codes")
         add_short_vectors(one, "calibration_")
-        vectors, learnable = "vectors", "calibration/learnable_short"
+        add_learnt(one, exp.true())
     else:
-        add_vectors(one, "calibration_", until_calibration_end())
-        vectors, learnable = "marked_vectors", "calibration/learnable"
-    one.add(learnable, name="learnable", tables={vectors: "calibration_vectors"})
+        add_learnable(one)
     one.add("support/support")
+
+
+def add_learnable(one: OfSet) -> None:
+    """Add the vectors of one set up to where calibration ends, and which of them it teaches."""
+    until = exp.column("time", table="sampled") <= exp.column("calibration_end", table="scale")
+    add_vectors(one, "calibration_", until)
+    add_learnt(one, exp.column("calibration_vector").eq(1))
+
+
+def add_learnt(one: OfSet, taught: exp.Expr, proof: str | None = None) -> None:
+    """Add *learnable* of one set: vectors that calibration teaches, and what proves a trust wrong."""
+    carried, needed = ([exp.column(proof)], exp.column(proof).eq(1)) if proof else ([], exp.false())
+    slots: dict[str, template.Slot] = {"taught": taught, "carried": carried, "needed": needed}
+    one.add("calibration/learnable", slots, tables={"vectors": "calibration_vectors"})
 
 
 def add_breaks(one: OfSet) -> None:
     """Add where segments begin, for one set."""
     is_unbroken = one.method.gaps[one.number] is None
     one.add("source/unbroken" if is_unbroken else "source/breaks", name="breaks")
-
-
-def until_calibration_end() -> exp.Expr:
-    """Return the condition that a sample is not newer than its channel's calibration."""
-    return exp.column("time", table="sampled") <= exp.column("calibration_end", table="scale")

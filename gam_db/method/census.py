@@ -13,6 +13,7 @@ from sqlglot import exp
 from gam_db.bits import Bits
 from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.method.adding import OfSet, add
+from gam_db.method.calibration import add_learnt
 from gam_db.method.certificate import add_judgement
 from gam_db.method.delays import CALIBRATION, COMPLETE, INCOMPLETE, STORED, Ways, add_coded, add_delays
 from gam_db.method.delays import KEPT as KEPT_BY
@@ -116,8 +117,7 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
     else:
         _add_readings(one.steps, scored)
     add_delays(one, CALIBRATION, ways.delays, TAUGHT)
-    vectors = {"vectors": f"{CALIBRATION}vectors"}
-    one.add("census/learnable", tables=vectors)
+    add_learnt(one, exp.true(), "doubled")
     if ways.taught == "taught":
         one.add("census/taught")
     one.add("support/support", tables={"learnable": ways.taught})
@@ -135,8 +135,7 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
     add_judgement(one)
     one.add("census/known_codes")
     add_short_vectors(one, "known_")
-    known = {"marked_vectors": "known_vectors"}
-    one.add("certificate/missing_vectors", tables=known)
+    one.add("certificate/missing_vectors", tables={"vectors": "known_vectors"})
 
 
 def kept(method: Method, ways: Ways) -> set[str]:

@@ -46,8 +46,8 @@ def add_standing(steps: Pipeline, method: Method) -> None:
     """Add the step *standing*, over *judged*: which channels stand still at their end, too."""
     numbers = [n for n, setting in enumerate(method.settings) if setting.still_after is not None]
     for number in numbers:
-        tables = {"moving_codes": "marked_moving_codes", "cohort": "bounds"}
-        OfSet(steps, method, number).add("stored/stillness", {"long_ago": LONG_AGO}, tables=tables)
+        slots, tables = {"long_ago": LONG_AGO}, {"cohort": "bounds"}
+        OfSet(steps, method, number).add("stored/stillness", slots, tables=tables)
     if not numbers:
         add(steps, "stored/no_stillness", name="stillness", tables={"cohort": "channels"})
     elif len(method.settings) > 1:

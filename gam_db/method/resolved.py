@@ -80,7 +80,7 @@ class Method:
         return step if len(self.settings) == 1 else f"{step}_{number}"
 
     def is_short(self, number: int) -> bool:
-        """Tell whether the short form of the vectors will do for scoring one set."""
+        """Tell whether no segment ends in one set, and all is scored that comes after calibration."""
         return self.is_unbroken(number) and all(rule.score_from is None for rule in self.rules)
 
     def is_unbroken(self, number: int) -> bool:

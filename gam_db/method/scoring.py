@@ -50,12 +50,12 @@ def add_scoring(one: OfSet, bits: Bits | None = None) -> None:
 
 
 def add_numbered(one: OfSet, bits: Bits | None = None, carried: Sequence[str] = ()) -> None:
-    """Add Eq. 4 of one set by the complete form of its vectors; see :func:`add_vectors`."""
+    """Add Eq. 4 of one set by its segments and intervals; see :func:`add_vectors`."""
     add_vectors(one, "", exp.true(), carried)
     travelling = [_carried(name) for name in ("straddling", *carried)]
     counted = exp.and_(template.fill("score/counted"), template.fill("score/untaught"))
     slots: dict[str, template.Slot] = {"carried": travelling, "counted": counted}
-    one.add("score/monitored", slots, tables={"vectors": "marked_vectors"})
+    one.add("score/monitored", slots)
     add_novelty(one, travelling, bits)
     named: dict[str, template.Slot] = {"carried": [exp.column(name) for name in carried]}
     one.add("health/numbered", named)
@@ -71,9 +71,9 @@ def add_buckets(
 ) -> None:
     """Add Eq. 4 of one set in full buckets, and the novel cells of each.
 
-    Where no segment ends and every channel is scored from the end of its calibration on, the short
-    form of the vectors gives the same buckets from half the columns; else *numbered* is read. A
-    ``trusting`` run, for short forms only, takes it that no instant occurs twice; *visited* then has a
+    Where no segment ends and every channel is scored from the end of its calibration on, vectors
+    of half the columns give the same buckets; else *numbered* is read. A
+    ``trusting`` run, where no segment ends, takes it that no instant occurs twice; *visited* then has a
     column ``doubled``, the proof to the contrary.
 
     Args:
@@ -166,7 +166,7 @@ def add_bucket_counts(one: OfSet, tables: Mapping[str, str] | None = None) -> No
 
 
 def _add_complete_scoring(one: OfSet, marks: Sequence[str], bits: Bits | None) -> None:
-    """Add the short form of Eq. 1 and Eq. 4 for channels without missing samples, with their marks."""
+    """Add Eq. 1 and Eq. 4 of channels without missing samples, with their marks."""
     prefix = COMPLETE
     _add_short_vectors(one, prefix, bool(marks))
     travelling = [_carried(mark) for mark in marks]

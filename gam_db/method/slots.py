@@ -56,7 +56,6 @@ _FOLLOWS: Mapping[str, Callable[[Parameters], template.Slot]] = {
     "stride": lambda setting: setting.bucket_length,
     "buckets": lambda setting: setting.window // setting.bucket_length,
     "span": lambda setting: setting.span,
-    "next_span": lambda setting: max(setting.span - 1, 0),
     "still_after": lambda setting: setting.still_after,
     "target_floor": lambda setting: float(setting.target_floor),
     "least_vectors": lambda setting: setting.least_vectors,

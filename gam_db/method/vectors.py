@@ -1,6 +1,6 @@
-"""Codes and delay vectors (Eq. 1; Phi, method section 3): the complete form and the short one."""
+"""Codes and delay vectors (Eq. 1; Phi, method section 3), and what is asked of the samples before."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from sqlglot import exp
 
@@ -12,31 +12,30 @@ from gam_db.parameters import Parameters
 
 
 def add_vectors(one: OfSet, prefix: str, read: exp.Expr, carried: Sequence[str] = ()) -> None:
-    """Add the complete form of codes and vectors of one set (Eq. 1) over the samples to be read.
+    """Add codes and vectors of one set (Eq. 1) over the samples to be read, by segment and calibration.
 
-    The vectors of calibration are called ``calibration_vectors``, the others ``marked_vectors``. Their
-    ``still_so_far`` travels with them where it is ``carried``.
+    Their ``still_so_far`` travels with them where it is ``carried``.
     """
     setting = one.setting
-    codes = f"{prefix or 'marked_'}codes"
+    codes = f"{prefix}codes"
     carried_code = [] if setting.still_after is None else [exp.column("value")]
-    ks = range(1, setting.m)
-    delayed = [_delayed(name, k, setting) for name in ("code", "calibrating") for k in ks]
     one.add("support/marked_codes", {"read": read, "carried": carried_code}, codes)
-    if carried:
-        delayed.append(exp.alias_(template.fill("embedding/still_so_far"), "still_so_far"))
     if setting.still_after is not None:
-        moving, marked = f"{prefix or 'marked_'}moving_codes", {"marked_codes": codes}
-        one.add("embedding/moving_codes", name=moving, tables=marked)
-        codes = moving
-    made, renamed = f"{prefix or 'marked_'}vectors", {"marked_codes": codes}
-    slots: dict[str, template.Slot] = {
-        "touching": exp.or_(*(exp.column(f"calibrating_{k}").eq(1) for k in range(setting.m))),
-        "carried": [exp.column(name) for name in carried],
-        "context": _context(setting),
-        "delayed": delayed,
-    }
-    one.add("embedding/marked_vectors", slots, made, renamed)
+        before, codes = codes, f"{prefix}moving_codes"
+        one.add("embedding/moving_codes", name=codes, tables={"codes": before})
+    over = {f"calibrating_{k}": _before("calibrating", k * setting.tau) for k in range(1, setting.m)}
+    over["oldest_time"] = _before("time", setting.span)
+    over["segment_from"] = _newest(exp.column("breaking").eq(1))
+    over["last_uncalibrated"] = _newest(exp.column("calibrating").eq(0))
+    if carried:
+        over["still_so_far"] = template.fill("embedding/still_so_far")
+    delayed = [exp.alias_(exp.column("calibrating"), "calibrating_0"), *_named(over)]
+    touched = (exp.column(f"calibrating_{k}") for k in range(setting.m))
+    straddling = exp.or_(*(template.fill("embedding/straddling", {"calibrating": of}) for of in touched))
+    said = {"straddling": straddling, "calibration_vector": template.fill("embedding/healthy")}
+    travelling = [*_named({name: _flag(of) for name, of in said.items()}), *map(exp.column, carried)]
+    whole = template.fill("embedding/in_segment", {"span": setting.span})
+    _add(one, prefix, codes, delayed, travelling, whole)
 
 
 def add_short_vectors(
@@ -50,26 +49,33 @@ def add_short_vectors(
     the contrary, be it the newest one of a vector or not.
     """
     setting = one.setting
-    delayed = [_delayed("code", k, setting) for k in range(1, setting.m)]
     whole = template.fill("embedding/whole", {"span": setting.span})
     travelling: list[exp.Expr] = [exp.column(name) for name in carried]
-    delayed += travelling
+    delayed = list(travelling)
     if trusting:
         # Where the next vector begins with the sample before this one, its time is known already.
-        delay = max(setting.span - 1, 0)
-        previous = exp.column("context_time" if delay == 1 else "previous_time")
-        if delay != 1:
-            before = template.fill("embedding/delayed", {"column": exp.column("time"), "delay": 1})
-            delayed.append(exp.alias_(before, previous.name))
+        previous = exp.column("context_time" if setting.span == 2 else "previous_time")
+        if previous.name == "previous_time":
+            delayed += _named({previous.name: _before("time", 1)})
         doubled = template.fill("embedding/doubled", {"previous_time": previous})
-        travelling = [*travelling, exp.alias_(_flag(doubled), "doubled")]
+        travelling.append(exp.alias_(_flag(doubled), "doubled"))
         whole = exp.or_(whole, doubled)
-    one.add(
-        "embedding/vectors",
-        {"delayed": delayed, "carried": travelling, "whole": whole},
-        f"{prefix}vectors",
-        {"codes": f"{prefix}codes"},
-    )
+    _add(one, prefix, f"{prefix}codes", delayed, travelling, whole)
+
+
+def _add(
+    one: OfSet,
+    prefix: str,
+    codes: str,
+    delayed: list[exp.Expr],
+    carried: list[exp.Expr],
+    whole: exp.Expr,
+) -> None:
+    """Add Eq. 1 over some codes, with other columns over the same order, and those that travel on."""
+    coordinates = {f"code_{k}": _before("code", k * one.setting.tau) for k in range(1, one.setting.m)}
+    slots: dict[str, template.Slot] = {"context": _context(one.setting), "carried": carried}
+    slots |= {"delayed": [*_named(coordinates), *delayed], "whole": whole}
+    one.add("embedding/vectors", slots, f"{prefix}vectors", {"codes": codes})
 
 
 def stream_slots(setting: Parameters, has_context: bool) -> dict[str, template.Slot]:
@@ -77,14 +83,12 @@ def stream_slots(setting: Parameters, has_context: bool) -> dict[str, template.S
 
     Where a later run must know from where on it reads, that instant travels with each vector.
     """
-    delayed = [_delayed("code", k, setting, "streams/delayed") for k in range(1, setting.m)]
-    columns = coordinates(setting)
+    streamed, columns = "streams/delayed", coordinates(setting)
+    over = {f"code_{k}": _before("code", k * setting.tau, streamed) for k in range(1, setting.m)}
     if has_context:
-        asked: dict[str, template.Slot] = {"column": exp.column("time")}
-        asked["delay"] = max(setting.span - 1, 0)
-        delayed.append(exp.alias_(template.fill("streams/delayed", asked), "context_time"))
+        over["context_time"] = _before("time", max(setting.span - 1, 0), streamed)
         columns.append(exp.column("context_time"))
-    return {**following(setting, ("cell_key", "code")), "coordinates": columns, "delayed": delayed}
+    return {**following(setting, ("cell_key", "code")), "coordinates": columns, "delayed": _named(over)}
 
 
 def is_outside(setting: Parameters) -> exp.Expr:
@@ -96,7 +100,7 @@ def _context(setting: Parameters) -> exp.Expr:
     """Return the time from where on the next vector is decided."""
     delay = max(setting.reach - 1, 0)
     if setting.still_after is None:
-        return template.fill("embedding/delayed", {"column": exp.column("time"), "delay": delay})
+        return _before("time", delay)
     return template.fill("embedding/context", {"delay": delay, "long_ago": LONG_AGO})
 
 
@@ -105,6 +109,16 @@ def _flag(condition: exp.Expr) -> exp.Expr:
     return template.case([(condition.copy(), 1)], 0)
 
 
-def _delayed(name: str, k: int, setting: Parameters, path: str = "embedding/delayed") -> exp.Expr:
-    delay = template.fill(path, {"column": exp.column(name), "delay": k * setting.tau})
-    return exp.alias_(delay, f"{name}_{k}")
+def _before(column: str, delay: int, path: str = "embedding/delayed") -> exp.Expr:
+    """Return the value of a column that many samples before."""
+    return template.fill(path, {"column": exp.column(column), "delay": delay})
+
+
+def _newest(is_such: exp.Expr) -> exp.Expr:
+    """Return the time of the newest sample of a kind, up to each one."""
+    return template.fill("embedding/newest", {"is_such": is_such, "long_ago": LONG_AGO})
+
+
+def _named(columns: Mapping[str, exp.Expr]) -> list[exp.Expr]:
+    """Return expressions under their names."""
+    return [exp.alias_(of, name) for name, of in columns.items()]

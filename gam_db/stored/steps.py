@@ -19,11 +19,10 @@ from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.method import Method
 from gam_db.method.adding import OfSet, add
 from gam_db.method.alarms import add_counted, band_of
-from gam_db.method.calibration import add_breaks, until_calibration_end
+from gam_db.method.calibration import add_breaks, add_learnable
 from gam_db.method.certificate import add_judgement
 from gam_db.method.resolved import SMALL_OF_SET
 from gam_db.method.scoring import add_bucket_counts, add_buckets, add_numbered, add_support_bits
-from gam_db.method.vectors import add_vectors
 from gam_db.parameters import Parameters
 from gam_db.pipeline import Pipeline, union_of
 
@@ -275,8 +274,7 @@ def relearning_steps(
     steps = _frozen(SMALL_OF_SET)
     asked = {"target_floor": target_floor, "least_vectors": least_vectors}
     of_set = _add_samples(steps, setting, kind, asked=asked)
-    add_vectors(of_set, "calibration_", until_calibration_end())
-    of_set.add("calibration/learnable", tables={"marked_vectors": "calibration_vectors"})
+    add_learnable(of_set)
     add(steps, "stored/relearnt")
     add_judgement(of_set)
     slots = {"bins": setting.bins, "window": setting.window_length}
@@ -339,8 +337,7 @@ def _add_stillness(steps: Pipeline, setting: Setting) -> None:
         for name in ("stillness", "still_counts"):
             add(steps, "stored/no_stillness", name=name)
         return
-    moving = {"moving_codes": "marked_moving_codes"}
-    add(steps, "stored/stillness", {"long_ago": LONG_AGO}, tables=moving)
+    add(steps, "stored/stillness", {"long_ago": LONG_AGO})
     add(steps, "stored/still_counts")
 
 

@@ -1,6 +1,6 @@
--- Moving codes: as marked_codes, where a sample that stands still counts as missing (alarms, section 1): it and the
+-- Moving codes: codes, where a sample that stands still counts as missing (alarms, section 1): it and the
 -- still_after - 1 before it in its segment are all equal, and none of them is missing. It looks back only.
--- Reads:  marked_codes
+-- Reads:  codes
 -- A row:  one sample; still = 1 where it stands still.
 -- Slots:  :still_after  samples
 SELECT
@@ -33,6 +33,6 @@ FROM (
         WHEN breaking = 0 AND value = LAG(value, 1) OVER (PARTITION BY channel_id ORDER BY time) THEN 0
         ELSE 1
       END AS moving
-    FROM marked_codes
+    FROM codes
   ) AS compared
 ) AS held

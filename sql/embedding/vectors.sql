@@ -1,17 +1,16 @@
--- Vectors: v(t) = [x(t), x(t - tau), ..., x(t - (m-1) tau)] (Eq. 1) in codes, as the key of its
--- cell; delays and position in one window pass. For series without breaks; the complete form is
--- marked_vectors.
+-- Vectors: v(t) = [x(t), x(t - tau), ..., x(t - (m-1) tau)] (Eq. 1) in codes, as the key of its cell; delays,
+-- position and all that is asked of the samples before, in one window pass.
 -- Reads:  codes
 -- A row:  one vector, at the time of its newest sample; cell_key is NULL where a sample is missing;
 --         position counts the samples of the channel up to it; context_time is that of the oldest sample of
 --         the next vector, from where on a later run must read.
--- Slots:  :delayed   code_1 ... code_(m-1), the delayed codes
---         :next_span the samples between its newest and the oldest one of the next vector
+-- Slots:  :delayed   code_1 ... code_(m-1), the delayed codes, and other columns over the same order
+--         :context   the time of the oldest sample of the next vector
 --         :known     all coordinates are there
 --         :cell_key  the mixed-radix integer of the coordinates
 --         :outside   a coordinate lies outside the calibrated range
 --         :carried   columns that travel with the vector
---         :whole     whether there are as many samples as a vector takes
+--         :whole     whether the samples before are those of a vector
 SELECT
   channel_id,
   time,
@@ -26,7 +25,7 @@ FROM (
     time,
     code AS code_0,
     :delayed,
-    LAG(time, :next_span) OVER (PARTITION BY channel_id ORDER BY time) AS context_time,
+    :context AS context_time,
     CAST(ROW_NUMBER() OVER (PARTITION BY channel_id ORDER BY time) AS BIGINT) AS position
   FROM codes
 ) AS embedded
