@@ -84,7 +84,7 @@ class Gathered:
 
 
 def is_in_pieces(calibration: Arguments) -> bool:
-    """Tell whether a calibration makes all channels of its source ask its vectors which samples are of calibration."""
+    """Tell whether a calibration has all vectors of its source asked which samples are of it."""
     rules = [rule for _, rule in rules_of(calibration) if rule is not None]
     return any(
         rule.get("score_from") is not None or rule.get("exclude") or len(rule.get("intervals") or ()) > 1
