@@ -73,10 +73,11 @@ class Streams:
     Args:
         method: of the study.
         running: its steps at work.
+        taught: the step that supports are made of (:class:`gam_db.method.delays.Ways`).
     """
 
-    def __init__(self, method: Method, running: Running) -> None:
-        self.method, self.running = method, running
+    def __init__(self, method: Method, running: Running, taught: str = LEARNING) -> None:
+        self.method, self.running, self.taught = method, running, taught
         self.holds = True
         self._sorting: dict[str, Step] = {}
         self._done: set[str] = set()
@@ -167,14 +168,25 @@ class Streams:
                 vectors = _vectors(row, setting, _range(bounds[row["channel_id"]]), *times)
                 slots: Slots = {"channel_id": row["channel_id"], "span": setting.span}
                 learnable.append(_over("streams/learnable", slots, "streamed", vectors))
-            step = method.named(LEARNING, number)
-            self._give(step, learnable)
-            none = filled("certificate/missing_vectors")
-            self._replace(method.named("missing_vectors", number), none, {"vectors": step})
-            if running.largest(step, "out_of_order"):
+            if not self._teach(learnable, number):
                 return False
             has_learnt = True
         return has_learnt
+
+    def _teach(self, learnable: Sequence[exp.Query], number: int) -> bool:
+        """Give the vectors of calibration of one set, or their cells; tell whether all are in order."""
+        step, missing, support, bounds = (
+            self.method.named(name, number)
+            for name in (self.taught, "missing_vectors", "support", "bounds")
+        )
+        if self.taught == LEARNING:
+            self._give(step, learnable)
+            self._replace(missing, filled("certificate/missing_vectors"), {"vectors": step})
+        else:
+            cells = [_over("census/taught", {}, LEARNING, vectors) for vectors in learnable]
+            self.running.steps.put(Step.of(step, stacked(cells), "", {"readings": "readings"}))
+            self._replace(support, filled("support/support"), {LEARNING: step, "bounds": bounds})
+        return not self.running.largest(step, "doubled")
 
     def _score(self) -> bool:
         """Give the scored vectors, grouped; tell whether they are what they should be."""
@@ -311,7 +323,7 @@ def _over(path: str, slots: Slots, name: str, rows: exp.Query) -> exp.Query:
     """Return a file of ``sql/`` that reads the rows of a query where it has a name for them."""
     query = filled(path, slots)
     (read,) = (table for table in query.find_all(exp.Table) if table.name == name)
-    read.replace(rows.subquery(name, copy=False))
+    read.replace(rows.subquery(read.alias_or_name, copy=False))
     return query
 
 

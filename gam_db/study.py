@@ -87,7 +87,7 @@ class Study:
         self._asked = (self.method, unread, read.relation, session.engine)
         self.running = Running(session, self._opening(), on_step=on_step)
         is_streamed = short_cuts and seems_ordered(self.method, self.running)
-        slicing, ways = None, Ways()
+        slicing, ways = None, Ways(asked=frozenset(asked))
         if short_cuts and on_trust and not is_streamed and trusting.serves(self.method):
             slicing, rows = trusting.sliced(self.running)
             ways = ways if slicing is None else self._ways(rows, asked)
@@ -104,7 +104,11 @@ class Study:
             ways = dataclasses.replace(ways, has_missing=False)
         self.running.steps = self._steps(bits, slicing, ways)
         self._short_cut: Streams | Trust | None = None
-        if is_streamed and bits is not None and (streams := Streams(self.method, self.running)).serve():
+        if (
+            is_streamed
+            and bits is not None
+            and (streams := Streams(self.method, self.running, ways.taught)).serve()
+        ):
             self._short_cut = streams
         elif slicing is not None:
             made, careful = partial(self._steps, bits, slicing), partial(self._steps, bits)

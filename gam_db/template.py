@@ -24,6 +24,7 @@ from typing import TypeAlias
 
 import sqlglot
 from sqlglot import exp
+from sqlglot.dialects.duckdb import DuckDB
 from sqlglot.errors import SqlglotError
 
 from gam_db.errors import TemplateError
@@ -31,6 +32,8 @@ from gam_db.errors import TemplateError
 Slot: TypeAlias = int | float | None | exp.Expr | Sequence[exp.Expr]
 
 LARGEST_INTEGER = 2**63 - 1
+
+_DOUBLE = exp.DataType.build("DOUBLE")
 
 
 @dataclass(frozen=True)
@@ -79,7 +82,7 @@ def parse(name: str, source: str) -> Template:
     said = [line.removeprefix("--").strip() for line in source.splitlines() if line.startswith("--")]
     own = next((line.split()[1] for line in said if line.startswith("Dialect:")), None)
     try:
-        statements = sqlglot.parse(source, dialect=own or "duckdb")
+        statements = sqlglot.parse(source, dialect=own or DuckDB)
     except SqlglotError as error:
         raise TemplateError(f"sql/{name}.sql cannot be parsed: {error}") from error
     found = [one for one in statements if one is not None]
@@ -170,7 +173,8 @@ def node_of(value: int | float | None | exp.Expr, where: str = "a slot") -> exp.
             raise TemplateError(f"{where}: {value} is not a finite number.")
         digits = repr(abs(value))
         # With an exponent, no engine reads a decimal first and rounds twice.
-        literal = exp.cast(exp.Literal.number(digits if "e" in digits else f"{digits}e0"), "DOUBLE")
+        number = exp.Literal.number(digits if "e" in digits else f"{digits}e0")
+        literal = exp.Cast(this=number, to=_DOUBLE.copy())
     return exp.Neg(this=literal) if math.copysign(1, value) < 0 else literal
 
 

@@ -1,6 +1,7 @@
 """Codes and delay vectors (Eq. 1; Phi, method section 3), and what is asked of the samples before."""
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 
 from sqlglot import exp
 
@@ -78,10 +79,12 @@ def _add(
     one.add("embedding/vectors", slots, f"{prefix}vectors", {"codes": codes})
 
 
+@lru_cache
 def stream_slots(setting: Parameters, has_context: bool) -> dict[str, template.Slot]:
     """Return the slots of streams/vectors.sql that follow from the parameters alone.
 
-    Where a later run must know from where on it reads, that instant travels with each vector.
+    Where a later run must know from where on it reads, that instant travels with each vector. Every
+    channel has the same ones, so nobody may change them.
     """
     streamed, columns = "streams/delayed", coordinates(setting)
     over = {f"code_{k}": _before("code", k * setting.tau, streamed) for k in range(1, setting.m)}

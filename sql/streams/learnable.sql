@@ -1,8 +1,8 @@
 -- Learnable, in stored order: the calibration vectors of one channel; see streams/vectors.sql.
 -- Reads:  streamed, the samples of the channel's calibration.
--- A row:  one calibration vector, or a row that is out of order.
+-- A row:  one calibration vector, or a sample that is not later than the one before: doubled = 1.
 -- Slots:  :channel_id
 --         :span  (m-1) * tau, the samples between oldest and newest
-SELECT CAST(:channel_id AS INTEGER) AS channel_id, time, cell_key, out_of_order
+SELECT CAST(:channel_id AS INTEGER) AS channel_id, time, cell_key, out_of_order AS doubled
 FROM streamed
 WHERE position > :span OR out_of_order = 1

@@ -5,7 +5,7 @@ Which of the two it was is asked for in each case, so that no case passes by the
 
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +27,9 @@ from harness import Answer, Row
 pytestmark = pytest.mark.thorough
 
 LENGTH = 240
+
+#: Steps that may be all that is asked for.
+HEALTH = ("bucket_health", "novel_cells")
 
 #: name -> keyword arguments of Parameters and of Calibration that streams serve
 SERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
@@ -91,11 +94,19 @@ def stored(connection: duckdb.DuckDBPyConnection, table: list[Row]) -> None:
 
 
 def answers(
-    connection: duckdb.DuckDBPyConnection, parameters: Any, calibration: Any, relation: Any = "telemetry"
+    connection: duckdb.DuckDBPyConnection,
+    parameters: Any,
+    calibration: Any,
+    relation: Any = "telemetry",
+    asked: Sequence[str] = (),
 ) -> tuple[dict[str, Answer], bool]:
-    """Return what a study answers, and whether by streams."""
+    """Return what a study answers, and whether by streams; what is asked for is what it was told."""
     with DuckSession(connection) as session:
-        study = Study(session, gam_db.Source(relation), parameters, calibration, short_cuts=True)
+        source = gam_db.Source(relation)
+        study = Study(session, source, parameters, calibration, short_cuts=True, asked=asked)
+        for step in asked:
+            study.table(step)
+        assert ("taught" in "".join(study.running.placed)) == bool(asked and study.is_streamed)
         found = {question: study.table(step).to_pylist() for question, step in harness.STEPS.items()}
         novel = study.table("novel_cells").num_rows
         study.forget()
@@ -110,13 +121,15 @@ def agrees(found: dict[str, Answer], table: list[Row], parameters: Any, calibrat
     comparisons.compared("duckdb", "streams", table, parameters, calibration)
 
 
+@pytest.mark.parametrize("asked", [(), HEALTH], ids=["all", "health alone"])
 @pytest.mark.parametrize("case", SERVED)
 def test_streams_give_the_integers_of_the_reference(
-    connection: duckdb.DuckDBPyConnection, case: str
+    connection: duckdb.DuckDBPyConnection, case: str, asked: Sequence[str]
 ) -> None:
+    """Where health alone is asked for, no row per vector of calibration is kept."""
     method = harness.made(*SERVED[case])
     stored(connection, rows())
-    found, is_streamed = answers(connection, *method)
+    found, is_streamed = answers(connection, *method, asked=asked)
     assert is_streamed == (case != "no calibration")
     agrees(found, rows(), *method)
 
@@ -224,10 +237,12 @@ def test_a_source_that_is_not_in_order_is_sorted(
     agrees(found, table, *method)
 
 
+@pytest.mark.parametrize("asked", [(), HEALTH], ids=["all", "health alone"])
 @pytest.mark.parametrize("dirt", [swapped, doubled, in_two_pieces, by_time])
 def test_the_vectors_themselves_show_a_wrong_proof(
     connection: duckdb.DuckDBPyConnection,
     dirt: Callable[[list[Row]], list[Row]],
+    asked: Sequence[str],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Where the glance and the proof are passed over, what is computed says so itself."""
@@ -235,7 +250,7 @@ def test_the_vectors_themselves_show_a_wrong_proof(
     monkeypatch.setattr(streaming.Streams, "serve", lambda streams: True)
     table, method = dirt(rows()), harness.made(*SERVED["delays"])
     stored(connection, table)
-    found, is_streamed = answers(connection, *method)
+    found, is_streamed = answers(connection, *method, asked=asked)
     assert is_streamed == (dirt is by_time)  # by time, each channel alone is in order all the same
     agrees(found, table, *method)
 
