@@ -205,7 +205,8 @@ class Engine:
         return "".join(f"{self.text(statement)};\n" for statement in self.opening)
 
     def _written(self, tree: exp.Expr, pretty: bool) -> str:
-        rewritten = strip_null_order(tree.copy(), self.dialect)
+        dialect = _dialect(self.dialect)
+        rewritten = strip_null_order(tree.copy(), dialect)
         if not self.flow_hint:
             rewritten = drop_flow_hint(rewritten)
         if self.home is not None:
@@ -214,7 +215,7 @@ class Engine:
             rewritten = rewrite(rewritten)
         try:
             return rewritten.sql(
-                dialect=self.dialect, pretty=pretty, unsupported_level=ErrorLevel.RAISE, copy=False
+                dialect=dialect, pretty=pretty, unsupported_level=ErrorLevel.RAISE, copy=False
             )
         except UnsupportedError as error:
             raise EngineError(f"{self.name} has no form for part of this query: {error}") from error
@@ -225,14 +226,18 @@ def _of_kind(formulas: Formulas, kind: TimeKind) -> str:
     return said.get(kind, said[TimeKind.TIMESTAMP])
 
 
-def strip_null_order(tree: exp.Expr, dialect: str) -> exp.Expr:
+#: A dialect of sqlglot, made once: a run writes hundreds of texts.
+_dialect = cache(Dialect.get_or_raise)
+
+
+def strip_null_order(tree: exp.Expr, dialect: Dialect) -> exp.Expr:
     """Leave the order of NULLs to the engine.
 
     Cause: engines differ in whether NULL sorts first, so sqlglot adds NULLS LAST to keep DuckDB's
     order. Symptom: some engines refuse it in windows, and others sort slower for it. The keys we
     order by are never NULL.
     """
-    ordering = Dialect.get_or_raise(dialect).NULL_ORDERING
+    ordering = dialect.NULL_ORDERING
     for ordered in tree.find_all(exp.Ordered):
         first_of_all = "nulls_are_large" if ordered.args.get("desc") else "nulls_are_small"
         ordered.set("nulls_first", ordering == first_of_all)
