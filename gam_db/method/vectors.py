@@ -33,7 +33,7 @@ def add_vectors(one: OfSet, prefix: str, read: exp.Expr, carried: Sequence[str] 
     delayed = [exp.alias_(exp.column("calibrating"), "calibrating_0"), *_named(over)]
     touched = (exp.column(f"calibrating_{k}") for k in range(setting.m))
     straddling = exp.or_(*(template.fill("embedding/straddling", {"calibrating": of}) for of in touched))
-    said = {"straddling": straddling, "calibration_vector": template.fill("embedding/healthy")}
+    said = {"straddling": straddling, "calibration_vector": template.fill("embedding/in_calibration")}
     travelling = [*_named({name: _flag(of) for name, of in said.items()}), *map(exp.column, carried)]
     whole = template.fill("embedding/in_segment", {"span": setting.span})
     _add(one, prefix, codes, delayed, travelling, whole)

@@ -547,6 +547,11 @@ def test_what_was_read_comes_to_a_sum_of_times_and_codes_twice_as_far_as_rows_ma
     assert len({marked(time, code) for time in range(50) for code in range(9)}) == 450
 
 
+def test_where_samples_that_stand_still_are_told_no_sum_is_kept() -> None:
+    """Codes do not say what stands still, so none may look as if it had been added up."""
+    assert step("stored/no_sums", {}, cohort=rows("channel_id", (1,), (2,))) == []
+
+
 def marked(time: int, code: int) -> int:
     """Return the integer of one reading; a remainder has the sign of what is divided, as in SQL."""
     first, second = 2147483647, 2147483629
