@@ -7,7 +7,7 @@ import pytest
 from sqlglot import exp
 
 from by_hand import rows, step
-from gam_db.template import column, fill
+from gam_db.template import column, fill, text
 
 BEFORE_ALL = -(2**62)
 
@@ -550,6 +550,33 @@ def test_what_was_read_comes_to_a_sum_of_times_and_codes_twice_as_far_as_rows_ma
 def test_where_samples_that_stand_still_are_told_no_sum_is_kept() -> None:
     """Codes do not say what stands still, so none may look as if it had been added up."""
     assert step("stored/no_sums", {}, cohort=rows("channel_id", (1,), (2,))) == []
+
+
+def test_what_is_read_in_stored_order_is_context_up_to_the_first_scored_instant() -> None:
+    readings = rows(
+        "asset channel time reading",
+        *(
+            ("a", "x", time, value)
+            for time, value in ((1, 0.0), (5, 1.0), (9, None), (10, 2.0), (11, 1e301))
+        ),
+        ("a", "y", 9, 0.0),
+    )
+    slots: dict[str, Any] = {
+        **{"channel_id": 3, "asset": text("a"), "channel": text("x")},
+        **{"time_from": 5, "time_to": 11, "first_scored": 10},
+    }
+    assert step("streams/seen", slots, readings=readings) == [(3, 4, 2, 2, 11)]
+
+
+def test_calibration_is_counted_one_by_one_where_an_instant_occurs_twice() -> None:
+    """Once is enough."""
+    found = step(
+        "stored/repeating_calibration",
+        {},
+        calibration=rows("channel_id time_from time_to", (1, 0, 9), (2, 0, 9), (3, 5, 9), (3, 12, 20)),
+        timeline=rows("channel_id repeats", (1, 0), (2, 1), (3, 4)),
+    )
+    assert sorted(found) == [(2, 0, 9), (3, 5, 9), (3, 12, 20)]
 
 
 def marked(time: int, code: int) -> int:
