@@ -71,10 +71,9 @@ def add_buckets(
 ) -> None:
     """Add Eq. 4 of one set in full buckets, and the novel cells of each.
 
-    Where no segment ends and every channel is scored from the end of its calibration on, vectors
-    of half the columns give the same buckets; else *numbered* is read. A
-    ``trusting`` run, where no segment ends, takes it that no instant occurs twice; *visited* then has a
-    column ``doubled``, the proof to the contrary.
+    Where no segment ends and every channel is scored from the end of its calibration on, vectors of half
+    the columns give the same buckets; else *numbered* is read. A ``trusting`` run, of the former alone,
+    takes it that no instant occurs twice; *visited* then has ``doubled``, the proof to the contrary.
 
     Args:
         one: the set.
