@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from gam_db.alarms import Alarms, add_status
 from gam_db.clock import TimeKind, shown_instant, shown_length, told_time
-from gam_db.parameters import Parameters
+from gam_db.settings.parameters import Parameters
 from gam_db.study import Study
 
 #: How channels are sorted: the most urgent first.

@@ -7,8 +7,8 @@ from typing import Any
 
 import pyarrow as pa
 
-from gam_db.calibration import Calibration
-from gam_db.parameters import Parameters
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
 from gam_db.study import studied
 from gam_db.units import with_units
 

@@ -13,7 +13,7 @@ import pyarrow.parquet as pq
 from numpy.typing import NDArray
 from sqlglot import exp
 
-from gam_db.connecting import connect
+from gam_db.engines.connecting import connect
 from gam_db.errors import ConfigurationError, nearest
 from gam_db.extras import needed
 from gam_db.stored.monitor import Monitor

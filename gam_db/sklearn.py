@@ -11,11 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator, OutlierMixin
 from sklearn.utils.validation import check_is_fitted, validate_data
 
-from gam_db.calibration import Calibration
-from gam_db.connecting import borrowed
+from gam_db.engines.connecting import borrowed
 from gam_db.health import support
-from gam_db.parameters import Parameters
-from gam_db.source import WideSource
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
+from gam_db.settings.source import WideSource
 from gam_db.study import Study
 
 Scores = NDArray[np.float64]

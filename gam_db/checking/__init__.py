@@ -9,13 +9,13 @@ from typing import Any
 
 import pyarrow as pa
 
-from gam_db.calibration import Calibration
 from gam_db.checking.look import Look, look_at
 from gam_db.checking.notes import Note, must_be_fixed, notes
 from gam_db.checking.proposal import Proposal, propose
-from gam_db.connecting import borrowed
-from gam_db.guess import sourced
-from gam_db.parameters import Parameters
+from gam_db.engines.connecting import borrowed
+from gam_db.reading.guess import sourced
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
 from gam_db.units import with_units
 
 __all__ = ["Look", "Note", "Proposal", "check", "look_at", "must_be_fixed", "notes", "propose"]

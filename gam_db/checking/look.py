@@ -7,17 +7,17 @@ from typing import Any
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db import template
-from gam_db.calibration import Calibration
 from gam_db.clock import TimeKind
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.session import Session
 from gam_db.method import Method
 from gam_db.method.adding import add, add_stacked
-from gam_db.parameters import Parameters
-from gam_db.pipeline import Pipeline
-from gam_db.running import Listener
-from gam_db.source import AnySource, TimeNode, parsed_condition, read_from
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
+from gam_db.settings.source import AnySource, TimeNode, parsed_condition, read_from
 from gam_db.study import Study
+from gam_db.study.running import Listener
 
 SUMMARY = "check_summary"
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from gam_db.checking.look import PAUSE, Look, Row, is_irregular
 from gam_db.checking.words import percent, roundest, setting, spoken
 from gam_db.clock import TimeKind
-from gam_db.parameters import Parameters
+from gam_db.settings.parameters import Parameters
 
 CYCLES = 5
 """A window holds at least so many cycles; the paper asks for several complete ones."""

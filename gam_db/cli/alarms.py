@@ -10,10 +10,10 @@ import typer
 
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
+from gam_db.cli.config import Settings
 from gam_db.cli.monitors import heading, place, state_of
 from gam_db.cli.options import flag, option
 from gam_db.clock import TimeKind, told_time, zone
-from gam_db.config import Settings
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row
 from gam_db.stored import alarms as stored

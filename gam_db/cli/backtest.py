@@ -2,14 +2,14 @@
 
 from collections.abc import Iterator
 
-from gam_db.backtesting import backtest as tested
-from gam_db.calibration import Calibration
+from gam_db.alarms.backtesting import backtest as tested
 from gam_db.cli import options, page
+from gam_db.cli.config import Settings
 from gam_db.cli.job import reading
 from gam_db.cli.options import option
-from gam_db.config import Settings
 from gam_db.findings import Row
-from gam_db.setting import settings_of
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.setting import settings_of
 
 
 @options.taking(*options.READ, *options.ALARMS, "as_json", "quiet", "threads")

@@ -9,16 +9,16 @@ from typing import Any
 
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
+from gam_db.cli.config import Settings
 from gam_db.cli.job import Job, job_of
 from gam_db.cli.monitors import channels_of, heading, place
 from gam_db.cli.options import flag
 from gam_db.cli.progress import working
-from gam_db.config import Settings
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, need_attention, share, shortcomings
-from gam_db.guess import SourceSettings, folder_or_table
-from gam_db.source import AnySource, WideSource, is_file, shown_relation, slashed
+from gam_db.reading.guess import SourceSettings, folder_or_table
+from gam_db.settings.source import AnySource, WideSource, is_file, shown_relation, slashed
 from gam_db.stored import migrations
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.sources import SOURCE_COLUMNS, described, source_of

@@ -10,18 +10,18 @@ from gam_db.checking.look import is_irregular
 from gam_db.checking.notes import is_heeded
 from gam_db.checking.words import instant, number_of, percent, spoken
 from gam_db.cli import options, page
+from gam_db.cli.config import Settings
 from gam_db.cli.job import Job, reading
 from gam_db.cli.monitors import watched
 from gam_db.cli.options import flag
 from gam_db.cli.progress import working
 from gam_db.clock import TimeKind, shown_instant
-from gam_db.config import Settings
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, printable
 from gam_db.findings import Row
-from gam_db.running import Listener
 from gam_db.stored.proving import keep
 from gam_db.stored.state import State, kind_of
+from gam_db.study.running import Listener
 
 #: The first columns to go where the terminal is narrow.
 _LEAST_SAYING = ("values", "still", "most", "least")

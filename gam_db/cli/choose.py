@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.chosen import chosen, written
+from gam_db.cli.config import DEFAULT_FILE, Settings, load
 from gam_db.cli.job import Job, healthy_part, reading
 from gam_db.cli.options import option
-from gam_db.config import DEFAULT_FILE, Settings, load
 from gam_db.errors import printable
 from gam_db.findings import Row
 from gam_db.selection.search import Search

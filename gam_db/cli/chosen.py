@@ -13,21 +13,21 @@ from pathlib import Path
 from statistics import median_low
 from typing import Any
 
-from gam_db.calibration import WAYS, Calibration
 from gam_db.checking.words import number_of
 from gam_db.cli import toml_text
+from gam_db.cli.config import Settings, load
 from gam_db.cli.job import Job
 from gam_db.cli.page import WORDS
 from gam_db.cli.progress import working
-from gam_db.config import Settings, load
-from gam_db.connecting import connect
+from gam_db.engines.connecting import connect
 from gam_db.errors import ConfigurationError
 from gam_db.findings import Row
-from gam_db.parameters import Parameters, pattern_matches
-from gam_db.patterns import Name, grouped
 from gam_db.selection.search import Search
 from gam_db.selection.select import Selection, Studied, alone, selected_by_all
-from gam_db.setting import settings_of
+from gam_db.settings.calibration import WAYS, Calibration
+from gam_db.settings.parameters import Parameters, pattern_matches
+from gam_db.settings.patterns import Name, grouped
+from gam_db.settings.setting import settings_of
 from gam_db.study import Study
 
 

@@ -8,18 +8,18 @@ from pyarrow import parquet
 from gam_db import langevin
 from gam_db.alarms import Alarms
 from gam_db.cli import page
+from gam_db.cli.config import Settings
 from gam_db.cli.job import job_of
 from gam_db.cli.once import show
 from gam_db.cli.options import option
 from gam_db.cli.progress import working
 from gam_db.cli.report import checked, page_of, told
-from gam_db.config import Settings
-from gam_db.connecting import connect
+from gam_db.engines.connecting import connect
 from gam_db.errors import ConfigurationError
 from gam_db.findings import findings
-from gam_db.guess import SourceSettings
+from gam_db.reading.guess import SourceSettings
 from gam_db.report import Wishes, plant
-from gam_db.source import Source
+from gam_db.settings.source import Source
 
 _SIMULATED = Settings(
     SourceSettings(asset="asset", channel="channel", time="time", value="value"),

@@ -15,15 +15,15 @@ from gam_db.checking.words import spoken
 from gam_db.cli import options, page, toml_text
 from gam_db.cli.check import Seen, heading, looked, note_line
 from gam_db.cli.chosen import calibration_lines, chosen, groups, save
+from gam_db.cli.config import DEFAULT_FILE, Settings
 from gam_db.cli.job import reading
 from gam_db.cli.options import flag, option
-from gam_db.config import DEFAULT_FILE, Settings
 from gam_db.errors import ConfigurationError, printable
-from gam_db.guess import SourceSettings
-from gam_db.parameters import Parameters
+from gam_db.reading.guess import SourceSettings
 from gam_db.selection.search import Search
-from gam_db.setting import settings_of
-from gam_db.source import Source, is_file, paths_of, slashed
+from gam_db.settings.parameters import Parameters
+from gam_db.settings.setting import settings_of
+from gam_db.settings.source import Source, is_file, paths_of, slashed
 
 
 @options.taking(*options.READ, "quiet", "threads", fresh=True)

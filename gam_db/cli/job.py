@@ -5,22 +5,22 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from gam_db.calibration import Calibration
 from gam_db.checking.look import exact_columns
 from gam_db.checking.words import number_of
 from gam_db.cli import options
+from gam_db.cli.config import Settings
 from gam_db.cli.page import some
 from gam_db.cli.progress import working
-from gam_db.config import Settings
-from gam_db.connecting import connect
+from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import printable
-from gam_db.guess import Guess, guess
-from gam_db.parameters import Parameters
-from gam_db.running import Listener
-from gam_db.setting import settings_of
-from gam_db.source import Source, shown_relation
+from gam_db.reading.guess import Guess, guess
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
+from gam_db.settings.setting import settings_of
+from gam_db.settings.source import Source, shown_relation
 from gam_db.study import Study
+from gam_db.study.running import Listener
 
 
 @dataclass(frozen=True)

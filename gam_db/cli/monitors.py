@@ -4,11 +4,11 @@ import contextlib
 from collections.abc import Iterator
 
 from gam_db.cli import options
-from gam_db.config import Settings
+from gam_db.cli.config import Settings
 from gam_db.engines.session import Session
 from gam_db.errors import printable
 from gam_db.findings import Row
-from gam_db.guess import folder_or_table
+from gam_db.reading.guess import folder_or_table
 from gam_db.stored import migrations
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.sources import source_of

@@ -17,18 +17,18 @@ from pyarrow import ArrowInvalid, parquet
 from gam_db.checking.notes import EXACT_UP_TO, SENTENCES
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
+from gam_db.cli.config import Settings
 from gam_db.cli.job import Job, job_of
 from gam_db.cli.options import flag, option
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.cli.report import checked, page_of
 from gam_db.clock import SINCE_1970, epoch_unit, zone
-from gam_db.config import Settings
-from gam_db.connecting import connect
+from gam_db.engines.connecting import connect
 from gam_db.engines.duckdb_files import SOURCE_MARK
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, findings, need_attention
 from gam_db.report import Wishes
-from gam_db.source import FILE_ENDINGS, is_file, paths_of
+from gam_db.settings.source import FILE_ENDINGS, is_file, paths_of
 from gam_db.stored.lengths import park_after
 
 _OUTPUT = "Output"

@@ -14,15 +14,15 @@ from typing import Annotated, Any, TypeVar
 import typer
 
 from gam_db import address as addresses
-from gam_db import config
 from gam_db.address import VARIABLE, is_url
-from gam_db.calibration import Calibration
-from gam_db.config import SECTIONS, Settings
-from gam_db.connecting import connect
+from gam_db.cli import config
+from gam_db.cli.config import SECTIONS, Settings
+from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, EngineError
-from gam_db.setting import COUNT, FLAG, TEXT, Setting, check, setting, settings_of
-from gam_db.source import FILE_ENDINGS, as_folder, is_file
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.setting import COUNT, FLAG, TEXT, Setting, check, setting, settings_of
+from gam_db.settings.source import FILE_ENDINGS, as_folder, is_file
 
 DATABASE_ENDINGS = (".duckdb", ".db")
 

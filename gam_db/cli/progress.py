@@ -14,7 +14,7 @@ from rich.console import Console, RenderableType
 from rich.status import Status
 
 from gam_db.engines.session import Session
-from gam_db.running import Listener
+from gam_db.study.running import Listener
 
 EVERY = 30.0
 """Seconds after which a run that writes into a log says what it does, and then again."""

@@ -8,20 +8,20 @@ from pathlib import Path
 from typing import Any
 
 from gam_db.alarms import Alarms
-from gam_db.calibration import Calibration
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
+from gam_db.cli.config import Settings
 from gam_db.cli.monitors import watched
 from gam_db.cli.options import option
 from gam_db.cli.progress import working
-from gam_db.config import Settings
-from gam_db.connecting import connect
+from gam_db.engines.connecting import connect
 from gam_db.errors import ConfigurationError
-from gam_db.parameters import Parameters
 from gam_db.report import Wishes
-from gam_db.running import Listener
-from gam_db.source import AnySource
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
+from gam_db.settings.source import AnySource
 from gam_db.stored.monitor import Monitor
+from gam_db.study.running import Listener
 
 _ENDINGS = (".html", ".htm")
 

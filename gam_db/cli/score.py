@@ -11,16 +11,16 @@ import typer
 
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
+from gam_db.cli.config import Settings
 from gam_db.cli.monitors import heading, place, watched
 from gam_db.cli.options import flag, option
 from gam_db.cli.progress import working
 from gam_db.cli.status import judging, raised
 from gam_db.clock import LONG_AGO, TimeKind, instant, shown_instant
-from gam_db.config import Settings
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, need_attention
-from gam_db.setting import FLAG, INSTANT, TEXT, setting
-from gam_db.source import shown_relation
+from gam_db.settings.setting import FLAG, INSTANT, TEXT, setting
+from gam_db.settings.source import shown_relation
 from gam_db.stored.calibrating import differing
 from gam_db.stored.copying import copy
 from gam_db.stored.report import Report

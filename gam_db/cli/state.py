@@ -6,9 +6,9 @@ import pyarrow as pa
 import typer
 
 from gam_db.cli import options, page
+from gam_db.cli.config import Settings
 from gam_db.cli.options import flag, option
 from gam_db.clock import TimeKind, told_time
-from gam_db.config import Settings
 from gam_db.engines import NAMES, engine_named
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row

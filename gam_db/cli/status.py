@@ -8,13 +8,13 @@ import pyarrow.compute as pc
 
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
+from gam_db.cli.config import Settings
 from gam_db.cli.monitors import heading, place
 from gam_db.cli.options import option
 from gam_db.clock import TimeKind, instant, shown_instant, shown_length, zone
-from gam_db.config import Settings
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, need_attention, share
-from gam_db.parameters import pattern_matches
+from gam_db.settings.parameters import pattern_matches
 from gam_db.stored import status as stored_status
 from gam_db.stored.proving import Proof
 from gam_db.stored.state import State

@@ -6,19 +6,19 @@ from typing import Annotated, Any, Literal
 
 import typer
 
-from gam_db import look
 from gam_db.cli import options, page
+from gam_db.cli.config import Settings
 from gam_db.cli.options import option
-from gam_db.config import Settings
-from gam_db.connecting import connect
 from gam_db.engines import EVIDENCE, NAMES, engine_named
+from gam_db.engines.connecting import connect
 from gam_db.errors import ConfigurationError, SourceError
 from gam_db.export import Package, write
 from gam_db.export import grafana as dashboards
 from gam_db.export.models import ADAPTERS
-from gam_db.guess import SourceSettings, guess
-from gam_db.script import render
-from gam_db.source import AnySource, Source, WideSource, is_file
+from gam_db.export.script import render
+from gam_db.reading import look
+from gam_db.reading.guess import SourceSettings, guess
+from gam_db.settings.source import AnySource, Source, WideSource, is_file
 from gam_db.stored.tables import StateTables
 
 Form = Literal["exact", "view"]

@@ -12,9 +12,9 @@ from sqlglot import exp
 from sqlglot.dialects.dialect import Dialect
 from sqlglot.errors import ErrorLevel, UnsupportedError
 
-from gam_db import template
-from gam_db.bits import Bits
 from gam_db.clock import TimeKind
+from gam_db.composing import template
+from gam_db.composing.lately import Lately
 from gam_db.engines.storage import (
     APART,
     Addition,
@@ -27,9 +27,9 @@ from gam_db.engines.storage import (
 )
 from gam_db.engines.types import USUAL, Types
 from gam_db.errors import EngineError
-from gam_db.form import Form
-from gam_db.lately import Lately
-from gam_db.source import AnySource, readings
+from gam_db.method.bits import Bits
+from gam_db.settings.form import Form
+from gam_db.settings.source import AnySource, readings
 
 Rewrite = Callable[[exp.Expr], exp.Expr]
 #: A formula for each kind of time: that of TIMESTAMP for all that have none of their own.
@@ -77,7 +77,7 @@ def formula(said: str, **slots: template.Slot) -> exp.Expr:
     Args:
         said: in DuckDB's dialect. What is an engine's own is left as it is: functions that are called
             ``own.F(x)``, and words that stand alone or in double quotes.
-        slots: as for :func:`gam_db.template.fill`.
+        slots: as for :func:`gam_db.composing.template.fill`.
     """
     return template.fill_template(_formula(said), slots)
 
@@ -127,7 +127,7 @@ class Engine:
     undoes_definitions: bool = True  # whether that holds of tables and views that were made, too
     limits: str = ""  # what it cannot promise, and what a user has to know
     #: For one whose tables give their rows in the order in which they were stored, and whose windows
-    #: without an order follow it (:mod:`gam_db.streaming`); None for all others.
+    #: without an order follow it (:mod:`gam_db.study.streaming`); None for all others.
     bits: Bits | None = None
     #: The body of the delay vectors that costs least (:mod:`gam_db.method.delays`); None for windows.
     delays: str | None = None

@@ -14,8 +14,9 @@ from typing import Any
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db import data, template
+from gam_db import data
 from gam_db.address import shown
+from gam_db.composing import template
 from gam_db.engines.base import deletion
 from gam_db.engines.clickhouse import ENGINE, create_table, temporary_table
 from gam_db.engines.clickhouse_address import EXTRA, folder, is_locked, server

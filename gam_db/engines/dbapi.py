@@ -9,7 +9,7 @@ from typing import Any
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.engines.base import temporary
 from gam_db.engines.driver import Driver
 from gam_db.engines.refusals import refusal

@@ -11,8 +11,8 @@ from sqlglot import exp
 
 from gam_db.engines.base import Engine, deletion
 from gam_db.errors import SourceError, UserError
-from gam_db.form import Form
-from gam_db.source import shown_relation
+from gam_db.settings.form import Form
+from gam_db.settings.source import shown_relation
 
 
 class Driver(Protocol):

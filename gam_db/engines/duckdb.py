@@ -2,11 +2,11 @@
 
 from sqlglot import exp
 
-from gam_db.bits import Bits
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, Texts, formula
 from gam_db.engines.duckdb_reading import instant_of_text, number_of, retyped, seen_formats
 from gam_db.engines.types import Types
+from gam_db.method.bits import Bits
 
 #: DuckDB rounds nanoseconds to microseconds; the method floors them. Its integer division rounds towards
 #: zero, so a rest below zero takes one more. Infinite times are NULL.

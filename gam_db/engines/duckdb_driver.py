@@ -19,8 +19,8 @@ from gam_db.engines.duckdb_reading import file_reader, is_csv_reader, is_text_fi
 from gam_db.engines.refusals import FULL, refusal, refused
 from gam_db.engines.session import first_line
 from gam_db.errors import EngineError, SourceError, UserError
-from gam_db.form import Form
-from gam_db.source import paths_of, shown_relation
+from gam_db.settings.form import Form
+from gam_db.settings.source import paths_of, shown_relation
 
 #: The log goes into the file when it has grown beyond so many bytes, and when the file is closed.
 LARGE_LOG = 2**24

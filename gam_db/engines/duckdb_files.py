@@ -12,12 +12,12 @@ from pathlib import Path
 import duckdb
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_reading import all_as_text, paths_read
 from gam_db.errors import SourceError
-from gam_db.form import options_for_null, options_for_numbers, shortened
-from gam_db.source import FILE_ENDINGS, as_folder, shown_relation
+from gam_db.settings.form import options_for_null, options_for_numbers, shortened
+from gam_db.settings.source import FILE_ENDINGS, as_folder, shown_relation
 from gam_db.version import __version__
 
 #: Keys of the metadata of a Parquet file of results: the version that wrote it, and from what.

@@ -5,9 +5,9 @@ from collections.abc import Mapping, Sequence
 
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.engines.base import called, formula
-from gam_db.form import SPACES, Form, number_pattern
+from gam_db.settings.form import SPACES, Form, number_pattern
 
 #: An hour, and behind it a zone.
 _ZONED = r"[0-9][T ][0-9].*(Z|[+-][0-9]{2}(:?[0-9]{2})?)\s*$"

@@ -10,7 +10,7 @@ import duckdb
 import sqlglot
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.engines.duckdb_driver import DuckDriver
 from gam_db.engines.duckdb_files import metadata
 from gam_db.engines.duckdb_journal import Journal, put_back

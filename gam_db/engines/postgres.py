@@ -5,8 +5,8 @@ from functools import partial
 import sqlglot
 from sqlglot import exp
 
-from gam_db import template
 from gam_db.clock import TimeKind
+from gam_db.composing import template
 from gam_db.engines.base import Engine, compare_by_bytes
 from gam_db.engines.storage import Storage
 from gam_db.engines.types import Types

@@ -17,7 +17,8 @@ import pyarrow as pa
 import pyarrow.csv
 from sqlglot import exp
 
-from gam_db import data, template
+from gam_db import data
+from gam_db.composing import template
 from gam_db.engines.base import temporary
 from gam_db.engines.dbapi import DbapiDriver
 from gam_db.engines.driver import by_table

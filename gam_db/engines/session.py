@@ -15,13 +15,13 @@ from typing import Any, Self, TypeVar
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.engines.driver import Driver
 from gam_db.engines.refusals import CONFLICT as CONFLICT
 from gam_db.engines.refusals import OPEN
 from gam_db.errors import EngineError, LostConnectionError, SourceError, StatementError, nearest
-from gam_db.form import Form
-from gam_db.source import is_file, table_names
+from gam_db.settings.form import Form
+from gam_db.settings.source import is_file, table_names
 
 T = TypeVar("T")
 Row = dict[str, Any]

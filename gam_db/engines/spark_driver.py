@@ -11,7 +11,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.engines.base import Engine
 from gam_db.engines.driver import Driver, usual
 from gam_db.engines.refusals import READ_ONLY, refusal
@@ -22,7 +22,7 @@ from gam_db.engines.spark_opening import address_of, as_before, beside, quiet, s
 from gam_db.engines.spark_tables import FolderTables
 from gam_db.errors import EngineError, UserError
 from gam_db.extras import needed
-from gam_db.form import Form
+from gam_db.settings.form import Form
 
 #: Steps with at most so many rows are handed back to Spark as rows: its plans then end there.
 _FEW = 20_000

@@ -14,7 +14,7 @@ from typing import Any
 import sqlglot
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.engines.base import Engine
 from gam_db.engines.refusals import CONFLICT
 from gam_db.engines.spark_folder import Entry, Folder

@@ -5,8 +5,8 @@ from collections.abc import Callable
 
 from sqlglot import exp
 
-from gam_db import template
 from gam_db.clock import SECOND, TimeKind
+from gam_db.composing import template
 from gam_db.engines.base import Engine, formula
 from gam_db.engines.storage import Storage
 from gam_db.engines.types import Types

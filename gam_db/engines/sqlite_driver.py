@@ -12,7 +12,7 @@ from typing import Any
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.engines.base import called
 from gam_db.engines.dbapi import DbapiDriver
 from gam_db.engines.refusals import OPEN

@@ -11,17 +11,18 @@ from typing import Any
 
 from sqlglot import exp
 
-from gam_db import data, template
-from gam_db.calibration import Calibration
+from gam_db import data
 from gam_db.clock import Length, TimeKind
+from gam_db.composing import template
 from gam_db.engines import engine_named
 from gam_db.engines.base import Engine
 from gam_db.errors import ConfigurationError, EngineError, SourceError
 from gam_db.export import jinja, yaml_text
 from gam_db.export.models import ADAPTERS, CALIBRATED, SOURCE, TABLE, Model, Modelled, checks, models
 from gam_db.method import Method
-from gam_db.parameters import Parameters
-from gam_db.source import AnySource, WideSource, declared_kind, is_file, table_names
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
+from gam_db.settings.source import AnySource, WideSource, declared_kind, is_file, table_names
 from gam_db.stored import lengths
 from gam_db.stored.migration_files import definitions
 from gam_db.stored.tables import StateTables

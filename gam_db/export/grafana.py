@@ -12,12 +12,13 @@ from typing import Any
 
 from sqlglot import exp
 
-from gam_db import data, template
+from gam_db import data
+from gam_db.composing import template
+from gam_db.composing.pipeline import filled, place
 from gam_db.engines import engine_named
 from gam_db.errors import ConfigurationError
 from gam_db.export import yaml_text
 from gam_db.extras import needed
-from gam_db.pipeline import filled, place
 from gam_db.stored.tables import StateTables
 
 DASHBOARD, ALERT = "gam-dashboard.json", "gam-alert.yaml"

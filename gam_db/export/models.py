@@ -13,8 +13,10 @@ from typing import Any
 
 from sqlglot import exp
 
-from gam_db import data, template
+from gam_db import data
 from gam_db.clock import FAR_AHEAD, LONG_AGO
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline, filled, union_of
 from gam_db.engines.base import Engine
 from gam_db.errors import CalibrationError, ParameterError
 from gam_db.export import jinja
@@ -24,8 +26,7 @@ from gam_db.method.calibration import add_calibration
 from gam_db.method.certificate import add_certificate
 from gam_db.method.judgement import add_judged, limit_slots
 from gam_db.method.source import add_rules
-from gam_db.pipeline import Pipeline, filled, union_of
-from gam_db.source import AnySource, under
+from gam_db.settings.source import AnySource, under
 from gam_db.stored.calibrating import method_hash
 from gam_db.stored.sources import described
 from gam_db.stored.steps import DAY, KEPT, Setting, add_counting

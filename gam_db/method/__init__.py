@@ -1,7 +1,8 @@
 """The method: which steps there are, in which order, and what their slots hold.
 
 This folder owns the way from readings to the health indicator and its certificate (method, sections
-2 to 5) as a :class:`~gam_db.pipeline.Pipeline`. It makes trees; it runs nothing and knows no engine.
+2 to 5) as a :class:`~gam_db.composing.pipeline.Pipeline`. It makes trees; it runs nothing and knows
+no engine.
 Its files go by the folders of ``sql/``: source, census, calibration, vectors (embedding and codes),
 scoring (score and health), certificate.
 

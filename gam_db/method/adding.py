@@ -6,11 +6,11 @@ from typing import Any
 
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline, filled, union_of
 from gam_db.method.resolved import Method
 from gam_db.method.slots import following
-from gam_db.parameters import Parameters
-from gam_db.pipeline import Pipeline, filled, union_of
+from gam_db.settings.parameters import Parameters
 
 
 def add(

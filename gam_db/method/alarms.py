@@ -4,12 +4,12 @@ from collections.abc import Sequence
 
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline, filled
 from gam_db.method.adding import OfSet, add, add_stacked, join_sets
 from gam_db.method.resolved import Method
 from gam_db.method.source import named_like
-from gam_db.pipeline import Pipeline, filled
-from gam_db.source import TimeNode
+from gam_db.settings.source import TimeNode
 
 #: Beyond how many blocks another one vouches for a cell: usually, for the order ratio, under drift.
 NEAR, ORDERED, FAR = 1, 4, 8

@@ -2,7 +2,7 @@
 
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.method.adding import OfSet
 from gam_db.method.vectors import add_short_vectors, add_vectors
 

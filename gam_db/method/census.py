@@ -10,9 +10,10 @@ from dataclasses import dataclass
 
 from sqlglot import exp
 
-from gam_db.bits import Bits
 from gam_db.clock import FAR_AHEAD, LONG_AGO
+from gam_db.composing.pipeline import Pipeline, union_of
 from gam_db.method.adding import OfSet, add
+from gam_db.method.bits import Bits
 from gam_db.method.calibration import add_learnt
 from gam_db.method.certificate import add_judgement
 from gam_db.method.delays import CALIBRATION, COMPLETE, INCOMPLETE, STORED, Ways, add_coded, add_delays
@@ -29,7 +30,6 @@ from gam_db.method.scoring import (
 )
 from gam_db.method.source import add_channels, add_intervals, add_rules
 from gam_db.method.vectors import add_short_vectors
-from gam_db.pipeline import Pipeline, union_of
 
 #: Slices of the time range. With 30,000 channels that is a million rows; the samples of a slice or two
 #: are read again, which of evenly spaced ones are few.

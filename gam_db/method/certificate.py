@@ -1,8 +1,8 @@
 """What calibration says about itself, for one set (method, section 5)."""
 
-from gam_db import template
+from gam_db.composing import template
+from gam_db.composing.pipeline import union_of
 from gam_db.method.adding import OfSet, add_stacked
-from gam_db.pipeline import union_of
 
 
 def add_certificate(one: OfSet, by_halves: bool = False) -> None:

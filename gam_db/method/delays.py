@@ -18,11 +18,11 @@ from dataclasses import dataclass
 
 from sqlglot import exp
 
-from gam_db import template
 from gam_db.clock import FAR_AHEAD
+from gam_db.composing import template
+from gam_db.composing.pipeline import filled
 from gam_db.method.adding import OfSet
 from gam_db.method.vectors import add_short_vectors
-from gam_db.pipeline import filled
 
 #: What is kept before vectors are made of it, body by body.
 KEPT = {"rowids": ("coded", "runs"), "arrays": ()}

@@ -5,11 +5,11 @@ The rule itself stands in ``sql/judgement/``; every form of the method takes it 
 
 from sqlglot import exp
 
-from gam_db import template
 from gam_db.clock import LONG_AGO
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline, union_of
 from gam_db.method.adding import OfSet, add
 from gam_db.method.resolved import Method
-from gam_db.pipeline import Pipeline, union_of
 
 
 def limit_slots(learnt: str, target_floor: exp.Expr) -> dict[str, template.Slot]:

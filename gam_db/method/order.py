@@ -2,9 +2,10 @@
 
 from sqlglot import exp
 
-from gam_db import template
-from gam_db.bits import Bits
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline, filled
 from gam_db.method.adding import OfSet, add, join_sets
+from gam_db.method.bits import Bits
 from gam_db.method.calibration import add_calibration
 from gam_db.method.census import FLOWING, OPENING, Slicing, add_census, add_census_set, add_names, kept
 from gam_db.method.certificate import add_certificate
@@ -19,8 +20,7 @@ from gam_db.method.scoring import (
     add_support_bits,
 )
 from gam_db.method.source import add_source
-from gam_db.pipeline import Pipeline, filled
-from gam_db.source import TimeNode
+from gam_db.settings.source import TimeNode
 
 #: Steps whose sets are put under one another.
 _JOINED_HEALTH = ("window_counts",)

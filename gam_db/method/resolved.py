@@ -2,10 +2,10 @@
 
 from dataclasses import dataclass, field
 
-from gam_db.calibration import Calibration, Rule, resolve
 from gam_db.clock import TimeKind, length
 from gam_db.errors import ParameterError
-from gam_db.parameters import Parameters
+from gam_db.settings.calibration import Calibration, Rule, resolve
+from gam_db.settings.parameters import Parameters
 
 #: Steps that are small: a row per channel, interval, bucket or cell. They may be kept on the way.
 #: So may ``collapsed``, which has a row per sample of channels with repeated instants only.

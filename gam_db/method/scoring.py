@@ -4,13 +4,13 @@ from collections.abc import Mapping, Sequence
 
 from sqlglot import exp
 
-from gam_db import template
-from gam_db.bits import Bits
+from gam_db.composing import template
+from gam_db.composing.pipeline import union_of
 from gam_db.method.adding import OfSet
+from gam_db.method.bits import Bits
 from gam_db.method.delays import COMPLETE, INCOMPLETE
 from gam_db.method.vectors import add_short_vectors, add_vectors
-from gam_db.parameters import Parameters
-from gam_db.pipeline import union_of
+from gam_db.settings.parameters import Parameters
 
 
 def add_support_bits(one: OfSet, bits: Bits | None) -> None:

@@ -4,9 +4,9 @@ from collections.abc import Callable, Collection, Mapping
 
 from sqlglot import exp
 
-from gam_db import template
 from gam_db.clock import LONG_AGO
-from gam_db.parameters import Parameters
+from gam_db.composing import template
+from gam_db.settings.parameters import Parameters
 
 
 def following(setting: Parameters, names: Collection[str]) -> dict[str, template.Slot]:

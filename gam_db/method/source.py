@@ -4,11 +4,11 @@ from collections.abc import Sequence
 
 from sqlglot import exp
 
-from gam_db import template
 from gam_db.clock import LONG_AGO
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add, add_stacked
 from gam_db.method.resolved import Method
-from gam_db.pipeline import Pipeline
 
 
 def add_source(steps: Pipeline, method: Method) -> None:

@@ -5,11 +5,11 @@ from functools import lru_cache
 
 from sqlglot import exp
 
-from gam_db import template
 from gam_db.clock import LONG_AGO
+from gam_db.composing import template
 from gam_db.method.adding import OfSet
 from gam_db.method.slots import coordinates, following, outside
-from gam_db.parameters import Parameters
+from gam_db.settings.parameters import Parameters
 
 
 def add_vectors(one: OfSet, prefix: str, read: exp.Expr, carried: Sequence[str] = ()) -> None:

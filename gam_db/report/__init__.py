@@ -16,18 +16,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gam_db import template
 from gam_db.clock import SECOND, TimeKind, length
+from gam_db.composing import template
 from gam_db.data import text as text_of
 from gam_db.errors import ConfigurationError, UserError
 from gam_db.findings import by_channel
-from gam_db.parameters import pattern_matches
 from gam_db.report import details
 from gam_db.report.details import Reads
 from gam_db.report.packing import in_script, packed, strip, tick
 from gam_db.report.wishes import Wishes
-from gam_db.running import Listener, unheard
-from gam_db.source import AnySource
+from gam_db.settings.parameters import pattern_matches
+from gam_db.settings.source import AnySource
+from gam_db.study.running import Listener, unheard
 from gam_db.version import __version__
 
 __all__ = ["Wishes", "page", "write"]

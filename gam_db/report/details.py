@@ -11,16 +11,16 @@ import numpy as np
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db import template
-from gam_db.calibration import Calibration
 from gam_db.clock import FAR_AHEAD
+from gam_db.composing import template
+from gam_db.composing.pipeline import filled
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, nearest
 from gam_db.findings import by_channel
-from gam_db.parameters import Parameters
-from gam_db.pipeline import filled
 from gam_db.report.packing import are_new, counts, packed, short, tick, ticks
-from gam_db.source import AnySource, under
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
+from gam_db.settings.source import AnySource, under
 from gam_db.study import Study
 
 #: Readings of a piece, stretches of the envelope, cells of each sort and axes of each, points of growth,

@@ -10,8 +10,8 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
-from gam_db.calibration import Calibration
-from gam_db.parameters import Parameters
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
 
 START = dt.datetime(2026, 3, 2, tzinfo=dt.UTC)
 STEP, A_DAY, DAYS = dt.timedelta(minutes=2), 720, 28

@@ -7,7 +7,7 @@ from typing import Any
 
 from gam_db.clock import Length, aware, zone
 from gam_db.errors import ConfigurationError, ParameterError
-from gam_db.setting import COLUMNS, COUNT, FLAG, LENGTH, TEXT, Kind, check, declared, setting
+from gam_db.settings.setting import COLUMNS, COUNT, FLAG, LENGTH, TEXT, Kind, check, declared, setting
 
 
 def _instant(name: str, given: Any) -> dt.datetime:

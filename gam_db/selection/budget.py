@@ -7,13 +7,13 @@ import dataclasses
 
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
 from gam_db.method import Method
 from gam_db.method.adding import OfSet, add, add_stacked
 from gam_db.method.certificate import add_certificate
-from gam_db.parameters import LARGEST_KEY, Override, Parameters
-from gam_db.pipeline import Pipeline
 from gam_db.selection.search import Search
+from gam_db.settings.parameters import LARGEST_KEY, Override, Parameters
 
 _OWN = 1
 """The set whose certificate is this one; number 0 is that of the study."""

@@ -3,9 +3,9 @@
 This module makes trees; it runs nothing.
 """
 
-from gam_db import template
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline, union_of
 from gam_db.method.adding import add
-from gam_db.pipeline import Pipeline, union_of
 from gam_db.selection.search import TAU_RULES, Search
 
 LAGS_OF_SCALE = 100

@@ -14,9 +14,9 @@ from collections.abc import Callable, Sequence
 
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline, union_of
 from gam_db.method.adding import add, add_stacked
-from gam_db.pipeline import Pipeline, union_of
 from gam_db.selection.search import Search
 
 MOST_VECTORS = 2**15

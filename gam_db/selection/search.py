@@ -6,7 +6,7 @@ This module owns the options of a selection and their ranges. It knows no SQL an
 from dataclasses import dataclass
 
 from gam_db.errors import ParameterError
-from gam_db.setting import COUNT, check, declared, one_of, setting
+from gam_db.settings.setting import COUNT, check, declared, one_of, setting
 
 #: The rules for tau, in the order in which they are tried.
 TAU_RULES = ("first_minimum", "acf_1e", "acf_zero")

@@ -13,17 +13,17 @@ from typing import Any
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db import template
-from gam_db.calibration import Calibration
-from gam_db.connecting import borrowed
+from gam_db.composing import template
+from gam_db.engines.connecting import borrowed
 from gam_db.errors import StatementError
-from gam_db.guess import sourced
-from gam_db.parameters import Parameters
+from gam_db.reading.guess import sourced
 from gam_db.selection.budget import add_budget, add_results
 from gam_db.selection.lags import add_delays, add_samples
 from gam_db.selection.neighbours import MOST_VECTORS, add_dimensions, add_embedding
 from gam_db.selection.search import Search
-from gam_db.source import AnySource, WideSource, under
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
+from gam_db.settings.source import AnySource, WideSource, under
 from gam_db.study import Study
 
 Studied = Callable[[AnySource], Study]

@@ -10,12 +10,12 @@ from typing import Any
 
 import pyarrow as pa
 
-from gam_db import template
 from gam_db.clock import Instant, TimeKind, instant, shown_instant
 from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
 from gam_db.errors import ParameterError, UserError, nearest
 from gam_db.method.adding import add
-from gam_db.pipeline import Pipeline
 from gam_db.stored.episodes import Log, records_of
 from gam_db.stored.limits import CHOSEN
 from gam_db.stored.reading import Reader

@@ -11,18 +11,18 @@ from typing import Any
 
 import pyarrow as pa
 
-from gam_db import template
-from gam_db.calibration import Calibration, subtract
 from gam_db.clock import LONG_AGO, Instant
 from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns, table_of
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline, filled, place
 from gam_db.errors import CalibrationError
 from gam_db.method import Method
 from gam_db.method.adding import add
 from gam_db.method.alarms import NEAR, add_learnt_limits
 from gam_db.method.judgement import add_judged
 from gam_db.method.source import add_source
-from gam_db.parameters import Parameters, pattern_matches
-from gam_db.pipeline import Pipeline, filled, place
+from gam_db.settings.calibration import Calibration, subtract
+from gam_db.settings.parameters import Parameters, pattern_matches
 from gam_db.stored import checksums
 from gam_db.stored.planning import Row, by, whole_pools
 from gam_db.stored.sources import described

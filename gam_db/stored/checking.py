@@ -19,8 +19,7 @@ import pyarrow as pa
 from gam_db import data
 from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.columns import COUNT, WORD, columns, counts, table_of
-from gam_db.running import Listener, Running, unheard
-from gam_db.source import AnySource
+from gam_db.settings.source import AnySource
 from gam_db.stored.consistency import inconsistencies
 from gam_db.stored.planning import Row, assets_of, portions, whole_pools
 from gam_db.stored.proving import STATE, Proof, mismatched
@@ -28,6 +27,7 @@ from gam_db.stored.reading import Reader, cohort_of, plan_rows, searched_plan_ro
 from gam_db.stored.soundness import soundness_steps
 from gam_db.stored.state import State, kind_of, now
 from gam_db.stored.steps import comparing_steps, reading_steps, relearning_steps, setting_of
+from gam_db.study.running import Listener, Running, unheard
 
 #: Parts of the state, in the order in which they are told.
 PARTS = (

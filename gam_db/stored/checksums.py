@@ -7,8 +7,8 @@ from functools import cache
 
 from sqlglot import exp
 
+from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add
-from gam_db.pipeline import Pipeline
 
 #: The ends of a range, and what the tables called them when checksums came.
 ENDS = {"calibrated_lo": "lo", "calibrated_hi": "hi"}

@@ -12,18 +12,18 @@ from operator import itemgetter, or_
 from typing import NamedTuple
 
 from gam_db.alarms import assess, day_of, high
+from gam_db.alarms.heights import UNSTATED, Height, Rate, by_table
 from gam_db.clock import FAR_AHEAD, TimeKind
 from gam_db.columns import counts, table_of
 from gam_db.errors import ParameterError
-from gam_db.heights import UNSTATED, Height, Rate, by_table
 from gam_db.method.alarms import FAR, NEAR
-from gam_db.running import Running
 from gam_db.stored.alarms import DECISIONS, KINDS, UNREPRESENTATIVE
 from gam_db.stored.judging import buckets_of
 from gam_db.stored.limits import CHOSEN, learnt
 from gam_db.stored.planning import Row, by
 from gam_db.stored.soundness import judging_steps
 from gam_db.stored.state import State
+from gam_db.study.running import Running
 
 _NO_RATE, _DRIFTS, _TABLED = "none", "drifting", "table"
 _BASES = ("replay", "extrapolated", _TABLED, _DRIFTS, _NO_RATE)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, SourceError

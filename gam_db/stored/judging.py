@@ -8,13 +8,13 @@ from collections.abc import Mapping, Sequence
 from sqlglot import exp
 
 from gam_db.columns import counts, table_of
+from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_kept_judgements
-from gam_db.pipeline import Pipeline
-from gam_db.running import Running
 from gam_db.stored.planning import Row
 from gam_db.stored.reading import near
 from gam_db.stored.state import State
+from gam_db.study.running import Running
 
 #: Judgements before the first new one that its evidence may hang on.
 _BEFORE = 50

@@ -7,14 +7,14 @@ from collections.abc import Callable, Sequence
 
 from sqlglot import exp
 
-from gam_db import template
 from gam_db.alarms import LIMIT, Alarms, Row, chosen_limits
 from gam_db.columns import COUNT, WORD, columns
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_spreads
-from gam_db.pipeline import Pipeline
-from gam_db.running import Running
 from gam_db.stored.state import State, kind_of, now
+from gam_db.study.running import Running
 
 #: What is NULL where there is no limit.
 CHOSEN = ("centre", "spread", "reference", "height", "cap", "quarters", "basis", "rate", "stated_rate")

@@ -16,12 +16,12 @@ import pyarrow as pa
 import sqlglot
 from sqlglot import exp
 
-from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.columns import COUNT, SHARE, WORD
+from gam_db.composing import template
+from gam_db.composing.pipeline import filled, place
 from gam_db.engines.base import Engine
 from gam_db.engines.storage import Addition, Definition, Filling
-from gam_db.pipeline import filled, place
 from gam_db.stored import checksums
 from gam_db.stored.tables import TABLES, VIEWS, StateTables, insertion
 from gam_db.version import __version__

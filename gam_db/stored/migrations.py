@@ -12,16 +12,16 @@ from typing import TypeAlias
 
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.engines.base import Engine
 from gam_db.engines.session import CONFLICT, Session
 from gam_db.engines.storage import Definition
 from gam_db.errors import ConflictError, EngineError, StateError
-from gam_db.running import Listener, unheard
 from gam_db.stored import roles
 from gam_db.stored.migration_files import RECORD, Migration, files, record
 from gam_db.stored.roles import Roles
 from gam_db.stored.tables import VIEWS, StateTables
+from gam_db.study.running import Listener, unheard
 from gam_db.version import __version__
 
 #: The columns of the tables and views there are, by their names in lower case.

@@ -13,20 +13,19 @@ from typing import Any
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db import template
 from gam_db.alarms import Alarms
-from gam_db.calibration import Calibration
 from gam_db.checking import look_at
 from gam_db.clock import Instant, Length, instant
 from gam_db.columns import table_of
-from gam_db.connecting import connect
+from gam_db.composing import template
+from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, UserError
 from gam_db.method.source import named_like
-from gam_db.parameters import Parameters, pattern_matches
 from gam_db.report import Wishes, write
-from gam_db.running import Listener, unheard
-from gam_db.source import AnySource
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters, pattern_matches
+from gam_db.settings.source import AnySource
 from gam_db.stored import alarms as stored_alarms
 from gam_db.stored import lengths, limits, migrations
 from gam_db.stored.calibrating import calibrate, without
@@ -39,6 +38,7 @@ from gam_db.stored.settings import MonitorSettings
 from gam_db.stored.state import State, kind_of
 from gam_db.stored.status import status
 from gam_db.study import Study
+from gam_db.study.running import Listener, unheard
 
 
 @dataclass(eq=False, repr=False)

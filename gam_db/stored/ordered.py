@@ -1,23 +1,23 @@
 """Scoring channels whose rows come in order of time, in that order: nothing is copied, sorted or joined.
 
 This module owns when that is done in a run, and what proves it: each vector is marked that is not later
-than the one before (*doubled*), as in the exact form (:mod:`gam_db.streaming`), and once all are made
-each channel is counted again. What does not hold costs time, never a number.
+than the one before (*doubled*), as in the exact form (:mod:`gam_db.study.streaming`), and once all are
+made each channel is counted again. What does not hold costs time, never a number.
 """
 
 from collections.abc import Sequence
 
 from sqlglot import exp
 
-from gam_db import streaming
-from gam_db.bits import Bits
+from gam_db.composing.pipeline import Pipeline, filled
 from gam_db.method.adding import add
-from gam_db.parameters import Parameters
-from gam_db.pipeline import Pipeline, filled
-from gam_db.running import Running
+from gam_db.method.bits import Bits
+from gam_db.settings.parameters import Parameters
 from gam_db.stored.planning import Row
 from gam_db.stored.reading import Reader
 from gam_db.stored.steps import ENDS, reading_steps
+from gam_db.study import streaming
+from gam_db.study.running import Running
 
 
 def is_given(

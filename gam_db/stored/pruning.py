@@ -13,10 +13,10 @@ import pyarrow as pa
 import pyarrow.compute as pc
 from sqlglot import exp
 
-from gam_db import template
 from gam_db.clock import FAR_AHEAD, Length, length
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
 from gam_db.errors import EngineError, ParameterError
-from gam_db.pipeline import Pipeline
 from gam_db.stored import lengths, migrations
 from gam_db.stored.state import State, first_run_at, kind_of, now
 from gam_db.stored.steps import DAY

@@ -15,7 +15,7 @@ from typing import NamedTuple, TypeAlias
 
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.errors import ConflictError
 from gam_db.stored.planning import Row
 from gam_db.stored.reading import listed

@@ -10,13 +10,14 @@ from typing import Any
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db import look, template
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.columns import COUNT, SHARE, WORD, columns, table_of
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.session import Session
-from gam_db.pipeline import Pipeline
-from gam_db.preparing import prepared
-from gam_db.source import AnySource, parsed_condition, under
+from gam_db.reading import look
+from gam_db.reading.preparing import prepared
+from gam_db.settings.source import AnySource, parsed_condition, under
 from gam_db.stored.planning import Row
 from gam_db.stored.state import State
 from gam_db.stored.steps import plan_steps, searched_plan_steps

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.engines.base import Engine
 from gam_db.errors import ConfigurationError, EngineError
 from gam_db.stored.tables import TABLES, StateTables

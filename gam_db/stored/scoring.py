@@ -12,14 +12,14 @@ from dataclasses import replace
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db import look, template
-from gam_db.bits import Bits
 from gam_db.clock import LONG_AGO, shown_instant
 from gam_db.columns import counts, table_of
+from gam_db.composing import template
+from gam_db.composing.pipeline import filled, place
 from gam_db.errors import ConflictError, ParameterError, SourceError
-from gam_db.pipeline import filled, place
-from gam_db.running import Listener, Running, unheard
-from gam_db.source import AnySource
+from gam_db.method.bits import Bits
+from gam_db.reading import look
+from gam_db.settings.source import AnySource
 from gam_db.stored.episodes import follow
 from gam_db.stored.explaining import explain
 from gam_db.stored.growing import read_ranges, unmoved
@@ -47,6 +47,7 @@ from gam_db.stored.steps import (
     setting_of,
 )
 from gam_db.stored.unplaced import keep_unplaced, note_unknown, undated
+from gam_db.study.running import Listener, Running, unheard
 
 #: With fewer rows, looking for repeated instants first is cheaper than scoring some channels twice.
 TRUSTED_FROM = 200_000

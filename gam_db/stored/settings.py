@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from gam_db.clock import Length
-from gam_db.setting import FLAG, LENGTH, TEXT, check, declared, setting
+from gam_db.settings.setting import FLAG, LENGTH, TEXT, check, declared, setting
 from gam_db.stored import lengths
 from gam_db.stored.pruning import NOVEL_ROWS
 from gam_db.stored.tables import StateTables

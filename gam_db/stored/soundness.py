@@ -2,11 +2,11 @@
 
 from functools import cache
 
-from gam_db import template
 from gam_db.clock import FAR_AHEAD, LONG_AGO
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_rejudged
-from gam_db.pipeline import Pipeline
 
 
 @cache

@@ -10,11 +10,11 @@ from urllib.parse import parse_qs, urlencode
 
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.errors import ConfigurationError, StateError
-from gam_db.form import Form
-from gam_db.setting import settings_of
-from gam_db.source import AnySource, Source, WideSource, is_file, paths_of
+from gam_db.settings.form import Form
+from gam_db.settings.setting import settings_of
+from gam_db.settings.source import AnySource, Source, WideSource, is_file, paths_of
 
 #: The columns of ``gam_monitor`` that tell of the source.
 SOURCE_COLUMNS = (

@@ -13,12 +13,12 @@ from typing import Any, TypeAlias
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db import template
 from gam_db.clock import TimeKind
 from gam_db.columns import table_of
+from gam_db.composing import template
+from gam_db.composing.pipeline import filled, place
 from gam_db.engines.session import CONFLICT, Row, Session
 from gam_db.errors import ConfigurationError, ConflictError, EngineError, StateError, nearest
-from gam_db.pipeline import filled, place
 from gam_db.stored.migration_files import columns_of
 from gam_db.stored.tables import StateTables, insertion
 

@@ -12,19 +12,19 @@ from typing import Any, NamedTuple
 
 from sqlglot import exp
 
-from gam_db import template
-from gam_db.bits import Bits
-from gam_db.calibration import Calibration
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline, union_of
 from gam_db.method import Method
 from gam_db.method.adding import OfSet, add
 from gam_db.method.alarms import add_counted, band_of
+from gam_db.method.bits import Bits
 from gam_db.method.calibration import add_breaks, add_learnable
 from gam_db.method.certificate import add_judgement
 from gam_db.method.resolved import SMALL_OF_SET
 from gam_db.method.scoring import add_bucket_counts, add_buckets, add_numbered, add_support_bits
-from gam_db.parameters import Parameters
-from gam_db.pipeline import Pipeline, union_of
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
 
 #: What is kept of the vector that ends a bucket, and how it is called there.
 ENDS = {"position": "end_position", "context_time": "context_time"}

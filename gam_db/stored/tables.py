@@ -10,7 +10,7 @@ from functools import lru_cache
 
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.errors import ConfigurationError, InternalError
 
 TABLES = (

@@ -2,9 +2,9 @@
 
 from collections.abc import Container, Sequence
 
+from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.session import Session
 from gam_db.method.adding import add
-from gam_db.pipeline import Pipeline
 from gam_db.stored.planning import Row
 from gam_db.stored.reading import Reader
 from gam_db.stored.report import Report

@@ -10,7 +10,7 @@ from sqlglot import exp
 
 import gam_db
 from gam_db import Source
-from gam_db.form import Form
+from gam_db.settings.form import Form
 from odd import ROWS, VALUES, expected, health, refused, support, table
 
 

@@ -12,10 +12,9 @@ import pytest
 from pyarrow import parquet
 from typer.testing import CliRunner, Result
 
-from gam_db import config
-from gam_db.cli import app, toml_text
+from gam_db.cli import app, config, toml_text
 from gam_db.errors import ConfigurationError
-from gam_db.guess import SourceSettings
+from gam_db.reading.guess import SourceSettings
 
 SIGNAL = np.sin(np.arange(4000) * 2 * np.pi / 20) + 1e-3 * np.sin(np.arange(4000) * 0.7)
 ODD = (

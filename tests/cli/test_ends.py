@@ -20,8 +20,7 @@ from sqlglot import exp
 from typer.testing import CliRunner
 
 import gam_db
-from gam_db import config
-from gam_db.cli import app
+from gam_db.cli import app, config
 from gam_db.engines import postgres_refusals
 from gam_db.engines.clickhouse_driver import problem
 from gam_db.engines.duckdb_session import DuckSession

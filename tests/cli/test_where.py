@@ -13,7 +13,7 @@ from gam_db import langevin
 from gam_db.cli import app
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import SourceError
-from gam_db.source import parsed_condition
+from gam_db.settings.source import parsed_condition
 
 #: Conditions that open another file; they hold on every row if they may.
 OPENING = (

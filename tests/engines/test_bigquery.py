@@ -24,7 +24,7 @@ from gam_db.clock import TimeKind
 from gam_db.engines import engine_named
 from gam_db.engines.session import Session
 from gam_db.method import Method, pipeline
-from gam_db.source import readings
+from gam_db.settings.source import readings
 from gam_db.stored import dropping, migrations
 from gam_db.stored.migration_files import files
 from gam_db.stored.monitor import Monitor

@@ -17,11 +17,11 @@ import gam_db
 import harness
 import small_plant
 from gam_db.clock import TimeKind
+from gam_db.composing.pipeline import filled, place
 from gam_db.engines import clickhouse_driver
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, SourceError
-from gam_db.pipeline import filled, place
-from gam_db.source import readings as reading_query
+from gam_db.settings.source import readings as reading_query
 from gam_db.stored import reading
 from gam_db.stored.monitor import Monitor
 from scripts import arrive

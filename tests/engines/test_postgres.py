@@ -15,7 +15,7 @@ import postgres_server
 from gam_db.engines import postgres_driver, postgres_refusals
 from gam_db.engines.postgres import ENGINE
 from gam_db.errors import EngineError, SourceError, UserError
-from gam_db.source import Source
+from gam_db.settings.source import Source
 from small_plant import monitor, readings, whole
 from small_postgres import administrator, begin, database, rows_of, seen, source, stored
 

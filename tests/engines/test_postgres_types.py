@@ -13,7 +13,7 @@ from sqlglot import exp
 import gam_db
 import postgres_server
 from gam_db.errors import SourceError
-from gam_db.source import Source
+from gam_db.settings.source import Source
 from small_plant import readings
 from small_postgres import administrator, database, source
 

@@ -24,7 +24,7 @@ import harness
 import postgres_server
 import scripts
 from gam_db.engines import engine_named
-from gam_db.script import FORMS
+from gam_db.export.script import FORMS
 from gam_db.stored.migration_files import files
 from gam_db.stored.migrations import rendered
 from gam_db.stored.tables import StateTables

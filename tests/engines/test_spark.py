@@ -15,12 +15,12 @@ from sqlglot import exp
 import engines
 import gam_db
 import harness
+from gam_db.composing.pipeline import filled, place
 from gam_db.engines.session import Session
 from gam_db.engines.spark import OVER
 from gam_db.engines.spark_driver import SparkDriver
 from gam_db.engines.spark_tables import Rewriting
 from gam_db.errors import EngineError, GamError, SourceError, UserError
-from gam_db.pipeline import filled, place
 from gam_db.stored.migrations import rendered
 from gam_db.stored.reading import near
 from gam_db.stored.tables import StateTables

@@ -19,8 +19,8 @@ import gam_db
 from gam_db.engines import NAMES, engine_named
 from gam_db.export import Package
 from gam_db.export.models import ADAPTERS
-from gam_db.parameters import LEAST_VECTORS
-from gam_db.script import FORMS
+from gam_db.export.script import FORMS
+from gam_db.settings.parameters import LEAST_VECTORS
 from gam_db.stored.migrations import rendered
 from gam_db.stored.tables import StateTables
 from gam_db.version import __version__

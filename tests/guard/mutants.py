@@ -15,6 +15,7 @@ the guard's own tests are not among those that run, and nor is what only reads t
 import argparse
 import contextlib
 import fnmatch
+import importlib
 import math
 import multiprocessing
 import multiprocessing.connection
@@ -255,7 +256,7 @@ def run(mutant: Mutant | None, folder: Path, told: Connection) -> None:
     if mutant is not None:
         path = folder / "sql" / f"{mutant.file}.sql"
         path.write_text(mutant.changed(path.read_text(encoding="utf-8")), encoding="utf-8")
-    template: Any = __import__("gam_db.template").template
+    template: Any = importlib.import_module("gam_db.composing.template")
     assert template.sql_folder() == folder / "sql", "the tests would not run the copy"
     files = {path.stem: str(path) for path in sorted((folder / "tests").rglob("test_*.py"))}
     watch = Watch()

@@ -3,7 +3,7 @@
 import pytest
 
 import mutants
-from gam_db import template
+from gam_db.composing import template
 from mutants import Mutant
 
 

@@ -11,12 +11,12 @@ from sqlglot import exp
 
 import gam_db
 import sql_lint
+from gam_db.composing.pipeline import Pipeline
 from gam_db.engines import engine_named
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.lab.evaluation import sampling
 from gam_db.lab.evaluation.members import Member, as_table
 from gam_db.lab.evaluation.steps import chance_steps, evaluation_steps
-from gam_db.pipeline import Pipeline
 from sql_lint import Kind
 
 #: Rob is an exponential and shares its column with all that is averaged. It is rounded into units far

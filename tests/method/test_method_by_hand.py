@@ -6,10 +6,10 @@ from sqlglot import exp
 
 import alarms_reference as plain
 from by_hand import fetched, rows, step
+from gam_db.composing.pipeline import Pipeline, filled
+from gam_db.composing.template import column, fill
 from gam_db.engines import duckdb
 from gam_db.method.alarms import add_replay
-from gam_db.pipeline import Pipeline, filled
-from gam_db.template import column, fill
 
 
 def test_without_max_gap_no_sample_begins_a_segment() -> None:

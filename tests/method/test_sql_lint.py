@@ -15,13 +15,13 @@ from sqlglot import exp
 
 import gam_db
 import sql_lint
-from gam_db import streaming, template
 from gam_db.checking.look import add_look
 from gam_db.clock import TimeKind
+from gam_db.composing import template
+from gam_db.composing.lately import Lately
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.export import Package, grafana
-from gam_db.lately import Lately
 from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_backtested, add_judgements, add_learnt_limits, add_replay
@@ -32,7 +32,7 @@ from gam_db.selection.budget import add_budget, add_results
 from gam_db.selection.lags import add_delays, add_samples
 from gam_db.selection.neighbours import add_dimensions, add_embedding
 from gam_db.selection.search import Search
-from gam_db.source import Source, WideSource, readings
+from gam_db.settings.source import Source, WideSource, readings
 from gam_db.stored import alarms, scoring
 from gam_db.stored.migration_files import definitions
 from gam_db.stored.migrations import rendered
@@ -40,7 +40,7 @@ from gam_db.stored.monitor import Monitor
 from gam_db.stored.publishing import withdraw
 from gam_db.stored.steps import Setting, scoring_steps
 from gam_db.stored.tables import StateTables
-from gam_db.study import Study
+from gam_db.study import Study, streaming
 from harness import arrow
 from sql_lint import Kind
 from strategies import Row

@@ -8,8 +8,8 @@ import comparisons
 import engines
 import gam_db
 import harness
-from gam_db import source
 from gam_db.clock import TimeKind
+from gam_db.settings import source
 from harness import Row
 
 #: Names that end a text or a name, that are wildcards, or names of ours.

@@ -10,7 +10,7 @@ import pytest
 
 import settings_page
 import sql_page
-from gam_db import config
+from gam_db.cli import config
 from gam_db.engines import EVIDENCE, NAMES, engine_named
 
 ROOT = Path(__file__).parents[2]

@@ -18,26 +18,18 @@ from gam_db.cli import app, commands
 PACKAGE = Path(gam_db.__file__).parent
 #: Lower modules first; a module may import what stands in lines above its own, and its own package.
 LAYERS = [
-    ["columns", "data", "errors", "lately", "version"],
-    ["address", "clock", "extras", "langevin"],
-    ["setting"],
-    ["form", "units"],
-    ["parameters", "calibration"],
-    ["patterns"],
-    ["bits", "template"],
-    ["source", "pipeline"],
+    ["columns", "data", "errors", "version"],
+    ["address", "clock", "composing", "extras", "langevin"],
+    ["settings", "units"],
     ["method"],
     ["engines"],
-    ["look", "running", "connecting", "heights"],
-    ["preparing", "guess"],
-    ["script", "streaming", "trusting"],
+    ["reading"],
     ["study"],
-    ["alarms", "health", "checking", "selection"],
-    ["backtesting", "findings", "sklearn"],
+    ["alarms", "checking", "health", "selection"],
+    ["findings", "sklearn"],
     ["report"],
     ["stored"],
     ["gam_db"],
-    ["config"],
     ["export", "plot"],
     ["cli"],
     ["lab.estimators", "lab.evaluation", "lab.simulate"],
@@ -100,12 +92,12 @@ def too_high(subject: str, source: str) -> list[str]:
 
 def test_the_check_of_layers_finds_a_wrong_import() -> None:
     assert too_high("clock", "from gam_db.method import Method") == ["method"]
-    assert too_high("template", "def f():\n    import gam_db.cli.run") == ["cli"]
-    assert too_high("parameters", "from gam_db import calibration") == ["calibration"]
-    assert too_high("source", "import gam_db") == ["gam_db"]
+    assert too_high("composing", "def f():\n    import gam_db.cli.run") == ["cli"]
+    assert too_high("settings", "from gam_db import units") == ["units"]
+    assert too_high("reading", "import gam_db") == ["gam_db"]
     assert too_high("cli", "from gam_db.lab.evaluation import evaluate") == ["lab.evaluation"]
     assert too_high("stored", "from gam_db import lab") == ["lab"]
-    assert not too_high("method", "from gam_db import template\nimport numpy")
+    assert not too_high("method", "from gam_db.composing import template\nimport numpy")
 
 
 def test_lower_modules_do_not_import_higher_ones() -> None:
@@ -128,7 +120,9 @@ def test_importing_loads_nothing_that_is_not_needed() -> None:
 def test_help_reads_neither_the_laboratory_nor_sql(words: list[str]) -> None:
     code = f"from gam_db.cli import app\ntry:\n    app({words})\nexcept SystemExit:\n    pass"
     loaded = loaded_by(code)
-    assert not {name for name in loaded if name.startswith("gam_db.lab") or name == "gam_db.template"}
+    assert not {
+        name for name in loaded if name.startswith("gam_db.lab") or name == "gam_db.composing.template"
+    }
     assert not loaded.intersection(HEAVY[:-1])
 
 

@@ -11,9 +11,9 @@ from pyarrow import parquet
 from typer.testing import CliRunner, Result
 
 from gam_db.cli import app
-from gam_db.config import Settings, load
-from gam_db.parameters import pattern_matches
-from gam_db.patterns import grouped
+from gam_db.cli.config import Settings, load
+from gam_db.settings.parameters import pattern_matches
+from gam_db.settings.patterns import grouped
 
 QUICK = ("--m-max", "3", "--references", "50", "--calibration-fraction", "1", "--bins", "20")
 

@@ -12,7 +12,7 @@ from sqlglot import exp
 import engines
 import gam_db
 import scripts
-from gam_db import template
+from gam_db.composing import template
 from gam_db.errors import StateError
 from gam_db.stored import migrations, proving
 from gam_db.stored.migration_files import files

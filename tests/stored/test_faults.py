@@ -19,11 +19,11 @@ import pytest
 import gam_db
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import ConflictError, EngineError, UserError
-from gam_db.running import Listener
 from gam_db.stored import migrations
 from gam_db.stored.migration_files import files
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.tables import StateTables
+from gam_db.study.running import Listener
 from nobody import as_nobody
 from small_plant import FIRST, LENGTH, begin, monitor, readings, seen, source, stored, whole
 from visible import put

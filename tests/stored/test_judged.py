@@ -17,16 +17,16 @@ import gam_db
 import harness
 import scripts
 from dbt_builder import Builder
-from gam_db import streaming, template, trusting
 from gam_db.cli import app
+from gam_db.composing import template
+from gam_db.composing.pipeline import filled
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import ParameterError
 from gam_db.export import Package
 from gam_db.findings import findings
-from gam_db.pipeline import filled
 from gam_db.stored.migration_files import definitions
 from gam_db.stored.monitor import Monitor
-from gam_db.study import Study
+from gam_db.study import Study, streaming, trusting
 from sets import amounts
 from visible import visible
 

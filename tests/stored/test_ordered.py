@@ -13,9 +13,9 @@ import comparisons
 import frozen
 import gam_db
 import harness
-from gam_db import streaming
 from gam_db.stored import ordered, scoring, steps
 from gam_db.stored.monitor import Monitor
+from gam_db.study import streaming
 from small_plant import source
 from strategies import Row
 from visible import BUCKETS, NOVEL, put, rows_of

@@ -16,8 +16,8 @@ from sqlglot import exp
 
 import gam_db
 import small_plant
+from gam_db.composing.pipeline import filled, place
 from gam_db.engines.base import deletion
-from gam_db.pipeline import filled, place
 from gam_db.stored import reading, scoring
 from gam_db.stored.planning import Row
 from gam_db.stored.pruning import Retention, prune

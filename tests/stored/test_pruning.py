@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from gam_db.composing.pipeline import place
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import ConfigurationError, EngineError, ParameterError
-from gam_db.pipeline import place
 from gam_db.stored import checksums, pruning
 from gam_db.stored.pruning import COUNTED, Retention, prune
 from gam_db.stored.state import State, first_run_at, now

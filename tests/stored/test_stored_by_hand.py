@@ -7,7 +7,7 @@ import pytest
 from sqlglot import exp
 
 from by_hand import rows, step
-from gam_db.template import column, fill, text
+from gam_db.composing.template import column, fill, text
 
 BEFORE_ALL = -(2**62)
 

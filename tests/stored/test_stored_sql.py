@@ -5,8 +5,8 @@ from sqlglot import exp
 
 import sql_lint
 from gam_db.clock import TimeKind
-from gam_db.pipeline import Pipeline
-from gam_db.source import Source, readings
+from gam_db.composing.pipeline import Pipeline
+from gam_db.settings.source import Source, readings
 from gam_db.stored.checksums import matching_steps
 from gam_db.stored.migration_files import definitions
 from gam_db.stored.reading import cohort_of

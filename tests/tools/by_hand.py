@@ -7,8 +7,8 @@ import duckdb
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db.pipeline import filled
-from gam_db.template import Slot, text
+from gam_db.composing.pipeline import filled
+from gam_db.composing.template import Slot, text
 
 
 def rows(columns: str, *values: tuple[Any, ...]) -> pa.Table:

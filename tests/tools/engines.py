@@ -21,7 +21,7 @@ from hypothesis import settings
 
 import mariadb_server
 import postgres_server
-from gam_db.connecting import connect
+from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
 
 FAST = ("duckdb", "sqlite")

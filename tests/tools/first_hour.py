@@ -22,7 +22,7 @@ from typer.testing import CliRunner
 
 import tiny
 from gam_db.cli import app
-from gam_db.parameters import LEAST_VECTORS
+from gam_db.settings.parameters import LEAST_VECTORS
 
 #: Runs a command, or Python where it is one with lines; returns what it printed and the exit code.
 Run = Callable[[str], tuple[str, int]]

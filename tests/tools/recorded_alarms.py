@@ -16,7 +16,7 @@ from pyarrow import parquet
 from gam_db.alarms import Alarms
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.lab.benchmark.alarms.tables import Judged, Pool, Row, learnt, name_of
-from gam_db.source import Source
+from gam_db.settings.source import Source
 from watched_recordings import RECORDINGS, Recording
 
 RATES = ("1 per 1000 judgements", "0.5 per 1000 judgements")

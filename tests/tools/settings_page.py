@@ -1,8 +1,8 @@
 """The settings file, from the code: ``python tests/tools/settings_page.py > docs/gam.toml``."""
 
+from gam_db.cli.config import SECTIONS
 from gam_db.cli.toml_text import entries
-from gam_db.config import SECTIONS
-from gam_db.setting import Setting, settings_of
+from gam_db.settings.setting import Setting, settings_of
 
 HEAD = """\
 # Everything that gam.toml can hold. All of it is optional; options of the command line go before it.

@@ -17,7 +17,7 @@ from typing import TypeVar
 
 from sqlglot import exp
 
-from gam_db.template import Template
+from gam_db.composing.template import Template
 
 
 class Kind(IntEnum):

@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from gam_db.template import sql_folder
+from gam_db.composing.template import sql_folder
 
 HEAD = """\
 # The catalogue of `sql/`

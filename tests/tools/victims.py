@@ -30,11 +30,11 @@ from typing import Any
 import gam_db
 import harness
 import tiny
-from gam_db import template
-from gam_db.running import Listener
+from gam_db.composing import template
 from gam_db.stored import migrations
 from gam_db.stored.migration_files import files
 from gam_db.stored.monitor import Monitor
+from gam_db.study.running import Listener
 
 #: A child that takes longer hangs, and ends itself.
 PATIENCE = 120

@@ -7,7 +7,7 @@ import sqlglot
 from sqlglot import exp
 
 import harness
-from gam_db.pipeline import place
+from gam_db.composing.pipeline import place
 from gam_db.stored.monitor import Monitor
 from strategies import Row
 

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from gam_db.calibration import Calibration
-from gam_db.parameters import Override, Parameters
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Override, Parameters
 
 #: Cycles of the rig in which all components are healthy, and tenths of a second of a cycle.
 HEALTHY_CYCLES, CYCLE = ((1664, 1673), (1756, 1756), (1787, 1796)), 600

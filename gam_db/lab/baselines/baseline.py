@@ -8,7 +8,7 @@ import pyarrow as pa
 from numpy.typing import NDArray
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.errors import ParameterError, nearest
 from gam_db.lab.baselines import nets
 from gam_db.lab.baselines.training import BATCH, LEARNING_RATE, OnEpoch, Rows, scored, trained

@@ -6,7 +6,7 @@ from typing import Any
 
 import duckdb
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.engines.duckdb import ENGINE
 
 

@@ -12,13 +12,13 @@ import pyarrow as pa
 from sqlglot import exp
 
 import gam_db
-from gam_db.connecting import connect
+from gam_db.composing.pipeline import filled, place
+from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import InternalError
 from gam_db.lab.benchmark import alone, workload
 from gam_db.lab.benchmark.extract import STRIDE, WINDOW, counted
 from gam_db.lab.benchmark.inside import CALIBRATION, PARAMETERS, Steps
-from gam_db.pipeline import filled, place
 from gam_db.study import Study
 
 #: What is timed, the first being ours.

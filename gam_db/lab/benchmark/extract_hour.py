@@ -13,7 +13,7 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.lab.benchmark.database import statement
 from gam_db.lab.benchmark.extract import BINS, RADIX, STRIDE, WINDOW, _novel_cells
 

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import gam_db
-from gam_db import template
+from gam_db.composing import template
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import InternalError
 from gam_db.lab.benchmark import alone, extract_hour

@@ -11,8 +11,8 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
+from gam_db.composing.pipeline import Pipeline
 from gam_db.method.resolved import Method
-from gam_db.pipeline import Pipeline
 
 Points: TypeAlias = NDArray[np.float64]
 """Delay vectors in normalised values, a row each, newest sample first: shape (vectors, m)."""

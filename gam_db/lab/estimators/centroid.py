@@ -2,12 +2,12 @@
 
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
 from gam_db.lab.estimators.base import Estimator
 from gam_db.lab.estimators.points import names_of, squared_distance
 from gam_db.method.adding import OfSet
 from gam_db.method.resolved import Method
-from gam_db.pipeline import Pipeline
 
 
 def add_scores(steps: Pipeline, method: Method, number: int) -> None:

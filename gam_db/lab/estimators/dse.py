@@ -1,9 +1,9 @@
 """Discrete Support Estimation, the default, seen as one estimator among others (paper, Eq. 3 and 4)."""
 
+from gam_db.composing.pipeline import Pipeline
 from gam_db.lab.estimators.base import Estimator
 from gam_db.method.adding import OfSet
 from gam_db.method.resolved import Method
-from gam_db.pipeline import Pipeline
 
 
 def add_scores(steps: Pipeline, method: Method, number: int) -> None:

@@ -12,12 +12,12 @@ import pyarrow as pa
 from numpy.typing import NDArray
 from sqlglot import exp
 
+from gam_db.composing.pipeline import Pipeline
 from gam_db.extras import needed
 from gam_db.lab.estimators.base import Estimator, Points, stacked
 from gam_db.lab.estimators.points import names_of, point_of
 from gam_db.method.adding import OfSet
 from gam_db.method.resolved import Method
-from gam_db.pipeline import Pipeline
 
 #: Each tree is grown on at most 256 points, and no deeper than log2 of that.
 LEVELS = 8

@@ -10,13 +10,13 @@ import pyarrow as pa
 from numpy.typing import NDArray
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
 from gam_db.extras import needed
 from gam_db.lab.estimators.base import Estimator, Points, stacked
 from gam_db.lab.estimators.points import names_of
 from gam_db.method.adding import OfSet
 from gam_db.method.resolved import Method
-from gam_db.pipeline import Pipeline
 
 COMPONENTS = 15
 

@@ -11,12 +11,12 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
+from gam_db.composing.pipeline import Pipeline
 from gam_db.extras import needed
 from gam_db.lab.estimators.base import Estimator, Points, stacked
 from gam_db.lab.estimators.points import squared_distance
 from gam_db.method.adding import OfSet
 from gam_db.method.resolved import Method
-from gam_db.pipeline import Pipeline
 
 NU = 0.01
 

@@ -2,11 +2,11 @@
 
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import OfSet, add, join_sets
 from gam_db.method.resolved import Method
-from gam_db.pipeline import Pipeline
-from gam_db.source import TimeNode
+from gam_db.settings.source import TimeNode
 
 #: Running sums stay below 2^62: two of them are added.
 _CAPACITY = 2**62

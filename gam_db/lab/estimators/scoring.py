@@ -10,16 +10,16 @@ from typing import Any, SupportsIndex, cast
 import numpy as np
 import pyarrow as pa
 
-from gam_db.calibration import Calibration
-from gam_db.connecting import borrowed
+from gam_db.engines.connecting import borrowed
 from gam_db.errors import ParameterError, nearest
 from gam_db.extras import needed
 from gam_db.lab.estimators import centroid, dse, forest, gmm, ocsvm
 from gam_db.lab.estimators.base import Estimator, Fit, Points
 from gam_db.lab.estimators.points import add_moving_average, add_points, names_of, point_of
 from gam_db.method.adding import OfSet
-from gam_db.parameters import Parameters
-from gam_db.source import AnySource
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
+from gam_db.settings.source import AnySource
 from gam_db.study import Study
 
 ESTIMATORS: Mapping[str, Estimator] = {

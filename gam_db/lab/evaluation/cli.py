@@ -13,12 +13,12 @@ from rich.console import Console
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.progress import working
-from gam_db.connecting import connect
+from gam_db.engines.connecting import connect
 from gam_db.errors import ConfigurationError, printable
 from gam_db.lab.evaluation import Conventions, Evaluation
 from gam_db.lab.evaluation.conventions import Amplitude, Monotonicity
 from gam_db.lab.evaluation.run import evaluated
-from gam_db.source import FILE_ENDINGS, is_file
+from gam_db.settings.source import FILE_ENDINGS, is_file
 
 _FORMS = "Forms of the metrics"
 _SAMPLING = "Chance and spread"

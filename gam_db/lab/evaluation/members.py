@@ -9,13 +9,13 @@ from typing import Any
 
 import pyarrow as pa
 
-from gam_db import template
 from gam_db.clock import FAR_AHEAD, TimeKind
+from gam_db.composing import template
+from gam_db.composing.pipeline import filled
 from gam_db.engines.session import Session
 from gam_db.errors import SourceError, nearest
 from gam_db.lab.evaluation.capacity import check_counts, steps
 from gam_db.lab.evaluation.table import HealthTable, read_from
-from gam_db.pipeline import filled
 
 FAILED, HEALTHY = "failed", "healthy"
 

@@ -13,7 +13,7 @@ import numpy as np
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db.connecting import borrowed
+from gam_db.engines.connecting import borrowed
 from gam_db.engines.session import Session
 from gam_db.errors import SourceError
 from gam_db.lab.evaluation import sampling
@@ -28,7 +28,7 @@ from gam_db.lab.evaluation.steps import (
     window_steps,
 )
 from gam_db.lab.evaluation.table import HealthTable, health_table
-from gam_db.parameters import LONGEST_STRIDE
+from gam_db.settings.parameters import LONGEST_STRIDE
 
 Listener = Callable[[str], None]
 

@@ -5,10 +5,10 @@ This module makes trees; it runs nothing.
 
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
 from gam_db.lab.evaluation.conventions import Conventions
 from gam_db.method.adding import add, add_stacked
-from gam_db.pipeline import Pipeline
 
 #: Steps that others read more than once, and the last ones before the results: kept on the way.
 KEPT = ("centred", "moments", "prefixes", "series_metrics")

@@ -8,11 +8,11 @@ from typing import Any
 
 from sqlglot import exp
 
-from gam_db import template
 from gam_db.clock import TimeKind
+from gam_db.composing import template
+from gam_db.composing.pipeline import filled
 from gam_db.engines.session import Session
 from gam_db.errors import SourceError, nearest
-from gam_db.pipeline import filled
 
 PLACES = ("bucket", "time", "index")
 """Columns that order the values of a channel; the first that is there does."""

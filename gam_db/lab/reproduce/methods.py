@@ -7,7 +7,6 @@ from typing import Any
 
 import pyarrow as pa
 
-from gam_db.calibration import Calibration
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.errors import ConfigurationError, nearest
 from gam_db.extras import needed
@@ -15,8 +14,9 @@ from gam_db.lab.baselines import BASELINES, FULL, QUICK, Effort, add_baseline
 from gam_db.lab.baselines.training import OnEpoch
 from gam_db.lab.estimators import SAMPLE, add_estimator
 from gam_db.lab.estimators.scoring import usual
-from gam_db.parameters import Parameters
-from gam_db.source import AnySource
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
+from gam_db.settings.source import AnySource
 from gam_db.study import Study
 
 _COLUMNS = (

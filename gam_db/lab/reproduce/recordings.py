@@ -17,14 +17,14 @@ import pyarrow as pa
 import pyarrow.compute as pc
 from pyarrow import parquet
 
-from gam_db.calibration import Calibration
 from gam_db.errors import SourceError
 from gam_db.health import support
 from gam_db.lab.reproduce.evaluated import SURROGATES, summary
 from gam_db.lab.reproduce.methods import METHODS, Task, check_libraries, health
 from gam_db.lab.reproduce.results import Figures, Results
-from gam_db.parameters import Parameters
-from gam_db.source import Source
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
+from gam_db.settings.source import Source
 
 CALIBRATION = 0.2
 METRICS = ("mon", "corr", "rob", "prog", "global")

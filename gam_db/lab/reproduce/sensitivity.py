@@ -16,14 +16,14 @@ import pyarrow as pa
 import pyarrow.compute as pc
 
 from gam_db import langevin
-from gam_db.calibration import Calibration
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.lab.reproduce.evaluated import summary
 from gam_db.lab.reproduce.results import Figures, Results
 from gam_db.lab.reproduce.table2 import agreement
 from gam_db.lab.simulate.fleet import Fleet
-from gam_db.parameters import Parameters
-from gam_db.source import Source
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
+from gam_db.settings.source import Source
 from gam_db.study import Study
 
 DIMENSIONS = (2, 3, 4, 5, 6)

@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 
 from gam_db import langevin
-from gam_db.calibration import Calibration
 from gam_db.lab.reproduce.evaluated import chance, summary
 from gam_db.lab.reproduce.methods import METHODS, Task, check_libraries, health
 from gam_db.lab.reproduce.paper import TABLE2
 from gam_db.lab.reproduce.results import Figures, Results
-from gam_db.parameters import Parameters
-from gam_db.source import Source
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
+from gam_db.settings.source import Source
 
 NUMBERS = ("mon", "corr", "rob", "global_score")
 QUICK_SAMPLES = 40_000

@@ -13,7 +13,7 @@ import pyarrow as pa
 from pyarrow import parquet
 from sqlglot import exp
 
-from gam_db import template
+from gam_db.composing import template
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb_driver import LARGE_LOG
 from gam_db.engines.duckdb_session import DuckSession

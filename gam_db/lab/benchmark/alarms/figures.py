@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from gam_db.backtesting import figures
+from gam_db.alarms.backtesting import figures
 from gam_db.lab.benchmark.alarms.tables import Judged, Name, Row, name_of
 
 EARLY = 0.6

@@ -9,11 +9,11 @@ from typing import Any
 import pyarrow as pa
 from pyarrow import parquet
 
-from gam_db.calibration import Calibration
 from gam_db.lab.benchmark.alarms.plan import Plan, is_watched
 from gam_db.lab.benchmark.alarms.tables import Learnt, Name, learnt
 from gam_db.lab.simulate.fleet import READINGS, Fleet
-from gam_db.source import Source
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.source import Source
 
 
 @dataclass

@@ -14,7 +14,7 @@ from gam_db.lab.benchmark.alarms.plan import CALIBRATION, DRIFTS, LONG_CALIBRATI
 from gam_db.lab.benchmark.alarms.rivals import Windows, control, judged_scores, rate_of, scored, today
 from gam_db.lab.benchmark.alarms.tables import Judged, Pool, Row, name_of
 from gam_db.lab.simulate.fleet import Fleet
-from gam_db.source import Source
+from gam_db.settings.source import Source
 
 Listener = Callable[[str], None]
 

@@ -2,10 +2,10 @@
 
 from dataclasses import dataclass, replace
 
-from gam_db.calibration import Calibration
 from gam_db.lab.simulate.fleet import SAMPLES, Fleet
 from gam_db.lab.simulate.roles import role_of
-from gam_db.parameters import Parameters
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
 
 ROBOTS = 21
 """Of a fleet; after them come the controls, to which something happens that is no wear."""

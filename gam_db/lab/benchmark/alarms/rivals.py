@@ -9,13 +9,13 @@ import pyarrow as pa
 from numpy.typing import NDArray
 from sqlglot import exp
 
-from gam_db.backtesting import poisson_ends
-from gam_db.calibration import Calibration
+from gam_db.alarms.backtesting import poisson_ends
 from gam_db.lab.benchmark.alarms.figures import shares
 from gam_db.lab.benchmark.alarms.plan import CALIBRATION, Plan
 from gam_db.lab.benchmark.alarms.tables import Name, Pool, Row, name_of
 from gam_db.lab.estimators import scores_at_buckets
-from gam_db.source import Source
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.source import Source
 
 _DRAWN = 50_000  # windows by which the control's limit is found
 _MORE = 1.5  # times the floor, at which the control is to alarm

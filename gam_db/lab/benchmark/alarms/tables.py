@@ -8,8 +8,8 @@ import pyarrow as pa
 import pyarrow.compute as pc
 
 from gam_db.alarms import FROZEN, Alarms, chosen_limits
-from gam_db.calibration import Calibration
 from gam_db.clock import TimeKind
+from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.duckdb_session import DuckSession
 from gam_db.method.alarms import (
     add_backtested,
@@ -19,11 +19,11 @@ from gam_db.method.alarms import (
     add_replay,
     add_spreads,
 )
-from gam_db.parameters import Parameters
-from gam_db.pipeline import Pipeline
-from gam_db.running import Running
-from gam_db.source import AnySource
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
+from gam_db.settings.source import AnySource
 from gam_db.study import Study
+from gam_db.study.running import Running
 
 Name = tuple[str, str]
 Row = dict[str, Any]

@@ -1,0 +1,330 @@
+"""Alarms without tables: judgements, limits that they are judged by, and episodes (alarms, 2 to 4).
+
+This module owns the settings of alarms, the public calls of that form, and in which order limits are
+made: what calibration says, which family drifts, its replay, a height for each channel.
+"""
+
+import math
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import pyarrow as pa
+
+from gam_db.alarms.heights import LEAST, MOST, STATED_FROM, UNSTATED, Height, Rate, by_replay, by_table
+from gam_db.clock import TimeKind, length
+from gam_db.columns import COUNT, SHARE, WORD, columns, counts, table_of
+from gam_db.errors import ParameterError
+from gam_db.method.adding import add
+from gam_db.method.alarms import FAR, NEAR, add_judgements, add_learnt_limits, add_replay
+from gam_db.method.judgement import add_judged, add_standing
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
+from gam_db.settings.setting import COLUMNS, TEXT, Kind, check, declared, setting
+from gam_db.study import Study, studied
+from gam_db.study.running import Running
+from gam_db.units import with_units
+
+_JUDGED_BLOCKS = 8
+_REPLAYED_CHANNELS, _REPLAYED_JUDGEMENTS = 5, 300
+_ORDERED_BLOCKS, _DRIFTING_BLOCKS = 18, 40
+#: Order ratios in thousandths: no alarm at all, no rate for a channel, and drift of a family.
+_UNREPRESENTATIVE, _UNLIKE, _DRIFTING = 1500, 1100, 1050
+_LARGEST_EXTENT = 3_000_000_000
+
+Row = dict[str, Any]
+
+
+#: Steps at work: what a study does, and tables that calibration left.
+Work: TypeAlias = Study | Running
+
+
+@declared
+@dataclass(frozen=True)
+class Alarms:
+    """How often a healthy machine may alarm, and which channels are alike.
+
+    Raises:
+        ParameterError: a value is out of its range.
+    """
+
+    rate: str | None = setting(
+        *(None, TEXT, "false alarms asked for: of all channels together, or 'per channel'"),
+        usual="'1 per month', or '0.5 per 1000 judgements' where the source counts time",
+        example="1 per month",
+    )
+    family: Sequence[str] = setting(
+        *((), Kind(COLUMNS.checked, list[str]), "channels that are alike, and replayed together"),
+        metavar="PATTERN",
+        usual="those of the same parameters",
+        more="repeatable",
+        example=("torque*", "temp*"),
+    )
+
+    def __post_init__(self) -> None:
+        check(self)
+        object.__setattr__(self, "family", tuple(self.family))
+        if self.rate is not None:
+            Rate.of(self.rate)
+
+    def asked(self, kind: TimeKind) -> str:
+        """Return the rate that is asked for, in words.
+
+        Raises:
+            ParameterError: it is one in days, and the source counts time in integers.
+        """
+        if self.rate is None:
+            return "0.5 per 1000 judgements" if kind.is_counter else "1 per month"
+        if kind.is_counter and Rate.of(self.rate).days is not None:
+            raise ParameterError(
+                f"rate is {self.rate!r}, but the source counts time in integers; give it in judgements: "
+                "'0.5 per 1000 judgements'."
+            )
+        return self.rate
+
+
+def judgements(
+    source: Any,
+    parameters: Parameters | None = None,
+    calibration: Calibration | None = None,
+    alarms: Alarms | None = None,
+    engine: Any = None,
+) -> pa.Table:
+    """Return the judgements of each channel that has a limit: full windows that do not overlap.
+
+    Args:
+        source: as in :func:`gam_db.health_indicator`.
+        parameters: of the method; default :class:`Parameters`.
+        calibration: the healthy part; default the first fifth of each channel.
+        alarms: the asked rate and the families; default :class:`Alarms`.
+        engine: None for DuckDB in memory, the path of a DuckDB file, or an open connection.
+
+    Returns:
+        One row per judgement, ordered: asset, channel, judgement (from 0), first_time, last_time (of its
+        vectors, as in the source), novel (of W vectors), root (of that, in thousandths), reference,
+        height, evidence (likewise), is_open (0 or 1), last_zero (the latest judgement without evidence,
+        NULL if there was none).
+
+    Raises:
+        UserError: see its subclasses; the message says what to mend.
+    """
+    with studied(source, parameters, calibration, engine) as study:
+        return _judged(study, alarms, "judgements")
+
+
+def episodes(
+    source: Any,
+    parameters: Parameters | None = None,
+    calibration: Calibration | None = None,
+    alarms: Alarms | None = None,
+    engine: Any = None,
+) -> pa.Table:
+    """Return when channels were raised, and since when.
+
+    Arguments and errors as in :func:`judgements`.
+
+    Returns:
+        One row per episode, ordered: asset, channel, episode (from 1 in its channel), onset (the
+        judgement in which its evidence left 0), first_judgement and last_judgement (the open ones),
+        onset_time, first_time, last_time, is_open (1 if it goes on), is_proving (1 if it opened within
+        as many judgements as calibration has blocks, so that either calibration was no fair sample or
+        something changed right after it).
+    """
+    with studied(source, parameters, calibration, engine) as study:
+        return _judged(study, alarms, "episodes")
+
+
+def limits(
+    source: Any,
+    parameters: Parameters | None = None,
+    calibration: Calibration | None = None,
+    alarms: Alarms | None = None,
+    engine: Any = None,
+) -> pa.Table:
+    """Return by what each channel is judged, or why it is not (alarms, sections 2 and 3).
+
+    Arguments and errors as in :func:`judgements`.
+
+    Returns:
+        One row per channel, ordered: asset, channel, family (from 0), blocks (of calibration, of a
+        window or more), g, centre, spread, reference, height, cap (in thousandths of a root), quarters
+        (the height in quarters of a spread), basis (replay, extrapolated, table, drifting or none),
+        order_ratio (in thousandths, NULL with fewer than 18 blocks), judgements_per_day (NULL on a
+        counter), rate (asked for, per judgement), stated_rate (that the height is for, at least 0.5 per
+        1,000; NULL where none can be stated), reason (why there is no limit, and all that follows from
+        one is NULL).
+    """
+    with studied(source, parameters, calibration, engine) as study:
+        rows = limits_of(study, alarms or Alarms())
+        return with_units(table_of(rows, _LIMITS), study.method.kind)
+
+
+def _judged(study: Study, alarms: Alarms | None, step: str) -> pa.Table:
+    judge(study, limits_of(study, alarms or Alarms()))
+    return with_units(study.table(step), study.method.kind)
+
+
+def judge(study: Study, rows: Sequence[Row]) -> list[Row]:
+    """Let a study judge by limits, as :func:`limits_of` returns them; return those that there are."""
+    frozen = [row for row in rows if row["reason"] is None]
+    study.load("frozen_limits", table_of(frozen, FROZEN))
+    add_judgements(study.steps, study.method, study.instant_of)
+    return frozen
+
+
+def add_status(study: Study, alarms: Alarms) -> None:
+    """Add the step *standing*: what each channel is, by its episodes or else by its indicator.
+
+    Raises:
+        ParameterError: a rate in days is asked for, and the source counts time in integers.
+    """
+    rows = limits_of(study, alarms)
+    judge(study, rows)
+    study.load("limit_reasons", table_of(rows, _REASONS))
+    add(study.steps, "judgement/raised")
+    add_judged(study.steps, "raised")
+    add_standing(study.steps, study.method)
+
+
+def limits_of(study: Study, alarms: Alarms) -> list[Row]:
+    """Return the limits of all channels of a study, as :func:`limits` does, with their channel_id.
+
+    Raises:
+        ParameterError: a rate in days is asked for, and the source counts time in integers.
+    """
+    alarms.asked(study.method.kind)
+    add_learnt_limits(study.steps, study.method, alarms.family)
+    return chosen_limits(study, alarms, study.method.kind)
+
+
+def chosen_limits(work: Work, alarms: Alarms, kind: TimeKind) -> list[Row]:
+    """Return the limits of all channels of the step *learnt_limits*: its columns, and those chosen.
+
+    Raises:
+        ParameterError: as :meth:`Alarms.asked`.
+    """
+    rate = Rate.of(alarms.asked(kind))
+    found = {(row["channel_id"], row["g"]): row for row in work.rows("learnt_limits")}
+    near = [row for (_, g), row in sorted(found.items()) if g == NEAR]
+    for row in near:
+        assess(row, day_of(kind))
+    members = [row for row in near if row["reason"] is None]
+    ratios: dict[int, list[int]] = defaultdict(list)
+    for row in members:
+        if row["order_ratio"] is not None:
+            ratios[row["family_no"]].append(row["order_ratio"])
+    drifting = {family for family, known in ratios.items() if sum(known) > _DRIFTING * len(known)}
+    for row in members:
+        row |= _based(row, row["family_no"] in drifting)
+        row |= {name: found[row["channel_id"], row["g"]][name] for name in ("centre", "spread")}
+    total = math.fsum(row["judgements_per_day"] or 0.0 for row in members)
+    for row in members:
+        row["rate"] = rate.per_judgement(row["judgements_per_day"], total)
+    replayed, counted = _replayed(work, members)
+    for row in members:
+        family = row["family_no"]
+        height = Height(UNSTATED, "none")
+        if row["basis"] != "none":
+            height = by_table(row["rate"], row["blocks"])
+            if family in replayed:
+                height = by_replay(row["rate"], replayed[family], counted[family])
+            height = Height(height.quarters, row["basis"] or height.basis)
+        row |= high(row, height)
+    for row in near:
+        row["family"] = row["family_no"]
+        if row["reason"] is not None:
+            row |= {"centre": None, "spread": None}
+    return near
+
+
+def day_of(kind: TimeKind) -> int | None:
+    """Return a day in the unit of time; None where the source counts time."""
+    return None if kind.is_counter else length("1 d", kind, "a day")
+
+
+def assess(row: Row, day: int | None) -> None:
+    """Add to a row of *learnt_limits* its judgements a day, and why there is no limit."""
+    row["judgements_per_day"] = None
+    if day is not None and row["calibration_length"]:
+        in_all = row["window_length"] * row["calibration_length"]
+        row["judgements_per_day"] = float(row["vectors"] * day / in_all)
+    row["reason"] = _reason(row, day)
+    row["order_ratio"] = row["order_ratio"] if row["blocks"] >= _ORDERED_BLOCKS else None
+
+
+def _reason(row: Row, day: int | None) -> str | None:
+    """Return why a channel has no limit."""
+    if row["limit_reason"] is not None:
+        return str(row["limit_reason"])
+    if row["blocks"] < _JUDGED_BLOCKS:
+        return f"calibration shorter than {_JUDGED_BLOCKS} windows"
+    if row["blocks"] * row["extent"] > _LARGEST_EXTENT:
+        return "counts of calibration too far apart"
+    if row["blocks"] >= _ORDERED_BLOCKS and row["order_ratio"] > _UNREPRESENTATIVE:
+        return "unrepresentative"
+    if day is not None and row["judgements_per_day"] is None:
+        return "calibration has no length"
+    return None
+
+
+def _based(row: Row, drifting: bool) -> Row:
+    """Return g of a channel, and its basis where that is known before a height is."""
+    if drifting:
+        is_long = row["blocks"] >= _DRIFTING_BLOCKS
+        return {"g": FAR if is_long else NEAR, "basis": "drifting" if is_long else "none"}
+    is_unlike = row["order_ratio"] is not None and row["order_ratio"] > _UNLIKE
+    return {"g": NEAR, "basis": "none" if is_unlike else None}
+
+
+def _replayed(work: Work, members: Sequence[Row]) -> tuple[dict[int, int], Mapping[int, dict[int, int]]]:
+    """Return of each family that can be replayed its judgements, and its episodes by height."""
+    families: dict[int, list[Row]] = defaultdict(list)
+    for row in members:
+        if row["basis"] != "none":
+            families[row["family_no"]].append(row)
+    enough = {
+        family: judged
+        for family, rows in families.items()
+        if len(rows) >= _REPLAYED_CHANNELS
+        and (judged := sum(row["blocks"] for row in rows)) >= _REPLAYED_JUDGEMENTS
+    }
+    counted: dict[int, dict[int, int]] = defaultdict(dict)
+    if enough:
+        asked = [
+            {name: row[name] for name in ("channel_id", "family_no", "g")}
+            for family in enough
+            for row in families[family]
+        ]
+        work.load("members", table_of(asked, _MEMBERS))
+        work.load("heights", pa.table({"quarters": pa.array(range(LEAST, MOST + 1), pa.int64())}))
+        add_replay(work.steps)
+        for row in work.rows("counted_replay"):
+            counted[row["family_no"]][row["quarters"]] = row["episodes"]
+    return enough, counted
+
+
+def high(row: Row, height: Height) -> Row:
+    """Return what follows from a height, and from the centre, the spread and the rate of a limit."""
+    scaled = (height.quarters * row["spread"] + 3) // 4
+    return {
+        "reference": row["centre"] + row["spread"],
+        "height": scaled,
+        "cap": (scaled + 1) // 2,
+        "quarters": height.quarters,
+        "basis": height.basis,
+        "stated_rate": None if height.basis == "none" else max(row["rate"], STATED_FROM),
+    }
+
+
+_REASONS = columns((WORD, "asset channel reason"))
+_MEMBERS = counts("channel_id family_no g")
+FROZEN = counts("channel_id blocks reference height cap")
+LIMIT = (
+    (COUNT, "family blocks g centre spread reference height cap quarters"),
+    (WORD, "basis"),
+    (COUNT, "order_ratio"),
+    (SHARE, "judgements_per_day rate stated_rate"),
+    (WORD, "reason"),
+)
+_LIMITS = columns((WORD, "asset channel"), *LIMIT)

@@ -1,0 +1,275 @@
+"""Pipelines: named SELECT steps, composed into one query or kept as tables on the way.
+
+This module owns how steps refer to one another. It knows neither what they compute nor any engine.
+"""
+
+from collections.abc import Hashable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import cast
+
+from sqlglot import exp
+
+from gam_db.composing import template
+from gam_db.composing.lately import Lately
+from gam_db.errors import InternalError
+
+
+@dataclass(frozen=True)
+class Step:
+    """One named SELECT.
+
+    Attributes:
+        name: what other steps call it.
+        query: the filled tree; tables that carry the name of a step are read from that step.
+        comment: what it computes, for whoever reads the query.
+        reads: the steps it reads.
+        tables: all names that a table may be placed for: the steps it reads, and what is no step.
+    """
+
+    name: str
+    query: exp.Query
+    comment: str
+    reads: frozenset[str]
+    tables: frozenset[str]
+
+    @classmethod
+    def of(cls, name: str, query: exp.Query, comment: str, inputs: Mapping[str, str]) -> "Step":
+        """Return a step whose tree, which is changed for it, reads its inputs by their own names.
+
+        Args:
+            name: of the step.
+            query: its tree.
+            comment: what it computes.
+            inputs: what the tree calls the steps that it reads -> the steps.
+        """
+        read_as(query, inputs)
+        return cls(name, query, comment, frozenset(inputs.values()), _names(query))
+
+
+#: Steps that were filled, and queries that were composed, by all that they were made of. A query takes
+#: about half a megabyte.
+_FILLED: Lately[Step] = Lately(4000)
+_COMPOSED: Lately[exp.Query] = Lately(256)
+
+
+@dataclass
+class Pipeline:
+    """Steps in the order in which they were added; a step reads only what was added before it.
+
+    Attributes:
+        steps: by name.
+        small: names of steps with few rows, which may be kept as tables on the way. All others are to
+            flow through: an engine that keeps one because two steps read it loses more than it gains.
+    """
+
+    steps: dict[str, Step] = field(default_factory=dict)
+    small: frozenset[str] = frozenset()
+
+    def add(
+        self, name: str, query: exp.Query, comment: str = "", tables: Mapping[str, str] | None = None
+    ) -> None:
+        """Add a step.
+
+        Args:
+            name: its name.
+            query: its tree; it is the pipeline's from now on.
+            comment: what it computes.
+            tables: for a tree that calls its inputs otherwise: the name in the tree -> the step.
+        """
+        self._put(Step.of(name, query, comment, self._inputs(_names(query), tables or {})))
+
+    def fill(
+        self,
+        name: str,
+        path: str,
+        slots: Mapping[str, template.Slot] | None = None,
+        tables: Mapping[str, str] | None = None,
+    ) -> None:
+        """Add a step that is a file of ``sql/``.
+
+        What was filled lately in the same way is not filled again: copies of trees are most of what a
+        method costs that is asked for few rows.
+
+        Args:
+            name: of the step.
+            path: of the file, as ``folder/file``.
+            slots: of the file.
+            tables: as in :meth:`add`.
+        """
+        inputs = self._inputs(template.load(path).tables, tables or {})
+        key = name, path, tuple(sorted(inputs.items())), _slot_key(slots or {})
+        comment = template.load(path).comment
+        self._put(_FILLED.get(key, lambda: Step.of(name, filled(path, slots), comment, inputs)))
+
+    def replace(self, name: str, query: exp.Query, tables: Mapping[str, str] | None = None) -> Step:
+        """Let another tree be the one of a step, in its place in the order; return the step before."""
+        before = self.steps[name]
+        inputs = self._inputs(_names(query), tables or {})
+        self.put(Step.of(name, query, before.comment, inputs))
+        return before
+
+    def put(self, step: Step) -> None:
+        """Let a step be the one of its name."""
+        self.steps[step.name] = step
+
+    def _inputs(self, names: Iterable[str], tables: Mapping[str, str]) -> dict[str, str]:
+        """Return the steps that a query reads, by the names that it has for them."""
+        said = {name: tables.get(name, name) for name in names}
+        return {name: step for name, step in said.items() if step in self.steps}
+
+    def _put(self, step: Step) -> None:
+        if step.name in self.steps:
+            raise InternalError(f"The step {step.name} is there twice.")
+        self.steps[step.name] = step
+
+    def copied(self) -> "Pipeline":
+        """Return a pipeline of the same steps, to which others can be added."""
+        return Pipeline(dict(self.steps), self.small)
+
+    def needed(self, targets: Iterable[str], given: Iterable[str] = ()) -> list[Step]:
+        """Return the steps that the targets need, in order, without what is given and its inputs."""
+        known = set(given)
+        wanted = set(targets)
+        pending = list(wanted - known)
+        while pending:
+            for read in self.steps[pending.pop()].reads:
+                if read not in known and read not in wanted:
+                    wanted.add(read)
+                    pending.append(read)
+        return [step for step in self.steps.values() if step.name in wanted - known]
+
+    def query(
+        self, target: str, placed: Mapping[str, exp.Table] | None = None, commented: bool = False
+    ) -> exp.Query:
+        """Return one query for a step: what it needs becomes its WITH list.
+
+        Args:
+            target: the step whose rows are wanted.
+            placed: steps that exist as tables already.
+            commented: put each step's comment before it.
+
+        Returns:
+            The tree; asked again in the same circumstances, the same one, so it must not be changed. One
+            with comments is the caller's own.
+        """
+        placed = placed or {}
+        if commented:
+            return self._composed(target, placed, True)
+        key = self._key(target, placed)
+        return _COMPOSED.get(key, lambda: self._composed(target, placed, False))
+
+    def _key(self, target: str, placed: Mapping[str, exp.Table]) -> Hashable:
+        """Return all that the query of a step depends on.
+
+        Trees are equal where their hashes are, by sqlglot's own rule; each keeps its own.
+        """
+        steps = self.needed([target], placed)
+        read = {target}.union(*(step.tables for step in steps)) & placed.keys()
+        places = ((name, *(part.name for part in placed[name].parts)) for name in read)
+        made = tuple((step.name, step.name in self.small, hash(step.query)) for step in steps)
+        # A step is made first, and read from its table later on: then its columns are what is asked for.
+        columns = hash(self.steps[target].query) if target in placed else None
+        return target, columns, made, frozenset(places)
+
+    def _composed(self, target: str, placed: Mapping[str, exp.Table], commented: bool) -> exp.Query:
+        if target in placed:
+            query = union_of(self, [target])
+            place(query, placed)
+            return query
+        steps = self.needed([target], placed.keys())
+        query = self.steps[target].query.copy()
+        inputs = [step for step in steps if step.name != target]
+        placed = {**placed, **{step.name: _entry(step.name) for step in inputs}}
+        place(query, placed)
+        if not inputs:
+            return query
+        if isinstance(query, exp.SetOperation):
+            query = _selected_from(query)
+        listed = []
+        for step in inputs:
+            body = step.query.copy()
+            place(body, placed)
+            entry = exp.CTE(this=body, alias=exp.TableAlias(this=_entry(step.name).this))
+            if step.name not in self.small:
+                entry.set("materialized", False)
+            if commented and step.comment:
+                body.comments = [f" {step.comment} "]
+            listed.append(entry)
+        query.set("with_", exp.With(expressions=listed))
+        return query
+
+
+def place(query: exp.Expr, placed: Mapping[str, exp.Table]) -> None:
+    """Let a tree read the given tables where it names their steps; in place."""
+    for table in _plain_tables(query):
+        if table.name in placed:
+            target = placed[table.name].copy()
+            target.set("alias", table.args.get("alias") or exp.TableAlias(this=table.this.copy()))
+            table.replace(target)
+
+
+def union_of(
+    pipeline: Pipeline, parts: Sequence[str], columns: Sequence[str] | None = None
+) -> exp.Query:
+    """Return the rows of several steps, one under another: the given columns, else all of the first."""
+    columns = columns or pipeline.steps[parts[0]].query.named_selects
+    selects: list[exp.Query] = []
+    for part in parts:
+        named = exp.select(*(exp.column(exp.to_identifier(name)) for name in columns))
+        selects.append(named.from_(exp.Table(this=exp.to_identifier(part))))
+    return selects[0] if len(selects) == 1 else exp.union(*selects, distinct=False)
+
+
+def filled(name: str, slots: Mapping[str, template.Slot] | None = None) -> exp.Query:
+    """Return a filled template that is a query."""
+    return cast(exp.Query, template.fill(name, slots))
+
+
+def read_as(query: exp.Expr, inputs: Mapping[str, str]) -> None:
+    """Let a tree read the given steps where it has other names for them; in place."""
+    for table in _plain_tables(query):
+        step = inputs.get(table.name)
+        if step is not None:
+            if step != table.name and not table.args.get("alias"):
+                table.set("alias", exp.TableAlias(this=table.this.copy()))
+            table.set("this", exp.to_identifier(step))
+
+
+def _slot_key(slots: Mapping[str, template.Slot]) -> Hashable:
+    """Return what is equal where the same is filled in: 1 is not 1.0, and 0.0 not -0.0."""
+    said: list[Hashable] = []
+    for name in sorted(slots):
+        value = slots[name]
+        if isinstance(value, Sequence):
+            said.append((name, tuple(value)))
+        else:
+            said.append((name, value if isinstance(value, exp.Expr) else repr(value)))
+    return tuple(said)
+
+
+def _entry(step: str) -> exp.Table:
+    """Return how a query names a step in its WITH list.
+
+    The name is ours alone: some engines take the user's relation for a step of the same name, even for
+    one that stands further down the list.
+    """
+    return exp.Table(this=exp.to_identifier(f"gam_step_{step}"))
+
+
+def _selected_from(union: exp.Query) -> exp.Query:
+    """Wrap a union, since not every engine takes a WITH list before one."""
+    columns = [exp.column(exp.to_identifier(name), table="rows_of") for name in union.named_selects]
+    rows = union.subquery("rows_of", copy=False)
+    return exp.select(*(column.as_(column.name) for column in columns)).from_(rows, copy=False)
+
+
+def _names(query: exp.Expr) -> frozenset[str]:
+    return frozenset(table.name for table in _plain_tables(query))
+
+
+def _plain_tables(query: exp.Expr) -> list[exp.Table]:
+    return [
+        table
+        for table in query.find_all(exp.Table)
+        if isinstance(table.this, exp.Identifier) and not table.this.quoted and not table.db
+    ]

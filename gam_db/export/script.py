@@ -1,0 +1,248 @@
+"""Scripts: a whole form as SQL that a warehouse team runs with no Python at all.
+
+Two forms (method, section 4): *exact*, one query from the source to the health indicator, and *view*,
+tables for what calibration found and a plain view over the live source. This module owns what such a
+script holds and in which order; it needs no connection and no driver.
+"""
+
+import dataclasses
+from collections.abc import Callable, Iterator
+
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db.clock import TimeKind, looks_like_calendar
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
+from gam_db.engines import engine_named
+from gam_db.engines.base import Engine
+from gam_db.errors import EngineError, ParameterError, SourceError, nearest
+from gam_db.method import Method, pipeline
+from gam_db.reading import look
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
+from gam_db.settings.setting import settings_of
+from gam_db.settings.source import (
+    ONLY_ASSET,
+    AnySource,
+    Source,
+    WideSource,
+    declared_kind,
+    is_file,
+    named_by,
+    parsed_condition,
+    paths_of,
+    shown_relation,
+    table_names,
+)
+
+FORMS = ("exact", "view")
+HEALTH_OF = ("asset_name", "channel_name")
+
+#: Tables of the view form that only its own script needs.
+_PASSING = ("timeline", "series", "limits", "calibrated", "visits", "missing_vectors")
+_LASTING = ("channels", "calibration", "bounds", "support")
+_RESULTS = ("support_summary", "certificate")
+
+
+def render(
+    form: str,
+    engine: str,
+    source: AnySource,
+    parameters: Parameters | None = None,
+    calibration: Calibration | None = None,
+    prefix: str = "gam_live_",
+    schema: str | None = None,
+) -> str:
+    """Return the complete SQL script of a form for an engine.
+
+    Args:
+        form: "exact", one query, a row per scored vector; or "view", tables <prefix>channels,
+            <prefix>calibration, <prefix>bounds, <prefix>support, <prefix>support_summary and
+            <prefix>certificate and the view <prefix>health over the live source. DuckDB also gets the
+            table macro <prefix>health_of(asset, channel). The script begins by dropping what bears these
+            names: the tables of a monitor, which begin with gam_ unless told otherwise, are others.
+        engine: its name, see ``gam_db.engines.NAMES``.
+        source: where the telemetry lies. Without ``time_kind`` the time column is taken for what a file
+            shows or the given instants mean, else for an integer counter, and the script says so.
+        parameters: of the method; default :class:`Parameters`.
+        calibration: the healthy part; default the first fifth of each channel.
+        prefix: of the names of the view form.
+        schema: where they lie; None for the current one, on PostgreSQL for ``public``: its script looks
+            no name up on the path, so that nobody else's function or operator runs.
+
+    Raises:
+        UserError: the form or engine is unknown, or the source cannot be read there.
+    """
+    if form not in FORMS:
+        raise ParameterError(f"There is no form {form!r}{nearest(form, FORMS)}.")
+    parameters, calibration = parameters or Parameters(), calibration or Calibration()
+    chosen = engine_named(engine)
+    if schema is not None and not chosen.schemas:
+        raise EngineError(f"{engine} has no schemas; leave schema out and give another prefix.")
+    source, kind, found = _looked_at(source, parameters, calibration, chosen)
+    method = Method(parameters, calibration, kind)
+    relation = _relation(source, chosen)
+    steps = _steps(method, source, relation, chosen)
+    head = [
+        f"gam-db, form {form}, for {chosen.name}. {_described(parameters)}",
+        f"Time: {kind.value}" + ("." if found else ", assumed; say time_kind='timestamp' if it is not."),
+        "A cell is novel if healthy operation never visited it; the health indicator is the share of "
+        "novel vectors among the last W scored ones.",
+    ]
+    if form == "exact":
+        query = chosen.text(steps.query("health_indicator", commented=True), pretty=True)
+        return f"{_commented(head)}\n{chosen.beginning()}{query};\n"
+    only = None
+    if chosen.macros:
+        named = dataclasses.replace(source, where=_only_channel(source))
+        only = _steps(method, named, relation, chosen)
+
+    def place(name: str) -> exp.Table:
+        table = exp.to_table(f"{prefix}{name}")
+        if schema is not None:
+            table.set("db", template.name(schema))
+        return table
+
+    parts = _view_statements(steps, only, chosen, place)
+    body = "\n".join(
+        f"{_commented(comment.splitlines())}\n{chosen.text(statement, pretty=True)};\n"
+        for comment, statement in parts
+    )
+    return f"{_commented(head)}\n{chosen.beginning()}\n{body}"
+
+
+def _view_statements(
+    steps: Pipeline, only: Pipeline | None, engine: Engine, place: Callable[[str], exp.Table]
+) -> Iterator[tuple[str, exp.Expr]]:
+    """Give the statements of the view form in order, each with its comment."""
+    names = [name for name in steps.steps if _table_of(name) in (*_PASSING, *_LASTING)]
+    placed: dict[str, exp.Table] = {}
+    yield "Begin anew: a view goes before the tables it reads.", _drop("VIEW", place("health"))
+    for name in (*names, *_RESULTS):
+        table = place(name)
+        query = steps.query(name, placed, commented=True)
+        query.set("order", None)
+        yield f"{name}: {engine.name} keeps this step as a table.", _drop("TABLE", table)
+        yield steps.steps[name].comment, engine.create_table(table, query)
+        placed[name] = table
+    live = {name: table for name, table in placed.items() if _table_of(name) in _LASTING}
+    view = steps.query("health_indicator", live, commented=True)
+    view.set("order", None)
+    yield (
+        "The health indicator over the live source, against what calibration found once.\n"
+        + steps.steps["health_indicator"].comment,
+        exp.Create(this=place("health"), kind="VIEW", expression=view),
+    )
+    if only is not None:
+        yield (
+            "One channel alone, which reads only its own rows of the source.",
+            _macro(place("health_of"), only.query("health_indicator", live, commented=True)),
+        )
+    for name in names:
+        if _table_of(name) in _PASSING:
+            yield f"{name} is no longer needed.", _drop("TABLE", place(name))
+
+
+def _table_of(step: str) -> str:
+    """Return a step's name without the number of its set."""
+    stem, _, number = step.rpartition("_")
+    return stem if number.isdigit() else step
+
+
+def _drop(kind: str, table: exp.Table) -> exp.Drop:
+    return exp.Drop(tables=[table.copy()], kind=kind, exists=True)
+
+
+def _macro(name: exp.Table, query: exp.Query) -> exp.Create:
+    returns = exp.ReturnsProperty(this=exp.Schema(this=exp.var("TABLE")), is_table=True)
+    return exp.Create(
+        this=exp.UserDefinedFunction(
+            this=name, expressions=[exp.to_identifier(argument) for argument in HEALTH_OF], wrapped=True
+        ),
+        kind="MACRO",
+        replace=True,
+        expression=query,
+        properties=exp.Properties(expressions=[returns]),
+    )
+
+
+def _only_channel(source: AnySource) -> exp.Expr:
+    """Return the condition of the table macro: the user's own, and the names it is called with."""
+    conditions = [parsed_condition(source.where)]
+    names = [named_by(source.asset, ONLY_ASSET)]
+    if isinstance(source, Source):
+        names.append(named_by(source.channel, source.value))
+    for name, argument in zip(names, HEALTH_OF, strict=False):
+        asked = exp.column(exp.to_identifier(argument))
+        conditions.append(exp.EQ(this=exp.cast(name, "VARCHAR"), expression=asked))
+    return exp.paren(exp.and_(*conditions))
+
+
+def _steps(method: Method, source: AnySource, relation: exp.Expr, engine: Engine) -> Pipeline:
+    kind = method.kind
+    rows = engine.readings(source, relation, kind)
+    return pipeline(method, rows, lambda node: engine.instant_of(kind, node))
+
+
+def _relation(source: AnySource, engine: Engine) -> exp.Expr:
+    relation = source.relation
+    if not is_file(relation):
+        if not isinstance(relation, (str, tuple, list)):
+            raise SourceError(
+                "A script needs a name for its source; load the Arrow table into the engine and name "
+                "the table there."
+            )
+        return table_names(relation)[0]
+    if not engine.reads_files:
+        raise EngineError(
+            f"{engine.name} reads no files by path; load {shown_relation(relation)} into a table and "
+            "name that."
+        )
+    from gam_db.engines.duckdb_reading import file_reader
+
+    return file_reader(paths_of(relation))
+
+
+def _looked_at(
+    source: AnySource, parameters: Parameters, calibration: Calibration, engine: Engine
+) -> tuple[AnySource, TimeKind, bool]:
+    """Return the source with its channels named, its kind of time, and whether that is known."""
+    declared = declared_kind(source)
+    if source.written:
+        raise SourceError(
+            f"A script reads columns as they are, and {', '.join(source.written)} says otherwise; cast "
+            "them in a view."
+        )
+    if is_file(source.relation) and engine.reads_files:
+        from gam_db.engines.duckdb_session import DuckSession
+
+        with DuckSession() as session:
+            columns = session.describe(session.relation(source.relation))
+            source = look.resolved(source, columns, session)
+            return source, look.kind_of(source, columns, session), True
+    if isinstance(source, WideSource) and source.channels is None:
+        raise SourceError("A script of a wide table needs its channels named: channels=[...].")
+    if isinstance(source.relation, pa.Table):
+        raise SourceError("A script needs a table that the engine holds, not an Arrow table.")
+    if declared is not None:
+        return source, declared, True
+    pairs = (*(calibration.intervals or ()), *calibration.exclude)
+    given = [calibration.duration, calibration.score_from, *(end for pair in pairs for end in pair)]
+    given += [variant.max_gap for variant in parameters.variants()]
+    calendar = any(value is not None and looks_like_calendar(value) for value in given)
+    return source, TimeKind.TIMESTAMP if calendar else TimeKind.COUNTER, calendar
+
+
+def _described(parameters: Parameters) -> str:
+    shown = [
+        f"{name} = {value}"
+        for name in settings_of(Parameters)
+        if (value := getattr(parameters, name)) is not None
+    ]
+    others = f"; {len(parameters.overrides)} overrides" if parameters.overrides else ""
+    return f"Parameters: {', '.join(shown)}{others}."
+
+
+def _commented(lines: list[str]) -> str:
+    return "\n".join(f"-- {line}".rstrip() for text in lines for line in text.splitlines() or [""])

@@ -1,0 +1,300 @@
+"""Guessing: which column is the machine, the signal, the time and the reading, where nobody said.
+
+This module owns what can be said of a source, well-known column names and the rules of guessing. What it
+cannot tell it asks for: a wrong guess would merge machines or signals without a word. It reads no rows.
+"""
+
+import dataclasses
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal, TypeAlias
+
+from gam_db import data
+from gam_db.address import shown
+from gam_db.engines.session import Session, arrow_table
+from gam_db.errors import SourceError, nearest
+from gam_db.settings.form import Form
+from gam_db.settings.setting import COLUMN, COLUMNS, FLAG, TEXT, TEXT_OR_TEXTS, declared, one_of, setting
+from gam_db.settings.source import AnySource, Source, WideSource, as_folder, is_file
+
+#: A column that was named, False for "there is none", None for "not said".
+Column: TypeAlias = str | Literal[False] | None
+
+#: One column per channel, said by a word in gam.toml and by an option without a value.
+LAYOUT = dataclasses.replace(one_of("long", "wide"), option=bool, read=lambda *_: "wide")
+
+
+@declared
+@dataclass(frozen=True)
+class SourceSettings(Form):
+    """What was said of the source; None is "not said", and what is not said is guessed."""
+
+    relation: str | tuple[str, ...] | None = setting(
+        None,
+        TEXT_OR_TEXTS,
+        "a file, relative to this one, a list of such, or a table of the database",
+        example="telemetry.parquet",
+    )
+    database: str | None = setting(
+        *(None, TEXT, "or postgresql://HOST/DATABASE and others; no password here"),
+        example="plant.duckdb",
+        aside=True,
+    )
+    asset: Column = setting(
+        *(None, COLUMN, "column that names the machine"),
+        off=(False, "it is one machine"),
+        example="machine",
+    )
+    channel: Column = setting(
+        *(None, dataclasses.replace(COLUMN, option=list[str]), "column that names the signal"),
+        more="with --wide: a column that holds one (repeatable; default all numeric ones)",
+        off=(False, "it is one signal"),
+        example="signal",
+    )
+    time: str | None = setting(
+        None, COLUMN, "column with a timestamp or an integer counter", example="ts"
+    )
+    value: str | None = setting(None, COLUMN, "column with the readings", example="reading")
+    layout: str | None = setting(
+        None, LAYOUT, "the table has one column per signal", option="--wide", example="wide", aside=True
+    )
+    channels: tuple[str, ...] | None = setting(
+        *(None, COLUMNS, "columns of a wide table that hold readings, each a signal"),
+        example=["current", "torque"],
+        aside=True,
+    )
+    where: str | None = setting(
+        *(None, TEXT, "rows to take, as a condition in SQL, before all else"),
+        metavar="CONDITION",
+        more="for example \"machine = 'R7'\"; it is SQL that runs with your rights, see --where-any",
+        example="reading < 1000",
+    )
+    where_any: bool | None = setting(
+        *(None, FLAG, "let where ask other tables, too: it is SQL that runs with your rights"),
+        more="on DuckDB it reads no other files; on a connection that you lend it may do what that may",
+        example=True,
+        aside=True,
+    )
+    time_kind: str | None = setting(
+        *(
+            None,
+            one_of("timestamp", "counter"),
+            "how the time column tells time, where it cannot be seen",
+        ),
+        example="timestamp",
+        aside=True,
+    )
+
+    @property
+    def shown_database(self) -> str | None:
+        """The address of the database without its password."""
+        return None if self.database is None else shown(self.database)
+
+
+#: role -> names that say it, in two strengths.
+KNOWN: Mapping[str, tuple[frozenset[str], frozenset[str]]] = {
+    role: (frozenset(said["strong"].split()), frozenset(said["weak"].split()))
+    for role, said in data.table("gam_db.reading", "guess.toml").items()
+}
+_TAIL = re.compile(r"(?<=..)(id|name|number|no|nr)$")
+
+_WHAT = {"asset": "the machine", "channel": "the signal", "time": "the time", "value": "the reading"}
+_NONE = {"asset": "--no-asset if it is one machine", "channel": "--no-channel if it is one signal"}
+
+
+@dataclass(frozen=True)
+class Guess:
+    """A source with its columns, and what of it was guessed."""
+
+    source: AnySource  # all columns named
+    guessed: Mapping[str, str]  # role -> column, or a short phrase, for what nobody had said
+    unused: tuple[str, ...]  # columns that are not read
+
+
+def guess(relation: Any, columns: Mapping[str, str], said: SourceSettings, session: Session) -> Guess:
+    """Return the source that the settings mean, the columns that were not named being guessed.
+
+    Columns are name -> type, in order; of the settings columns, layout and condition are looked at.
+
+    Raises:
+        SourceError: a column that was named is not there, or one that was not named cannot be guessed;
+            the message lists the columns and the options to use.
+    """
+    return _Guesser(columns, said, session).guess(relation)
+
+
+def folder_or_table(given: Any, session: Session) -> Any:
+    """Return a relation with the slash of a folder, if it is one and no table has its name."""
+    folder = as_folder(given)
+    if not isinstance(given, str) or folder == given:
+        return folder  # the database is not asked for its tables: a user may have no schema of his own
+    return given if given.casefold() in session.relations() else folder
+
+
+def sourced(given: Any, session: Session) -> AnySource:
+    """Return a source as it was given, or what is meant by a relation alone, its columns guessed.
+
+    That is a path, a list of paths, a folder, the name of a table, a data frame of pandas or polars, an
+    Arrow table, a relation of DuckDB, a table of Ibis.
+
+    Raises:
+        SourceError: it cannot be read, or a column cannot be guessed.
+    """
+    if isinstance(given, (Source, WideSource)):
+        return given
+    said = SourceSettings()
+    if isinstance(given, (list, tuple)) and is_file(several := [as_folder(one) for one in given]):
+        given = several
+    given = folder_or_table(given, session)
+    if isinstance(given, (str, Path, list, tuple)):
+        return guess(given, session.describe(session.relation(given)), said, session).source
+    table = arrow_table(given)
+    with session.lent(table) as relation:
+        return guess(table, session.describe(relation), said, session).source
+
+
+class _Guesser:
+    """One guess under way: the columns that are still free, and what was found."""
+
+    def __init__(self, columns: Mapping[str, str], said: SourceSettings, session: Session) -> None:
+        self.columns = columns
+        self.said = said
+        self.session = session
+        self.guessed: dict[str, str] = {}
+        self.wide = said.layout == "wide" or said.channels is not None
+        named = {
+            role: column
+            for role in ("asset", "channel", "time", "value")
+            if isinstance(column := getattr(said, role), str)
+        }
+        for role, column in [*named.items(), *(("channel", name) for name in said.channels or ())]:
+            if column not in columns:
+                raise SourceError(
+                    f"There is no column {column!r} for {_WHAT[role]}{nearest(column, columns)}"
+                )
+        taken = {*named.values(), *(said.channels or ())}
+        self.free = [name for name in columns if name not in taken]
+
+    def guess(self, relation: Any) -> Guess:
+        time = self.said.time or self._time()
+        asset = self._name("asset")
+        channel = None if self.wide else self._name("channel")
+        value = None if self.wide else self.said.value or self._value(channel)
+        self._ask_about_texts(asset, channel)
+        where, kind, written = self.said.where, self.said.time_kind, self.said.written
+        source: AnySource
+        if value is None:
+            signals = self.said.channels or tuple(self._numeric())
+            if not signals:
+                raise self._unclear("No numeric column is left that could hold readings", ("value",))
+            source = WideSource(relation, signals, asset, time, where, kind, **written)
+        else:
+            source = Source(relation, asset, channel, time, value, where, kind, **written)
+        used = set(source.columns.values())
+        return Guess(source, self.guessed, tuple(name for name in self.columns if name not in used))
+
+    def _time(self) -> str:
+        """A strong name, then the only calendar column, then weak names; weak ones must fit by type."""
+        found = self._by_name("time", self.free, weak=False)
+        if found is None:
+            kinds = {name: self.session.engine.types.time_kind(self.columns[name]) for name in self.free}
+            calendars = [name for name, kind in kinds.items() if kind and not kind.is_counter]
+            if len(calendars) == 1:
+                return self._take("time", calendars[0])
+            is_said = self.said.time_unit is not None  # then numbers may be times, too
+            fitting = [
+                name for name, kind in kinds.items() if kind or (is_said and self._is_number(name))
+            ]
+            found = self._by_name("time", calendars or fitting or self.free)
+            if found is None:
+                many = f"{_listed(calendars)} could each be" if calendars else "No column looks like"
+                raise self._unclear(f"{many} the time", ("time",))
+        return self._take("time", found)
+
+    def _name(self, role: str) -> str | None:
+        said = getattr(self.said, role)
+        if said is not None:
+            return said or None
+        found = self._by_name(role, [name for name in self.free if self._can_name(name)])
+        if found is None:
+            return None
+        return self._take(role, found)
+
+    def _value(self, channel: str | None) -> str | None:
+        """Return the column of the readings; None where the table turns out to be wide."""
+        strong = self._by_name("value", self.free, weak=False)
+        if strong is not None:
+            return self._take("value", strong)
+        numeric = self._numeric()
+        if len(numeric) == 1:
+            return self._take("value", numeric[0])
+        if not numeric:
+            raise self._unclear("No numeric column is left that could hold readings", ("value",))
+        if channel is None and self.said.channel is None and self.said.layout is None:
+            self.guessed["layout"] = "wide: no column names the signal, so each numeric column is one"
+            return None
+        weak = self._by_name("value", numeric)
+        if weak is None:
+            raise self._unclear("Several columns could be the reading", ("value",))
+        return self._take("value", weak)
+
+    def _ask_about_texts(self, asset: str | None, channel: str | None) -> None:
+        """Text that nobody explained may name machines or signals; leaving it out would mix them."""
+        is_wide = self.wide or "layout" in self.guessed
+        open_roles = [
+            role
+            for role, found in (("asset", asset), ("channel", channel))
+            if found is None and getattr(self.said, role) is None and not (role == "channel" and is_wide)
+        ]
+        texts = [name for name in self.free if self._can_name(name) and not self._is_number(name)]
+        if open_roles and texts:
+            what = " or ".join(_WHAT[role] for role in open_roles)
+            raise self._unclear(f"{_listed(texts)} may name {what}", open_roles)
+
+    def _by_name(self, role: str, among: Iterable[str], weak: bool = True) -> str | None:
+        for names in KNOWN[role] if weak else KNOWN[role][:1]:
+            found = [name for name in among if {plain := _plain(name), _TAIL.sub("", plain)} & names]
+            if len(found) > 1:
+                raise self._unclear(f"{_listed(found)} could each be {_WHAT[role]}", (role,))
+            if found:
+                return found[0]
+        return None
+
+    def _take(self, role: str, column: str) -> str:
+        self.guessed[role] = column
+        self.free.remove(column)
+        return column
+
+    def _numeric(self) -> list[str]:
+        """Return what may hold readings: numbers, else truths, else texts if they were said to be."""
+        types, said = self.session.engine.types, self.said.reads_words
+        for holds in (types.is_numeric, types.is_truth, *([types.is_text] if said else [])):
+            found = [name for name in self.free if holds(self.columns[name])]
+            if found:
+                return found
+        return []
+
+    def _is_number(self, name: str) -> bool:
+        return self.session.engine.types.is_numeric(self.columns[name])
+
+    def _can_name(self, name: str) -> bool:
+        return self.session.engine.types.is_name(self.columns[name])
+
+    def _unclear(self, what: str, roles: Sequence[str]) -> SourceError:
+        options = "; ".join(
+            f"say --{role} COLUMN" + (f", or {_NONE[role]}" if role in _NONE else "") for role in roles
+        )
+        shown = [f"{name} ({type_name})" for name, type_name in self.columns.items()]
+        if len(shown) > 30:
+            shown[30:] = ["..."]
+        return SourceError(f"{what}; {options}. The columns are: {', '.join(shown)}.")
+
+
+def _plain(name: str) -> str:
+    return "".join(sign for sign in name.casefold() if sign.isalnum())
+
+
+def _listed(names: Sequence[str]) -> str:
+    return " and ".join(repr(name) for name in names)

@@ -1,0 +1,136 @@
+"""The look before the work: are the columns there and of use, and which rows cannot be?
+
+This module owns what is refused of a source (method, section 2) and says so in the user's words.
+"""
+
+import dataclasses
+from typing import Any
+
+import pyarrow as pa
+
+from gam_db.clock import FAR_AHEAD, TimeKind
+from gam_db.engines.session import Session
+from gam_db.errors import SourceError, nearest
+from gam_db.settings.source import AnySource, Source, WideSource, declared_kind
+
+NO_ROW = "The source has no row (after where, if there is one)."
+
+
+def resolved(source: AnySource, columns: dict[str, str], session: Session) -> AnySource:
+    """Return the source with its channels named; check its columns against those of the relation.
+
+    Raises:
+        SourceError: a column is missing or of the wrong type.
+    """
+    if isinstance(source, WideSource) and source.channels is None:
+        types, others = session.engine.types, (source.asset, source.time)
+        for holds in (types.is_numeric, types.is_truth):
+            found = tuple(name for name, of in columns.items() if name not in others and holds(of))
+            if found:
+                break
+        else:
+            raise SourceError("The wide table has no numeric column beside asset and time.")
+        source = dataclasses.replace(source, channels=found)
+    for role, column in source.columns.items():
+        if column not in columns:
+            hint = (
+                f"; if there is only one {role}, say {role}=None" if role in ("asset", "channel") else ""
+            )
+            if isinstance(source, Source) and source.columns == Source("").columns:
+                hint += "; name the columns, or give the relation itself, whose columns are guessed"
+            raise SourceError(
+                f"The relation has no column {column!r} for {role}{nearest(column, columns)}{hint}."
+            )
+        _check_type(role, column, columns[column], session, source.time_unit)
+    return source
+
+
+def kind_of(source: AnySource, columns: dict[str, str], session: Session) -> TimeKind:
+    """Return how the source tells time, from the type of its time column.
+
+    Raises:
+        SourceError: it is not what the user declared.
+    """
+    kind = session.engine.types.time_kind(columns[source.time])
+    if kind is None:
+        raise SourceError(f"The column {source.time!r} does not tell time.")
+    declared = declared_kind(source)
+    if declared is not None and declared.is_counter != kind.is_counter:
+        raise SourceError(
+            f"time_kind is {declared.value!r}, but the column {source.time!r} is of type "
+            f"{columns[source.time]}."
+        )
+    return kind
+
+
+def check_kind(kind: TimeKind, expected: TimeKind, monitor: str) -> None:
+    """Refuse (SourceError) a source that tells time otherwise than its monitor was made for."""
+    if kind is not expected:
+        raise SourceError(
+            f"The time of this source is a {kind.value}; the monitor {monitor!r} was made for a "
+            f"{expected.value}. Give a source like the first, or this one a monitor of its own."
+        )
+
+
+def check_rows(names: pa.Table) -> None:
+    """Refuse a source with rows that belong nowhere; ``names`` is the step of that name.
+
+    Raises:
+        SourceError: rows without asset, channel or time (the counts are given), a counter beyond
+            2^62, or no row at all.
+    """
+    rows: list[dict[str, Any]] = names.to_pylist()
+    if not rows:
+        raise SourceError(NO_ROW)
+    nameless = {
+        role: sum(row["readings"] + row["without_time"] for row in rows if row[role] is None)
+        for role in ("asset", "channel")
+    }
+    nameless["time"] = sum(row["without_time"] for row in rows)
+    if found := {role: f"{count} without {role}" for role, count in nameless.items() if count}:
+        raise SourceError(
+            f"The source has rows that belong nowhere: {', '.join(found.values())} (NULL, or an "
+            "infinite time). Leave them out by where=, for example "
+            f'where="{next(iter(found))} IS NOT NULL" with your column\'s name, or mend them.'
+        )
+    check_clock(names)
+
+
+def check_clock(names: pa.Table) -> None:
+    """Refuse (SourceError) a counter beyond 2^62; ``names`` is the step of that name."""
+    edges = [row[edge] for row in names.to_pylist() for edge in ("earliest", "latest")]
+    if any(edge is not None and abs(edge) >= FAR_AHEAD for edge in edges):
+        raise SourceError(
+            "The time column holds values beyond 2^62: subtract an offset from a counter in a view, or "
+            "leave damaged timestamps out by where=."
+        )
+
+
+def _check_type(role: str, column: str, type_name: str, session: Session, time_unit: str | None) -> None:
+    types = session.engine.types
+    is_read = session.engine.texts is not None and types.is_text(type_name)
+    if role == "time":
+        counts = types.is_numeric(type_name)
+        if time_unit is not None and not counts:
+            raise SourceError(
+                f"The time column {column!r} is of type {type_name}; time_unit is said of numbers. "
+                "Leave it out."
+            )
+        if types.time_kind(type_name) is None and not is_read and not (counts and time_unit):
+            raise SourceError(
+                f"The time column {column!r} is of type {type_name}; it must be a timestamp or an "
+                "integer counter. "
+                + ("Say --time-unit (s, ms, us, ns) if it counts from 1970. " if counts else "")
+                + "Cast it in a view (text: CAST(... AS TIMESTAMP); seconds with a "
+                "fraction: CAST(FLOOR(seconds * 1000000) AS BIGINT))."
+            )
+    elif role in ("asset", "channel"):
+        if not types.is_name(type_name):
+            raise SourceError(
+                f"The {role} column {column!r} is of type {type_name}; it must be text or an integer."
+            )
+    elif not (types.is_numeric(type_name) or types.is_truth(type_name) or is_read):
+        raise SourceError(
+            f"The {'value' if role == 'value' else 'channel'} column {column!r} is of type "
+            f"{type_name}; readings must be numbers. Cast it in a view if that is what it holds."
+        )

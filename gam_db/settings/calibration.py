@@ -1,0 +1,254 @@
+"""Calibration: when each channel is known to be healthy, and which channels learn together.
+
+This module owns the rules a user can give and their arithmetic on closed intervals. It knows no SQL.
+"""
+
+import datetime as dt
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from gam_db.clock import FAR_AHEAD, LONG_AGO, Instant, Length, TimeKind, instant, length
+from gam_db.errors import CalibrationError, ConfigurationError, ParameterError
+from gam_db.settings.setting import INSTANT, LENGTH, SHARE, Kind, Setting, check, declared, setting
+
+Interval = tuple[int, int]
+
+
+def _pairs(_: Setting, name: str, pairs: Any) -> tuple[tuple[Instant, Instant], ...]:
+    if isinstance(pairs, str) or not isinstance(pairs, Iterable):
+        raise ParameterError(
+            f"{name} is {pairs!r}; it takes a list of pairs (from, to), such as [[0, 5000]]."
+        )
+    pairs = tuple(pairs)
+    for pair in pairs:
+        if isinstance(pair, str) or not isinstance(pair, Sequence) or len(pair) != 2:
+            raise ParameterError(f"{name} takes pairs (from, to), not {pair!r}.")
+    return tuple((start, end) for start, end in pairs)
+
+
+def _read_pairs(option: str, texts: Sequence[str]) -> list[tuple[str, str]]:
+    pairs = []
+    for text in texts:
+        start, slash, end = (part.strip() for part in text.partition("/"))
+        if not (start and slash and end):
+            raise ConfigurationError(
+                f"{option} is {text!r}; write FROM/TO, such as 2026-03-01/2026-03-14 or 0/5000."
+            )
+        pairs.append((start, end))
+    return pairs
+
+
+def _groups(_: Setting, name: str, pool: Any) -> Any:
+    refusal = ParameterError(
+        f"{name} is {pool!r}; it takes 'channel' or groups of asset patterns, such as [['a*', 'b*']]."
+    )
+    if pool == "channel":
+        return pool
+    if isinstance(pool, str) or not isinstance(pool, Iterable):
+        raise refusal
+    groups = []
+    for group in pool:
+        patterns = [group] if isinstance(group, str) or not isinstance(group, Iterable) else list(group)
+        if not all(isinstance(pattern, str) for pattern in patterns):
+            raise refusal
+        groups.append(tuple(patterns))
+    return tuple(groups)
+
+
+def _read_groups(_: str, texts: Sequence[str]) -> Any:
+    if list(texts) == ["channel"]:
+        return "channel"
+    return [[pattern.strip() for pattern in text.split(",")] for text in texts]
+
+
+INTERVALS = Kind(_pairs, list[str], _read_pairs, "FROM/TO")
+POOL = Kind(_groups, list[str], _read_groups, "GROUP")
+
+
+@declared
+@dataclass(frozen=True)
+class Calibration:
+    """Which part of each channel is calibration (method, section 4).
+
+    One of ``fraction`` (floor(fraction * n) samples, missing ones counted), ``duration`` (closed) and
+    ``intervals`` (closed; an empty list means no calibration of its own, for a member of a pool); with
+    none of them, ``fraction=0.2``. Instants are integers of the counter, or datetimes, dates or ISO
+    8601 texts; lengths may be timedeltas. Only channels with the same parameters are pooled.
+
+    Attributes:
+        overrides: asset pattern -> Calibration, or None for no calibration of its own; the first
+            pattern that matches replaces the general rule as a whole.
+
+    Raises:
+        CalibrationError: the rule contradicts itself.
+    """
+
+    fraction: float | None = setting(
+        *(None, SHARE, "the first share of each channel's samples"),
+        option="--calibration-fraction",
+        usual="0.2, if no other way is said",
+        example=0.2,
+        least=0,
+        aside=True,
+    )
+    duration: Length | None = setting(
+        *(None, LENGTH, "from the first sample on"),
+        option="--calibration-duration",
+        example="30 d",
+        aside=True,
+    )
+    intervals: Sequence[tuple[Instant, Instant]] | None = setting(
+        *(None, INTERVALS, "a healthy interval, both ends included"),
+        option="--calibrate",
+        metavar="[ASSET=]FROM/TO",
+        more="2026-03-01/2026-03-14T18:00:00, or 0/5000 for a counter; with ASSET= (* and ? allowed) "
+        "for that machine alone (repeatable)",
+        example=[(dt.date(2026, 3, 1), dt.datetime(2026, 3, 14, 18))],
+    )
+    exclude: Sequence[tuple[Instant, Instant]] = setting(
+        *((), INTERVALS, "taken out of calibration, whose end stays"),
+        more="repeatable",
+        example=[(dt.datetime(2026, 3, 4, 6), dt.datetime(2026, 3, 4, 7, 30))],
+    )
+    score_from: Instant | None = setting(
+        *(None, INSTANT, "first instant to score"),
+        usual="after calibration",
+        example=dt.date(2026, 3, 15),
+    )
+    overrides: Mapping[str, "Calibration | None"] = field(default_factory=dict)
+    pool: str | Sequence[Sequence[str]] | None = setting(
+        *(None, POOL, "machines that learn together, signal by signal"),
+        more="'channel' for all of them, or names (* and ? allowed) with commas between (repeatable)",
+        example="channel",
+        note='or groups of assets: [["robot_1", "robot_2"], ["press_*"]]',
+    )
+
+    def __post_init__(self) -> None:
+        check(self, CalibrationError)
+        given = [name for name in WAYS if getattr(self, name) is not None]
+        if not given:
+            object.__setattr__(self, "fraction", 0.2)
+        elif len(given) > 1:
+            raise CalibrationError(
+                f"Calibration takes one of {', '.join(WAYS)}, not {' and '.join(given)}."
+            )
+        if not isinstance(self.overrides, Mapping):
+            raise CalibrationError(
+                f"overrides is a {type(self.overrides).__name__}; it takes a mapping from asset "
+                "patterns to gam_db.Calibration or None."
+            )
+        for pattern, rule in self.overrides.items():
+            if not isinstance(pattern, str):
+                raise CalibrationError(
+                    f"overrides has the key {pattern!r}; it takes asset patterns, as text."
+                )
+            if rule is not None and not isinstance(rule, Calibration):
+                raise CalibrationError(
+                    f"The calibration of {pattern!r} must be a gam_db.Calibration or None."
+                )
+            if rule is not None and (rule.overrides or rule.pool is not None):
+                raise CalibrationError(
+                    f"The calibration of {pattern!r} has overrides or a pool of its own; "
+                    "only the general one may."
+                )
+
+    @property
+    def pools(self) -> tuple[tuple[str, ...], ...]:
+        """The groups of asset patterns that pool their channels of the same name."""
+        if self.pool is None:
+            return ()
+        if isinstance(self.pool, str):
+            return (("*",),)
+        return tuple(tuple(group) for group in self.pool)
+
+
+#: The ways to say where calibration lies, one of which is taken.
+WAYS = ("fraction", "duration", "intervals")
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A calibration rule in integers: what the steps rules and declared are filled with."""
+
+    #: At most one of the first three is not None; none: no calibration of its own.
+    fraction: float | None = None
+    duration: int | None = None
+    declared_end: int | None = None
+    score_from: int | None = None  # first instant to be scored, where given
+    allowed: tuple[Interval, ...] = ()  # disjoint closed intervals, ascending, exclusions taken out
+
+
+def resolve(calibration: Calibration, kind: TimeKind) -> list[Rule]:
+    """Return the rules in integers: the general one, then one per override, in order.
+
+    Raises:
+        CalibrationError: an instant or a length does not fit the way the source tells time, or an
+            interval ends before it begins.
+    """
+    try:
+        return [
+            _resolve_one(calibration, kind),
+            *(
+                Rule() if rule is None else _resolve_one(rule, kind)
+                for rule in calibration.overrides.values()
+            ),
+        ]
+    except ParameterError as error:
+        raise CalibrationError(str(error)) from error
+
+
+def _resolve_one(calibration: Calibration, kind: TimeKind) -> Rule:
+    declared = closed("intervals", calibration.intervals or (), kind)
+    within = [(LONG_AGO, FAR_AHEAD)] if calibration.intervals is None else merge(declared)
+    share, lasting, begins = calibration.fraction, calibration.duration, calibration.score_from
+    return Rule(
+        fraction=None if share is None else float(share),
+        duration=None if lasting is None else length(lasting, kind, "The calibration duration"),
+        declared_end=max((end for _, end in declared), default=None),
+        score_from=None if begins is None else instant(begins, kind, "score_from"),
+        allowed=tuple(subtract(within, closed("exclude", calibration.exclude, kind))),
+    )
+
+
+def merge(intervals: Sequence[Interval]) -> list[Interval]:
+    """Return the same instants as disjoint ascending closed intervals; neighbours are joined."""
+    joined: list[Interval] = []
+    for start, end in sorted(intervals):
+        if joined and start <= joined[-1][1] + 1:
+            joined[-1] = (joined[-1][0], max(joined[-1][1], end))
+        else:
+            joined.append((start, end))
+    return joined
+
+
+def subtract(intervals: Sequence[Interval], excluded: Sequence[Interval]) -> list[Interval]:
+    """Return what is left of disjoint closed intervals of integers without the excluded ones."""
+    left = list(intervals)
+    for cut_from, cut_to in merge(excluded):
+        left = [
+            piece
+            for start, end in left
+            for piece in ((start, min(end, cut_from - 1)), (max(start, cut_to + 1), end))
+            if piece[0] <= piece[1]
+        ]
+    return left
+
+
+def closed(name: str, intervals: Sequence[tuple[Instant, Instant]], kind: TimeKind) -> list[Interval]:
+    """Return intervals as closed ones of integers.
+
+    Raises:
+        CalibrationError: one ends before it begins.
+        ParameterError: an end of one is no instant.
+    """
+    pairs = []
+    for number, (start, end) in enumerate(intervals, start=1):
+        pair = (
+            instant(start, kind, f"The start of {name} {number}"),
+            instant(end, kind, f"The end of {name} {number}"),
+        )
+        if pair[0] > pair[1]:
+            raise CalibrationError(f"{name} {number} ends ({end!r}) before it begins ({start!r}).")
+        pairs.append(pair)
+    return pairs

@@ -1,0 +1,175 @@
+"""Form: how numbers and times are written in a source, and what a word that did not fit asks for.
+
+This module owns the options that say so, and which of them would read some words. It reads nothing.
+"""
+
+import datetime as dt
+import itertools
+import re
+import shlex
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from gam_db.clock import SINCE_1970
+from gam_db.errors import ParameterError, printable
+from gam_db.settings.setting import (
+    COUNT,
+    TEXT,
+    Kind,
+    Setting,
+    declared,
+    one_of,
+    setting,
+    settings_of,
+    texts,
+)
+
+#: Signs that are all meant by a space between thousands.
+SPACES = " \u00a0\u202f"
+#: Words of one column that a proposal is made from.
+LOOKED_AT = 1000
+
+_NUMBER = re.compile(
+    rf"\s*[+-]?([0-9][0-9.,'{SPACES}]*|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?\s*([^0-9\s]\S*)?\s*"
+)
+_DAYS = [f"%d{sign}%m{sign}%Y" for sign in "./-"] + [f"%m{sign}%d{sign}%Y" for sign in "/-"]
+_DAYS += [f"%d{sign}%m{sign}%y" for sign in "./-"] + ["%Y/%m/%d", "%Y%m%d", "%Y-%m-%d"]
+_HOURS = ["", " %H:%M", " %H:%M:%S", " %H:%M:%S.%f", " %I:%M %p", " %I:%M:%S %p", "T%H%M%S", " %H.%M.%S"]
+
+
+def _words(_: Setting, name: str, value: Any) -> tuple[str, ...]:
+    words = (value,) if isinstance(value, str) else value
+    if not texts(words):
+        raise ParameterError(f"{name} is {value!r}; it takes a list of texts.")
+    return tuple(words)
+
+
+_WORDS = Kind(_words, option=list[str], read=lambda _, given: tuple(given))
+
+
+@declared
+@dataclass(frozen=True, kw_only=True)
+class Form:
+    """How numbers and times are written in a source."""
+
+    decimal: str | None = setting(
+        None,
+        one_of(",", "."),
+        "decimal sign of numbers that are written as text",
+        example=",",
+        aside=True,
+    )
+    thousands: str | None = setting(
+        *(None, one_of(".", ",", " ", "'"), "sign between thousands"), example=".", aside=True
+    )
+    unit: str | None = setting(None, TEXT, "what stands behind numbers", example="A", aside=True)
+    null: Sequence[str] | None = setting(
+        *(None, _WORDS, "a word that means a missing value (repeatable)"),
+        metavar="TEXT",
+        example=["N/A", "Bad"],
+        aside=True,
+    )
+    delimiter: str | None = setting(
+        None, TEXT, "sign between the columns of a CSV file", usual="as found", example=";", aside=True
+    )
+    skip_rows: int | None = setting(
+        *(None, COUNT, "lines of a CSV file above its header"), usual="as found", example=2, aside=True
+    )
+    time_format: str | None = setting(
+        *(None, TEXT, "how times are written, such as '%d.%m.%Y %H:%M'"),
+        usual="ISO 8601",
+        example="%d.%m.%Y %H:%M",
+        aside=True,
+    )
+    time_unit: str | None = setting(
+        *(
+            None,
+            one_of(*SINCE_1970),
+            "unit of times that are numbers since 1970, which makes timestamps of them",
+        ),
+        usual="a counter",
+        example="ms",
+        aside=True,
+    )
+
+    @property
+    def written(self) -> dict[str, Any]:
+        """What was said of how things are written, by name."""
+        said = {name: getattr(self, name) for name in settings_of(Form)}
+        return {name: value for name, value in said.items() if value}
+
+    @property
+    def reads_words(self) -> bool:
+        """Tell whether it was said how numbers are written as text."""
+        return bool(self.decimal or self.thousands or self.unit or self.null)
+
+
+def number_pattern(form: Form) -> str:
+    """Return the regular expression of a word that holds a number; its first group is the number.
+
+    Thousands must be where they belong: 1.5 is none in a file with points between thousands.
+    """
+    mark = re.escape(form.decimal or ("," if form.thousands == "." else "."))
+    between = f"[{SPACES}]" if form.thousands == " " else re.escape(form.thousands or "")
+    whole = rf"[0-9]{{1,3}}(?:{between}[0-9]{{3}})+|[0-9]+" if form.thousands else "[0-9]+"
+    number = rf"(?:(?:{whole})(?:{mark}[0-9]*)?|{mark}[0-9]+)(?:[eE][+-]?[0-9]+)?"
+    unit = rf"(?:[{SPACES}]*{re.escape(form.unit)})?" if form.unit else ""
+    return rf"^\s*([+-]?(?:{number}|(?i:nan|inf|infinity))){unit}\s*$"
+
+
+def options_for_null(word: str) -> str:
+    """Return the option by which a word means a missing value."""
+    return f"--null {shlex.quote(word)}"
+
+
+def options_for_numbers(words: Iterable[str]) -> str:
+    """Return the options that would read some words as numbers, the other words being missing."""
+    marks: set[tuple[str, str]] = set()
+    units, nulls = dict[str, None](), dict[str, None]()
+    for word in words:
+        found = _NUMBER.fullmatch(word)
+        if found is None:
+            nulls[word] = None
+            continue
+        marks |= _marks(found[1].strip(SPACES))
+        if found[2]:
+            units[found[2]] = None
+    said = dict(sorted(marks, reverse=True))
+    if said.get("thousands") == said.get("decimal"):
+        said.pop("thousands", None)
+    if units:
+        said["unit"] = next(iter(units))
+    pairs = [*said.items(), *(("null", word) for word in itertools.islice(nulls, 8))]
+    return " ".join(f"--{name} {shlex.quote(value)}" for name, value in pairs)
+
+
+def _marks(number: str) -> set[tuple[str, str]]:
+    """Return what the signs in a number can only mean; one comma is taken as decimal."""
+    signs = [sign for sign in number if not sign.isdigit()]
+    spaced = {("thousands", " " if sign in SPACES else sign) for sign in signs if sign not in ".,"}
+    points = [sign for sign in signs if sign in ".,"]
+    if len({*points}) == 2:
+        return spaced | {("decimal", points[-1]), ("thousands", points[0])}
+    if len(points) > 1:
+        return spaced | {("thousands", points[0])}
+    return spaced | {("decimal", sign) for sign in points if sign == "," or spaced}
+
+
+def formats_for_times(words: Sequence[str]) -> list[str]:
+    """Return the ways of writing a time by which all of some words can be read."""
+    ways = (day + hour for day in _DAYS for hour in _HOURS)
+    return [way for way in ways if words and all(_fits(word.strip(), way) for word in words)]
+
+
+def _fits(word: str, way: str) -> bool:
+    try:
+        dt.datetime.strptime(word, way)
+    except ValueError:
+        return False
+    return True
+
+
+def shortened(word: str) -> str:
+    """Return a word of a source as a message may show it."""
+    return repr(printable(word if len(word) <= 40 else f"{word[:37]}..."))

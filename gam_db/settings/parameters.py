@@ -1,0 +1,267 @@
+"""Parameters of the method, and overrides for some assets or channels.
+
+This module owns what a parameter may be. It knows no SQL and no source.
+"""
+
+import dataclasses
+import math
+import numbers
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from gam_db.clock import Length, TimeKind, length, looks_like_calendar
+from gam_db.errors import ConfigurationError, ParameterError, nearest
+from gam_db.settings.setting import (
+    COUNT,
+    LENGTH,
+    SHARE,
+    Kind,
+    Setting,
+    check,
+    declared,
+    number,
+    setting,
+    settings_of,
+)
+
+LARGEST_BINS = 2**31
+LONGEST_STRIDE = 100
+"""Vectors of a bucket at most, where nothing is asked for."""
+
+LARGEST_KEY = 2**63 - 1
+
+LEAST_VECTORS = 400
+"""Of fewer a floor promises little: docs/decisions.md has the figures."""
+
+AUTO = "auto"
+RUNGS = (128, 64, 32, 16, 8)
+"""Grids to choose from where bins is "auto". Each is half of the one before, and for powers of two a
+grid of so many bins is that rung of the ladder to the last bit; fewer tell little but high from low."""
+
+
+@dataclass(frozen=True, init=False)
+class Override:
+    """Other parameters for the channels that a pattern names.
+
+    In a pattern ``*`` stands for any text and ``?`` for one character; everything else is meant as
+    written. The first override that matches a channel is the one that applies.
+
+    Args:
+        asset, channel: patterns; both must match.
+        changes: parameters by name, as in :class:`Parameters`; what is not given stays as it is.
+
+    Raises:
+        ParameterError: there is no such parameter.
+    """
+
+    asset: str
+    channel: str
+    changed: tuple[tuple[str, Any], ...]
+
+    def __init__(self, asset: str = "*", channel: str = "*", **changes: Any) -> None:
+        known = settings_of(Parameters)
+        for name in changes:
+            if name not in known:
+                raise ParameterError(f"There is no parameter {name!r}{nearest(name, known)}")
+        object.__setattr__(self, "asset", asset)
+        object.__setattr__(self, "channel", channel)
+        object.__setattr__(self, "changed", tuple(sorted(changes.items())))
+
+    def changes(self) -> dict[str, Any]:
+        """Return the parameters that this override changes."""
+        return dict(self.changed)
+
+    def names(self, asset: str, channel: str) -> bool:
+        """Tell whether its patterns name a channel."""
+        return pattern_matches(self.asset, asset) and pattern_matches(self.channel, channel)
+
+
+def _bins(of: Setting, name: str, value: Any) -> Any:
+    if isinstance(value, str) and value != AUTO:
+        raise ParameterError(f"{name} is {value!r}; it takes an integer, or {AUTO!r}.")
+    return value if value == AUTO else COUNT.checked(of, name, value)
+
+
+def _read_bins(option: str, text: str) -> Any:
+    bins = number(text)
+    if isinstance(bins, int) or bins == AUTO:
+        return bins
+    raise ConfigurationError(f"{option} is {text!r}; it takes an integer, or {AUTO!r}.")
+
+
+_BINS = Kind(_bins, str, _read_bins, "INTEGER|auto")
+
+
+def _positive(of: Setting, name: str, gap: Any) -> Any:
+    LENGTH.checked(of, name, gap)
+    if isinstance(gap, numbers.Real):
+        is_positive = float(gap) > 0
+    else:
+        kind = TimeKind.TIMESTAMP if looks_like_calendar(gap) else TimeKind.COUNTER
+        is_positive = length(gap, kind, name) > 0
+    if not is_positive:
+        raise ParameterError(f"{name} is {gap!r}; it must be positive, or None.")
+    return gap
+
+
+@declared
+@dataclass(frozen=True)
+class Parameters:
+    """The parameters of Discrete Support Estimation (method, sections 1 and 3).
+
+    (bins + 3)^m must fit in 63 bits. Where the source has timestamps, ``max_gap`` may be a timedelta,
+    too; None (the paper) means no limit.
+
+    Attributes:
+        overrides: other parameters for some assets or channels; the first that matches applies.
+
+    Raises:
+        ParameterError: a value is out of its range.
+    """
+
+    m: int = setting(3, COUNT, "embedding dimension")
+    tau: int = setting(1, COUNT, "delay, in samples")
+    bins: int | str = setting(
+        *(100, _BINS, "bins per axis; gam run says if calibration is too short for so fine a grid"),
+        more=f"{AUTO!r} for the finest of {', '.join(map(str, RUNGS))} that it fills, found for each "
+        "channel or pool and frozen with its version",
+        note='or "auto", the finest that calibration fills',
+        most=LARGEST_BINS,
+    )
+    window: int = setting(5000, COUNT, "vectors in the moving average")
+    stride: int | None = setting(
+        *(None, COUNT, "vectors per bucket; divides the window"),
+        usual=f"gcd(window, {LONGEST_STRIDE})",
+        off=(None, "the default"),
+        example=100,
+    )
+    max_gap: Length | None = setting(
+        *(None, dataclasses.replace(LENGTH, checked=_positive), "longest step in time that is no pause"),
+        off=(None, "no limit"),
+        example="5 s",
+    )
+    still_after: int | None = setting(
+        *(
+            None,
+            COUNT,
+            "equal samples in a row from which on the signal stands still and counts as missing",
+        ),
+        least=2,
+        off=(None, "never"),
+        example=25,
+    )
+    target_floor: float = setting(0.05, SHARE, "indicator that a healthy machine may show")
+    least_vectors: int = setting(
+        *(LEAST_VECTORS, COUNT, "calibration vectors below which the verdict is needs_data")
+    )
+    overrides: Sequence[Override] = ()
+
+    def __post_init__(self) -> None:
+        check(self)
+        if (self.m - 1) * self.tau >= 2**31 or self.window >= 2**31:
+            raise ParameterError("(m - 1) * tau and window must stay below 2^31 samples.")
+        if self.m > 63 or self.radix**self.m > LARGEST_KEY:
+            fitting = max(m for m in range(1, 64) if self.radix**m <= LARGEST_KEY)
+            raise ParameterError(
+                f"bins = {self.grid} with m = {self.m} needs (bins + 3)^m cell keys, more than 63 "
+                f"bits hold; take m <= {fitting}, or fewer bins."
+            )
+        object.__setattr__(self, "stride", self.bucket_length)
+        if self.window % self.bucket_length:
+            raise ParameterError(
+                f"stride is {self.stride}, which does not divide window = {self.window}."
+            )
+        if not isinstance(self.overrides, Iterable):
+            raise ParameterError(
+                f"overrides is a {type(self.overrides).__name__}; it takes a list of gam_db.Override."
+            )
+        object.__setattr__(self, "overrides", tuple(self.overrides))
+        for override in self.overrides:
+            if not isinstance(override, Override):
+                raise ParameterError(
+                    f"overrides holds a {type(override).__name__}; it takes gam_db.Override."
+                )
+            for role in ("asset", "channel"):
+                if not isinstance(getattr(override, role), str):
+                    raise ParameterError(
+                        f"The {role} of an override is {getattr(override, role)!r}; it takes a pattern, "
+                        "as text."
+                    )
+            self.changed_by(override)
+
+    @property
+    def radix(self) -> int:
+        """R = bins + 3, the codes a sample can have (method, section 3)."""
+        return self.grid + 3
+
+    @property
+    def grid(self) -> int:
+        """The bins; where they are to be found, the finest for which cell keys have room."""
+        if not isinstance(self.bins, str):
+            return self.bins
+        return next((one for one in RUNGS if (one + 3) ** min(self.m, 64) <= LARGEST_KEY), RUNGS[-1])
+
+    @property
+    def is_open(self) -> bool:
+        """Tell whether bins of some channels are still to be found."""
+        return any(setting.bins == AUTO for setting in self.variants())
+
+    @property
+    def span(self) -> int:
+        """(m - 1) * tau, the samples between the oldest and the newest of a vector."""
+        return (self.m - 1) * self.tau
+
+    @property
+    def reach(self) -> int:
+        """The samples before a vector's newest one that decide what it is: its own, and stillness."""
+        return self.span + (0 if self.still_after is None else self.still_after - 1)
+
+    @property
+    def bucket_length(self) -> int:
+        """The stride, resolved."""
+        return math.gcd(self.window, LONGEST_STRIDE) if self.stride is None else self.stride
+
+    def changed_by(self, override: Override) -> "Parameters":
+        """Return these parameters with one override applied and none left.
+
+        Raises:
+            ParameterError: the result is out of range; the message names the override.
+        """
+        changes = override.changes()
+        if "window" in changes and "stride" not in changes:
+            changes["stride"] = None
+        try:
+            return dataclasses.replace(self, overrides=(), **changes)
+        except ParameterError as error:
+            raise ParameterError(
+                f"In the override for {override.asset!r} / {override.channel!r}: {error}"
+            ) from error
+
+    def of(self, asset: str, channel: str) -> "Parameters":
+        """Return the parameters of one channel."""
+        for one in self.overrides:
+            if one.names(asset, channel):
+                return self.changed_by(one)
+        return dataclasses.replace(self, overrides=())
+
+    def finest(self) -> "Parameters":
+        """Return the same with the finest grids where bins are still to be found."""
+        general, *others = (dataclasses.replace(one, bins=one.grid) for one in self.variants())
+        overrides = [
+            Override(one.asset, one.channel, **{**one.changes(), "bins": of.bins})
+            for one, of in zip(self.overrides, others, strict=True)
+        ]
+        return dataclasses.replace(general, overrides=overrides)
+
+    def variants(self) -> "list[Parameters]":
+        """Return the sets of parameters: the general one, then one per override."""
+        general = dataclasses.replace(self, overrides=())
+        return [general, *(self.changed_by(override) for override in self.overrides)]
+
+
+def pattern_matches(pattern: str, name: str) -> bool:
+    """Tell whether a pattern (``*`` any text, ``?`` one character, else literal) names ``name``."""
+    parts = (".*" if sign == "*" else "." if sign == "?" else re.escape(sign) for sign in pattern)
+    return re.fullmatch("".join(parts), name, re.DOTALL) is not None

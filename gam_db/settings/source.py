@@ -1,0 +1,283 @@
+"""Sources: where the telemetry lies, and which columns say what.
+
+This module owns the two layouts and turns a source into the step *readings*. It runs nothing.
+"""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import sqlglot
+from sqlglot import exp
+from sqlglot.errors import SqlglotError
+
+from gam_db.clock import TimeKind
+from gam_db.composing import template
+from gam_db.errors import SourceError
+from gam_db.settings.form import Form
+from gam_db.settings.setting import check
+
+ONLY_ASSET = "asset"
+FILE_ENDINGS = (".parquet", ".pq", ".csv", ".tsv", ".csv.gz", ".tsv.gz", ".csv.zst")
+
+TimeNode = Callable[[exp.Expr], exp.Expr]
+
+
+@dataclass(frozen=True)
+class Source(Form):
+    """A long table: one row per reading.
+
+    Attributes:
+        relation: name of a table or view (dots separate catalogue, schema and table; a tuple of parts
+            is taken as it is), path of a Parquet or CSV file (wildcards allowed) or a list of such, a
+            folder (its path ends in a slash), or an Arrow table (anything with
+            ``__arrow_c_stream__``, such as a data frame).
+        asset, channel: columns that name the machine and the signal; None if there is one only: its
+            asset is called ``asset`` and its channel like the value column.
+        time: column with a timestamp (without zone: UTC), its text, or an integer counter.
+        value: numeric column; true and false are 1 and 0.
+        where: a condition in SQL (DuckDB's dialect), applied before everything else.
+        time_kind: "timestamp" or "counter"; needed only where SQL is made without looking at the
+            relation, which then counts as "counter" by default.
+
+    How numbers and times are written is said by keywords, see :class:`gam_db.settings.form.Form`:
+    decimal, thousands, unit, null, delimiter, skip_rows, time_format, time_unit.
+    """
+
+    relation: Any
+    asset: str | None = "asset"
+    channel: str | None = "channel"
+    time: str = "time"
+    value: str = "value"
+    where: str | exp.Expr | None = None
+    time_kind: str | None = None
+
+    def __post_init__(self) -> None:
+        _check_names(self, ("asset", "channel"), ("time", "value"))
+
+    @property
+    def columns(self) -> dict[str, str]:
+        """The columns to be read, by what they say."""
+        said = {"asset": self.asset, "channel": self.channel, "time": self.time, "value": self.value}
+        return {role: column for role, column in said.items() if column is not None}
+
+    @property
+    def value_columns(self) -> tuple[str, ...]:
+        """The columns that hold readings."""
+        return (self.value,)
+
+
+@dataclass(frozen=True)
+class WideSource(Form):
+    """A wide table: one column per channel; a NULL cell is a missing sample, not an absent row.
+
+    Attributes:
+        relation, asset, time, where, time_kind, and how things are written: as in :class:`Source`.
+        channels: the numeric columns, each a channel of that name; None for all numeric columns.
+    """
+
+    relation: Any
+    channels: Sequence[str] | None = None
+    asset: str | None = "asset"
+    time: str = "time"
+    where: str | exp.Expr | None = None
+    time_kind: str | None = None
+
+    def __post_init__(self) -> None:
+        _check_names(self, ("asset",), ("time",))
+        if self.channels is not None:
+            if isinstance(self.channels, str) or not isinstance(self.channels, Iterable):
+                raise SourceError("channels takes a list of column names.")
+            object.__setattr__(self, "channels", tuple(self.channels))
+            if not all(isinstance(channel, str) and channel for channel in self.channels):
+                raise SourceError(f"channels is {self.channels!r}; it takes the names of columns.")
+            if not self.channels:
+                raise SourceError("channels is empty; name at least one column, or leave it out.")
+
+    @property
+    def columns(self) -> dict[str, str]:
+        """The columns to be read, by what they say; channels are numbered."""
+        said = {"asset": self.asset, "time": self.time}
+        named = {role: column for role, column in said.items() if column is not None}
+        return named | {f"channel {n}": column for n, column in enumerate(self.value_columns, 1)}
+
+    @property
+    def value_columns(self) -> tuple[str, ...]:
+        """The columns that hold readings."""
+        return tuple(self.channels or ())
+
+
+AnySource = Source | WideSource
+
+#: Columns of a wide source from which on it is not read as a union with a branch for each: that takes an
+#: engine long to plan, though it keeps the order in which few columns are stored.
+UNPIVOTED_FROM = 50
+
+
+def declared_kind(source: AnySource) -> TimeKind | None:
+    """Return the way of telling time that the user declared, if any."""
+    if source.time_kind is None:
+        return None
+    try:
+        return TimeKind(source.time_kind)
+    except ValueError:
+        raise SourceError(
+            f"time_kind is {source.time_kind!r}; it takes 'timestamp' or 'counter'."
+        ) from None
+
+
+def readings(
+    source: AnySource, relation: exp.Expr, micros_of: TimeNode, unpivots: bool = False
+) -> exp.Query:
+    """Return the step *readings*: the rows of the source, its channels named, in the method's words.
+
+    *micros_of* turns the time column into integer microseconds, or leaves a counter as it is; *unpivots*
+    says whether the engine can make a row of each of many columns by itself.
+    """
+    condition = parsed_condition(source.where)
+    asset = named_by(source.asset, ONLY_ASSET)
+    if unpivots and len(source.value_columns) >= UNPIVOTED_FROM:
+        time = micros_of(template.column(source.time))
+        return _unpivoted(source, relation, {"asset": asset, "time": time, "condition": condition})
+    branches: list[exp.Query] = []
+    for value in source.value_columns:
+        slots: dict[str, template.Slot] = {
+            "asset": asset,
+            "channel": named_by(source.channel if isinstance(source, Source) else None, value),
+            "time": micros_of(template.column(source.time)),
+            "reading": template.column(value),
+            "condition": condition,
+        }
+        filled = template.fill("source/readings", slots)
+        read_from(relation, filled)
+        branches.append(filled)  # type: ignore[arg-type]
+    return branches[0] if len(branches) == 1 else exp.union(*branches, distinct=False)
+
+
+def named_by(column: str | None, otherwise: str) -> exp.Expr:
+    """Return the column that holds a name; the name itself where there is none."""
+    return template.text(otherwise) if column is None else template.column(column)
+
+
+def _unpivoted(source: AnySource, relation: exp.Expr, said: Mapping[str, exp.Expr]) -> exp.Query:
+    """Return the readings of a wide source in one select."""
+    columns, named = [], []
+    for number, value in enumerate(source.value_columns, 1):
+        column = f"column_{number}"
+        columns.append(exp.alias_(exp.cast(template.column(value), "DOUBLE"), column))
+        named.append(exp.PivotAlias(this=exp.column(column), alias=template.name(value)))
+    filled = template.fill("source/unpivoted", {**said, "columns": columns, "named": named})
+    read_from(relation, filled)
+    return filled  # type: ignore[return-value]
+
+
+def read_from(relation: exp.Expr, filled: exp.Expr) -> None:
+    """Let a tree read the relation where it names ``source``; in place."""
+    for table in list(filled.find_all(exp.Table)):
+        if table.name == "source" and not table.db:
+            alias = table.args.get("alias")
+            table.replace(relation.copy() if alias is None else relation.as_(alias))
+
+
+def parsed_condition(where: str | exp.Expr | None) -> exp.Expr:
+    """Return the user's condition as a tree; TRUE where there is none.
+
+    Raises:
+        SourceError: it is not one condition in DuckDB's dialect.
+    """
+    if where is None:
+        return exp.EQ(this=exp.Literal.number(1), expression=exp.Literal.number(1))
+    if isinstance(where, exp.Expr):
+        return where
+    refusal = SourceError(
+        f"where is {where!r}, which is not a condition in SQL; write what would stand after WHERE, such "
+        'as "speed > 0", with values in the place of parameters.'
+    )
+    if not isinstance(where, str):
+        raise refusal
+    try:
+        parsed = sqlglot.parse_one(where, dialect="duckdb", into=exp.Condition)
+    except SqlglotError as error:
+        raise refusal from error
+    if isinstance(parsed, exp.Star) or parsed.find(exp.Placeholder, exp.Parameter):
+        raise refusal
+    return exp.Paren(this=parsed)
+
+
+def under(source: AnySource, *conditions: exp.Expr) -> AnySource:
+    """Return a source under conditions on its own columns, beside the user's."""
+    return replace(source, where=exp.and_(parsed_condition(source.where), *conditions))
+
+
+def is_file(relation: object) -> bool:
+    """Tell whether a relation is the path of a file, of a folder (which ends in a slash), or some."""
+    if isinstance(relation, Path):
+        return True
+    if isinstance(relation, (list, tuple)):
+        return bool(relation) and all(map(is_file, relation))
+    return isinstance(relation, str) and relation.lower().endswith((*FILE_ENDINGS, "/"))
+
+
+def as_folder(path: Any) -> Any:
+    """Return a path with the slash that says that it is a folder's, if it is one; all else as it is."""
+    is_folder = isinstance(path, (str, Path)) and path != "" and Path(path).is_dir()
+    return f"{str(path).rstrip('/')}/" if is_folder else path
+
+
+def slashed(path: str | Path, given: str) -> str:
+    """Return what became of a path, with the slash that says that it is a folder's, if it had one."""
+    return f"{path}/" if given.endswith("/") else str(path)
+
+
+def paths_of(relation: Any) -> list[str]:
+    """Return the paths that a relation names."""
+    return [str(one) for one in (relation if isinstance(relation, (list, tuple)) else [relation])]
+
+
+def shown_relation(relation: Any) -> str:
+    """Return a relation as a page or a message shows it: the first of a list, and how many more."""
+    is_list = isinstance(relation, list) or is_file(relation)
+    first, *more = paths_of(relation) if is_list else [relation]
+    return f"{first} and {len(more)} more" if more else str(first)
+
+
+def table_names(relation: str | Sequence[str]) -> list[exp.Expr]:
+    """Return what a table name can mean, the likeliest first.
+
+    A name with dots is first taken as the parts of a path, then as one name that holds dots; its parts
+    may be quoted.
+
+    Raises:
+        SourceError: it is empty or has too many parts.
+    """
+    if not isinstance(relation, str):
+        return [_table(tuple(relation))]
+    if not relation.strip():
+        raise SourceError("relation is empty; name a table, a file or an Arrow table.")
+    whole = _table((relation,))
+    if "." not in relation:
+        return [whole]
+    try:
+        parsed = exp.to_table(relation, dialect="duckdb")
+        parts = tuple(part.name for part in parsed.parts)
+    except SqlglotError:
+        return [whole]
+    return [_table(parts), whole] if len(parts) <= 3 and all(parts) else [whole]
+
+
+def _table(parts: tuple[str, ...]) -> exp.Expr:
+    if not 1 <= len(parts) <= 3 or not all(isinstance(part, str) and part for part in parts):
+        raise SourceError(f"relation is {parts!r}; a table has one to three parts.")
+    names = [template.name(part) for part in reversed(parts)]
+    return exp.Table(**dict(zip(("this", "db", "catalog"), names, strict=False)))
+
+
+def _check_names(source: Form, optional: Sequence[str], needed: Sequence[str]) -> None:
+    check(source, SourceError)
+    for role in (*optional, *needed):
+        column = getattr(source, role)
+        if column is None and role in optional:
+            continue
+        if not isinstance(column, str) or not column:
+            raise SourceError(f"{role} is {column!r}; it takes the name of a column.")

@@ -1,0 +1,322 @@
+"""A study: one source, one method, one session; runs the steps and hands out tables.
+
+This module owns the order of work: look at the source, resolve what was asked, make the steps.
+"""
+
+import contextlib
+import dataclasses
+from collections import Counter
+from collections.abc import Collection, Iterator
+from functools import lru_cache, partial
+from pathlib import Path
+from typing import Any
+
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
+from gam_db.engines.base import Engine
+from gam_db.engines.connecting import borrowed
+from gam_db.engines.session import Row, Session
+from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
+from gam_db.method.bits import Bits
+from gam_db.method.census import Slicing
+from gam_db.method.delays import Ways
+from gam_db.reading import look
+from gam_db.reading.guess import sourced
+from gam_db.reading.preparing import prepared
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import AUTO, RUNGS, Override, Parameters
+from gam_db.settings.patterns import grouped
+from gam_db.settings.setting import settings_of
+from gam_db.settings.source import AnySource, is_file, paths_of, under
+from gam_db.study import streaming, trusting
+from gam_db.study.running import Listener, Running, unheard
+from gam_db.study.streaming import Streams, seems_ordered
+from gam_db.study.trusting import Trust
+
+#: Studies whose filled and composed steps are kept; each has a few thousand nodes of trees.
+LATELY = 16
+
+
+class Study:
+    """What is known of a source under one method.
+
+    Args:
+        session: an open session; the caller closes it.
+        source: where the telemetry lies.
+        parameters, calibration: the method.
+        on_step: called with the name of each step before it is run.
+        strict: refuse a source with rows that belong nowhere; else the step *names* counts them, and
+            they are left out of all that follows.
+        short_cuts: read channels that are stored in order of time in that order
+            (:mod:`gam_db.study.streaming`), and take it on trust that no instant occurs twice
+            (:mod:`gam_db.study.trusting`); not for who changes what the steps read.
+        on_trust: of the two, take the second as well; not for who asks for calibration alone, which
+            proves nothing of what comes after it.
+        asked: the last steps that will be asked for, where that is known: what serves no other is made
+            so that it costs least. Others may be asked for, at a price.
+
+    Raises:
+        UserError: anything of the source, the parameters or the calibration that cannot be used.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        source: AnySource,
+        parameters: Parameters,
+        calibration: Calibration,
+        on_step: Listener = unheard,
+        strict: bool = True,
+        short_cuts: bool = False,
+        on_trust: bool = True,
+        asked: Collection[str] = (),
+    ) -> None:
+        self.session, self._named = session, source.relation
+        self._is_lent = not isinstance(source.relation, (str, Path, tuple, list))
+        read = prepared(session, source)
+        self.relation, self.columns, self.source = read.stored, read.columns, read.source
+        said = None
+        if parameters.is_open:
+            listening = (on_step, strict, short_cuts, on_trust)
+            rough = Study(session, source, parameters.finest(), calibration, *listening)
+            said, parameters = parameters, _found(parameters, rough)
+            rough.forget()
+        self.method = Method(parameters, calibration, read.kind, said)
+        unread = dataclasses.replace(read.rows, relation=None)  # the node counts
+        self._asked = (self.method, unread, read.relation, session.engine)
+        self.running = Running(session, self._opening(), on_step=on_step)
+        is_streamed = short_cuts and seems_ordered(self.method, self.running)
+        slicing, ways = None, Ways(asked=frozenset(asked))
+        if short_cuts and on_trust and not is_streamed and trusting.serves(self.method):
+            slicing, rows = trusting.sliced(self.running)
+            ways = ways if slicing is None else self._ways(rows, asked)
+            self.running.steps = self._opening(slicing, ways.delays)
+        self.running.keep("names")
+        names = session.fetch(self.steps.query("names", self.running.placed))
+        (look.check_rows if strict else look.check_clock)(names)
+        # Supports are kept as bits where those of so many channels have room.
+        grids = (one.radix**one.m for one in self.method.settings)
+        bits = session.engine.bits
+        if bits is not None and not all(bits.serve(cells, names.num_rows) for cells in grids):
+            bits = None
+        if not any(names["missing_readings"].to_pylist()):
+            ways = dataclasses.replace(ways, has_missing=False)
+        self.running.steps = self._steps(bits, slicing, ways)
+        self._short_cut: Streams | Trust | None = None
+        if (
+            is_streamed
+            and bits is not None
+            and (streams := Streams(self.method, self.running, ways.taught)).serve()
+        ):
+            self._short_cut = streams
+        elif slicing is not None:
+            made, careful = partial(self._steps, bits, slicing), partial(self._steps, bits)
+            given = self.running, names, ways
+            self._short_cut = Trust(self.method, *given, made, careful, self._readings)
+
+    @property
+    def steps(self) -> Pipeline:
+        """The steps of the study."""
+        return self.running.steps
+
+    @property
+    def is_ordered(self) -> bool:
+        """Tell whether channels are to be read as they are stored."""
+        return isinstance(self._short_cut, Streams) and self._short_cut.holds
+
+    @property
+    def is_streamed(self) -> bool:
+        """Tell whether vectors were made of channels as they are stored."""
+        return isinstance(self._short_cut, Streams) and self._short_cut.holds_so_far
+
+    @property
+    def is_trusting(self) -> bool:
+        """Tell whether it was taken on trust, and proven since, that no instant occurs twice."""
+        return isinstance(self._short_cut, Trust) and self._short_cut.holds_so_far
+
+    def table(self, step: str) -> pa.Table:
+        """Return the rows of a step; the small steps before it are kept for the next call."""
+        self._prepare(step)
+        return self.running.table(step)
+
+    def rows(self, step: str) -> list[Row]:
+        """Return the same, each row by the names of its columns."""
+        self._prepare(step)
+        return self.running.rows(step)
+
+    def query(self, step: str) -> exp.Query:
+        """Return the query of a step, likewise; it must not be changed."""
+        self._prepare(step)
+        return self.running.query(step)
+
+    def load(self, step: str, rows: pa.Table) -> None:
+        """Add an Arrow table as a small step that later ones can read."""
+        columns = [template.column(name) for name in rows.column_names]
+        self.steps.add(step, exp.select(*columns).from_(self.session.relation(rows)))
+        self.steps.small |= {step}
+
+    def write(self, step: str, path: Path, table: str) -> None:
+        """Write the rows of a step as Parquet, or as a table of a DuckDB file."""
+        self._prepare(step)
+        self.running.write(step, path, table)
+
+    def instant_of(self, time: exp.Expr) -> exp.Expr:
+        """Return integer time as the source has it."""
+        return self.session.engine.instant_of(self.method.kind, time)
+
+    def forget(self) -> None:
+        """Drop the tables that were kept, and let go of an Arrow table: the session stays open."""
+        self.running.forget()
+        if self._is_lent and isinstance(self.relation, exp.Table):
+            self.session.forget(self.relation)
+
+    def _opening(self, slicing: Slicing | None = None, delays: str | None = None) -> Pipeline:
+        """Return the steps that are asked first."""
+        glance = streaming.GLANCE if self.session.engine.bits else 0
+        steps = _opened(*self._asked, glance, slicing, delays).copied()
+        return self._with_file(steps)
+
+    def _ways(self, rows: int, asked: Collection[str]) -> Ways:
+        """Return what this engine does in a way of its own with a source of so many rows."""
+        engine = self.session.engine
+        has_room = not engine.holds_delays or rows <= self.session.rows_at_once()
+        delays = engine.delays if has_room else None
+        return Ways(delays, engine.by_sets, asked=frozenset(asked))
+
+    def _steps(
+        self, bits: Bits | None, slicing: Slicing | None = None, ways: Ways | None = None
+    ) -> Pipeline:
+        """Return steps of the study's own; text is parsed once, not once per step."""
+        steps = _filled(*self._asked, streaming.GLANCE if bits else 0, slicing, ways).copied()
+        return self._with_file(steps)
+
+    def _with_file(self, steps: Pipeline) -> Pipeline:
+        """Let the rows of a text file be kept, which are not to be parsed twice."""
+        if is_file(self._named) and not paths_of(self._named)[0].lower().endswith((".parquet", ".pq")):
+            steps.small |= {"readings"}
+        return steps
+
+    def begin_anew(self) -> None:
+        """Forget what was made of channels: others have the step *names* now."""
+        self.running.forget(but=("names", "ordered", "readings"))
+        if isinstance(self._short_cut, Streams):
+            self._short_cut.begin_anew()
+
+    def _prepare(self, step: str) -> None:
+        if self._short_cut is not None:
+            self._short_cut.prepare(step)
+
+    def _readings(self, earliest: int, latest: int) -> exp.Query:
+        """Return the step *readings* for a range of time, with bounds that an index can serve."""
+        _, source, relation, engine = self._asked
+        time, kind = template.column(source.time), self.method.kind
+        conditions = engine.in_range(kind, time, earliest, latest)
+        return engine.readings(under(source, *conditions), relation, kind)
+
+
+@contextlib.contextmanager
+def studied(
+    source: Any,
+    parameters: Parameters | None,
+    calibration: Calibration | None,
+    engine: Any,
+    short_cuts: bool = False,
+    asked: Collection[str] = (),
+) -> Iterator[Study]:
+    """Give a study of a source, whose columns are guessed where only a relation is given.
+
+    Args:
+        source: see :func:`gam_db.reading.guess.sourced`.
+        parameters: of the method; the default ones for None.
+        calibration: likewise.
+        engine: see :func:`gam_db.engines.connecting.borrowed`.
+        short_cuts: see :class:`Study`.
+        asked: likewise.
+    """
+    with borrowed(engine) as session:
+        said = (parameters or Parameters(), calibration or Calibration())
+        study = Study(session, sourced(source, session), *said, short_cuts=short_cuts, asked=asked)
+        try:
+            yield study
+        finally:
+            if session is engine:  # it stays open, and nobody asks this study again
+                study.forget()
+
+
+def _found(asked: Parameters, rough: Study) -> Parameters:
+    """Return parameters with the bins that were to be found.
+
+    Args:
+        asked: the parameters as they were said.
+        rough: a study under the finest grids.
+
+    Returns:
+        One override per pattern. A channel has the finest grid that its support's certificate accepts,
+        the coarsest if none, and the commonest if it has no certificate.
+    """
+    judged = {row["channel_id"]: row for row in rough.rows("verdicts")}
+    rungs, said = {}, {}
+    for row in rough.rows("channels"):
+        name, verdict = (row["asset"], row["channel"]), judged[row["channel_id"]]
+        said[name] = asked.of(*name)
+        if verdict["verdict"] not in ("no_data", "constant"):
+            rungs[name] = max(verdict["finest_bins"] or 0, RUNGS[-1])
+    usual = max(Counter(rungs.values()).items(), key=lambda one: one[::-1], default=(RUNGS[-1],))[0]
+    for name, one in said.items():
+        if one.bins == AUTO:
+            bins = min(rungs.get(name, usual), one.grid)
+            said[name] = dataclasses.replace(one, bins=bins)
+    rules, everything = grouped(said), ("*", "*")
+    general = next((one for pattern, one in rules if pattern == everything), asked.finest())
+    overrides = [
+        Override(*pattern, **{key: getattr(one, key) for key in settings_of(Parameters)})
+        for pattern, one in rules
+        if pattern != everything
+    ]
+    return dataclasses.replace(general, overrides=overrides)
+
+
+@lru_cache(maxsize=LATELY)
+def _opened(
+    method: Method,
+    source: AnySource,
+    relation: exp.Expr,
+    engine: Engine,
+    glance: int,
+    slicing: Slicing | None,
+    delays: str | None,
+) -> Pipeline:
+    """Return the steps that are asked first, likewise; arguments as for :func:`_filled`."""
+    return opening_pipeline(engine.readings(source, relation, method.kind), glance, slicing, delays)
+
+
+@lru_cache(maxsize=LATELY)
+def _filled(
+    method: Method,
+    source: AnySource,
+    relation: exp.Expr,
+    engine: Engine,
+    glance: int,
+    slicing: Slicing | None = None,
+    ways: Ways | None = None,
+) -> Pipeline:
+    """Return the steps of a method, which nobody may add to; asked again, the same ones.
+
+    Args:
+        method: what the user asked for.
+        source: how the relation is read; its own relation does not matter.
+        relation: the node to read from.
+        engine: knows the way from the source's time to integers, and back.
+        glance: keep supports as bits, as the engine does it, and look at so many rows first; 0: do not.
+        slicing: how times are cut, for the steps that trust; None for those that look first.
+        ways: what this engine does differently, for the steps that trust.
+    """
+    kind, bits = method.kind, engine.bits if glance else None
+    rows = engine.readings(source, relation, kind)
+    said = method, rows, lambda node: engine.instant_of(kind, node)
+    if slicing is not None:
+        return trusting_pipeline(*said, slicing, bits, ways)
+    return pipeline(*said, bits, glance)

@@ -1,0 +1,106 @@
+"""Running: the steps of a pipeline on an engine, small ones kept as tables on the way.
+
+This module owns when a step becomes a table and when that table goes.
+"""
+
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any, Self
+
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db.composing.pipeline import Pipeline
+from gam_db.engines.session import Row, Session
+
+Listener = Callable[[str], None]
+
+
+def unheard(_: str) -> None:
+    """Listen to nothing."""
+
+
+class Running:
+    """Steps at work.
+
+    Args:
+        session: an open session; the caller closes it.
+        steps: the pipeline.
+        given: tables that stand for steps, or for what steps read from elsewhere.
+        on_step: called with the name of each step before it is run.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        steps: Pipeline,
+        given: Mapping[str, exp.Table] | None = None,
+        on_step: Listener = unheard,
+    ) -> None:
+        self.session = session
+        self.steps = steps
+        self.placed: dict[str, exp.Table] = dict(given or {})
+        self.on_step = on_step
+        self._kept: dict[str, exp.Table] = {}
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.forget()
+
+    def query(self, step: str) -> exp.Query:
+        """Return the query of a step; the small steps before it are kept for the next one."""
+        self.prepare(step)
+        return self.steps.query(step, self.placed)
+
+    def prepare(self, step: str) -> None:
+        """Keep the small steps before a step."""
+        for needed in self.steps.needed([step], self.placed.keys()):
+            if needed.name in self.steps.small and needed.name != step:
+                self.keep(needed.name)
+
+    def table(self, step: str) -> pa.Table:
+        """Return the rows of a step."""
+        query = self.query(step)
+        self.on_step(step)
+        return self.session.fetch(query)
+
+    def rows(self, step: str) -> list[Row]:
+        """Return the same, each row by the names of its columns."""
+        rows: list[Row] = self.table(step).to_pylist()
+        return rows
+
+    def largest(self, step: str, column: str) -> Any:
+        """Return the largest value of a column of a step, which is kept."""
+        self.keep(step)
+        largest = exp.select(exp.Max(this=exp.column(column)).as_("marked"))
+        return self.session.fetch(largest.from_(self.placed[step].copy()))["marked"][0].as_py()
+
+    def write(self, step: str, path: Path, table: str) -> None:
+        """Write the rows of a step as Parquet, or as a table of a DuckDB file."""
+        query = self.query(step)
+        self.on_step(step)
+        self.session.write(query, path, table)
+
+    def keep(self, step: str) -> None:
+        """Keep a step as a table, and the small ones that it needs."""
+        if step not in self.placed:
+            self.put(step, self.query(step))
+
+    def put(self, step: str, query: exp.Query) -> None:
+        """Keep the rows of a query as the table of a step."""
+        self.on_step(step)
+        self._kept[step] = self.placed[step] = self.session.keep(step, query)
+
+    def load(self, step: str, rows: pa.Table) -> None:
+        """Let an Arrow table be the table of a step, instead of what was so before."""
+        if step in self._kept:
+            self.session.forget(self._kept[step])
+        self._kept[step] = self.placed[step] = self.session.load(rows)
+
+    def forget(self, but: Iterable[str] = ()) -> None:
+        """Drop the tables that were kept, but those of some steps."""
+        for step in [step for step in self._kept if step not in but]:
+            self.session.forget(self._kept.pop(step))
+            del self.placed[step]

@@ -1,0 +1,168 @@
+"""Trust: a study takes it that no instant occurs twice, and finds out on the way whether that was right.
+
+This module owns when that is done (:mod:`gam_db.method.census` has the steps), and what proves it: each
+vector of calibration and each scored one is marked where it has the instant of the sample before it,
+and between them they hold every sample. One mark, and the study begins anew with the steps that look
+first; so it does for what is asked before there is a proof. Single vectors are theirs as well: after a
+proof they go on from what there is.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db.clock import FAR_AHEAD
+from gam_db.columns import counts, table_of
+from gam_db.composing.pipeline import Pipeline
+from gam_db.method import Method
+from gam_db.method.census import EDGES, SCORED, TAUGHT, Slicing, serves
+from gam_db.method.delays import PROOFS, Ways
+from gam_db.study.running import Running
+
+__all__ = ["Trust", "serves", "sliced"]
+
+#: Readings of a source from which on its steps are worth theirs.
+TRUSTED_FROM = 100_000
+
+
+def sliced(running: Running) -> tuple[Slicing | None, int]:
+    """Return how the times of a source are cut into slices, and how many rows it has.
+
+    There are no slices where these are few, or times are odd.
+    """
+    running.keep("extent")
+    (extent,) = running.rows("extent")
+    edges = extent["earliest"], extent["latest"]
+    if extent["readings"] < TRUSTED_FROM or any(
+        edge is None or abs(edge) >= FAR_AHEAD for edge in edges
+    ):
+        return None, extent["readings"]
+    return Slicing.of(*edges), extent["readings"]
+
+
+class Trust:
+    """The trust of a study whose *names* are counted.
+
+    Args:
+        method: of the study, one that is served.
+        running: its steps at work.
+        names: the rows of that step.
+        ways: what the engine does in a way of its own.
+        made: gives the steps for other ways.
+        careful: gives the steps that look first.
+        between: makes the step *readings* for a range of time.
+    """
+
+    def __init__(
+        self,
+        method: Method,
+        running: Running,
+        names: pa.Table,
+        ways: Ways,
+        made: Callable[[Ways], Pipeline],
+        careful: Callable[[], Pipeline],
+        between: Callable[[int, int], exp.Query],
+    ) -> None:
+        self.method, self.running, self._ways, self._made = method, running, ways, made
+        self._careful, self._between = careful, between
+        self._sets = range(len(method.settings))
+        self.holds, self._is_proven = True, False
+        declared = [rule.allowed[0][0] for rule in method.rules if rule.declared_end is not None]
+        first = min((start for start in names["earliest"].to_pylist() if start is not None), default=0)
+        if any(first < start for start in declared):
+            self._give_up()
+
+    @property
+    def holds_so_far(self) -> bool:
+        """Tell whether a step was given, and nothing spoke against it."""
+        return self.holds and self._is_proven
+
+    def prepare(self, step: str) -> None:
+        """Prove what a step needs, or let the steps that look first serve it."""
+        steps = self.running.steps
+        if not self.holds or (self._is_proven and step in steps.steps):
+            return
+        if step in steps.steps:
+            needed = {one.name for one in steps.needed([step])}
+            if {self._step(self._ways.counted, number) for number in self._sets} <= needed:
+                self._is_proven = self._proves()
+            if self._is_proven or "series" not in needed:
+                return
+        if self._is_proven:
+            self._hand_over()
+        else:
+            self._give_up()
+
+    def _proves(self) -> bool:
+        """Tell whether every sample is in a vector, and none is marked."""
+        self._bound(EDGES, "edges", "first_time", "last_time")
+        self._bound(TAUGHT, "calibration", "time_from", "time_to")
+        for number in self._sets:
+            bounds, *marked = (
+                self._step(step, number)
+                for step in ("bounds", *PROOFS[self._ways.delays], self._ways.taught)
+            )
+            self.running.keep(bounds)
+            if self.running.table(bounds)["calibrated_lo"].null_count:
+                return False
+            if any(self.running.largest(step, "doubled") for step in marked):
+                return False
+        if self._ways.by_sets and self._has_large_support():
+            self.running.steps = self._made(replace(self._ways, by_sets=False))
+        for number in self._sets:
+            run_up, final, scored = (
+                self._step(step, number) for step in ("run_up", self._ways.counted, SCORED)
+            )
+            self._bound(scored, run_up, "read_from")
+            if self.running.largest(final, "doubled"):
+                return False
+        return True
+
+    def _step(self, step: str, number: int) -> str:
+        """Return what a step is called, which may be one of a set."""
+        own = self.method.named(step, number)
+        return own if own in self.running.steps.steps else step
+
+    def _has_large_support(self) -> bool:
+        """Tell whether a support has more cells than the engine looks up as a set."""
+        session = self.running.session
+        if session.engine.most_in_set is None:
+            return False
+        most = session.fetch(session.engine.most_in_set)["most"][0].as_py()
+        for number in self._sets:
+            self.running.keep(support := self.method.named("support", number))
+            cells = exp.select(exp.Count(this=exp.Star()).as_("cells"))
+            counted = session.fetch(cells.from_(self.running.placed[support].copy()))
+            if counted["cells"][0].as_py() > most:
+                return True
+        return False
+
+    def _bound(self, rows: str, step: str, low: str, high: str | None = None) -> None:
+        """Let a step of readings be bounded by the least and greatest time of another one."""
+        if rows not in self.running.steps.steps:
+            return
+        self.running.keep(step)
+        said = [row for row in self.running.rows(step) if row.get("is_edge", 1)]
+        if said:
+            latest = FAR_AHEAD if high is None else max(row[high] for row in said)
+            self.running.steps.replace(rows, self._between(min(row[low] for row in said), latest))
+
+    def _hand_over(self) -> None:
+        """Let the steps that look first go on with all that is proven: no instant occurs twice."""
+        series = self.running.session.rows(self.running.query("series"))
+        self.holds = False
+        self.running.steps = self._careful()
+        self.running.forget(but=self.running.steps.steps)
+        timeline = [{"repeats": 0, **{name: row[name] for name in _OF_SERIES}} for row in series]
+        self.running.load("timeline", table_of(timeline, _TIMELINE))
+
+    def _give_up(self) -> None:
+        self.holds = False
+        self.running.forget(but=("names", "readings"))
+        self.running.steps = self._careful()
+
+
+_OF_SERIES = ("channel_id", "first_time", "quota_time")
+_TIMELINE = counts("repeats channel_id first_time quota_time")

@@ -1,0 +1,305 @@
+"""Channels read as they are stored: the integers of the reference, or the steps that sort.
+
+Which of the two it was is asked for in each case, so that no case passes by the other way.
+"""
+
+import subprocess
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import duckdb
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from sqlglot import exp
+
+import comparisons
+import gam_db
+import harness
+from gam_db.engines.duckdb_session import DuckSession
+from gam_db.method.bits import Bits
+from gam_db.study import Study, streaming
+from harness import Answer, Row
+
+pytestmark = pytest.mark.thorough
+
+LENGTH = 240
+
+#: Steps that may be all that is asked for.
+HEALTH = ("bucket_health", "novel_cells")
+
+#: name -> keyword arguments of Parameters and of Calibration that streams serve
+SERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
+    "delays": ({"m": 3, "tau": 2, "bins": 4, "window": 20, "stride": 5}, {"fraction": 0.4}),
+    "one coordinate": ({"m": 1, "bins": 5, "window": 12, "stride": 4}, {"fraction": 0.25}),
+    "a duration": ({"m": 2, "bins": 3, "window": 10, "stride": 10}, {"duration": 90}),
+    "an interval": ({"m": 2, "tau": 3, "bins": 4, "window": 9}, {"intervals": [(20, 99)]}),
+    "short calibration": ({"m": 4, "tau": 4, "bins": 3, "window": 6}, {"fraction": 0.02}),
+    "no calibration": ({"m": 2, "bins": 3, "window": 6}, {"intervals": [(900, 950)]}),
+    "a pool": ({"m": 2, "bins": 4, "window": 8, "stride": 4}, {"fraction": 0.3, "pool": "channel"}),
+    "a pool of which one has no calibration": (
+        {"m": 2, "bins": 4, "window": 8, "stride": 4},
+        {"fraction": 0.3, "pool": "channel", "overrides": {"b": None}},
+    ),
+    "two sets": (
+        {"m": 3, "bins": 4, "window": 8, "stride": 2, "overrides": [{"asset": "b", "m": 1, "bins": 6}]},
+        {"fraction": 0.3, "overrides": {"c": {"duration": 60}}},
+    ),
+}
+
+#: name -> the same, of a kind that they leave to the steps that sort
+UNSERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
+    "gaps": ({"m": 2, "bins": 4, "window": 8, "max_gap": 5}, {"fraction": 0.3}),
+    "a given start": ({"m": 2, "bins": 4, "window": 8}, {"fraction": 0.3, "score_from": 50}),
+    "exclusions": ({"m": 2, "bins": 4, "window": 8}, {"fraction": 0.3, "exclude": [(9, 30)]}),
+    "too many cells": ({"m": 3, "bins": 900, "window": 8}, {"fraction": 0.3}),
+}
+
+
+@pytest.fixture(autouse=True)
+def short(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let streams serve short channels, too."""
+    monkeypatch.setattr(streaming, "STREAMED_FROM", 2)
+    monkeypatch.setattr(streaming, "GLANCE", 100)
+
+
+@pytest.fixture
+def connection() -> Iterator[duckdb.DuckDBPyConnection]:
+    with duckdb.connect() as connection:
+        yield connection
+
+
+def rows(assets: str = "abc") -> list[Row]:
+    """Channels that repeat a pattern, and later on less so; one of them never moves."""
+    return [
+        (asset, channel, 2 * time, 0.0 if asset + channel == "cy" else value(number, time))
+        for number, asset in enumerate(assets)
+        for channel in "xy"
+        for time in range(LENGTH)
+    ]
+
+
+def value(number: int, time: int) -> float:
+    return float(time % (5 + number) if time < 150 or time % 7 else time % 11) - 0.25
+
+
+def stored(connection: duckdb.DuckDBPyConnection, table: list[Row]) -> None:
+    """Store rows in their order."""
+    connection.register("arriving", harness.arrow(table))
+    connection.execute("CREATE TABLE telemetry AS SELECT * FROM arriving")
+    connection.unregister("arriving")
+
+
+def answers(
+    connection: duckdb.DuckDBPyConnection,
+    parameters: Any,
+    calibration: Any,
+    relation: Any = "telemetry",
+    asked: Sequence[str] = (),
+) -> tuple[dict[str, Answer], bool]:
+    """Return what a study answers, and whether by streams; what is asked for is what it was told."""
+    with DuckSession(connection) as session:
+        source = gam_db.Source(relation)
+        study = Study(session, source, parameters, calibration, short_cuts=True, asked=asked)
+        for step in asked:
+            study.table(step)
+        assert ("taught" in "".join(study.running.placed)) == bool(asked and study.is_streamed)
+        found = {question: study.table(step).to_pylist() for question, step in harness.STEPS.items()}
+        novel = study.table("novel_cells").num_rows
+        study.forget()
+    assert novel or not any(row["novel"] for row in found["health_at_buckets"])
+    return found, study.is_streamed
+
+
+def agrees(found: dict[str, Answer], table: list[Row], parameters: Any, calibration: Any) -> None:
+    expected = harness.all_by_reference(table, parameters, calibration)
+    for question in harness.STEPS:
+        harness.assert_same(expected[question], found[question], question)
+    comparisons.compared("duckdb", "streams", table, parameters, calibration)
+
+
+@pytest.mark.parametrize("asked", [(), HEALTH], ids=["all", "health alone"])
+@pytest.mark.parametrize("case", SERVED)
+def test_streams_give_the_integers_of_the_reference(
+    connection: duckdb.DuckDBPyConnection, case: str, asked: Sequence[str]
+) -> None:
+    """Where health alone is asked for, no row per vector of calibration is kept."""
+    method = harness.made(*SERVED[case])
+    stored(connection, rows())
+    found, is_streamed = answers(connection, *method, asked=asked)
+    assert is_streamed == (case != "no calibration")
+    agrees(found, rows(), *method)
+
+
+def test_channels_are_worked_on_side_by_side(connection: duckdb.DuckDBPyConnection) -> None:
+    """DuckDB does so with entries of a WITH list that it keeps, and not with parts of a UNION."""
+    stored(connection, rows())
+    with DuckSession(connection) as session:
+        method = harness.made(*SERVED["delays"])
+        study = Study(session, gam_db.Source("telemetry"), *method, short_cuts=True)
+        study.table("novel_cells")
+        for step in ("learnable", "visited"):
+            entries = list(study.steps.steps[step].query.find_all(exp.CTE))
+            assert [entry.args["materialized"] for entry in entries] == [True] * 6
+        study.forget()
+
+
+def test_streams_load_no_pandas(tmp_path: Path) -> None:
+    """Where it is installed, pyarrow loads it to look at a list: a tenth of the seconds of a run."""
+    pytest.importorskip("pandas")
+    path = tmp_path / "telemetry.parquet"
+    with duckdb.connect() as connection:
+        stored(connection, rows())
+        connection.table("telemetry").write_parquet(str(path))
+    asked = f"""
+import sys
+from pathlib import Path
+import gam_db
+from gam_db.study import streaming
+from gam_db.engines.duckdb_session import DuckSession
+from gam_db.study import Study
+streaming.STREAMED_FROM, streaming.GLANCE = 2, 100
+with DuckSession() as session:
+    method = gam_db.Parameters(m=3, bins=4, window=20, stride=5), gam_db.Calibration(fraction=0.4)
+    study = Study(session, gam_db.Source({str(path)!r}), *method, short_cuts=True)
+    study.write("novel_cells", Path({str(tmp_path / "cells.parquet")!r}), "novel_cells")
+    print(study.is_streamed, "pandas" in sys.modules)
+"""
+    done = subprocess.run([sys.executable, "-c", asked], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["True", "False"]
+
+
+@pytest.mark.parametrize("case", UNSERVED)
+def test_what_streams_do_not_serve_is_sorted(connection: duckdb.DuckDBPyConnection, case: str) -> None:
+    method = harness.made(*UNSERVED[case])
+    stored(connection, rows())
+    found, is_streamed = answers(connection, *method)
+    assert not is_streamed
+    agrees(found, rows(), *method)
+
+
+def test_supports_that_have_no_room_as_bits_are_looked_up_cell_by_cell(
+    connection: duckdb.DuckDBPyConnection, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    method = harness.made(*SERVED["delays"])
+    stored(connection, rows())
+    steps: dict[bool, list[str]] = {}
+    for has_room in (True, False):
+        monkeypatch.setattr(Bits, "serve", lambda bits, cells, supports=1, yes=has_room: yes)
+        with DuckSession(connection) as session:
+            study = Study(session, gam_db.Source("telemetry"), *method)
+            agrees(
+                {name: study.table(step).to_pylist() for name, step in harness.STEPS.items()},
+                rows(),
+                *method,
+            )
+            steps[has_room] = list(study.running.placed)
+            study.forget()
+    assert "support_bits" in steps[True]
+    assert "support_bits" not in steps[False]
+
+
+def swapped(table: list[Row]) -> list[Row]:
+    return [*table[:1000], table[1001], table[1000], *table[1002:]]
+
+
+def doubled(table: list[Row]) -> list[Row]:
+    return [*table[:1000], table[999], *table[1000:]]
+
+
+def missing(table: list[Row]) -> list[Row]:
+    return [*table[:1000], (*table[1000][:3], None), *table[1001:]]
+
+
+def in_two_pieces(table: list[Row]) -> list[Row]:
+    return [*table[50:], *table[:50]]
+
+
+def by_time(table: list[Row]) -> list[Row]:
+    return sorted(table, key=lambda row: row[2])
+
+
+#: What breaks the order or the completeness of a source.
+DIRT: tuple[Callable[[list[Row]], list[Row]], ...] = (swapped, doubled, missing, in_two_pieces, by_time)
+
+
+@pytest.mark.parametrize("dirt", DIRT)
+def test_a_source_that_is_not_in_order_is_sorted(
+    connection: duckdb.DuckDBPyConnection, dirt: Callable[[list[Row]], list[Row]]
+) -> None:
+    table, method = dirt(rows()), harness.made(*SERVED["delays"])
+    stored(connection, table)
+    found, is_streamed = answers(connection, *method)
+    assert not is_streamed
+    agrees(found, table, *method)
+
+
+@pytest.mark.parametrize("asked", [(), HEALTH], ids=["all", "health alone"])
+@pytest.mark.parametrize("dirt", [swapped, doubled, in_two_pieces, by_time])
+def test_the_vectors_themselves_show_a_wrong_proof(
+    connection: duckdb.DuckDBPyConnection,
+    dirt: Callable[[list[Row]], list[Row]],
+    asked: Sequence[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Where the glance and the proof are passed over, what is computed says so itself."""
+    monkeypatch.setattr(streaming, "GLANCE", 1)
+    monkeypatch.setattr(streaming.Streams, "serve", lambda streams: True)
+    table, method = dirt(rows()), harness.made(*SERVED["delays"])
+    stored(connection, table)
+    found, is_streamed = answers(connection, *method, asked=asked)
+    assert is_streamed == (dirt is by_time)  # by time, each channel alone is in order all the same
+    agrees(found, table, *method)
+
+
+@pytest.mark.parametrize("form", ["file", "files", "view with a join", "view", "no order kept"])
+def test_any_relation_gives_the_same(
+    connection: duckdb.DuckDBPyConnection, form: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whether its rows come in order or not; of a file and a plain view they do."""
+    monkeypatch.setattr(streaming, "GLANCE", 10)
+    many = 40  # of the rows that follow from one; several vectors and threads
+    table = [
+        (*row[:2], row[2] + many_of * 1000, row[3]) for row in rows("ab") for many_of in range(many)
+    ]
+    table.sort(key=lambda row: (row[0], row[1], row[2]))
+    method = harness.made(*SERVED["delays"])
+    stored(connection, table)
+    relation: Any = "shown"
+    if form in ("file", "files"):
+        for number, asset in enumerate("ba" if form == "files" else ["%"]):
+            query = f"SELECT * FROM telemetry WHERE asset LIKE '{asset}'"
+            connection.sql(query).write_parquet(str(tmp_path / f"{number}.parquet"))
+        relation = str(tmp_path / "*.parquet")
+    elif form == "view with a join":
+        connection.execute("CREATE TABLE known AS SELECT DISTINCT asset FROM telemetry")
+        connection.execute("CREATE VIEW shown AS SELECT * FROM telemetry JOIN known USING (asset)")
+    else:
+        connection.execute("CREATE VIEW shown AS SELECT * FROM telemetry WHERE value > -9")
+    if form == "no order kept":
+        connection.execute("SET preserve_insertion_order = false")
+    found, is_streamed = answers(connection, *method, relation)
+    assert is_streamed or form not in ("file", "view")
+    agrees(found, table, *method)
+
+
+@settings(max_examples=max(1, settings().max_examples // 5))
+@given(st.data())
+def test_random_sources_give_the_same_as_the_steps_that_sort(data: st.DataObject) -> None:
+    served = data.draw(st.sampled_from([case for case in SERVED if case != "no calibration"]))
+    method = harness.made(*SERVED[served])
+    lengths = data.draw(st.lists(st.integers(30, 60), min_size=1, max_size=4))
+    values = st.integers(-3, 6).map(float)
+    table: list[Row] = [
+        (f"{number:02}", "x", time, data.draw(values) if time % 5 else 1.5)
+        for number, length in enumerate(lengths)
+        for time in range(length)
+    ]
+    with duckdb.connect() as connection, pytest.MonkeyPatch.context() as patched:
+        patched.setattr(streaming, "GLANCE", 5)
+        stored(connection, table)
+        found, is_streamed = answers(connection, *method)
+        assert is_streamed or served in ("an interval", "short calibration")
+        agrees(found, table, *method)

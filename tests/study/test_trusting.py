@@ -1,0 +1,331 @@
+"""Sources whose instants are taken for single: the integers of the reference, or the steps that look.
+
+Which of the two it was is asked for in each case, so that no case passes by the other way.
+"""
+
+import dataclasses
+import random
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from sqlglot import exp
+
+import comparisons
+import engines
+import gam_db
+import harness
+import strategies
+from gam_db.engines.session import Session
+from gam_db.method import census
+from gam_db.method.delays import KEPT, STORED
+from gam_db.study import Study, trusting
+from harness import Answer, Row
+
+pytestmark = pytest.mark.thorough
+
+LENGTH = 160
+
+#: name -> keyword arguments of Parameters and of Calibration that are served
+SERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
+    "delays": ({"m": 3, "tau": 2, "bins": 4, "window": 20, "stride": 5}, {"fraction": 0.4}),
+    "one coordinate": ({"m": 1, "bins": 5, "window": 12, "stride": 4}, {"duration": 90}),
+    "an interval": ({"m": 2, "tau": 3, "bins": 4, "window": 9}, {"intervals": [(-5, 99)]}),
+    "an end between samples": ({"m": 2, "bins": 4, "window": 9}, {"intervals": [(0, 100)]}),
+    "a reach of many slices": ({"m": 4, "tau": 9, "bins": 3, "window": 6}, {"fraction": 0.5}),
+    "short calibration": ({"m": 4, "tau": 4, "bins": 3, "window": 6}, {"fraction": 0.02}),
+    "all of it": ({"m": 2, "bins": 3, "window": 6}, {"fraction": 1.0}),
+    "two sets and a pool of which one has no calibration": (
+        {
+            "m": 3,
+            "bins": 4,
+            "window": 8,
+            "stride": 2,
+            "overrides": [{"channel": "y", "m": 1, "bins": 6}],
+        },
+        {"fraction": 0.3, "pool": "channel", "overrides": {"b": None, "c": {"duration": 60}}},
+    ),
+}
+
+#: name -> the same, of a kind that is left to the steps that look
+UNSERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
+    "gaps": ({"m": 2, "bins": 4, "window": 8, "max_gap": 5}, {"fraction": 0.3}),
+    "a given start": ({"m": 2, "bins": 4, "window": 8}, {"fraction": 0.3, "score_from": 50}),
+    "exclusions": ({"m": 2, "bins": 4, "window": 8}, {"fraction": 0.3, "exclude": [(9, 30)]}),
+    "a late interval": ({"m": 2, "bins": 4, "window": 8}, {"intervals": [(40, 99)]}),
+    "one without calibration": ({"m": 2, "bins": 4, "window": 8}, {"overrides": {"b": None}}),
+}
+
+
+@pytest.fixture(autouse=True)
+def short(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Trust short sources, too."""
+    monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
+
+
+def rows() -> list[Row]:
+    """Channels by time that repeat a pattern, and later on less so; some samples of one are missing."""
+    return [
+        (asset, channel, 2 * time + number, sample(asset + channel, number, time))
+        for time in range(LENGTH)
+        for number, asset in enumerate("abc")
+        for channel in "xy"
+    ]
+
+
+def sample(name: str, number: int, time: int) -> float | None:
+    if name == "cy":
+        return 0.0  # never moves
+    if name == "ax" and time % 23 in (5, 6):
+        return None
+    return float(time % (5 + number) if time < 100 or time % 7 else time % 11) - 0.25
+
+
+def doubled(table: list[Row], number: int) -> list[Row]:
+    """The same with a second reading of an instant."""
+    asset, channel, time, _ = table[number]
+    return [*table, (asset, channel, time, 7.5)]
+
+
+def study_of(session: Session, name: str, method: tuple[Any, Any]) -> Study:
+    return Study(session, gam_db.Source(name), *method, short_cuts=True)
+
+
+def answers(
+    session: Session, table: list[Row], method: tuple[Any, Any]
+) -> tuple[dict[str, Answer], bool]:
+    """Return what a study answers of buckets, support and certificate, and whether on trust."""
+    with session.lent(harness.arrow(table)) as lent:
+        study = study_of(session, lent.name, method)
+        questions = ("health_at_buckets", "support", "certificate")
+        found = {name: study.table(harness.STEPS[name]).to_pylist() for name in questions}
+        novel = study.table("novel_cells").num_rows
+        is_trusting = study.is_trusting
+        found["health_indicator"] = study.table("health_indicator").to_pylist()
+        assert not study.is_trusting, "single vectors are not served"
+        study.forget()
+    assert novel or not any(row["novel"] for row in found["health_at_buckets"])
+    return found, is_trusting
+
+
+def agrees(engine: str, found: dict[str, Answer], table: list[Row], method: tuple[Any, Any]) -> None:
+    expected = harness.all_by_reference(table, *method)
+    for question in harness.STEPS:
+        harness.assert_same(expected[question], found[question], question)
+    comparisons.compared(engine, "trusting", table, *method)
+
+
+@pytest.mark.parametrize("case", SERVED)
+def test_the_census_gives_the_integers_of_the_reference(engine: str, case: str) -> None:
+    method = harness.made(*SERVED[case])
+    found, is_trusting = answers(engines.session(engine), rows(), method)
+    assert is_trusting
+    agrees(engine, found, rows(), method)
+
+
+@pytest.mark.parametrize("number", [0, 30, -1])
+def test_an_instant_that_occurs_twice_is_found(engine: str, number: int) -> None:
+    """The first of all, in calibration, and the last; of a channel with and without missing samples."""
+    method = harness.made(*SERVED["delays"])
+    table = doubled(rows(), number)
+    found, is_trusting = answers(engines.session(engine), table, method)
+    assert not is_trusting
+    agrees(engine, found, table, method)
+
+
+#: What comes again: nothing; the first row of all; one of calibration, of a channel that never moves.
+AGAIN: dict[str, list[Row]] = {"none": [], "the first": rows()[:1], "one like all others": rows()[65:66]}
+
+
+@pytest.mark.parametrize("again", AGAIN)
+def test_health_alone_has_the_same_proof(engine: str, again: str) -> None:
+    """No row per vector of calibration is kept for it; what else is asked for is answered, too."""
+    method = harness.made(*SERVED["delays"])
+    table = [*rows(), *AGAIN[again]]
+    session, expected = engines.session(engine), harness.all_by_reference(table, *method)
+    with session.lent(harness.arrow(table)) as lent:
+        study = Study(
+            session, gam_db.Source(lent.name), *method, short_cuts=True, asked=["bucket_health"]
+        )
+        for question in ("health_at_buckets", "support", "certificate"):
+            found = study.table(harness.STEPS[question]).to_pylist()
+            harness.assert_same(expected[question], found, question)
+            assert study.is_trusting is (again == "none"), question
+        study.forget()
+
+
+@pytest.mark.parametrize("number", range(0, 6 * LENGTH, 41))
+def test_wherever_an_instant_occurs_twice_it_is_found(number: int) -> None:
+    method = harness.made(*SERVED["a reach of many slices"])
+    table = doubled(rows(), number)
+    found, is_trusting = answers(engines.session("duckdb"), table, method)
+    assert not is_trusting
+    agrees("duckdb", found, table, method)
+
+
+@pytest.mark.parametrize("case", UNSERVED)
+def test_what_the_census_does_not_serve_is_looked_at(case: str) -> None:
+    method = harness.made(*UNSERVED[case])
+    found, is_trusting = answers(engines.session("duckdb"), rows(), method)
+    assert not is_trusting
+    agrees("duckdb", found, rows(), method)
+
+
+def test_the_certificate_alone_is_not_taken_on_trust() -> None:
+    """What was not scored proves nothing: of three readings of an instant, two would be counted."""
+    method = harness.made(*SERVED["delays"])
+    table = doubled(rows(), -1)
+    session = engines.session("duckdb")
+    with session.lent(harness.arrow(table)) as lent:
+        study = study_of(session, lent.name, method)
+        assert study.table("channels").num_rows == 6
+        found = study.table("support_summary").to_pylist()
+        assert not study.is_trusting
+        study.forget()
+    harness.assert_same(harness.by_reference("support", table, *method), found)
+
+
+def test_single_vectors_go_on_from_what_is_proven() -> None:
+    """Nothing that was found of calibration is found again."""
+    method = harness.made(*SERVED["delays"])
+    session = engines.session("duckdb")
+    begun: list[str] = []
+    with session.lent(harness.arrow(rows())) as lent:
+        asked = gam_db.Source(lent.name), *method
+        study = Study(session, *asked, on_step=begun.append, short_cuts=True)
+        study.table("bucket_health")
+        before = set(begun)
+        begun.clear()
+        found = study.table("health_indicator").to_pylist()
+        study.forget()
+    assert {"support", "bounds"} <= before
+    assert not before & set(begun)
+    harness.assert_same(harness.by_reference("health_indicator", rows(), *method), found)
+
+
+def test_slices_reach_from_the_first_instant_to_the_last() -> None:
+    """Their number and width change no integer, but what an edge costs."""
+    session = engines.session("duckdb")
+    with session.lent(harness.arrow(rows())) as table:
+        study = study_of(session, table.name, harness.made(*SERVED["delays"]))
+        slices = session.fetch(study.running.query("slices"))["slice_no"].to_pylist()
+        study.forget()
+    assert {*slices} == {*range(max(slices) + 1)}
+    assert census.SLICES - 4 < max(slices) < census.SLICES  # a width is rounded up
+
+
+def test_few_rows_are_not_worth_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(trusting, "TRUSTED_FROM", len(rows()) + 1)
+    method = harness.made(*SERVED["delays"])
+    _, is_trusting = answers(engines.session("duckdb"), rows(), method)
+    assert not is_trusting
+
+
+def apart(table: list[Row]) -> list[Row]:
+    """The first reading of each instant."""
+    first = {row[:3]: row for row in reversed(table)}
+    return [first[row[:3]] for row in dict.fromkeys((*row[:3], None) for row in table)]
+
+
+@settings(max_examples=max(1, settings().max_examples // 8))
+@given(st.data())
+def test_random_sources_give_the_integers_of_the_reference(data: st.DataObject) -> None:
+    table, parameters, calibration = data.draw(strategies.cases())
+    if data.draw(st.booleans()):
+        table = apart(table)
+    method = harness.made(parameters, calibration)
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(trusting, "TRUSTED_FROM", 1)
+        patched.setattr(census, "SLICES", data.draw(st.sampled_from([1, 3, 32])))
+        found, _ = answers(engines.session("duckdb"), table, method)
+    agrees("duckdb", found, table, method)
+
+
+#: Ways in which the rows of a source may lie.
+ORDERS: dict[str, Callable[[list[Row]], list[Row]]] = {
+    "by channel": lambda table: sorted(table, key=lambda row: row[:3]),
+    "backwards": lambda table: sorted(table, key=lambda row: row[:3], reverse=True),
+    "one after its time": lambda table: [*(by := sorted(table, key=lambda row: row[:3]))[1:], by[0]],
+    "shuffled": lambda table: random.Random(3).sample(table, len(table)),
+}
+
+
+def whole(table: list[Row]) -> list[Row]:
+    """The same without the missing samples."""
+    return [(*row[:3], 1.0 if row[3] is None else row[3]) for row in table]
+
+
+@pytest.mark.parametrize("order", ORDERS)
+def test_however_rows_lie_the_body_of_the_engine_serves(engine: str, order: str) -> None:
+    """With a channel that lacks samples, and without: then nothing is made for such."""
+    method = harness.made(*SERVED["two sets and a pool of which one has no calibration"])
+    session = engines.session(engine)
+    for source in (rows(), whole(rows())):
+        table = ORDERS[order](source)
+        found, is_trusting = answers(session, table, method)
+        assert is_trusting
+        agrees(engine, found, table, method)
+    with session.lent(harness.arrow(whole(rows()))) as lent:
+        study = study_of(session, lent.name, method)
+        study.table("bucket_health")
+        body = session.engine.delays
+        assert {study.method.named(step, 0) for step in KEPT.get(body or "", ())} <= set(
+            study.running.placed
+        )
+        assert set(STORED.get(body or "", ())) <= set(study.running.placed)
+        assert "incomplete_vectors_0" not in study.steps.steps
+        study.forget()
+
+
+@pytest.mark.parametrize("number", range(1, 6 * LENGTH, 173))
+def test_each_body_finds_what_occurs_twice(engine: str, number: int) -> None:
+    """Also among the samples before the first vector, and before the first scored one."""
+    method = harness.made(*SERVED["a reach of many slices"])
+    table = doubled(rows(), number)
+    found, is_trusting = answers(engines.session(engine), table, method)
+    assert not is_trusting
+    agrees(engine, found, table, method)
+
+
+def test_a_support_too_large_for_a_set_is_joined(engine: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(trusting.Trust, "_has_large_support", lambda trust: True)
+    method = harness.made(*SERVED["delays"])
+    session = engines.session(engine)
+    found, is_trusting = answers(session, rows(), method)
+    assert is_trusting
+    agrees(engine, found, rows(), method)
+    with session.lent(harness.arrow(rows())) as lent:
+        study = study_of(session, lent.name, method)
+        study.table("bucket_health")
+        assert study.steps.steps["complete_novelty"].query.find(exp.In) is None
+        study.forget()
+
+
+def test_a_large_support_is_told_by_the_engine(engine: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    session = engines.session(engine)
+    most = exp.select(exp.alias_(exp.Literal.number(1), "most"))
+    known = dataclasses.replace(session.engine, most_in_set=most)
+    monkeypatch.setattr(session, "engine", known)
+    with session.lent(harness.arrow(rows())) as lent:
+        study = study_of(session, lent.name, harness.made(*SERVED["delays"]))
+        study.table("bucket_health")
+        assert study.is_trusting
+        assert study.steps.steps["complete_novelty"].query.find(exp.In) is None
+        study.forget()
+
+
+@pytest.mark.parametrize(("name", "time"), [("ax", 1), ("bx", 100), ("cy", 2 * LENGTH)])
+def test_rows_that_came_after_the_count_are_not_read(name: str, time: int) -> None:
+    """Readings that are lined up are those that were counted."""
+    session, method = engines.session("sqlite"), harness.made(*SERVED["delays"])
+    with session.lent(harness.arrow(rows())) as lent:
+        study = study_of(session, lent.name, method)
+        late = harness.arrow([(*name, 2 * time + 1, 1.0)])
+        with session.lent(late) as more:
+            session.execute(exp.insert(exp.select("*").from_(more), lent))
+        found = study.table("bucket_health").to_pylist()
+        assert study.is_trusting
+        study.forget()
+    harness.assert_same(harness.by_reference("health_at_buckets", rows(), *method), found)
