@@ -24,7 +24,7 @@ from gam_db.cli.progress import Progress, interruptible
 from gam_db.cli.report import checked, page_of
 from gam_db.clock import SINCE_1970, epoch_unit, zone
 from gam_db.engines.connecting import connect
-from gam_db.engines.duckdb_files import SOURCE_MARK
+from gam_db.engines.duckdb.files import SOURCE_MARK
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, findings, need_attention
 from gam_db.report import Wishes

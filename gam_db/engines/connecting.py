@@ -10,32 +10,26 @@ from pathlib import Path
 from typing import Any
 
 from gam_db.address import check
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, nearest
 
 _IN_MEMORY = ("duckdb://", "duckdb:///:memory:", ":memory:")
 _FILE = "duckdb:///"
 
-#: scheme of an address -> the module of gam_db.engines whose ``connected`` opens it
-_DRIVERS = {
-    "sqlite": "sqlite_driver",
-    "mariadb": "mariadb_driver",
-    "postgresql": "postgres_driver",
-    "postgres": "postgres_driver",
-    "clickhouse": "clickhouse_driver",
-    "clickhouses": "clickhouse_driver",
-    "chdb": "clickhouse_driver",
-    "spark": "spark_driver",
+#: scheme of an address -> the engine, whose ``driver.connected`` opens it
+_SCHEMES = {
+    **{name: name for name in ("sqlite", "mariadb", "postgres", "clickhouse", "spark")},
+    **{"postgresql": "postgres", "clickhouses": "clickhouse", "chdb": "clickhouse"},
 }
 
 #: package of an open connection -> the same
 _PACKAGES = {
-    "sqlite3": "sqlite_driver",
-    "pymysql": "mariadb_driver",
-    "psycopg": "postgres_driver",
-    "clickhouse_connect": "clickhouse_driver",
-    "pyspark": "spark_driver",
+    "sqlite3": "sqlite",
+    "pymysql": "mariadb",
+    "psycopg": "postgres",
+    "clickhouse_connect": "clickhouse",
+    "pyspark": "spark",
 }
 
 ADDRESSES = (
@@ -97,12 +91,12 @@ def connect(
         return DuckSession(address.removeprefix(_FILE), threads, writable, files)
     if scheme == "duckdb":
         raise EngineError(f"{address} names a server; a DuckDB file is duckdb:///PATH, three slashes.")
-    if scheme not in _DRIVERS:
+    if scheme not in _SCHEMES:
         raise EngineError(
-            f"gam-db knows no database {scheme}://{nearest(scheme, _DRIVERS)} For another engine `gam "
+            f"gam-db knows no database {scheme}://{nearest(scheme, _SCHEMES)} For another engine `gam "
             "compile` and `gam migrate --sql` print the SQL to run there."
         )
-    return _opened(_DRIVERS[scheme], address, writable)
+    return _opened(_SCHEMES[scheme], address, writable)
 
 
 @contextlib.contextmanager
@@ -118,6 +112,6 @@ def borrowed(engine: Any, threads: int | None = None) -> Iterator[Session]:
         yield session
 
 
-def _opened(module: str, target: Any, writable: bool) -> Session:
-    driver = importlib.import_module(f"gam_db.engines.{module}").connected(target, writable)
-    return Session(driver)
+def _opened(engine: str, target: Any, writable: bool) -> Session:
+    driver = importlib.import_module(f"gam_db.engines.{engine}.driver").connected(target, writable)
+    return Session(driver, writer=DuckSession)

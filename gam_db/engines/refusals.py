@@ -43,3 +43,8 @@ def refused(of: str, *told: str, **words: object) -> UserError:
     found = refusal(of, *told, **words)
     assert found is not None, of
     return found
+
+
+def first_line(error: BaseException | None) -> str:
+    """Return the first line of what an engine says of an error."""
+    return str(error).strip().partition("\n")[0]

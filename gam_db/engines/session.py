@@ -1,7 +1,7 @@
 """An engine at work: what the rest of gam-db asks of it. Trees go in, Arrow tables come out.
 
 A session lies on one connection, by a small driver (:mod:`gam_db.engines.driver`). That of DuckDB has
-more to it (:mod:`gam_db.engines.duckdb_session`): it reads files and Arrow tables where they lie.
+more to it (:mod:`gam_db.engines.duckdb.session`): it reads files and Arrow tables where they lie.
 """
 
 import contextlib
@@ -18,7 +18,7 @@ from sqlglot import exp
 from gam_db.composing import template
 from gam_db.engines.driver import Driver
 from gam_db.engines.refusals import CONFLICT as CONFLICT
-from gam_db.engines.refusals import OPEN
+from gam_db.engines.refusals import OPEN, first_line
 from gam_db.errors import EngineError, LostConnectionError, SourceError, StatementError, nearest
 from gam_db.settings.form import Form
 from gam_db.settings.source import is_file, table_names
@@ -35,10 +35,15 @@ _TAKING = threading.Lock()
 
 
 class Session:
-    """An engine at work: describes relations, keeps steps as tables, runs trees."""
+    """An engine at work: describes relations, keeps steps as tables, runs trees.
 
-    def __init__(self, driver: Driver) -> None:
-        self.driver = driver
+    Args:
+        driver: the connection.
+        writer: opens the session that writes results as files; None for one that does so itself.
+    """
+
+    def __init__(self, driver: Driver, writer: "Callable[[], Session] | None" = None) -> None:
+        self.driver, self._writer = driver, writer
         self.engine = driver.engine
         self.transactions = driver.engine.transactions
         self._number: int | None = None
@@ -207,9 +212,8 @@ class Session:
         Raises:
             SourceError: the target cannot be written.
         """
-        from gam_db.engines.duckdb_session import DuckSession  # slow to load, and only wanted here
-
-        with DuckSession() as writer, writer.lent(self.fetch(query)) as rows:
+        assert self._writer is not None
+        with self._writer() as writer, writer.lent(self.fetch(query)) as rows:
             writer.write(exp.select("*").from_(rows), path, table)
 
     def rows_at_once(self) -> int:
@@ -250,11 +254,6 @@ class Session:
             raise StatementError(
                 f"{self.engine.title} refused a statement: {first_line(error)}", statement
             ) from error
-
-
-def first_line(error: BaseException | None) -> str:
-    """Return the first line of what an engine says of an error."""
-    return str(error).strip().partition("\n")[0]
 
 
 def arrow_table(relation: Any) -> pa.Table:

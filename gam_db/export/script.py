@@ -199,7 +199,7 @@ def _relation(source: AnySource, engine: Engine) -> exp.Expr:
             f"{engine.name} reads no files by path; load {shown_relation(relation)} into a table and "
             "name that."
         )
-    from gam_db.engines.duckdb_reading import file_reader
+    from gam_db.engines.duckdb.reading import file_reader
 
     return file_reader(paths_of(relation))
 
@@ -215,7 +215,7 @@ def _looked_at(
             "them in a view."
         )
     if is_file(source.relation) and engine.reads_files:
-        from gam_db.engines.duckdb_session import DuckSession
+        from gam_db.engines.duckdb.session import DuckSession
 
         with DuckSession() as session:
             columns = session.describe(session.relation(source.relation))

@@ -9,7 +9,7 @@ from pathlib import Path
 from sqlglot import exp
 
 from gam_db.composing import template
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, SourceError
 from gam_db.stored import migrations

@@ -12,7 +12,7 @@ import gam_db
 from gam_db import Calibration, Parameters, Source
 from gam_db.checking import look_at, must_be_fixed, propose
 from gam_db.checking.proposal import Proposal, Proposed
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from looks import HALF, SECOND, SHORT, figures, said, table, wave
 
 

@@ -21,7 +21,7 @@ from typer.testing import CliRunner, Result
 import gam_db
 from gam_db.cli import app, options, page
 from gam_db.cli.progress import Progress, interruptible
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import StatementError
 from gam_db.study import Study
 

@@ -13,7 +13,7 @@ from typer.testing import CliRunner, Result
 
 import gam_db
 from gam_db.cli import app
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.stored import migrations
 from gam_db.stored.tables import StateTables
 from stored_rows import STEP, Plant

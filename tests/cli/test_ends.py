@@ -21,9 +21,9 @@ from typer.testing import CliRunner
 
 import gam_db
 from gam_db.cli import app, config
-from gam_db.engines import postgres_refusals
-from gam_db.engines.clickhouse_driver import problem
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.clickhouse.driver import problem
+from gam_db.engines.duckdb.session import DuckSession
+from gam_db.engines.postgres import refusals as postgres_refusals
 from gam_db.errors import (
     ConfigurationError,
     ConflictError,

@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 import gam_db
 from gam_db import langevin
 from gam_db.cli import app
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import SourceError
 from gam_db.settings.source import parsed_condition
 

@@ -18,7 +18,7 @@ import harness
 import small_plant
 from gam_db.clock import TimeKind
 from gam_db.composing.pipeline import filled, place
-from gam_db.engines import clickhouse_driver
+from gam_db.engines.clickhouse import driver as clickhouse_driver
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, SourceError
 from gam_db.settings.source import readings as reading_query

@@ -7,7 +7,7 @@ import pytest
 
 import gam_db
 from gam_db.address import has_password, shown
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError
 

@@ -16,9 +16,9 @@ import duckdb
 import pytest
 from sqlglot import exp
 
-from gam_db.engines import duckdb_driver
-from gam_db.engines.duckdb_journal import HEADERS, Journal, journal_of, put_back
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb import driver as duckdb_driver
+from gam_db.engines.duckdb.journal import HEADERS, Journal, journal_of, put_back
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import EngineError, SourceError
 from nobody import as_nobody
 

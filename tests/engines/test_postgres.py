@@ -12,8 +12,9 @@ from psycopg.rows import dict_row
 
 import gam_db
 import postgres_server
-from gam_db.engines import postgres_driver, postgres_refusals
 from gam_db.engines.postgres import ENGINE
+from gam_db.engines.postgres import driver as postgres_driver
+from gam_db.engines.postgres import refusals as postgres_refusals
 from gam_db.errors import EngineError, SourceError, UserError
 from gam_db.settings.source import Source
 from small_plant import monitor, readings, whole

@@ -18,8 +18,8 @@ import harness
 from gam_db.composing.pipeline import filled, place
 from gam_db.engines.session import Session
 from gam_db.engines.spark import OVER
-from gam_db.engines.spark_driver import SparkDriver
-from gam_db.engines.spark_tables import Rewriting
+from gam_db.engines.spark.driver import SparkDriver
+from gam_db.engines.spark.tables import Rewriting
 from gam_db.errors import EngineError, GamError, SourceError, UserError
 from gam_db.stored.migrations import rendered
 from gam_db.stored.reading import near
@@ -116,7 +116,7 @@ def test_what_a_killed_process_left_is_not_seen_and_goes(
         gone = sqlglot.parse_one("SELECT 2 AS n")
         assert isinstance(gone, exp.Query)
         with monkeypatch.context() as patched:
-            patched.setattr("gam_db.engines.spark_folder.Folder.put", _killed)
+            patched.setattr("gam_db.engines.spark.folder.Folder.put", _killed)
             with pytest.raises(KeyboardInterrupt):
                 session.delete(exp.to_table("counts"), ["n"], gone)
         assert len(list(tmp_path.glob("counts-*"))) == 2
@@ -366,7 +366,7 @@ def test_java_that_has_ended_is_said() -> None:
     """In the words of py4j: the tests' own Java goes on."""
     from py4j.protocol import Py4JNetworkError
 
-    from gam_db.engines.spark_driver import problem
+    from gam_db.engines.spark.driver import problem
 
     told = problem(Py4JNetworkError("Answer from Java side is empty"))
     assert isinstance(told, EngineError)

@@ -28,8 +28,8 @@ import frozen
 import gam_db
 import harness
 import spark_victim
-from gam_db.engines.duckdb_session import DuckSession
-from gam_db.engines.spark_folder import Folder
+from gam_db.engines.duckdb.session import DuckSession
+from gam_db.engines.spark.folder import Folder
 from gam_db.stored.tables import StateTables
 from killed_plant import CALIBRATION, PARAMETERS, plant
 from stored_rows import emptied

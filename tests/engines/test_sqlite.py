@@ -151,7 +151,7 @@ def test_the_command_line_takes_an_address(tmp_path: Path, monkeypatch: pytest.M
 
 def test_another_writer_and_a_reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "plant.db"
-    monkeypatch.setattr("gam_db.engines.sqlite_driver.PATIENCE", 0.1)
+    monkeypatch.setattr("gam_db.engines.sqlite.driver.PATIENCE", 0.1)
     connection = plant(path, "%Y-%m-%d %H:%M:%S")
     source = gam_db.Source("telemetry")
     with gam_db.connect(f"sqlite:///{path}") as session:

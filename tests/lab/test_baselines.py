@@ -7,7 +7,7 @@ import pyarrow as pa
 import pytest
 
 import gam_db
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import ParameterError
 from gam_db.lab.baselines import BASELINES, Effort, add_baseline
 from gam_db.lab.baselines.baseline import add_forecast_points

@@ -13,7 +13,7 @@ from pyarrow import parquet
 from typer.testing import CliRunner
 
 import gam_db
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.lab.benchmark.alarms import fleets, rivals
 from gam_db.lab.benchmark.alarms.figures import promise, shares, wear
 from gam_db.lab.benchmark.alarms.plan import CALIBRATION, Plan

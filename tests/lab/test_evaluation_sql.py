@@ -13,7 +13,7 @@ import gam_db
 import sql_lint
 from gam_db.composing.pipeline import Pipeline
 from gam_db.engines import engine_named
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.lab.evaluation import sampling
 from gam_db.lab.evaluation.members import Member, as_table
 from gam_db.lab.evaluation.steps import chance_steps, evaluation_steps

@@ -9,7 +9,7 @@ from sqlglot import exp
 import gam_db
 import sql_lint
 from gam_db.composing import template
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.lab.baselines.baseline import add_forecast_points
 from gam_db.lab.estimators import ESTIMATORS, add_estimator
 from gam_db.lab.estimators.points import add_points

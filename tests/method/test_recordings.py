@@ -15,7 +15,7 @@ from sqlglot import exp
 
 import comparisons
 import gam_db
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.study import Study
 

@@ -20,7 +20,7 @@ from gam_db.clock import TimeKind
 from gam_db.composing import template
 from gam_db.composing.lately import Lately
 from gam_db.engines.duckdb import ENGINE
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.export import Package, grafana
 from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
 from gam_db.method.adding import add

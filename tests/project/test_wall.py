@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
+from graphlib import CycleError, TopologicalSorter
 from importlib.metadata import entry_points
 from pathlib import Path
 
@@ -109,6 +110,28 @@ def test_lower_modules_do_not_import_higher_ones() -> None:
         if found := too_high(subject, path.read_text(encoding="utf-8")):
             wrong[str(path.relative_to(PACKAGE))] = found
     assert not wrong
+
+
+def read_by(path: Path) -> set[Path]:
+    """The modules of gam_db that a module imports, wherever in its text, as files."""
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if not isinstance(node, ast.ImportFrom) or not (node.module or "").startswith("gam_db"):
+            continue
+        folder = PACKAGE.joinpath(*(node.module or "").split(".")[1:])
+        for alias in node.names:
+            places = (folder / f"{alias.name}.py", folder / alias.name / "__init__.py")
+            own = (folder.with_suffix(".py"), folder / "__init__.py")
+            found.add(next(place for place in (*places, *own) if place.is_file()))
+    return found
+
+
+def test_no_modules_import_one_another_in_a_circle() -> None:
+    graph = {path: read_by(path) for path in PACKAGE.rglob("*.py")}
+    assert len(list(TopologicalSorter(graph).static_order())) == len(graph)
+    running = PACKAGE / "study" / "running.py"
+    with pytest.raises(CycleError):
+        TopologicalSorter({**graph, PACKAGE / "errors.py": {running}}).prepare()
 
 
 def test_importing_loads_nothing_that_is_not_needed() -> None:

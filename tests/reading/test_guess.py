@@ -4,7 +4,7 @@ import pyarrow as pa
 import pytest
 
 from gam_db import Source, WideSource
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import SourceError
 from gam_db.reading.guess import Guess, SourceSettings, guess
 

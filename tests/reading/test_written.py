@@ -17,7 +17,7 @@ from pyarrow import parquet
 import gam_db
 from gam_db import Source, WideSource
 from gam_db.clock import TimeKind
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import SourceError
 from gam_db.reading.preparing import prepared
 from gam_db.stored.sources import described, source_of

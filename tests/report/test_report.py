@@ -20,7 +20,7 @@ import engines
 import gam_db
 import scripts
 from gam_db.cli import app
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError
 from gam_db.report import Wishes

@@ -19,7 +19,7 @@ import pytest
 import browser
 import gam_db
 import gam_db.report as report_module
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.report import Wishes
 
 pytestmark = pytest.mark.thorough

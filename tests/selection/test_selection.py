@@ -15,7 +15,7 @@ import comparisons
 import gam_db
 import reference
 from gam_db import langevin
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import ParameterError, StatementError
 from gam_db.selection import lags, neighbours
 from gam_db.selection.lags import add_delays, add_samples

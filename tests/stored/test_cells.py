@@ -13,7 +13,7 @@ import engines
 import gam_db
 import reference
 import scripts
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.stored.tables import StateTables
 from stored_rows import Plant, emptied
 from test_onset import PARAMETERS, made, shown, telemetry

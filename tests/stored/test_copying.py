@@ -5,7 +5,7 @@ from pathlib import Path
 import duckdb
 import pytest
 
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import EngineError, SourceError, StateError
 from gam_db.stored.copying import copy
 from gam_db.stored.tables import TABLES as ALL

@@ -8,7 +8,7 @@ import pytest
 
 import gam_db
 import scripts
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.method.alarms import FAR, NEAR
 from gam_db.stored.monitor import Monitor
 from strategies import Row

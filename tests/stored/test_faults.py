@@ -17,7 +17,7 @@ import duckdb
 import pytest
 
 import gam_db
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import ConflictError, EngineError, UserError
 from gam_db.stored import migrations
 from gam_db.stored.migration_files import files

@@ -12,7 +12,7 @@ import engines
 import gam_db
 import scripts
 from gam_db.cli import app
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.stored.monitor import Monitor
 from strategies import Row
 from test_explained import ALARMS, CALM, RAISED, SETTING, W

@@ -20,7 +20,7 @@ from dbt_builder import Builder
 from gam_db.cli import app
 from gam_db.composing import template
 from gam_db.composing.pipeline import filled
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import ParameterError
 from gam_db.export import Package
 from gam_db.findings import findings

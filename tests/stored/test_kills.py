@@ -19,7 +19,7 @@ import comparisons
 import frozen
 import gam_db
 import harness
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import StateError
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.tables import TABLES

@@ -10,7 +10,7 @@ from typer.testing import CliRunner, Result
 
 from gam_db.cli import app
 from gam_db.engines import engine_named
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import EngineError, StateError
 from gam_db.stored import dropping
 from gam_db.stored.migration_files import files

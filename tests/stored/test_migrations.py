@@ -11,7 +11,7 @@ import dictionary
 import migration_lint
 import sql_lint
 from gam_db.engines.duckdb import ENGINE
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.storage import Definition
 from gam_db.errors import ConfigurationError, EngineError, InternalError, StateError
 from gam_db.stored import migration_files, migrations

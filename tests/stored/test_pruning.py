@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gam_db.composing.pipeline import place
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import ConfigurationError, EngineError, ParameterError
 from gam_db.stored import checksums, pruning
 from gam_db.stored.pruning import COUNTED, Retention, prune

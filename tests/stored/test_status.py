@@ -8,7 +8,7 @@ import pyarrow as pa
 import pytest
 
 from gam_db.cli.page import advice
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import ConfigurationError, ParameterError, StateError
 from gam_db.findings import shortcomings
 from gam_db.stored import status as stored_status

@@ -20,7 +20,7 @@ import explained_reference
 import gam_db
 import harness
 import scripts
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import ConflictError, ParameterError
 from gam_db.stored import alarms
 from gam_db.stored.monitor import Monitor

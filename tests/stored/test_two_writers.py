@@ -22,7 +22,7 @@ import gam_db
 import harness
 import scripts
 import stored_rows
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.errors import ConflictError, UserError
 from gam_db.stored import publishing

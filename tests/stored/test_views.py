@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gam_db.engines import engine_named
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.stored.migrations import rendered
 from gam_db.stored.tables import TABLES as ALL
 from gam_db.stored.tables import StateTables

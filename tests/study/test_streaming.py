@@ -18,7 +18,7 @@ from sqlglot import exp
 import comparisons
 import gam_db
 import harness
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.method.bits import Bits
 from gam_db.study import Study, streaming
 from harness import Answer, Row
@@ -158,7 +158,7 @@ import sys
 from pathlib import Path
 import gam_db
 from gam_db.study import streaming
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.study import Study
 streaming.STREAMED_FROM, streaming.GLANCE = 2, 100
 with DuckSession() as session:

@@ -9,7 +9,7 @@ import pyarrow as pa
 import gam_db
 from gam_db import Calibration, Parameters, Source, WideSource
 from gam_db.checking import Note, look_at, notes, propose
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 
 SHORT = Parameters(window=25)
 HALF = Calibration(0.5)

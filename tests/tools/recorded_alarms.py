@@ -14,7 +14,7 @@ from pathlib import Path
 from pyarrow import parquet
 
 from gam_db.alarms import Alarms
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.lab.benchmark.alarms.tables import Judged, Pool, Row, learnt, name_of
 from gam_db.settings.source import Source
 from watched_recordings import RECORDINGS, Recording

@@ -10,7 +10,7 @@ from sqlglot import exp
 import comparisons
 import engines
 import gam_db
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
 from harness import Answer, Row, arrow
 

@@ -10,7 +10,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 import gam_db
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.lab.benchmark.database import opened
 from gam_db.study import Study
 

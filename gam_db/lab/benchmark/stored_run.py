@@ -16,7 +16,7 @@ from typing import Any
 
 import gam_db
 from gam_db.composing import template
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import InternalError
 from gam_db.lab.benchmark import alone, extract_hour
 from gam_db.lab.benchmark.database import opened, statement

@@ -7,7 +7,7 @@ from typing import Any
 
 import pyarrow as pa
 
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import ConfigurationError, nearest
 from gam_db.extras import needed
 from gam_db.lab.baselines import BASELINES, FULL, QUICK, Effort, add_baseline

@@ -16,7 +16,7 @@ import pyarrow as pa
 import pyarrow.compute as pc
 
 from gam_db import langevin
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.lab.reproduce.evaluated import summary
 from gam_db.lab.reproduce.results import Figures, Results
 from gam_db.lab.reproduce.table2 import agreement

@@ -15,8 +15,8 @@ from sqlglot import exp
 
 from gam_db.composing import template
 from gam_db.engines.duckdb import ENGINE
-from gam_db.engines.duckdb_driver import LARGE_LOG
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.driver import LARGE_LOG
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import ConfigurationError, SourceError
 from gam_db.lab.simulate.fleet import TRUTH, Fleet
 

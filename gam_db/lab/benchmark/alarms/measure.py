@@ -6,7 +6,7 @@ from typing import Any
 import pyarrow as pa
 
 from gam_db.alarms import Alarms
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.extras import needed
 from gam_db.lab.benchmark.alarms import fleets
 from gam_db.lab.benchmark.alarms.figures import counted, promise, wear

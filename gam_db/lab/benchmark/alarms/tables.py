@@ -10,7 +10,7 @@ import pyarrow.compute as pc
 from gam_db.alarms import FROZEN, Alarms, chosen_limits
 from gam_db.clock import TimeKind
 from gam_db.composing.pipeline import Pipeline
-from gam_db.engines.duckdb_session import DuckSession
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.method.alarms import (
     add_backtested,
     add_judged,

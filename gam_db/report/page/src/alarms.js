@@ -1,8 +1,7 @@
 // Episodes of alarms: as marks on what is drawn over time, and as a list in the words of gam alarms.
 import {FRAME, alarms} from './data.js';
 import {lasting, plural, shortly, when, whole} from './words.js';
-import {css, el, named} from './dom.js';
-import {linkOf} from './fleet.js';
+import {css, el, linkOf, named} from './dom.js';
 
 /** Most rows of a list; the tables have the rest. */
 const SHOWN = 100;

@@ -16,6 +16,9 @@ export function el(tag, given = {}, ...children) {
 /** A name from the data, apart from the direction of the text around it. */
 export const named = name => el('bdi', {}, name === '' ? '(no name)' : name);
 
+/** The address of a signal's page within this one. */
+export const linkOf = signal => `#/${encodeURIComponent(signal.machine.name)}/${encodeURIComponent(signal.name)}`;
+
 export const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 const tip = el('div', {class: 'tip', 'aria-hidden': 'true'});

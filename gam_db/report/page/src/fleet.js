@@ -2,13 +2,12 @@
 import {D, FRAME, STATES, counts, machines, signals} from './data.js';
 import {brief, plural, share, shortly, ticks, unjudged, when, whole} from './words.js';
 import {CALIBRATION, PAUSE, column, drawStrip, heat, rgb, stripInto, theme, byteOf, AT_LIMIT} from './colour.js';
-import {el, named, showTip} from './dom.js';
+import {el, linkOf, named, showTip} from './dom.js';
 import {list as alarmList, markStrip} from './alarms.js';
 
 /** What is chosen, kept while signals are looked at. */
 export const chosen = {state: null, text: '', byWorst: false, open: new Set(), scroll: 0};
 
-export const linkOf = signal => `#/${encodeURIComponent(signal.machine.name)}/${encodeURIComponent(signal.name)}`;
 const lately = D.counter ? 'in the last windows' : 'in the last day, or three windows';
 
 const headOf = (text, more) => el('div', {class: 'head'}, el('h2', {}, text), el('span', {class: 'note'}, more));

@@ -3,9 +3,9 @@ import {D, FRAME, signals, unpack, unpackTimes} from './data.js';
 import {percent, plural, reading, sentence, share, when, whole} from './words.js';
 import {heat, rgb, stripInto, theme} from './colour.js';
 import {across, chart, gaps, hover, numberAxis, stretch, timeAxis, uPlot, upright} from './charts.js';
-import {css, el, named} from './dom.js';
+import {css, el, linkOf, named} from './dom.js';
 import {drawStates} from './states.js';
-import {foot, heading, linkOf} from './fleet.js';
+import {foot, heading} from './fleet.js';
 import {list as alarmList, markChart, markStrip} from './alarms.js';
 
 const titled = (text, more) => el('div', {class: 'head'}, el('h2', {}, text), el('span', {class: 'note'}, more));

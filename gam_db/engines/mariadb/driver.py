@@ -27,7 +27,7 @@ PORT = 3306
 #: Seconds to wait for a server.
 PATIENCE = 15
 
-_AT_WORK = data.table("gam_db.engines", "mariadb.toml")
+_AT_WORK = data.table("gam_db.engines.mariadb", "mariadb.toml")
 _SETTINGS, _QUERIES = _AT_WORK["settings"], _AT_WORK["queries"]
 
 

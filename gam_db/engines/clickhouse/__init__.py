@@ -1,6 +1,6 @@
 """ClickHouse 24.12 and later (conditions beside the equality of a join), as an engine.
 
-What runs it, on a server or in this process, is in clickhouse_driver.py.
+What runs it, on a server or in this process, is in driver.py.
 """
 
 from sqlglot import exp

@@ -9,7 +9,7 @@ from sqlglot import exp
 
 from gam_db.composing import template
 from gam_db.engines.base import Engine
-from gam_db.engines.spark_tables import Rewriting, same_keys
+from gam_db.engines.spark.tables import Rewriting, same_keys
 
 #: In how many schemas tables are looked for, beside the current one.
 _SCHEMAS = 50

@@ -19,13 +19,12 @@ from typing import Any
 from urllib.parse import unquote, urlsplit
 
 from gam_db import data
-from gam_db.engines.refusals import refused
-from gam_db.engines.session import first_line
+from gam_db.engines.refusals import first_line, refused
 from gam_db.engines.spark import ENGINE
 from gam_db.errors import EngineError
 from gam_db.extras import needed
 
-_AT_WORK = data.table("gam_db.engines", "spark.toml")
+_AT_WORK = data.table("gam_db.engines.spark", "spark.toml")
 
 
 def address_of(url: str) -> tuple[str | None, Path]:

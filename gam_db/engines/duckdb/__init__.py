@@ -1,10 +1,10 @@
-"""DuckDB, the embedded default, as an engine; at work it is in duckdb_session.py."""
+"""DuckDB, the embedded default, as an engine; at work it is in session.py."""
 
 from sqlglot import exp
 
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, Texts, formula
-from gam_db.engines.duckdb_reading import instant_of_text, number_of, retyped, seen_formats
+from gam_db.engines.duckdb.reading import instant_of_text, number_of, retyped, seen_formats
 from gam_db.engines.types import Types
 from gam_db.method.bits import Bits
 

@@ -17,8 +17,8 @@ from sqlglot import exp
 from gam_db.composing import template
 from gam_db.engines.base import Engine
 from gam_db.engines.refusals import CONFLICT
-from gam_db.engines.spark_folder import Entry, Folder
-from gam_db.engines.spark_opening import scratch
+from gam_db.engines.spark.folder import Entry, Folder
+from gam_db.engines.spark.opening import scratch
 from gam_db.errors import ConflictError, EngineError
 
 

@@ -23,13 +23,13 @@ from gam_db.engines.base import temporary
 from gam_db.engines.dbapi import DbapiDriver
 from gam_db.engines.driver import by_table
 from gam_db.engines.postgres import ENGINE, PATH
-from gam_db.engines.postgres_refusals import of_connecting, of_statement
-from gam_db.engines.postgres_types import ARROW, travelling
+from gam_db.engines.postgres.refusals import of_connecting, of_statement
+from gam_db.engines.postgres.types import ARROW, travelling
 from gam_db.engines.refusals import refused
 from gam_db.errors import EngineError, SourceError, UserError
 from gam_db.extras import needed
 
-_AT_WORK = data.table("gam_db.engines", "postgres.toml")
+_AT_WORK = data.table("gam_db.engines.postgres", "postgres.toml")
 _QUERIES = _AT_WORK["queries"]
 
 _SCHEMA = re.compile(r'CREATE SCHEMA IF NOT EXISTS "([^"]+)"')

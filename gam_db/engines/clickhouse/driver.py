@@ -19,10 +19,9 @@ from gam_db.address import shown
 from gam_db.composing import template
 from gam_db.engines.base import deletion
 from gam_db.engines.clickhouse import ENGINE, create_table, temporary_table
-from gam_db.engines.clickhouse_address import EXTRA, folder, is_locked, server
+from gam_db.engines.clickhouse.address import EXTRA, folder, is_locked, server
 from gam_db.engines.driver import Driver, by_table, is_text, usual
-from gam_db.engines.refusals import refusal
-from gam_db.engines.session import first_line
+from gam_db.engines.refusals import first_line, refusal
 from gam_db.errors import EngineError, SourceError, UserError
 from gam_db.extras import needed
 
@@ -34,7 +33,7 @@ _GRANT = re.compile(r"the grant (.+?)(?:\. \(ACCESS_DENIED\)|\.?$)", re.MULTILIN
 #: Seconds that a session may wait for its next statement.
 _IDLE = 3_600
 
-_AT_WORK = data.table("gam_db.engines", "clickhouse.toml")
+_AT_WORK = data.table("gam_db.engines.clickhouse", "clickhouse.toml")
 _SETTINGS, _QUERIES = _AT_WORK["settings"], _AT_WORK["queries"]
 
 #: What a reading takes while it is scored, in bytes: the kept steps, a sort, and the sides of joins.

@@ -11,9 +11,9 @@ import sqlglot
 from sqlglot import exp
 
 from gam_db.composing import template
-from gam_db.engines.duckdb_driver import DuckDriver
-from gam_db.engines.duckdb_files import metadata
-from gam_db.engines.duckdb_journal import Journal, put_back
+from gam_db.engines.duckdb.driver import DuckDriver
+from gam_db.engines.duckdb.files import metadata
+from gam_db.engines.duckdb.journal import Journal, put_back
 from gam_db.engines.refusals import refused
 from gam_db.engines.session import Session
 from gam_db.errors import SourceError, StatementError

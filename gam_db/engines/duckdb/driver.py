@@ -13,11 +13,10 @@ from sqlglot import exp
 from gam_db.engines.base import temporary
 from gam_db.engines.driver import Driver
 from gam_db.engines.duckdb import ENGINE
-from gam_db.engines.duckdb_files import late_word, leaves, matching, no_table, unalike, without_results
-from gam_db.engines.duckdb_journal import Journal, journal_of, put_back
-from gam_db.engines.duckdb_reading import file_reader, is_csv_reader, is_text_file
-from gam_db.engines.refusals import FULL, refusal, refused
-from gam_db.engines.session import first_line
+from gam_db.engines.duckdb.files import late_word, leaves, matching, no_table, unalike, without_results
+from gam_db.engines.duckdb.journal import Journal, journal_of, put_back
+from gam_db.engines.duckdb.reading import file_reader, is_csv_reader, is_text_file
+from gam_db.engines.refusals import FULL, first_line, refusal, refused
 from gam_db.errors import EngineError, SourceError, UserError
 from gam_db.settings.form import Form
 from gam_db.settings.source import paths_of, shown_relation

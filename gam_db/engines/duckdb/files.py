@@ -14,7 +14,7 @@ from sqlglot import exp
 
 from gam_db.composing import template
 from gam_db.engines.duckdb import ENGINE
-from gam_db.engines.duckdb_reading import all_as_text, paths_read
+from gam_db.engines.duckdb.reading import all_as_text, paths_read
 from gam_db.errors import SourceError
 from gam_db.settings.form import options_for_null, options_for_numbers, shortened
 from gam_db.settings.source import FILE_ENDINGS, as_folder, shown_relation

@@ -16,10 +16,10 @@ from gam_db.engines.base import Engine
 from gam_db.engines.driver import Driver, usual
 from gam_db.engines.refusals import READ_ONLY, refusal
 from gam_db.engines.spark import ENGINE, OVER
-from gam_db.engines.spark_folder import Folder
-from gam_db.engines.spark_metastore import MetastoreTables, format_of
-from gam_db.engines.spark_opening import address_of, as_before, beside, quiet, scratch, started
-from gam_db.engines.spark_tables import FolderTables
+from gam_db.engines.spark.folder import Folder
+from gam_db.engines.spark.metastore import MetastoreTables, format_of
+from gam_db.engines.spark.opening import address_of, as_before, beside, quiet, scratch, started
+from gam_db.engines.spark.tables import FolderTables
 from gam_db.errors import EngineError, UserError
 from gam_db.extras import needed
 from gam_db.settings.form import Form
@@ -50,7 +50,7 @@ def connected(target: Any, writable: bool) -> "SparkDriver":
 class SparkDriver(Driver):
     """A session of Spark for this driver alone, and where its tables are.
 
-    That is a folder, or the metastore in a form (:func:`gam_db.engines.spark_metastore.format_of`).
+    That is a folder, or the metastore in a form (:func:`gam_db.engines.spark.metastore.format_of`).
     """
 
     most_rows = 2**40  # Spark spills what does not fit, and a group of channels costs it a round of jobs
