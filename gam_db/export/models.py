@@ -168,7 +168,7 @@ def checks(of: Modelled) -> list[Model]:
     """Return the tests of a package that are queries of their own; a row is something amiss."""
     steps = _learning(of)
     add(steps, "source/names")
-    add(steps, "stored/recount")
+    add(steps, "stored/scoring/recount")
     placed = {"stored_channel": of.reference("channel"), "calibration": of.reference("calibration")}
     made = []
     for name, step in (
@@ -185,7 +185,7 @@ def checks(of: Modelled) -> list[Model]:
 def _calibration(of: Modelled) -> list[Model]:
     """Return the models that are built once: a later build leaves their rows as they are."""
     steps = pipeline(of.method, of.readings(), of.instant)
-    add(steps, "stored/recount")
+    add(steps, "stored/scoring/recount")
     hashes = {"settings_hash": of.settings_hash, "method_hash": method_hash()}
     slots: dict[str, template.Slot] = {key: template.text(said) for key, said in hashes.items()}
     slots |= {"span": of.method.settings[0].reach, "long_ago": LONG_AGO}
@@ -197,7 +197,7 @@ def _calibration(of: Modelled) -> list[Model]:
     config |= of.adapter.get("config", {})
     made = []
     for name, keys in CALIBRATED.items():
-        about = f"{'export' if name in ('channel', 'calibration') else 'stored'}/{name}_rows"
+        about = f"{'export' if name in ('channel', 'calibration') else 'stored/calibrating'}/{name}_rows"
         if name == "channel":
             add(steps, about, slots)
             query = steps.query("channel_rows", commented=True)
@@ -232,7 +232,7 @@ def _learning(of: Modelled) -> Pipeline:
     add_rules(steps, of.method)
     steps.add("readings", rows, template.load("source/readings").comment)
     add(steps, "source/identified", {"read": exp.true()})
-    add(steps, "stored/repeats", name="timeline")
+    add(steps, "stored/scoring/repeats", name="timeline")
     for name in ("collapsed", "samples"):
         add(steps, f"source/{name}")
     add(steps, "calibration/calibrated")
@@ -274,9 +274,9 @@ def _scoring(of: Modelled, is_later: bool) -> Pipeline:
     conditions: list[exp.Expr] = []
     if is_later:
         add(steps, "export/visible_bucket", name="stored_visible_bucket")
-        add(steps, "stored/newest")
+        add(steps, "stored/state/newest")
         never = {"repair_from": FAR_AHEAD, "pruned_stay": 0}
-        add(steps, "stored/restart", {"lookback": of.lookback, **never})
+        add(steps, "stored/scoring/restart", {"lookback": of.lookback, **never})
         add(steps, "export/cohort", {"far_ahead": FAR_AHEAD})
         bounds = {"margin": of.margin, "earliest": LONG_AGO if of.method.kind.is_counter else _FIRST}
         earliest = exp.Subquery(this=filled("export/earliest", bounds))
@@ -287,7 +287,7 @@ def _scoring(of: Modelled, is_later: bool) -> Pipeline:
         steps.small -= {"identified"}
         add(steps, "export/whole_cohort", {"far_ahead": FAR_AHEAD}, name="cohort")
     for name in ("channels", "bounds", "support"):
-        add(steps, f"stored/{name}")
+        add(steps, f"stored/scoring/{name}")
     steps.add("readings", of.readings(*conditions), template.load("source/readings").comment)
     edges = [exp.column(name, table="named") for name in ("read_from", "read_until")]
     ranged = exp.Between(this=exp.column("time", table="reading"), low=edges[0], high=edges[1])

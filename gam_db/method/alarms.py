@@ -112,14 +112,14 @@ def add_kept_judgements(steps: Pipeline, buckets: int, near: exp.Expr) -> None:
     """
     slots: dict[str, template.Slot] = {"buckets": buckets}
     add(steps, "alarms/judged_windows", slots, tables={"bucket_counts": "judged_buckets"})
-    add(steps, "stored/judged_with_limits", {"root": _root("novel", "judged"), "near": near})
+    add(steps, "stored/alarms/judged_with_limits", {"root": _root("novel", "judged"), "near": near})
     for name in ("evidence", "opened"):
         add(steps, f"alarms/{name}", tables={"rooted": "judged_with_limits"})
 
 
 def add_rejudged(steps: Pipeline) -> None:
     """Add judgements over *rejudged_windows* and *limit_spans*, up to *opened*."""
-    add(steps, "stored/rejudged_with_limits", {"root": _root("novel", "judged")})
+    add(steps, "stored/checking/rejudged_with_limits", {"root": _root("novel", "judged")})
     for name in ("evidence", "opened"):
         add(steps, f"alarms/{name}", tables={"rooted": "rejudged_with_limits"})
 

@@ -47,13 +47,13 @@ def add_standing(steps: Pipeline, method: Method) -> None:
     numbers = [n for n, setting in enumerate(method.settings) if setting.still_after is not None]
     for number in numbers:
         slots, tables = {"long_ago": LONG_AGO}, {"cohort": "bounds"}
-        OfSet(steps, method, number).add("stored/stillness", slots, tables=tables)
+        OfSet(steps, method, number).add("stored/scoring/stillness", slots, tables=tables)
     if not numbers:
-        add(steps, "stored/no_stillness", name="stillness", tables={"cohort": "channels"})
+        add(steps, "stored/scoring/no_stillness", name="stillness", tables={"cohort": "channels"})
     elif len(method.settings) > 1:
         parts = [method.named("stillness", number) for number in numbers]
         rows = union_of(steps, parts)
-        steps.add("stillness", rows, template.load("stored/stillness").comment)
+        steps.add("stillness", rows, template.load("stored/scoring/stillness").comment)
     known = steps.steps["judged"].query.named_selects
     told = [name for name in known if name not in ("status", "is_above")]
     columns = [exp.column(name, table="judged").as_(name) for name in told]

@@ -72,14 +72,14 @@ def alarms(state: State, name: str) -> pa.Table:
         (COUNT, "merged_into onset first_judgement last_judgement"),
         (COUNT, "evidence height seq channel_id version_id"),
     )
-    found = state.fetch("stored/alarm_rows", {"monitor": template.text(name)})
+    found = state.fetch("stored/alarms/alarm_rows", {"monitor": template.text(name)})
     return found.rename_columns(schema.names).cast(schema)
 
 
 def judgements(state: State, episode: Row) -> list[Row]:
     """Return the judgements of an episode (a row of :func:`alarms`), from its onset to its last one."""
     ends = {"first": episode["onset"], "last": episode["last_judgement"]}
-    return state.rows("stored/raised_judgements", {"version_id": episode["version_id"], **ends})
+    return state.rows("stored/alarms/raised_judgements", {"version_id": episode["version_id"], **ends})
 
 
 def bands(state: State, name: str, episode: Row) -> list[Row]:
@@ -91,7 +91,7 @@ def bands(state: State, name: str, episode: Row) -> list[Row]:
         and visits (vectors of its first five judgements), calibration_novel, calibration_visits, excess
         (novel less what as many visits held in calibration). Nothing before a run counted them.
     """
-    return state.rows("stored/alarm_bands", {**_of(name, episode), "most": 3})
+    return state.rows("stored/alarms/alarm_bands", {**_of(name, episode), "most": 3})
 
 
 def cells(state: State, name: str, episode: Row) -> list[Row]:
@@ -105,7 +105,7 @@ def cells(state: State, name: str, episode: Row) -> list[Row]:
     """
     found: dict[int, Row] = {}
     shared = ("cell_key", "visits", "first_tick", "last_tick", "steps")
-    for row in state.rows("stored/alarm_cells", _of(name, episode)):
+    for row in state.rows("stored/alarms/alarm_cells", _of(name, episode)):
         cell = found.setdefault(row["cell_rank"], {key: row[key] for key in shared} | {"axes": []})
         cell["axes"].append({key: row[key] for key in _AXIS})
     return list(found.values())
@@ -139,14 +139,14 @@ def events(state: State, name: str, after: int = 0) -> pa.Table:
         One row per change: seq, episode_id, what, noticed_at (UTC), asset, channel, status, is_proving.
     """
     state.monitor(name)
-    return state.fetch("stored/event_rows", {"monitor": template.text(name), "after": after})
+    return state.fetch("stored/alarms/event_rows", {"monitor": template.text(name), "after": after})
 
 
 def limits(state: State, name: str) -> list[Row]:
     """Return by what each channel of a monitor is judged now, or why it is not."""
     steps = Pipeline()
-    add(steps, "stored/active", {"monitor_id": state.monitor(name)["monitor_id"]})
-    add(steps, "stored/limit_rows")
+    add(steps, "stored/state/active", {"monitor_id": state.monitor(name)["monitor_id"]})
+    add(steps, "stored/alarms/limit_rows")
     query = steps.query("limit_rows", state.tables.placed())
     return state.session.rows(query)
 
@@ -177,7 +177,7 @@ def label(
     with state.session.transaction():
         state.lock(monitor_id)
         records = records_of(state, monitor_id)
-        channels = state.rows("stored/known_channels", {"monitor_id": monitor_id})
+        channels = state.rows("stored/state/known_channels", {"monitor_id": monitor_id})
         assets = {row["channel_id"]: row["asset"] for row in channels}
         if episode is not None:
             about = [_episode(episode, records)]
@@ -196,7 +196,7 @@ def label(
                 and assets[row["channel_id"]] == asset
                 and _meet(*ends, row)
             ]
-        given = state.rows("stored/labels", {"monitor_id": monitor_id})
+        given = state.rows("stored/alarms/labels", {"monitor_id": monitor_id})
         if kind in DECISIONS and not instead:
             _check_agrees(kind, about, asset, given)
         number = 1 + max((one["label_id"] for one in given), default=0)
@@ -227,7 +227,7 @@ def left_out(state: State, name: str) -> dict[str, list[tuple[Instant, Instant]]
     if monitor is None:
         return {}
     slots, kind = {"monitor_id": monitor["monitor_id"]}, kind_of(monitor)
-    said = [row for row in state.rows("stored/labels", slots) if row["kind"] in DECISIONS]
+    said = [row for row in state.rows("stored/alarms/labels", slots) if row["kind"] in DECISIONS]
     episodes = {row["episode_id"]: row for row in records_of(state, slots["monitor_id"])}
     spans: dict[str, list[tuple[Instant, Instant]]] = {}
     for number, row in enumerate(said, start=1):
@@ -313,7 +313,7 @@ def _switch_off(state: State, name: str, versions: set[int]) -> None:
     made = []
     for row in limits(state, name) if versions else ():
         if row["version_id"] in versions and row["reason"] is None:
-            (begin,) = state.rows("stored/next_judgement", {"version_id": row["version_id"]})
+            (begin,) = state.rows("stored/alarms/next_judgement", {"version_id": row["version_id"]})
             said = {"reason": UNREPRESENTATIVE, "cause": "false_alarm", "created": now()}
             numbers = {"limit_no": row["limit_no"] + 1, "from_judgement": begin["next_no"] or 0}
             made.append({**row, **dict.fromkeys(CHOSEN), **said, **numbers})

@@ -74,20 +74,20 @@ def calibrate(
     running, steps = study.running, study.steps
     keys = state.keys()
     monitor = _monitor(state, study, name, keys)
-    add(steps, "stored/repeating_calibration")
-    add(steps, "stored/recount", tables={"calibration": "repeating_calibration"})
-    add(steps, "stored/first_count")
+    add(steps, "stored/calibrating/repeating_calibration")
+    add(steps, "stored/scoring/recount", tables={"calibration": "repeating_calibration"})
+    add(steps, "stored/calibrating/first_count")
     add_judged(steps, "limited", "unscored")
     said_now = {"long_ago": LONG_AGO, "created": now()}
-    add(steps, "stored/version_rows", said_now, tables={"recount": "first_count"})
+    add(steps, "stored/calibrating/version_rows", said_now, tables={"recount": "first_count"})
     add_learnt_limits(steps, study.method, ())
     for part in ("calibration", "bounds", "block", "ladder", "support", "buffered", "band"):
-        add(steps, f"stored/{part}_rows")
-    add(steps, "stored/extent_rows", {"g": NEAR})
-    add(steps, "stored/checksum_rows", tables=_SUMMED)
+        add(steps, f"stored/calibrating/{part}_rows")
+    add(steps, "stored/calibrating/extent_rows", {"g": NEAR})
+    add(steps, "stored/calibrating/checksum_rows", tables=_SUMMED)
     versions = {
         (row["asset"], row["channel"]): row
-        for row in state.rows("stored/active", {"monitor_id": monitor["monitor_id"]})
+        for row in state.rows("stored/state/active", {"monitor_id": monitor["monitor_id"]})
     }
     # Keys, and so the numbers of episodes, go by names, whatever order an engine gives rows in.
     found = sorted(running.rows("channels"), key=lambda row: (row["asset"], row["channel"]))
@@ -108,7 +108,7 @@ def calibrate(
     for group in groups:
         study.begin_anew()
         with state.session.lent(table_of(group, _NAMED)) as wanted:
-            asked = filled("stored/wanted_names")
+            asked = filled("stored/calibrating/wanted_names")
             place(asked, {"names": names, "wanted": wanted})
             running.placed["names"] = state.session.keep("wanted_names", asked)
             made += _write(state, study, monitor, group, versions, keys)
@@ -169,7 +169,7 @@ def differing(
     """
     monitor = state.monitor(name)
     method = Method(parameters.finest(), calibration, kind_of(monitor), parameters)
-    rows = state.rows("stored/active", {"monitor_id": monitor["monitor_id"]})
+    rows = state.rows("stored/state/active", {"monitor_id": monitor["monitor_id"]})
     names = table_of([{**row, "readings": 1, "missing_readings": 0} for row in rows], _COUNTED)
     steps = Pipeline()
     add_source(steps, method)
@@ -249,7 +249,7 @@ def _write(
     local = {(row["asset"], row["channel"]): row for row in running.rows("channels")}
     known = {
         (row["asset"], row["channel"]): row["channel_id"]
-        for row in state.rows("stored/known_channels", {"monitor_id": monitor["monitor_id"]})
+        for row in state.rows("stored/state/known_channels", {"monitor_id": monitor["monitor_id"]})
     }
     last, method = dict(keys), method_hash()
     numbering: list[Row] = []

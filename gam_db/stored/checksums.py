@@ -1,6 +1,6 @@
 """Checksums of what calibration froze, and the rows that a new table is given of an older state.
 
-What is summed, and how, stands in ``sql/stored/checksum_rows.sql``.
+What is summed, and how, stands in ``sql/stored/calibrating/checksum_rows.sql``.
 """
 
 from functools import cache
@@ -21,7 +21,7 @@ LATER = ("still_after", "least_vectors")
 def matching_steps() -> Pipeline:
     """Return the steps up to *mismatched*, over the state tables and *wanted* (version_id)."""
     steps = _summing(Pipeline(small=frozenset({"frozen", "wanted"})))  # read several times: planned once
-    add(steps, "stored/mismatched")
+    add(steps, "stored/calibrating/mismatched")
     return steps
 
 
@@ -30,10 +30,10 @@ def first_rows(table: str) -> exp.Query | None:
     """Return what a new table is given of an older state: rows that it lacks; None for none."""
     steps = Pipeline()
     if table == "horizon":
-        add(steps, "stored/first_horizons")
+        add(steps, "stored/calibrating/first_horizons")
         return steps.query("first_horizons")
     if table == "checksum":
-        add(steps, "stored/missing_checksums", name="wanted")
+        add(steps, "stored/calibrating/missing_checksums", name="wanted")
         query = _summing(steps).query("checksum_rows").copy()
         for name in query.find_all(exp.Identifier):
             name.set("this", ENDS.get(name.name, name.name))
@@ -46,5 +46,5 @@ def first_rows(table: str) -> exp.Query | None:
 
 def _summing(steps: Pipeline) -> Pipeline:
     for name in ("frozen", "checksum_rows"):
-        add(steps, f"stored/{name}")
+        add(steps, f"stored/calibrating/{name}")
     return steps

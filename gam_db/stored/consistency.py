@@ -71,13 +71,15 @@ def inconsistencies(
     for buckets, group in groupby(by_length, key=buckets_of):
         yield from _judgements(state, buckets, list(group), judged)
     slots = {"monitor_id": monitor_id}
-    history = state.rows("stored/episode_history", slots)
-    channels = {row["channel_id"]: row["asset"] for row in state.rows("stored/known_channels", slots)}
+    history = state.rows("stored/checking/episode_history", slots)
+    channels = {
+        row["channel_id"]: row["asset"] for row in state.rows("stored/state/known_channels", slots)
+    }
     yield from _episodes(history, judged, channels, versions)
-    for row in state.rows("stored/inconsistent_bands", slots):
+    for row in state.rows("stored/checking/inconsistent_bands", slots):
         what = "judgements whose bands are not all of their vectors"
         yield Inconsistency(row["version_id"], "episodes", what, row["differing"])
-    yield from _labels(state.rows("stored/labels", slots), history, channels)
+    yield from _labels(state.rows("stored/alarms/labels", slots), history, channels)
 
 
 # Limits
@@ -87,7 +89,7 @@ def _limits(
     state: State, monitor_id: int, kind: TimeKind, versions: Mapping[int, Row]
 ) -> Iterator[Inconsistency]:
     """Hold the limits of active versions to what calibration counted."""
-    rows = state.rows("stored/kept_limits", {"monitor_id": monitor_id})
+    rows = state.rows("stored/checking/kept_limits", {"monitor_id": monitor_id})
     with learnt(state, monitor_id) as work:
         version_of = {row["channel_id"]: row["version_id"] for row in work.rows("limit_channels")}
         said: dict[int, dict[int, Row]] = defaultdict(dict)

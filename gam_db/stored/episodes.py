@@ -68,7 +68,7 @@ class Log:
 
 def records_of(state: State, monitor_id: int) -> list[Row]:
     """Return the newest row of each episode of a monitor."""
-    return state.rows("stored/episode_records", {"monitor_id": monitor_id})
+    return state.rows("stored/alarms/episode_records", {"monitor_id": monitor_id})
 
 
 def follow(state: State, monitor_id: int, group: Sequence[Row], judged: Mapping[int, int]) -> None:
@@ -106,9 +106,9 @@ def _found(
         parts[row["since_judgement"] < max(judged[row["version_id"]] - _NEAR, 1)].append(row)
     close = exp.or_(*(_from(rows, "since_judgement") for rows in parts if rows))
     steps = Pipeline(small=frozenset({"merged"}))
-    add(steps, "stored/open_judgements", {"near": close}, name="opened")
+    add(steps, "stored/alarms/open_judgements", {"near": close}, name="opened")
     add(steps, "alarms/merged")
-    add(steps, "stored/judged_ranges", {"near": close})
+    add(steps, "stored/alarms/judged_ranges", {"near": close})
     with Running(state.session, steps, state.tables.placed()) as running:
         running.load("followed", table_of(followed, _FOLLOWED))
         running.keep("merged")
@@ -120,7 +120,7 @@ def _found(
             return {}, ranges
         version = {row["channel_id"]: row for row in followed}
         begun = [{**version[row["channel_id"]], "onset": row["onset"]} for row in onsets]
-        add(steps, "stored/found_episodes", {"near": _from(begun, "onset")})
+        add(steps, "stored/alarms/found_episodes", {"near": _from(begun, "onset")})
         return by("channel_id", running.rows("found_episodes")), ranges
 
 

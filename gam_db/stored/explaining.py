@@ -24,14 +24,14 @@ def explain(state: State, reader: Reader, monitor_id: int, plan: Iterable[Row], 
     """
     known = {row["version_id"]: row for row in plan}
     slots: dict[str, template.Slot] = {"monitor_id": monitor_id}
-    raised = state.fetch("stored/raised_versions", slots)["version_id"].to_pylist()
+    raised = state.fetch("stored/alarms/raised_versions", slots)["version_id"].to_pylist()
     asked = [version for version in raised if version in known]
     if not asked:
         return
     # What is of no use is skipped by an engine where that is said in literals.
     slots["raised_versions"] = listed(exp.column("version_id", table="judged"), asked)
     runs: dict[int, list[list[Row]]] = {}  # of judgements that follow one another
-    wanted = [row for row in state.rows("stored/uncounted", slots) if row["version_id"] in known]
+    wanted = [row for row in state.rows("stored/alarms/uncounted", slots) if row["version_id"] in known]
     for row in _placed(state, wanted):
         mine = runs.setdefault(row["version_id"], [])
         if mine and mine[-1][-1]["judgement_no"] + 1 == row["judgement_no"]:
@@ -54,7 +54,7 @@ def _placed(state: State, wanted: Sequence[Row]) -> list[Row]:
         listed(exp.column(name, table="full_bucket"), {row[of] for row in wanted})
         for name, of in asked.items()
     )
-    found = state.rows("stored/buckets_before", {"wanted": exp.and_(*conditions)})
+    found = state.rows("stored/alarms/buckets_before", {"wanted": exp.and_(*conditions)})
     ends = {(row["version_id"], row["bucket_no"]): row for row in found}
     made = []
     for row in wanted:

@@ -20,7 +20,7 @@ def read_ranges(state: State, lookback: int) -> dict[int, list[Row]]:
 
     Versions are missing of which not all of that time is known.
     """
-    found = by("version_id", state.rows("stored/last_ranges", {"lookback": lookback}))
+    found = by("version_id", state.rows("stored/scoring/last_ranges", {"lookback": lookback}))
     known = {}
     for version_id, ranges in found.items():
         needed: list[Row] = []

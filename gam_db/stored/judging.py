@@ -28,12 +28,12 @@ def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) ->
     """
     buckets = buckets_of(group[0])
     placed = {**state.tables.placed(), **given}
-    rows = state.rows("stored/judged_until", {"near": near(group, buckets)}, given)
+    rows = state.rows("stored/alarms/judged_until", {"near": near(group, buckets)}, given)
     lost = [row for row in rows if row["first_judgement"] == 0 and row["first_bucket"] >= buckets]
     if lost:  # nothing was judged of late, or ever
         versions = {row["version_id"] for row in lost}
         whole = near([{**row, "first_bucket": 0} for row in lost])
-        again = state.rows("stored/judged_until", {"near": whole}, given)
+        again = state.rows("stored/alarms/judged_until", {"near": whole}, given)
         rows = [row for row in rows if row["version_id"] not in versions]
         rows += [row for row in again if row["version_id"] in versions]
     if not rows:
@@ -44,10 +44,10 @@ def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) ->
     def since(judgement: int) -> exp.Expr:
         return near([{**row, "first_bucket": judgement * buckets} for row in rows])
 
-    add(steps, "stored/judged_buckets", {"buckets": buckets, "near": since(first)})
-    add(steps, "stored/limit_spans")
+    add(steps, "stored/alarms/judged_buckets", {"buckets": buckets, "near": since(first)})
+    add(steps, "stored/alarms/limit_spans")
     add_kept_judgements(steps, buckets, since(first - _BEFORE))
-    add(steps, "stored/judgement_rows")
+    add(steps, "stored/alarms/judgement_rows")
     with Running(state.session, steps, placed) as running:
         running.load("judged_until", table_of(rows, _UNTIL))
         state.append("judgement", running.query("judgement_rows"))

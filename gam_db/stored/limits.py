@@ -28,11 +28,11 @@ def learnt(
     Where it ``is_heeding``, one with a false alarm right after calibration gets no limit any more.
     """
     steps = Pipeline(small=frozenset({"active", "limit_channels", "buffered"}))
-    add(steps, "stored/active", {"monitor_id": monitor_id})
+    add(steps, "stored/state/active", {"monitor_id": monitor_id})
     verdict = {"verdict": exp.column("verdict", table="learnt")}
     reason = template.fill("judgement/limit_reason", verdict)
-    add(steps, "stored/limit_channels", {"limit_reason": reason, "heeding": int(is_heeding)})
-    add(steps, "stored/kept_buffered", name="buffered")
+    add(steps, "stored/alarms/limit_channels", {"limit_reason": reason, "heeding": int(is_heeding)})
+    add(steps, "stored/alarms/kept_buffered", name="buffered")
     add_spreads(steps, families, "limit_channels")
     return Running(state.session, steps, state.tables.placed())
 

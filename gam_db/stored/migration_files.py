@@ -119,7 +119,7 @@ def record(migrations: Sequence[Migration], tables: StateTables, applied_at: int
     """Return the statement that records migrations, unless they are recorded already."""
     rows = [
         filled(
-            "stored/migration_record",
+            "stored/state/migration_record",
             {
                 "number": migration.number,
                 "name": template.text(migration.name),

@@ -369,7 +369,7 @@ class Monitor(MonitorSettings):
         conditions = (named_like("asset", asset), named_like("channel", channel))
         chosen = exp.and_(exp.true(), *filter(None, conditions))
         slots = {"monitor": template.text(self.name), "chosen": chosen}
-        return self.state.fetch("stored/health_rows", slots)
+        return self.state.fetch("stored/state/health_rows", slots)
 
     def report(
         self, path: str | Path, wishes: Wishes | None = None, on_step: Listener = unheard

@@ -52,7 +52,7 @@ def is_given(
         if row["channel_id"] in found
     ]
     if _are_whole(list(found.values()), setting.span):
-        add(steps, "stored/bounds")
+        add(steps, "stored/scoring/bounds")
         compared = [streaming.of_channel("exact", row, **_range(row)) for row in there]
         steps.add("exact", streaming.stacked(compared))
         exact = session.rows(steps.query("exact", running.placed))

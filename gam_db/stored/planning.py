@@ -62,7 +62,7 @@ def assets_of(channels: Iterable[Row]) -> list[str] | None:
 def planned(
     rows: Sequence[Row], lookback: int, park_after: int | None, now: int, everything: bool
 ) -> Plan:
-    """Return the plan of a run, of the rows of ``sql/stored/plan.sql``.
+    """Return the plan of a run, of the rows of ``sql/stored/scoring/plan.sql``.
 
     Lookback, and how far back a channel is read without a special reason (``park_after``; None parks
     none), are in the unit of time, and now in microseconds. With ``everything`` no channel is parked.

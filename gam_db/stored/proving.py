@@ -22,7 +22,7 @@ from gam_db.stored.steps import DAY
 #: How much was checked: the whole state with its source, or the checksums of the active versions.
 STATE, CHECKSUMS = "state", "checksums"
 
-#: Columns of ``sql/stored/mismatched.sql`` about that without which nothing can be computed.
+#: Columns of ``sql/stored/calibrating/mismatched.sql`` about that without which nothing can be computed.
 _NEEDED = ("intervals_differ", "figures_differ", "range_differs")
 
 _SHOWN = 3
@@ -96,7 +96,7 @@ def verify_daily(state: State, monitor: Row) -> bool:
     times = [monitor["created"], *(one.proved_at for one in proofs.values() if not one.differences)]
     if any(0 <= began - time < DAY for time in times):
         return False
-    rows = state.rows("stored/active", {"monitor_id": monitor["monitor_id"]})
+    rows = state.rows("stored/state/active", {"monitor_id": monitor["monitor_id"]})
     with state.session.lent(table_of(rows, counts("version_id"))) as wanted:
         verify(state, wanted, rows)
     keep(state, monitor["monitor_id"], Proof(CHECKSUMS, began, len(rows), len(rows), 0, 0))
@@ -117,4 +117,4 @@ def keep(state: State, monitor_id: int, proof: Proof) -> None:
 def last_proofs(state: State, monitor_id: int) -> dict[str, Proof]:
     """Return the newest record of each extent."""
     slots = {"monitor_id": monitor_id, "now": now()}
-    return {row["extent"]: Proof(**row) for row in state.rows("stored/last_proofs", slots)}
+    return {row["extent"]: Proof(**row) for row in state.rows("stored/checking/last_proofs", slots)}

@@ -49,13 +49,14 @@ class Retention:
 
 
 #: The steps that find what goes, in order; all are read before anything is deleted.
-_STEPS = (
-    *("pruned_versions", "recorded", "bucket_ages", "horizons"),
-    *("expired_buckets", "expired_novel", "expired_judgements", "expired_runs"),
-    "expired_band_visits",
-    *("expired_versions", "expired_supports", "expired_unplaced", "new_horizons"),
-    "expired_horizons",
+_FILES = (
+    *("pruning/pruned_versions", "scoring/recorded", "pruning/bucket_ages", "pruning/horizons"),
+    *("pruning/expired_buckets", "pruning/expired_novel", "pruning/expired_judgements"),
+    *("pruning/expired_runs", "pruning/expired_band_visits", "pruning/expired_versions"),
+    *("pruning/expired_supports", "pruning/expired_unplaced", "pruning/new_horizons"),
+    "pruning/expired_horizons",
 )
+_STEPS = {file.rpartition("/")[2]: f"stored/{file}" for file in _FILES}
 
 #: How long it stays known how many rows runs could give to no channel, in microseconds: a year.
 _UNPLACED = 365 * DAY
@@ -164,10 +165,9 @@ def _deleted(
         **limits,
     }
     steps = Pipeline(small=frozenset(_STEPS) - {"bucket_ages"})  # that one has a row per bucket
-    for step in _STEPS:
-        path = f"stored/{step}"
+    for step, path in _STEPS.items():
         steps.add(step, state.query(path, {slot: slots[slot] for slot in template.load(path).slots}))
-    sizes = state.query("stored/state_sizes", {"monitor": slots["monitor"]})
+    sizes = state.query("stored/pruning/state_sizes", {"monitor": slots["monitor"]})
     with contextlib.suppress(_UndoneError), session.transaction():
         state.lock(monitor_id)  # a run that publishes now is there as a whole, or not yet
         before = session.fetch(sizes)

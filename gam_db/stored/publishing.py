@@ -57,7 +57,7 @@ def snapshots(
     Near is a condition on *run* that holds for all runs that may matter.
     """
     slots: dict[str, template.Slot] = {"among": among or exp.true(), "near": near or exp.true()}
-    rows = state.rows("stored/newest_runs", slots)
+    rows = state.rows("stored/scoring/newest_runs", slots)
     return {row["version_id"]: Snapshot(row["newest_run"], row["run_rows"]) for row in rows}
 
 
@@ -120,7 +120,7 @@ def _look_again(state: State, group: Sequence[Row], planned: Snapshots, run_id: 
 
 def withdraw(state: State, run_id: int) -> None:
     """Append what lets a run, of all versions that it has recorded so far, count no more."""
-    state.append("run", state.query("stored/withdrawal", {"run_id": run_id}))
+    state.append("run", state.query("stored/state/withdrawal", {"run_id": run_id}))
 
 
 def _versions(group: Sequence[Row]) -> exp.Expr:

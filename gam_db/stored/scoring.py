@@ -198,7 +198,7 @@ class _Run:
 
     def _known(self) -> list[Row]:
         slots: dict[str, template.Slot] = {"monitor_id": self.monitor["monitor_id"]}
-        return self.state.rows("stored/known_channels", slots)
+        return self.state.rows("stored/state/known_channels", slots)
 
     def _look(self, cohort: Cohort) -> list[Row]:
         self.on_step("looking at the source")
@@ -345,7 +345,7 @@ class _Run:
         """Return the query of the buckets that stay and are needed for the new ones' windows."""
         setting = setting_of(group[0])
         buckets = setting.window_length // setting.stride
-        past = filled("stored/past_buckets", {"buckets": buckets, "near": near(group, buckets)})
+        past = filled("stored/scoring/past_buckets", {"buckets": buckets, "near": near(group, buckets)})
         place(past, running.placed)
         return past
 

@@ -21,11 +21,11 @@ def soundness_steps(monitor_id: int, is_whole: bool) -> Pipeline:
         is_whole: whether a run is there as a whole or not at all.
     """
     steps = Pipeline(small=frozenset({"checked"}))
-    add(steps, "stored/checked", {"monitor_id": monitor_id})
+    add(steps, "stored/checking/checked", {"monitor_id": monitor_id})
     for name in ("inconsistent_versions", "inconsistent_buckets", "inconsistent_novel"):
-        add(steps, f"stored/{name}")
-    add(steps, "stored/inconsistent_runs", {"nothing": FAR_AHEAD, "long_ago": LONG_AGO})
-    add(steps, "stored/orphans", {"whole": int(is_whole)})
+        add(steps, f"stored/checking/{name}")
+    add(steps, "stored/checking/inconsistent_runs", {"nothing": FAR_AHEAD, "long_ago": LONG_AGO})
+    add(steps, "stored/checking/orphans", {"whole": int(is_whole)})
     return steps
 
 
@@ -44,14 +44,14 @@ def judging_steps(buckets: int) -> Pipeline:
         )
     )
     slots: dict[str, template.Slot] = {"buckets": buckets}
-    add(steps, "stored/limit_spans")
+    add(steps, "stored/alarms/limit_spans")
     for name in ("rejudged_buckets", "kept_judgements"):
-        add(steps, f"stored/{name}")
+        add(steps, f"stored/checking/{name}")
     add(steps, "alarms/judged_windows", slots, tables={"bucket_counts": "rejudged_buckets"})
-    add(steps, "stored/rejudged_windows", slots)
+    add(steps, "stored/checking/rejudged_windows", slots)
     add_rejudged(steps)
     for name in ("judged_again", "inconsistent_judgements", "judged_edges"):
-        add(steps, f"stored/{name}")
+        add(steps, f"stored/checking/{name}")
     add(steps, "alarms/merged")
-    add(steps, "stored/raised_again")
+    add(steps, "stored/checking/raised_again")
     return steps

@@ -81,12 +81,12 @@ class State:
         """Delete the rows of a table that a run has replaced; the slots are those of the file."""
         target = self.tables.table(table)
         slots: Slots = {"run_id": run_id, "after": after, "near": near}
-        superseded = self.query("stored/superseded", slots, {"appended": target})
+        superseded = self.query("stored/state/superseded", slots, {"appended": target})
         self.session.delete(target, superseded.named_selects, superseded)
 
     def monitors(self) -> list[dict[str, Any]]:
         """Return the monitors of this database."""
-        return self.rows("stored/monitors")
+        return self.rows("stored/state/monitors")
 
     def monitor(self, name: str) -> dict[str, Any]:
         """Return a monitor by its name.
@@ -105,7 +105,7 @@ class State:
 
     def last_numbers(self) -> dict[str, int]:
         """Return the largest key in use: of monitor, channel, version, support and run."""
-        rows = self.rows("stored/last_numbers")
+        rows = self.rows("stored/state/last_numbers")
         return {row["kind"]: row["last_id"] or 0 for row in rows}
 
     def keys(self) -> dict[str, int]:
@@ -134,7 +134,7 @@ class State:
                 raise ConflictError(CONFLICT)
             yield
             keys.update(self.keys())
-            if self.fetch("stored/doubled").num_rows:
+            if self.fetch("stored/state/doubled").num_rows:
                 raise EngineError(
                     f"Another process wrote to {self.tables}* at the same time, and some channels are "
                     "there twice. Remove the monitor (`gam drop --monitor`), and calibrate it again, "

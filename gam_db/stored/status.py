@@ -79,9 +79,9 @@ def status(
     migrations.require(state.session, state.tables)
     kind = kind_of(state.monitor(monitor))
     longest = lengths.park_after(park_after, kind)
-    stored = state.fetch("stored/status_rows", {"monitor": text(monitor)})
+    stored = state.fetch("stored/state/status_rows", {"monitor": text(monitor)})
     with state.session.lent(stored) as lent:
-        courses = _courses(state.fetch("stored/course", given={"status_rows": lent}))
+        courses = _courses(state.fetch("stored/state/course", given={"status_rows": lent}))
     rows = stored.sort_by(list(ORDER)).to_pylist()
     newest = max((row["last_data"] for row in rows if row["last_data"] is not None), default=None)
     found = []

@@ -89,8 +89,8 @@ def plan_steps(monitor_id: int, lookback: int) -> Pipeline:
         lookback: in the unit of time.
     """
     steps = Pipeline(small=_PLANNED)
-    add(steps, "stored/active", {"monitor_id": monitor_id})
-    add(steps, "stored/recorded", {"at_least": lookback}, name="restart")
+    add(steps, "stored/state/active", {"monitor_id": monitor_id})
+    add(steps, "stored/scoring/recorded", {"at_least": lookback}, name="restart")
     return _planned(steps)
 
 
@@ -108,15 +108,15 @@ def searched_plan_steps(monitor_id: int, lookback: int | None, repair_from: int 
         "repair_from": FAR_AHEAD if repair_from is None else repair_from,
         "pruned_stay": 0 if lookback is None else 1,
     }
-    add(steps, "stored/active", {"monitor_id": monitor_id})
-    add(steps, "stored/newest")
-    add(steps, "stored/restart", slots)
+    add(steps, "stored/state/active", {"monitor_id": monitor_id})
+    add(steps, "stored/state/newest")
+    add(steps, "stored/scoring/restart", slots)
     return _planned(steps)
 
 
 def _planned(steps: Pipeline) -> Pipeline:
-    add(steps, "stored/last_reads", {"long_ago": LONG_AGO})
-    add(steps, "stored/plan", {"long_ago": LONG_AGO})
+    add(steps, "stored/scoring/last_reads", {"long_ago": LONG_AGO})
+    add(steps, "stored/scoring/plan", {"long_ago": LONG_AGO})
     return steps
 
 
@@ -130,12 +130,12 @@ def reading_steps(rows: exp.Query, is_ranged: bool = True) -> Pipeline:
     steps = Pipeline()
     steps.add("readings", rows, template.load("source/readings").comment)
     add(steps, "source/names")
-    add(steps, "stored/channels")
+    add(steps, "stored/scoring/channels")
     edges = [exp.column(name, table="named") for name in ("read_from", "read_until")]
     ranged = exp.Between(this=exp.column("time", table="reading"), low=edges[0], high=edges[1])
     add(steps, "source/identified", {"read": ranged if is_ranged else exp.true()})
-    add(steps, "stored/calibration")
-    add(steps, "stored/recount")
+    add(steps, "stored/scoring/calibration")
+    add(steps, "stored/scoring/recount")
     return steps
 
 
@@ -150,13 +150,13 @@ def unmoved_steps(rows: exp.Query, counted: bool) -> Pipeline:
     """
     steps = reading_steps(rows, is_ranged=False)
     code = template.fill("support/code", {"bins": exp.column("bins")})
-    add(steps, "stored/unmoved", {"code": code, "mark": _mark(counted)})
+    add(steps, "stored/scoring/unmoved", {"code": code, "mark": _mark(counted)})
     return steps
 
 
 def _mark(counted: bool) -> exp.Expr:
     """Return what one reading adds to the sum of what was read."""
-    return template.node_of(1) if counted else template.fill("stored/read_mark")
+    return template.node_of(1) if counted else template.fill("stored/scoring/read_mark")
 
 
 @cache
@@ -172,7 +172,7 @@ def scoring_steps(
     Looking whether an instant occurs twice takes a pass over all times. A ``trusting`` run takes it that
     none does, and finds out on the way: *repeated_instants* holds the channels that deserved no trust,
     whose rows must not be appended. With ``bits`` supports are kept so, and cells are looked up in them.
-    What was read is ``counted``, or summed up (stored/read_sums.sql).
+    What was read is ``counted``, or summed up (stored/scoring/read_sums.sql).
 
     Given by the caller are the state tables, *identified*, *past_buckets*, *recount*, *stamp* (run_id,
     started, committed, deletes_hidden), and *cohort*: the channels, from where on each is read and
@@ -182,16 +182,16 @@ def scoring_steps(
     add_counting(steps, setting, kind, trusting=trusting, bits=bits)
     _add_stillness(steps, setting)
     if trusting:
-        add(steps, "stored/repeated_instants")
+        add(steps, "stored/scoring/repeated_instants")
     if counted or setting.still_after is None:
         slots = {"code": template.fill("support/code", {"bins": setting.bins}), "mark": _mark(counted)}
-        add(steps, "stored/read_sums", slots)
+        add(steps, "stored/scoring/read_sums", slots)
     else:
-        add(steps, "stored/no_sums", name="read_sums")
+        add(steps, "stored/scoring/no_sums", name="read_sums")
     for name in ("past_counts", "new_counts", "settled"):
-        add(steps, f"stored/{name}")
+        add(steps, f"stored/scoring/{name}")
     for part in PUBLISHED:
-        add(steps, f"stored/{part}")
+        add(steps, f"stored/scoring/{part}")
     return steps
 
 
@@ -220,7 +220,7 @@ def add_counting(
     if has_past:
         length = setting.window_length // setting.stride
         past: dict[str, template.Slot] = {"buckets": length, "near": exp.true()}
-        add(steps, "stored/past_buckets", past)
+        add(steps, "stored/scoring/past_buckets", past)
         columns = ("channel_id", "bucket_no", "first_time", "last_time", "novel", "out_of_range")
         buckets = "running_buckets"
         steps.add(
@@ -240,9 +240,9 @@ def comparing_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     steps = _frozen()
     add_counting(steps, setting, kind, has_past=False)
     _add_stillness(steps, setting)
-    add(steps, "stored/reread")
-    add(steps, "stored/compared", {"day": FAR_AHEAD if kind.is_counter else DAY})
-    add(steps, "stored/compared_novel")
+    add(steps, "stored/checking/reread")
+    add(steps, "stored/checking/compared", {"day": FAR_AHEAD if kind.is_counter else DAY})
+    add(steps, "stored/checking/compared_novel")
     return steps
 
 
@@ -252,7 +252,7 @@ def explaining_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     steps = _frozen()
     add_counting(steps, setting, kind, has_past=False)
     band = band_of(exp.column("cell_key", table="visit"), template.node_of(setting.bins))
-    add(steps, "stored/banded", {"window": setting.window_length, "band": band})
+    add(steps, "stored/alarms/banded", {"window": setting.window_length, "band": band})
     return steps
 
 
@@ -275,14 +275,14 @@ def relearning_steps(
     asked = {"target_floor": target_floor, "least_vectors": least_vectors}
     of_set = _add_samples(steps, setting, kind, asked=asked)
     add_learnable(of_set)
-    add(steps, "stored/relearnt")
+    add(steps, "stored/checking/relearnt")
     add_judgement(of_set)
     slots = {"bins": setting.bins, "window": setting.window_length}
-    add(steps, "stored/judged_bounds", slots)
+    add(steps, "stored/checking/judged_bounds", slots)
     add(steps, "certificate/verdicts", tables={"bounds": "judged_bounds"})
-    add(steps, "stored/certified")
+    add(steps, "stored/checking/certified")
     add_counted(steps, bounds="judged_bounds")
-    add(steps, "stored/certified_extents")
+    add(steps, "stored/checking/certified_extents")
     return steps
 
 
@@ -295,8 +295,8 @@ def _frozen(kept: frozenset[str] = frozenset()) -> Pipeline:
     """Return the steps that give what is frozen of the channels of a cohort."""
     steps = Pipeline(small=KEPT | kept)
     for name in ("channels", "bounds", "calibration", "support"):
-        add(steps, f"stored/{name}")
-    add(steps, "stored/calibration_range")
+        add(steps, f"stored/scoring/{name}")
+    add(steps, "stored/scoring/calibration_range")
     return steps
 
 
@@ -309,7 +309,11 @@ def _add_samples(
 ) -> OfSet:
     """Add the steps from *identified* to the samples, and return the one set of the setting."""
     of_set = OfSet(steps, method_of(setting, kind, asked), 0)
-    add(steps, "stored/trusted_timeline" if trusting else "stored/repeats", name="timeline")
+    add(
+        steps,
+        "stored/scoring/trusted_timeline" if trusting else "stored/scoring/repeats",
+        name="timeline",
+    )
     for name in ("collapsed", "samples"):
         add(steps, f"source/{name}")
     add_breaks(of_set)
@@ -318,8 +322,8 @@ def _add_samples(
 
 def _add_new_buckets(of_set: OfSet, trusting: bool = False, bits: Bits | None = None) -> None:
     steps, setting = of_set.steps, of_set.setting
-    add(steps, "stored/seen")
-    add(steps, "stored/run_up", {"span": setting.span})
+    add(steps, "stored/scoring/seen")
+    add(steps, "stored/scoring/run_up", {"span": setting.span})
     ends = dict(ENDS)
     is_told = setting.still_after is not None
     if not of_set.method.is_short(0):
@@ -327,18 +331,18 @@ def _add_new_buckets(of_set: OfSet, trusting: bool = False, bits: Bits | None = 
     if is_told:
         ends["still_so_far"] = "end_still"
     add_buckets(of_set, ends, trusting, bits)
-    add(steps, "stored/bucket_ends")
-    add(steps, "stored/new_buckets")
+    add(steps, "stored/scoring/bucket_ends")
+    add(steps, "stored/scoring/new_buckets")
 
 
 def _add_stillness(steps: Pipeline, setting: Setting) -> None:
     """Add how many samples of each new bucket stand still, and since when the newest do."""
     if setting.still_after is None:
         for name in ("stillness", "still_counts"):
-            add(steps, "stored/no_stillness", name=name)
+            add(steps, "stored/scoring/no_stillness", name=name)
         return
-    add(steps, "stored/stillness", {"long_ago": LONG_AGO})
-    add(steps, "stored/still_counts")
+    add(steps, "stored/scoring/stillness", {"long_ago": LONG_AGO})
+    add(steps, "stored/scoring/still_counts")
 
 
 def method_of(setting: Setting, kind: TimeKind, asked: Mapping[str, Any] | None = None) -> Method:

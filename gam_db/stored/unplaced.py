@@ -15,7 +15,7 @@ def undated(session: Session, reader: Reader) -> int:
     """Return how many rows of the source have no time."""
     steps = Pipeline()
     steps.add("readings", reader.undated())
-    add(steps, "stored/undated")
+    add(steps, "stored/scoring/undated")
     return int(session.fetch(steps.query("undated"))["undated"][0].as_py())
 
 

@@ -1,4 +1,4 @@
--- Seen, one channel, in stored order: what is read of it; see stored/seen.sql.
+-- Seen, one channel, in stored order: what is read of it; see stored/scoring/seen.sql.
 -- Reads:  readings
 -- A row:  the channel, if it has a row in its range.
 -- Slots:  :channel_id, :asset, :channel

@@ -4,7 +4,7 @@
 and the tests of DuckDB run there until one fails. By hand, from the root of the checkout:
 
     python -m tests.guard.mutants                      all of them, in an hour or two
-    python -m tests.guard.mutants stored/plan cert*    those of some files
+    python -m tests.guard.mutants stored/scoring/plan cert*    those of some files
     python -m tests.guard.mutants --processes 2        two at a time, in half of it
     python -m tests.guard.mutants --list               only show them
 
@@ -46,7 +46,7 @@ _RUN_BY = {
     "rowids/*": "sqlite",
     "census/novelty_set": "sqlite",
     "arrays/*": "clickhouse",
-    "stored/withdrawal": "clickhouse",
+    "stored/state/withdrawal": "clickhouse",
 }
 
 #: Seconds after which a run is stopped, if no others are asked for; at least three times as many as the
@@ -82,26 +82,26 @@ _ABOUT = {
     "embedding/still_so_far": "test_incremental[still",
     "embedding/moving_*": "test_incremental[still",
     "health/novel_cells": "test_incremental[short",
-    "stored/bounds": "test_outside_the_contract",
-    "stored/channels": "test_outside_the_contract",
-    **{f"stored/{name}": "test_clocks_and_replays" for name in ("plan", "seen")},
-    **{f"stored/{name}": "test_incremental[still" for name in ("still*", "no_stillness")},
+    "stored/scoring/bounds": "test_outside_the_contract",
+    "stored/scoring/channels": "test_outside_the_contract",
+    **{f"stored/*/{name}": "test_clocks_and_replays" for name in ("plan", "seen")},
+    **{f"stored/*/{name}": "test_incremental[still" for name in ("still*", "no_stillness")},
     **{
-        f"stored/{name}": "test_incremental[short"
+        f"stored/*/{name}": "test_incremental[short"
         for name in ("repeated_instants", "trusted_timeline", "restart")
     },
-    "stored/run_up": "test_incremental[pauses",
-    "stored/re[lp]e*": "test_check_state",
-    "stored/withdrawal": "test_clickhouse_writers",
+    "stored/scoring/run_up": "test_incremental[pauses",
+    "stored/*/re[lp]e*": "test_check_state",
+    "stored/state/withdrawal": "test_clickhouse_writers",
     "streams/in_order": "test_trusting",
-    "stored/pla[n]": "test_incremental[still",
-    "stored/expired_unplaced": "test_clocks_and_replays",
+    "stored/scoring/pla[n]": "test_incremental[still",
+    "stored/pruning/expired_unplaced": "test_clocks_and_replays",
     "judgement/standing": "test_standing",
     "judgement/*": "test_judged",
     "report/*": "test_report",
-    "stored/inconsistent_bands": "test_falsified",
+    "stored/checking/inconsistent_bands": "test_falsified",
     **{
-        f"stored/{name}": "test_stored_alarms"
+        f"stored/*/{name}": "test_stored_alarms"
         for name in (
             *("buffered_rows", "extent_rows", "kept_buffered", "limit_*", "judged_*", "judgement_rows"),
             *("open_judgements", "found_episodes", "episode_records", "expired_judgements"),
@@ -119,7 +119,7 @@ _ABOUT = {
         )
     },
     **{
-        f"stored/{name}": "test_explained"
+        f"stored/*/{name}": "test_explained"
         for name in (
             *(
                 "band_rows",
@@ -137,25 +137,25 @@ _ABOUT = {
     "alarms/within": "test_backtest",
     "alarms/backtested": "test_backtest",
     "alarms/*": "test_alarms",
-    "stored/last_ranges": "test_append_only",
-    "stored/unmoved": "test_append_only",
-    "stored/*_sums": "test_append_only",
-    "stored/ladder_rows": "test_cells",
-    "stored/expired_*": "test_pruning",
-    "stored/bucket_ages": "test_pruning",
-    "stored/horizons": "test_pruning",
-    "stored/pruned_versions": "test_pruning",
-    "stored/state_sizes": "test_pruning",
-    "stored/course": "test_status",
-    "stored/status_rows": "test_status",
-    "stored/active": "test_cli_stored",
-    "stored/known_channels": "test_cli_stored",
-    "stored/last_reads": "test_planning",
-    "stored/wanted_names": "test_planning",
-    "stored/health_rows": "test_cli_stored",
-    "stored/doubled": "test_two_writers",
-    "stored/last_numbers": "test_cli_stored",
-    "stored/migration_record": "test_migrations",
+    "stored/scoring/last_ranges": "test_append_only",
+    "stored/scoring/unmoved": "test_append_only",
+    "stored/scoring/*_sums": "test_append_only",
+    "stored/calibrating/ladder_rows": "test_cells",
+    "stored/pruning/expired_*": "test_pruning",
+    "stored/pruning/bucket_ages": "test_pruning",
+    "stored/pruning/horizons": "test_pruning",
+    "stored/pruning/pruned_versions": "test_pruning",
+    "stored/pruning/state_sizes": "test_pruning",
+    "stored/state/course": "test_status",
+    "stored/state/status_rows": "test_status",
+    "stored/state/active": "test_cli_stored",
+    "stored/state/known_channels": "test_cli_stored",
+    "stored/scoring/last_reads": "test_planning",
+    "stored/calibrating/wanted_names": "test_planning",
+    "stored/state/health_rows": "test_cli_stored",
+    "stored/state/doubled": "test_two_writers",
+    "stored/state/last_numbers": "test_cli_stored",
+    "stored/state/migration_record": "test_migrations",
 }
 
 #: What is copied: enough to run the tests.

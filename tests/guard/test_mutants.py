@@ -9,9 +9,9 @@ from mutants import Mutant
 
 def test_every_file_has_a_mutant() -> None:
     there = {
-        f"{folder}/{path.stem}"
+        path.relative_to(template.sql_folder()).with_suffix("").as_posix()
         for folder in mutants.FOLDERS
-        for path in (template.sql_folder() / folder).glob("*.sql")
+        for path in (template.sql_folder() / folder).rglob("*.sql")
     }
     assert there == {one.file for one in mutants.listed()}
     assert len(set(mutants.listed())) == len(mutants.listed()) >= 60

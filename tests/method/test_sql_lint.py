@@ -709,7 +709,8 @@ def test_views_and_queries_of_the_state_break_no_rule() -> None:
                 column.name: sql_lint.CASTS[column.kind.this] for column in made.this.expressions
             }
     for name in OF_STATE:
-        path = f"stored/{name}"
+        (file,) = (FOLDER / "stored").rglob(f"{name}.sql")
+        path = file.relative_to(FOLDER).with_suffix("").as_posix()
         slots: dict[str, template.Slot] = dict.fromkeys(template.load(path).slots, 5)
         if "monitor" in slots:
             slots["monitor"] = template.text("default")

@@ -143,7 +143,7 @@ def test_the_file_runs_in_duckdb_as_it_is() -> None:
             shell.execute(f"CREATE TABLE stored_{name} AS SELECT * FROM rows")
         shell.execute("CREATE TABLE wanted AS SELECT version_id FROM stored_version")
         frozen, checksum_rows = (
-            (template.sql_folder() / f"stored/{name}.sql").read_text(encoding="utf-8")
+            (template.sql_folder() / f"stored/calibrating/{name}.sql").read_text(encoding="utf-8")
             for name in ("frozen", "checksum_rows")
         )
         shell.execute(f"CREATE VIEW frozen AS {frozen}")
@@ -166,7 +166,7 @@ def damaged(monitor: Monitor, asset: str) -> pa.Table:
 
 def versions(monitor: Monitor) -> Sequence[dict[str, Any]]:
     slots = {"monitor_id": monitor.state.monitor(monitor.name)["monitor_id"]}
-    rows: list[dict[str, Any]] = monitor.state.fetch("stored/active", slots).to_pylist()
+    rows: list[dict[str, Any]] = monitor.state.fetch("stored/state/active", slots).to_pylist()
     return rows
 
 

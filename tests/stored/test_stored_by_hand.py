@@ -24,7 +24,7 @@ def test_the_last_check_of_an_extent_is_the_newest_one_that_is_not_of_tomorrow()
         (2, "state", 30, 9, 9, 90, 9),
         (1, "source", 5, 3, 3, 30, 0),
     )
-    found = step("stored/last_proofs", {"monitor_id": 1, "now": 50}, stored_proof=proofs)
+    found = step("stored/checking/last_proofs", {"monitor_id": 1, "now": 50}, stored_proof=proofs)
     assert found == [("source", 5, 3, 3, 30, 0), ("state", 20, 4, 5, 60, 1)]
 
 
@@ -39,7 +39,9 @@ def test_the_newest_run_says_when_a_version_was_read_and_any_how_far() -> None:
         (3, 5, 10, 10, 10),
     )
     active = rows("version_id", (1,), (2,))
-    found = step("stored/last_reads", {"long_ago": BEFORE_ALL}, stored_finished_run=runs, active=active)
+    found = step(
+        "stored/scoring/last_reads", {"long_ago": BEFORE_ALL}, stored_finished_run=runs, active=active
+    )
     assert found == [(1, 90, 200, 100), (2, BEFORE_ALL, 5, BEFORE_ALL)]
 
 
@@ -57,7 +59,7 @@ def test_buckets_that_differ_are_counted_by_day_on_the_side_that_has_more() -> N
     ]
     made = [kept[0], (1, 50, 99, 40, 11, 1, 0), (2, 101, 149, 90, 10, 0, 0), (4, 201, 249, 190, 9, 9, 9)]
     found = step(
-        "stored/compared",
+        "stored/checking/compared",
         {"day": 100},
         stored_visible_bucket=rows(
             f"version_id run_id novel_in_window {BUCKET}", *((7, 1, 0, *bucket) for bucket in kept)
@@ -77,7 +79,7 @@ def test_novel_cells_that_differ_are_those_of_either_side() -> None:
     kept = [(1, 10, 2, 50, 60), (1, 11, 1, 55, 55), (2, 12, 1, 80, 80)]
     made = [(1, 11, 1, 55, 55), (2, 12, 2, 80, 81), (2, 13, 1, 82, 82), (3, 14, 1, 120, 120)]
     found = step(
-        "stored/compared_novel",
+        "stored/checking/compared_novel",
         stored_visible_novel=rows(
             f"version_id {cell}", *((7, *one) for one in kept), (8, 0, 5, 1, 30, 30)
         ),
@@ -93,7 +95,7 @@ def test_novel_cells_that_differ_are_those_of_either_side() -> None:
 def test_numbers_go_on_from_the_largest() -> None:
     two = rows("monitor_id channel_id version_id support_id run_id", (2, 4, 6, 8, 10), (1, 3, 5, 7, 9))
     names = ("monitor", "channel", "version", "calibration", "bounds", "run")
-    found = step("stored/last_numbers", **{f"stored_{name}": two for name in names})
+    found = step("stored/state/last_numbers", **{f"stored_{name}": two for name in names})
     assert dict(found) == {
         **{"monitor": 2, "channel": 4, "version": 6},
         **{"calibration": 6, "support": 8, "run": 10},
@@ -103,7 +105,7 @@ def test_numbers_go_on_from_the_largest() -> None:
 def test_cells_that_would_be_learnt_otherwise_are_counted_of_either_side() -> None:
     """Cell 5 is visited less than it was, 6 is new, 7 is gone; 8 is as it was, by two channels."""
     found = step(
-        "stored/relearnt",
+        "stored/checking/relearnt",
         learnable=rows("channel_id cell_key", (1, 5), (1, 6), (1, 8), (2, 8)),
         cohort=rows("channel_id support_id", (1, 20), (2, 20)),
         stored_support=rows(
@@ -126,7 +128,7 @@ def test_the_last_bucket_that_stays(
     lookback: int, repair_from: int, pruned_stay: int, expected: tuple[int | None, ...]
 ) -> None:
     found = step(
-        "stored/restart",
+        "stored/scoring/restart",
         {"lookback": lookback, "repair_from": repair_from, "pruned_stay": pruned_stay},
         stored_visible_bucket=rows(
             "version_id bucket_no last_time context_time",
@@ -146,8 +148,10 @@ def test_of_a_pruned_version_the_oldest_window_stays() -> None:
         "newest": rows("version_id newest_time oldest_bucket buckets", (1, 80, 5, 2)),
     }
     slots = {"lookback": 2**62, "repair_from": 2**62}
-    assert step("stored/restart", {**slots, "pruned_stay": 1}, **asked) == [(1, 5, 6, 60, 58)]
-    assert step("stored/restart", {**slots, "pruned_stay": 0}, **asked) == [(1, 5, -1, None, None)]
+    assert step("stored/scoring/restart", {**slots, "pruned_stay": 1}, **asked) == [(1, 5, 6, 60, 58)]
+    assert step("stored/scoring/restart", {**slots, "pruned_stay": 0}, **asked) == [
+        (1, 5, -1, None, None)
+    ]
 
 
 def test_a_plan_expects_the_samples_that_a_vector_and_stillness_reach_back() -> None:
@@ -169,7 +173,7 @@ def test_a_plan_expects_the_samples_that_a_vector_and_stillness_reach_back() -> 
         version(5, 3, 6),
     ]
     found = step(
-        "stored/plan",
+        "stored/scoring/plan",
         {"long_ago": BEFORE_ALL},
         active=rows(frozen, *versions),
         restart=rows(
@@ -193,7 +197,7 @@ def test_a_plan_expects_the_samples_that_a_vector_and_stillness_reach_back() -> 
 
 def test_a_run_up_is_complete_where_no_sample_is_missing_and_none_is_too_many() -> None:
     found = step(
-        "stored/run_up",
+        "stored/scoring/run_up",
         {"span": 2},
         cohort=rows("channel_id lo hi read_from", *((n, 0.0, 1.0, 50) for n in (1, 2, 3))),
         seen=rows("channel_id missing_samples context_rows", (1, 0, 2), (2, 1, 2), (3, 0, 3)),
@@ -203,7 +207,7 @@ def test_a_run_up_is_complete_where_no_sample_is_missing_and_none_is_too_many() 
 
 def test_rows_beyond_the_first_of_an_instant_were_read_too() -> None:
     found = step(
-        "stored/seen",
+        "stored/scoring/seen",
         samples=rows("channel_id time value", (1, 10, 0.5), (1, 20, None), (1, 30, 0.5)),
         timeline=rows("channel_id repeats", (1, 2)),
         cohort=rows("channel_id first_scored", (1, 20)),
@@ -212,7 +216,10 @@ def test_rows_beyond_the_first_of_an_instant_were_read_too() -> None:
 
 
 def test_on_trust_no_instant_is_repeated() -> None:
-    assert step("stored/trusted_timeline", cohort=rows("channel_id", (1,), (2,))) == [(1, 0), (2, 0)]
+    assert step("stored/scoring/trusted_timeline", cohort=rows("channel_id", (1,), (2,))) == [
+        (1, 0),
+        (2, 0),
+    ]
 
 
 def test_bounds_that_are_there_twice_contradict_a_version() -> None:
@@ -231,10 +238,10 @@ def test_bounds_that_are_there_twice_contradict_a_version() -> None:
         ),
         "stored_block": rows("support_id channel_id block vectors novel first_time last_time", (0,) * 7),
     }
-    assert step("stored/inconsistent_versions", stored_bounds=rows(bounds, one), **asked) == []
-    assert step("stored/inconsistent_versions", stored_bounds=rows(bounds, one, one), **asked) == [
-        (1, 0, 1, 0, 0)
-    ]
+    assert step("stored/checking/inconsistent_versions", stored_bounds=rows(bounds, one), **asked) == []
+    assert step(
+        "stored/checking/inconsistent_versions", stored_bounds=rows(bounds, one, one), **asked
+    ) == [(1, 0, 1, 0, 0)]
 
 
 def test_a_version_reads_from_where_all_of_its_first_vector_is_there() -> None:
@@ -250,7 +257,7 @@ def test_a_version_reads_from_where_all_of_its_first_vector_is_there() -> None:
         return (*head, 3, 2, 8, 10, 2, None, still_after, None, 0.05, 1, "s", "m")
 
     found = step(
-        "stored/version_rows",
+        "stored/calibrating/version_rows",
         {"long_ago": BEFORE_ALL, "created": 77},
         numbering=rows(names, *(numbered(n, 4 if n > 3 else None) for n in range(1, 6))),
         bounds=rows(
@@ -272,7 +279,7 @@ def test_a_version_reads_from_where_all_of_its_first_vector_is_there() -> None:
 
 def test_an_extent_is_that_of_one_width() -> None:
     found = step(
-        "stored/extent_rows",
+        "stored/calibrating/extent_rows",
         {"g": 4},
         learnt_limits=rows(
             "channel_id g vectors calibration_length order_ratio",
@@ -287,7 +294,7 @@ def test_an_extent_is_that_of_one_width() -> None:
 def test_fifty_judgements_before_the_first_new_one_are_read_again() -> None:
     slots = {"root": fill("alarms/root", {"count": column("novel")}), "near": ALWAYS}
     found = step(
-        "stored/judged_with_limits",
+        "stored/alarms/judged_with_limits",
         slots,
         judged_windows=rows("channel_id judgement_no novel", (3, 60, 4)),
         judged_until=rows("version_id channel_id first_judgement", (7, 3, 60)),
@@ -310,7 +317,7 @@ def test_fifty_judgements_before_the_first_new_one_are_read_again() -> None:
 def test_an_episode_that_opens_within_calibration_is_still_proving() -> None:
     """Of nine blocks, numbered from 0: what opens at judgement 8 does, what opens at 9 does not."""
     found = step(
-        "stored/found_episodes",
+        "stored/alarms/found_episodes",
         {"near": ALWAYS},
         merged=rows("channel_id onset first_judgement last_judgement", (3, 5, 8, 8), (3, 9, 9, 10)),
         followed=rows("channel_id version_id", (3, 7)),
@@ -330,10 +337,10 @@ def test_judgements_from_one_to_another_hold_both() -> None:
     names = "version_id judgement_no first_time last_time novel root reference height evidence is_open"
     judgements = rows(names, *((n // 5, n, n, n, n, n, n, n, n, 0) for n in range(10)))
     slots = {"version_id": 1, "first": 6, "last": 8}
-    found = step("stored/raised_judgements", slots, stored_visible_judgement=judgements)
+    found = step("stored/alarms/raised_judgements", slots, stored_visible_judgement=judgements)
     assert [row[0] for row in found] == [6, 7, 8]
     edges = step(
-        "stored/judged_edges",
+        "stored/checking/judged_edges",
         judged_again=rows("channel_id judgement_no", (1, 5), (1, 3), (1, 9), (2, 4)),
     )
     assert edges == [(1, 3, 9), (2, 4, 4)]
@@ -341,7 +348,7 @@ def test_judgements_from_one_to_another_hold_both() -> None:
 
 def test_judgements_that_are_open_are_looked_at_from_the_first_that_is_asked_for() -> None:
     found = step(
-        "stored/open_judgements",
+        "stored/alarms/open_judgements",
         {"near": ALWAYS},
         followed=rows("channel_id version_id since_judgement", (3, 7, 5)),
         stored_visible_judgement=rows(
@@ -358,7 +365,7 @@ def test_judgements_that_are_open_are_looked_at_from_the_first_that_is_asked_for
 def test_what_changed_after_a_number_is_not_what_had_it() -> None:
     names = "monitor seq episode_id what noticed_at asset channel status is_proving"
     events = rows(names, *(("gam", n, 1, "opened", n, "a", "x", "open", 0) for n in (1, 2, 3)))
-    found = step("stored/event_rows", {"monitor": "gam", "after": 2}, stored_alarm_event=events)
+    found = step("stored/alarms/event_rows", {"monitor": "gam", "after": 2}, stored_alarm_event=events)
     assert [row[0] for row in found] == [3]
 
 
@@ -369,7 +376,7 @@ def test_a_run_that_gives_way_is_withdrawn() -> None:
         "planned_from hides"
     )
     two = rows(names, tuple(range(17)), tuple(range(1, 18)))
-    assert step("stored/withdrawal", {"run_id": 1}, stored_run=two) == [(*range(1, 18), 1)]
+    assert step("stored/state/withdrawal", {"run_id": 1}, stored_run=two) == [(*range(1, 18), 1)]
 
 
 def test_a_reading_at_either_end_of_an_interval_counts() -> None:
@@ -384,7 +391,7 @@ def test_a_reading_at_either_end_of_an_interval_counts() -> None:
         (3, 20, None),
     ]
     found = step(
-        "stored/recount",
+        "stored/scoring/recount",
         identified=rows("channel_id time value", *readings, (3, 21, 0.0)),
         calibration=rows("channel_id time_from time_to", (3, 10, 20)),
     )
@@ -398,12 +405,12 @@ def test_keys_that_are_there_twice_are_told_of_each_kind() -> None:
         tables = {
             f"stored_{name}": two if name == kind else one for name in ("monitor", "channel", "version")
         }
-        assert step("stored/doubled", **tables) == [(kind, key)]
+        assert step("stored/state/doubled", **tables) == [(kind, key)]
 
 
 def test_counts_of_rows_without_a_place_go_when_they_are_old() -> None:
     found = step(
-        "stored/expired_unplaced",
+        "stored/pruning/expired_unplaced",
         {"monitor": "gam", "unplaced_from": 50},
         stored_unplaced=rows("monitor_id started", (1, 40), (1, 50), (1, 60), (2, 40)),
         stored_monitor=rows("monitor_id name", (1, "gam"), (2, "other")),
@@ -423,7 +430,7 @@ def test_cells_of_an_alarm_are_its_own_in_order() -> None:
     asked = [("gam", 2, 5, 2, 0), ("gam", 2, 5, 1, 1), ("gam", 2, 5, 1, 0)]
     others = [("gam", 3, 5, 7, 0), ("gam", 1, 5, 7, 0), ("gam", 2, 6, 7, 0), ("other", 2, 5, 7, 0)]
     found = step(
-        "stored/alarm_cells",
+        "stored/alarms/alarm_cells",
         {"monitor": "gam", "episode_id": 2, "version_id": 5},
         stored_alarm_cell=rows(names, *(cell(*one) for one in (*asked, *others))),
     )
@@ -438,7 +445,7 @@ def test_bands_of_an_alarm_are_those_that_stand_out() -> None:
     said = [(0, 0.0), (1, 0.5), (2, -0.25), (3, 2.0), (4, 0.25)]
     bands = [("gam", 2, 5, band, excess, f"band {band}", *range(6)) for band, excess in said]
     found = step(
-        "stored/alarm_bands",
+        "stored/alarms/alarm_bands",
         {"monitor": "gam", "episode_id": 2, "version_id": 5, "most": 2},
         stored_alarm_band=rows(names, *bands, ("gam", 1, 5, 9, 9.0, "of another", *range(6))),
     )
@@ -462,7 +469,7 @@ def test_alarms_are_told_most_urgent_first_then_newest_first_with_all_that_was_n
         *(alarm("gam", 1, 0, "open"), alarm("gam", 2, 1, "ended"), alarm("gam", 3, 0, "ended")),
         *(alarm("gam", 4, 0, "ended"), alarm("other", 5, 1, "open"), alarm("gam", 6, 0, "proving")),
     )
-    found = step("stored/alarm_rows", {"monitor": "gam"}, stored_alarm=alarms)
+    found = step("stored/alarms/alarm_rows", {"monitor": "gam"}, stored_alarm=alarms)
     assert [row[0] for row in found] == [2, 6, 1, 4, 3]
     of = dict(zip(noted, alarm("gam", 2, 1, "ended")[7:], strict=True))
     assert found[0] == (
@@ -486,7 +493,7 @@ def test_a_version_is_checked_with_what_the_newest_records_say_of_it() -> None:
         return (number, channel, 40, None, 1, "active", "first calibration", *settings, 90, 91, 30, 80)
 
     found = step(
-        "stored/checked",
+        "stored/checking/checked",
         {"monitor_id": 1},
         stored_version=rows(
             names, version(1, 3, None), version(2, 3, 6), version(3, 4, None), version(4, 5, None)
@@ -526,10 +533,10 @@ def test_what_was_read_comes_to_a_sum_of_times_and_codes_twice_as_far_as_rows_ma
     ]
     slots: dict[str, Any] = {
         "code": fill("support/code", {"bins": 4}),
-        "mark": fill("stored/read_mark"),
+        "mark": fill("stored/scoring/read_mark"),
     }
     found = step(
-        "stored/read_sums",
+        "stored/scoring/read_sums",
         slots,
         identified=rows("channel_id time value", *read),
         cohort=cohort,
@@ -549,7 +556,7 @@ def test_what_was_read_comes_to_a_sum_of_times_and_codes_twice_as_far_as_rows_ma
 
 def test_where_samples_that_stand_still_are_told_no_sum_is_kept() -> None:
     """Codes do not say what stands still, so none may look as if it had been added up."""
-    assert step("stored/no_sums", {}, cohort=rows("channel_id", (1,), (2,))) == []
+    assert step("stored/scoring/no_sums", {}, cohort=rows("channel_id", (1,), (2,))) == []
 
 
 def test_what_is_read_in_stored_order_is_context_up_to_the_first_scored_instant() -> None:
@@ -571,7 +578,7 @@ def test_what_is_read_in_stored_order_is_context_up_to_the_first_scored_instant(
 def test_calibration_is_counted_one_by_one_where_an_instant_occurs_twice() -> None:
     """Once is enough."""
     found = step(
-        "stored/repeating_calibration",
+        "stored/calibrating/repeating_calibration",
         {},
         calibration=rows("channel_id time_from time_to", (1, 0, 9), (2, 0, 9), (3, 5, 9), (3, 12, 20)),
         timeline=rows("channel_id repeats", (1, 0), (2, 1), (3, 4)),

@@ -354,5 +354,5 @@ def test_a_key_that_is_there_twice_is_told(kind: str) -> None:
     plant.tables[kind].append(dict(row))
     with DuckSession() as session:
         plant.write(session, StateTables())
-        found = State(session, StateTables()).fetch("stored/doubled").to_pylist()
+        found = State(session, StateTables()).fetch("stored/state/doubled").to_pylist()
     assert found == [{"kind": kind, "doubled_id": row[f"{kind}_id"]}]

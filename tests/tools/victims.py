@@ -105,7 +105,7 @@ def warm() -> None:
     tiny.judge_any_calibration()
     files()
     folder = template.sql_folder()
-    for path in folder.glob("*/*.sql"):
+    for path in folder.rglob("*.sql"):
         template.load(str(path.relative_to(folder).with_suffix("")))
 
 

@@ -3,7 +3,7 @@
 -- Reads:  identified, cohort, seen
 -- A row:  one channel that has a row in its range.
 -- Slots:  :code  the expression of support/code.sql
---         :mark  what one reading adds: the expression of stored/read_mark.sql, or 1 where rows are only counted
+--         :mark  what one reading adds: the expression of stored/scoring/read_mark.sql, or 1 where rows are only counted
 SELECT
   channel_id,
   MIN(coded.summed_from) AS summed_from,

@@ -3,7 +3,7 @@
 -- Reads:  identified, ranges
 -- A row:  one channel of which a range does.
 -- Slots:  :code  the expression of support/code.sql, of bins that a range has as a column
---         :mark  what one reading adds; see stored/read_sums.sql
+--         :mark  what one reading adds; see stored/scoring/read_sums.sql
 SELECT channel_id, CAST(COUNT(*) AS BIGINT) AS alike
 FROM (
   SELECT
