@@ -16,8 +16,8 @@ from gam_db.cli.options import flag, option
 from gam_db.clock import TimeKind, told_time, zone
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row
-from gam_db.stored import alarms as stored
-from gam_db.stored import limits as made
+from gam_db.stored.alarms import limits as made
+from gam_db.stored.alarms import told as stored
 from gam_db.stored.state import kind_of
 
 #: Episodes shown unless all are asked for.

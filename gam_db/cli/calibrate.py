@@ -19,8 +19,8 @@ from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, need_attention, share, shortcomings
 from gam_db.reading.guess import SourceSettings, folder_or_table
 from gam_db.settings.source import AnySource, WideSource, is_file, shown_relation, slashed
-from gam_db.stored import migrations
 from gam_db.stored.monitor import Monitor
+from gam_db.stored.schema import migrations
 from gam_db.stored.sources import SOURCE_COLUMNS, described, source_of
 from gam_db.stored.state import State
 

@@ -19,7 +19,7 @@ from gam_db.clock import TimeKind, shown_instant
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, printable
 from gam_db.findings import Row
-from gam_db.stored.proving import keep
+from gam_db.stored.checking.proving import keep
 from gam_db.stored.state import State, kind_of
 from gam_db.study.running import Listener
 

@@ -9,8 +9,8 @@ from gam_db.engines.session import Session
 from gam_db.errors import printable
 from gam_db.findings import Row
 from gam_db.reading.guess import folder_or_table
-from gam_db.stored import migrations
 from gam_db.stored.monitor import Monitor
+from gam_db.stored.schema import migrations
 from gam_db.stored.sources import source_of
 from gam_db.stored.state import State
 

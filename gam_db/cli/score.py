@@ -22,8 +22,8 @@ from gam_db.findings import Row, need_attention
 from gam_db.settings.setting import FLAG, INSTANT, TEXT, setting
 from gam_db.settings.source import shown_relation
 from gam_db.stored.calibrating import differing
-from gam_db.stored.copying import copy
-from gam_db.stored.report import Report
+from gam_db.stored.schema.copying import copy
+from gam_db.stored.scoring.report import Report
 from gam_db.stored.sources import relation_of
 from gam_db.stored.state import kind_of
 

@@ -12,12 +12,13 @@ from gam_db.clock import TimeKind, told_time
 from gam_db.engines import NAMES, engine_named
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row
-from gam_db.stored import dropping, migrations, pruning
-from gam_db.stored.migrations import Status
+from gam_db.stored import pruning
 from gam_db.stored.pruning import COUNTED, Retention
-from gam_db.stored.roles import Roles
+from gam_db.stored.schema import dropping, migrations
+from gam_db.stored.schema.migrations import Status
+from gam_db.stored.schema.roles import Roles
+from gam_db.stored.schema.tables import StateTables
 from gam_db.stored.state import State
-from gam_db.stored.tables import StateTables
 
 
 @options.taking("schema", "prefix", "as_json", source=False, state=True)

@@ -16,7 +16,7 @@ from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, need_attention, share
 from gam_db.settings.parameters import pattern_matches
 from gam_db.stored import status as stored_status
-from gam_db.stored.proving import Proof
+from gam_db.stored.checking.proving import Proof
 from gam_db.stored.state import State
 
 ASSETS = 20

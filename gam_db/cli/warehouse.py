@@ -19,7 +19,7 @@ from gam_db.export.script import render
 from gam_db.reading import look
 from gam_db.reading.guess import SourceSettings, guess
 from gam_db.settings.source import AnySource, Source, WideSource, is_file
-from gam_db.stored.tables import StateTables
+from gam_db.stored.schema.tables import StateTables
 
 Form = Literal["exact", "view"]
 

@@ -24,8 +24,8 @@ from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
 from gam_db.settings.source import AnySource, WideSource, declared_kind, is_file, table_names
 from gam_db.stored import lengths
-from gam_db.stored.migration_files import definitions
-from gam_db.stored.tables import StateTables
+from gam_db.stored.schema.migration_files import definitions
+from gam_db.stored.schema.tables import StateTables
 from gam_db.version import __version__
 
 PROJECT = "dbt_project.yml"

@@ -19,7 +19,7 @@ from gam_db.engines import engine_named
 from gam_db.errors import ConfigurationError
 from gam_db.export import yaml_text
 from gam_db.extras import needed
-from gam_db.stored.tables import StateTables
+from gam_db.stored.schema.tables import StateTables
 
 DASHBOARD, ALERT = "gam-dashboard.json", "gam-alert.yaml"
 

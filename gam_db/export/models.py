@@ -28,8 +28,8 @@ from gam_db.method.judgement import add_judged, limit_slots
 from gam_db.method.source import add_rules
 from gam_db.settings.source import AnySource, under
 from gam_db.stored.calibrating import method_hash
+from gam_db.stored.planning.steps import DAY, KEPT, Setting, add_counting
 from gam_db.stored.sources import described
-from gam_db.stored.steps import DAY, KEPT, Setting, add_counting
 
 #: What dbt runs on, by engine; see the file.
 ADAPTERS: Mapping[str, Mapping[str, Any]] = data.table("gam_db.export", "adapters.toml")

@@ -23,8 +23,8 @@ from gam_db.method.judgement import add_judged
 from gam_db.method.source import add_source
 from gam_db.settings.calibration import Calibration, subtract
 from gam_db.settings.parameters import Parameters, pattern_matches
-from gam_db.stored import checksums
 from gam_db.stored.planning import Row, by, whole_pools
+from gam_db.stored.schema import checksums
 from gam_db.stored.sources import described
 from gam_db.stored.state import State, kind_of, now
 from gam_db.study import Study

@@ -26,14 +26,16 @@ from gam_db.report import Wishes, write
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters, pattern_matches
 from gam_db.settings.source import AnySource
-from gam_db.stored import alarms as stored_alarms
-from gam_db.stored import lengths, limits, migrations
+from gam_db.stored import lengths
+from gam_db.stored.alarms import limits
+from gam_db.stored.alarms import told as stored_alarms
 from gam_db.stored.calibrating import calibrate, without
 from gam_db.stored.checking import Checked, check_state
-from gam_db.stored.proving import Proof, keep
+from gam_db.stored.checking.proving import Proof, keep
 from gam_db.stored.pruning import Retention, compact, prune
-from gam_db.stored.report import Report, Wanted
+from gam_db.stored.schema import migrations
 from gam_db.stored.scoring import score
+from gam_db.stored.scoring.report import Report, Wanted
 from gam_db.stored.settings import MonitorSettings
 from gam_db.stored.state import State, kind_of
 from gam_db.stored.status import status
@@ -172,7 +174,7 @@ class Monitor(MonitorSettings):
             on_step: called with what is done next.
 
         Returns:
-            What was read and made; see :class:`gam_db.stored.report.Report`.
+            What was read and made; see :class:`gam_db.stored.scoring.report.Report`.
 
         Raises:
             UserError: there is no such monitor, or the source cannot be used. Channels that were scored

@@ -17,9 +17,10 @@ from gam_db.clock import FAR_AHEAD, Length, length
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.errors import EngineError, ParameterError
-from gam_db.stored import lengths, migrations
+from gam_db.stored import lengths
+from gam_db.stored.planning.steps import DAY
+from gam_db.stored.schema import migrations
 from gam_db.stored.state import State, first_run_at, kind_of, now
-from gam_db.stored.steps import DAY
 
 NOVEL_ROWS = 100_000
 """Rows of novel cells that a version keeps where nothing is said: those of 100,000 vectors if each is

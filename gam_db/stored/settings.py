@@ -7,7 +7,7 @@ from gam_db.clock import Length
 from gam_db.settings.setting import FLAG, LENGTH, TEXT, check, declared, setting
 from gam_db.stored import lengths
 from gam_db.stored.pruning import NOVEL_ROWS
-from gam_db.stored.tables import StateTables
+from gam_db.stored.schema.tables import StateTables
 
 
 @declared

@@ -19,8 +19,8 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import filled, place
 from gam_db.engines.session import CONFLICT, Row, Session
 from gam_db.errors import ConfigurationError, ConflictError, EngineError, StateError, nearest
-from gam_db.stored.migration_files import columns_of
-from gam_db.stored.tables import StateTables, insertion
+from gam_db.stored.schema.migration_files import columns_of
+from gam_db.stored.schema.tables import StateTables, insertion
 
 #: The slots of a file, and tables that stand for what it reads besides.
 Slots: TypeAlias = Mapping[str, template.Slot] | None

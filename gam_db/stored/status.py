@@ -18,8 +18,9 @@ from gam_db.clock import Length, TimeKind, instant, shown_instant
 from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns
 from gam_db.composing.template import text
 from gam_db.findings import ORDER, Course, Row, at_end, ended, finding
-from gam_db.stored import lengths, migrations
-from gam_db.stored.proving import STATE, Proof, last_proofs
+from gam_db.stored import lengths
+from gam_db.stored.checking.proving import STATE, Proof, last_proofs
+from gam_db.stored.schema import migrations
 from gam_db.stored.state import State, kind_of
 from gam_db.units import told_by
 

@@ -14,8 +14,8 @@ from typer.testing import CliRunner, Result
 import gam_db
 from gam_db.cli import app
 from gam_db.engines.duckdb.session import DuckSession
-from gam_db.stored import migrations
-from gam_db.stored.tables import StateTables
+from gam_db.stored.schema import migrations
+from gam_db.stored.schema.tables import StateTables
 from stored_rows import STEP, Plant
 
 NOW = time.time_ns() // 1000

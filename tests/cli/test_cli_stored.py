@@ -18,7 +18,7 @@ from typer.testing import CliRunner, Result
 
 import gam_db
 from gam_db.cli import app
-from gam_db.stored import migration_files
+from gam_db.stored.schema import migration_files
 
 SMALL = ("--m", "2", "--window", "50", "--stride", "10", "--bins", "10")
 HEALTHY = ("--calibrate", "0/599")
@@ -322,7 +322,7 @@ def test_a_monitor_in_a_schema_and_a_copy_of_it() -> None:
 def test_a_state_of_an_older_gam_db_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     known = migration_files.files()
     with monkeypatch.context() as older:
-        older.setattr("gam_db.stored.migrations.files", lambda: known[:-1])
+        older.setattr("gam_db.stored.schema.migrations.files", lambda: known[:-1])
         assert gam("migrate", *STATE).exit_code == 0
     for words in (("calibrate", saved(800), *STATE), ("score", *STATE)):
         result = gam(*words)

@@ -25,10 +25,10 @@ from gam_db.engines import engine_named
 from gam_db.engines.session import Session
 from gam_db.method import Method, pipeline
 from gam_db.settings.source import readings
-from gam_db.stored import dropping, migrations
-from gam_db.stored.migration_files import files
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.tables import TABLES, VIEWS, StateTables
+from gam_db.stored.schema import dropping, migrations
+from gam_db.stored.schema.migration_files import files
+from gam_db.stored.schema.tables import TABLES, VIEWS, StateTables
 from googlesql import GoogleSqlError, Plant, Table
 from googlesql_driver import GoogleSqlDriver
 from strategies import Case, cases

@@ -22,8 +22,8 @@ from gam_db.engines.clickhouse import driver as clickhouse_driver
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, SourceError
 from gam_db.settings.source import readings as reading_query
-from gam_db.stored import reading
 from gam_db.stored.monitor import Monitor
+from gam_db.stored.planning import reading
 from scripts import arrive
 from small_plant import FIRST, LENGTH, readings
 from visible import BUCKETS, NOVEL, visible

@@ -18,7 +18,7 @@ import gam_db
 import postgres_server
 from gam_db.errors import ConflictError, EngineError, UserError
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.report import Report
+from gam_db.stored.scoring.report import Report
 from gam_db.study.running import Listener
 from sets import amounts
 from small_plant import FIRST, LOOKBACK, monitor, readings, whole

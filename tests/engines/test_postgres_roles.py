@@ -14,7 +14,7 @@ from typer.testing import CliRunner
 import gam_db
 import postgres_server
 from gam_db.cli import app
-from gam_db.stored.tables import TABLES, VIEWS
+from gam_db.stored.schema.tables import TABLES, VIEWS
 from small_plant import readings
 from small_postgres import administrator, database, source
 

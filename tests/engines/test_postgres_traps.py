@@ -14,7 +14,7 @@ import postgres_server
 import postgres_traps
 from gam_db.cli import app
 from gam_db.errors import EngineError, SourceError
-from gam_db.stored.tables import VIEWS
+from gam_db.stored.schema.tables import VIEWS
 from small_plant import readings
 from small_postgres import administrator, database, source
 

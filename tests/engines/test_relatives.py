@@ -25,9 +25,9 @@ import postgres_server
 import scripts
 from gam_db.engines import engine_named
 from gam_db.export.script import FORMS
-from gam_db.stored.migration_files import files
-from gam_db.stored.migrations import rendered
-from gam_db.stored.tables import StateTables
+from gam_db.stored.schema.migration_files import files
+from gam_db.stored.schema.migrations import rendered
+from gam_db.stored.schema.tables import StateTables
 from googlesql import statements
 from strategies import Case, cases
 from test_spec import CASES

@@ -21,9 +21,9 @@ from gam_db.engines.spark import OVER
 from gam_db.engines.spark.driver import SparkDriver
 from gam_db.engines.spark.tables import Rewriting
 from gam_db.errors import EngineError, GamError, SourceError, UserError
-from gam_db.stored.migrations import rendered
-from gam_db.stored.reading import near
-from gam_db.stored.tables import StateTables
+from gam_db.stored.planning.reading import near
+from gam_db.stored.schema.migrations import rendered
+from gam_db.stored.schema.tables import StateTables
 
 PARAMETERS = gam_db.Parameters(m=2, tau=3, bins=4, window=20, stride=5)
 START = 1_709_990_000_000_000  # within a day of a change of the clocks in New York

@@ -30,7 +30,7 @@ import harness
 import spark_victim
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.spark.folder import Folder
-from gam_db.stored.tables import StateTables
+from gam_db.stored.schema.tables import StateTables
 from killed_plant import CALIBRATION, PARAMETERS, plant
 from stored_rows import emptied
 from strategies import Row

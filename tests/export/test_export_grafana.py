@@ -23,7 +23,7 @@ from gam_db.cli import app
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError
 from gam_db.export import grafana
-from gam_db.stored.tables import StateTables
+from gam_db.stored.schema.tables import StateTables
 
 pytestmark = pytest.mark.thorough
 

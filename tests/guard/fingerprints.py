@@ -21,8 +21,8 @@ from gam_db.export import Package
 from gam_db.export.models import ADAPTERS
 from gam_db.export.script import FORMS
 from gam_db.settings.parameters import LEAST_VECTORS
-from gam_db.stored.migrations import rendered
-from gam_db.stored.tables import StateTables
+from gam_db.stored.schema.migrations import rendered
+from gam_db.stored.schema.tables import StateTables
 from gam_db.version import __version__
 
 FILE = Path(__file__).with_name("fingerprints.txt")

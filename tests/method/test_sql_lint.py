@@ -33,13 +33,14 @@ from gam_db.selection.lags import add_delays, add_samples
 from gam_db.selection.neighbours import add_dimensions, add_embedding
 from gam_db.selection.search import Search
 from gam_db.settings.source import Source, WideSource, readings
-from gam_db.stored import alarms, scoring
-from gam_db.stored.migration_files import definitions
-from gam_db.stored.migrations import rendered
+from gam_db.stored import scoring
+from gam_db.stored.alarms import told as alarms
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.publishing import withdraw
-from gam_db.stored.steps import Setting, scoring_steps
-from gam_db.stored.tables import StateTables
+from gam_db.stored.planning.steps import Setting, scoring_steps
+from gam_db.stored.schema.migration_files import definitions
+from gam_db.stored.schema.migrations import rendered
+from gam_db.stored.schema.tables import StateTables
+from gam_db.stored.scoring.publishing import withdraw
 from gam_db.study import Study, streaming
 from harness import arrow
 from sql_lint import Kind

@@ -16,8 +16,8 @@ from gam_db.cli.config import SECTIONS, Settings
 from gam_db.errors import CalibrationError, ConfigurationError
 from gam_db.reading.guess import SourceSettings
 from gam_db.settings.setting import COLUMNS, COUNT, FLAG, check, setting, settings_of
+from gam_db.stored.schema.tables import StateTables
 from gam_db.stored.settings import MonitorSettings
-from gam_db.stored.tables import StateTables
 
 
 def read(folder: Path, text: str) -> Settings:

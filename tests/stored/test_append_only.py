@@ -15,9 +15,9 @@ import frozen
 import harness
 import small_plant
 from gam_db.stored import scoring
-from gam_db.stored.growing import unmoved
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.report import Report
+from gam_db.stored.scoring.growing import unmoved
+from gam_db.stored.scoring.report import Report
 from small_plant import FIRST, LENGTH, readings, seen, source
 from visible import BUCKETS, NOVEL, put, rows_of
 

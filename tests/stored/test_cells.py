@@ -14,7 +14,7 @@ import gam_db
 import reference
 import scripts
 from gam_db.engines.duckdb.session import DuckSession
-from gam_db.stored.tables import StateTables
+from gam_db.stored.schema.tables import StateTables
 from stored_rows import Plant, emptied
 from test_onset import PARAMETERS, made, shown, telemetry
 

@@ -14,10 +14,11 @@ import gam_db
 import scripts
 from gam_db.composing import template
 from gam_db.errors import StateError
-from gam_db.stored import migrations, proving
-from gam_db.stored.migration_files import files
+from gam_db.stored.checking import proving
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.steps import DAY
+from gam_db.stored.planning.steps import DAY
+from gam_db.stored.schema import migrations
+from gam_db.stored.schema.migration_files import files
 from strategies import Row
 from test_falsified import put_back, stored
 

@@ -15,8 +15,8 @@ import small_plant
 from gam_db.engines.session import Session
 from gam_db.stored import pruning
 from gam_db.stored.monitor import Monitor
+from gam_db.stored.planning.steps import DAY
 from gam_db.stored.state import first_run_at, now
-from gam_db.stored.steps import DAY
 from small_plant import FIRST, LENGTH, monitor, readings, source
 from visible import put, visible
 

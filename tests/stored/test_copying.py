@@ -7,9 +7,9 @@ import pytest
 
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import EngineError, SourceError, StateError
-from gam_db.stored.copying import copy
-from gam_db.stored.tables import TABLES as ALL
-from gam_db.stored.tables import VIEWS, StateTables
+from gam_db.stored.schema.copying import copy
+from gam_db.stored.schema.tables import TABLES as ALL
+from gam_db.stored.schema.tables import VIEWS, StateTables
 from stored_rows import Plant
 
 pytestmark = pytest.mark.comments

@@ -18,8 +18,8 @@ import engines
 import gam_db
 import scripts
 from gam_db.errors import UserError
-from gam_db.stored.migration_files import definitions
 from gam_db.stored.monitor import Monitor
+from gam_db.stored.schema.migration_files import definitions
 from gam_db.stored.sources import source_of
 from strategies import Row
 

@@ -19,10 +19,10 @@ import pytest
 import gam_db
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import ConflictError, EngineError, UserError
-from gam_db.stored import migrations
-from gam_db.stored.migration_files import files
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.tables import StateTables
+from gam_db.stored.schema import migrations
+from gam_db.stored.schema.migration_files import files
+from gam_db.stored.schema.tables import StateTables
 from gam_db.study.running import Listener
 from nobody import as_nobody
 from small_plant import FIRST, LENGTH, begin, monitor, readings, seen, source, stored, whole

@@ -10,9 +10,9 @@ import comparisons
 import frozen
 import gam_db
 import harness
-from gam_db.stored import calibrating, reading
+from gam_db.stored import calibrating
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.planning import whole_pools
+from gam_db.stored.planning import reading, whole_pools
 from small_plant import source
 from strategies import Row
 from test_outside_the_contract import watching

@@ -16,7 +16,7 @@ import harness
 from batches import CHANNELS, KINDS, History, history
 from gam_db.stored import scoring
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.tables import TABLES
+from gam_db.stored.schema.tables import TABLES
 from visible import BUCKETS, NOVEL, STANDING, STILL, CrashError, crashing, put, rows_of
 
 #: Histories of each kind; each is one of several channels, whose rows arrive each in their own way.

@@ -24,8 +24,8 @@ from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import ParameterError
 from gam_db.export import Package
 from gam_db.findings import findings
-from gam_db.stored.migration_files import definitions
 from gam_db.stored.monitor import Monitor
+from gam_db.stored.schema.migration_files import definitions
 from gam_db.study import Study, streaming, trusting
 from sets import amounts
 from visible import visible

@@ -22,7 +22,7 @@ import harness
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import StateError
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.tables import TABLES
+from gam_db.stored.schema.tables import TABLES
 from killed_plant import ALARMS, CALIBRATION, LOOKBACK, METHOD, PARAMETERS, plant
 from sets import amounts
 from strategies import Row

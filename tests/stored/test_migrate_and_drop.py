@@ -12,10 +12,10 @@ from gam_db.cli import app
 from gam_db.engines import engine_named
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import EngineError, StateError
-from gam_db.stored import dropping
-from gam_db.stored.migration_files import files
-from gam_db.stored.migrations import migrate, rendered, require
-from gam_db.stored.tables import StateTables
+from gam_db.stored.schema import dropping
+from gam_db.stored.schema.migration_files import files
+from gam_db.stored.schema.migrations import migrate, rendered, require
+from gam_db.stored.schema.tables import StateTables
 
 STATE = StateTables()
 FILE = "plant.duckdb"

@@ -14,10 +14,10 @@ from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.storage import Definition
 from gam_db.errors import ConfigurationError, EngineError, InternalError, StateError
-from gam_db.stored import migration_files, migrations
-from gam_db.stored.migration_files import Migration, definitions, files
-from gam_db.stored.migrations import migrate, rendered, require, status
-from gam_db.stored.tables import TABLES, VIEWS, StateTables
+from gam_db.stored.schema import migration_files, migrations
+from gam_db.stored.schema.migration_files import Migration, definitions, files
+from gam_db.stored.schema.migrations import migrate, rendered, require, status
+from gam_db.stored.schema.tables import TABLES, VIEWS, StateTables
 
 pytestmark = pytest.mark.comments
 

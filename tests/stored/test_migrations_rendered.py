@@ -12,10 +12,10 @@ from sqlglot import exp
 
 from gam_db.engines import NAMES, engine_named
 from gam_db.errors import EngineError
-from gam_db.stored import migration_files
-from gam_db.stored.migration_files import Migration, files
-from gam_db.stored.migrations import rendered
-from gam_db.stored.tables import StateTables
+from gam_db.stored.schema import migration_files
+from gam_db.stored.schema.migration_files import Migration, files
+from gam_db.stored.schema.migrations import rendered
+from gam_db.stored.schema.tables import StateTables
 
 pytestmark = [pytest.mark.thorough, pytest.mark.comments]
 

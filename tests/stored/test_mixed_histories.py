@@ -21,7 +21,7 @@ from gam_db.engines.session import Session
 from gam_db.errors import ConflictError, ParameterError
 from gam_db.stored import scoring
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.steps import DAY
+from gam_db.stored.planning.steps import DAY
 from sets import amounts
 from strategies import Row
 from visible import BUCKETS, NOVEL, CrashError, crashing, visible

@@ -13,8 +13,10 @@ import comparisons
 import frozen
 import gam_db
 import harness
-from gam_db.stored import ordered, scoring, steps
+from gam_db.stored import scoring
 from gam_db.stored.monitor import Monitor
+from gam_db.stored.planning import steps
+from gam_db.stored.scoring import ordered
 from gam_db.study import streaming
 from small_plant import source
 from strategies import Row

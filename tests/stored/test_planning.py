@@ -18,12 +18,12 @@ import gam_db
 import small_plant
 from gam_db.composing.pipeline import filled, place
 from gam_db.engines.base import deletion
-from gam_db.stored import reading, scoring
-from gam_db.stored.planning import Row
+from gam_db.stored import scoring
+from gam_db.stored.planning import Row, reading
+from gam_db.stored.planning.reading import near, plan_rows, searched_plan_rows
+from gam_db.stored.planning.steps import plan_steps
 from gam_db.stored.pruning import Retention, prune
-from gam_db.stored.reading import near, plan_rows, searched_plan_rows
-from gam_db.stored.report import Wanted
-from gam_db.stored.steps import plan_steps
+from gam_db.stored.scoring.report import Wanted
 from small_plant import FIRST, LENGTH, LOOKBACK, monitor, readings, seen, source
 from test_views import scanned
 from visible import put
@@ -57,7 +57,7 @@ def searches(monkeypatch: pytest.MonkeyPatch) -> list[int | None]:
         return searched_plan_rows(state, monitor_id, lookback, *more)  # type: ignore[arg-type]
 
     monkeypatch.setattr(scoring, "searched_plan_rows", noted)
-    monkeypatch.setattr("gam_db.stored.reading.searched_plan_rows", noted)
+    monkeypatch.setattr("gam_db.stored.planning.reading.searched_plan_rows", noted)
     return found
 
 

@@ -10,13 +10,14 @@ from hypothesis import strategies as st
 from gam_db.composing.pipeline import place
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import ConfigurationError, EngineError, ParameterError
-from gam_db.stored import checksums, pruning
+from gam_db.stored import pruning
+from gam_db.stored.planning.steps import DAY
 from gam_db.stored.pruning import COUNTED, Retention, prune
+from gam_db.stored.schema import checksums
+from gam_db.stored.schema.tables import TABLES as ALL
+from gam_db.stored.schema.tables import StateTables
 from gam_db.stored.state import State, first_run_at, now
 from gam_db.stored.status import status
-from gam_db.stored.steps import DAY
-from gam_db.stored.tables import TABLES as ALL
-from gam_db.stored.tables import StateTables
 from stored_rows import STEP, Plant, Version, emptied
 
 TABLES = StateTables()

@@ -5,9 +5,9 @@ from sqlglot import exp
 
 import engines
 from gam_db.errors import StateError
-from gam_db.stored import migrations
-from gam_db.stored.migration_files import files
-from gam_db.stored.tables import VIEWS, StateTables
+from gam_db.stored.schema import migrations
+from gam_db.stored.schema.migration_files import files
+from gam_db.stored.schema.tables import VIEWS, StateTables
 from test_two_writers import NEW, Plant
 from visible import BUCKETS, NOVEL, visible
 

@@ -12,9 +12,9 @@ from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import ConfigurationError, ParameterError, StateError
 from gam_db.findings import shortcomings
 from gam_db.stored import status as stored_status
+from gam_db.stored.schema.tables import StateTables
 from gam_db.stored.state import State
 from gam_db.stored.status import by_asset
-from gam_db.stored.tables import StateTables
 from stored_rows import STEP, Plant, emptied
 
 TABLES = StateTables()

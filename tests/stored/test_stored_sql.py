@@ -7,11 +7,9 @@ import sql_lint
 from gam_db.clock import TimeKind
 from gam_db.composing.pipeline import Pipeline
 from gam_db.settings.source import Source, readings
-from gam_db.stored.checksums import matching_steps
-from gam_db.stored.migration_files import definitions
-from gam_db.stored.reading import cohort_of
-from gam_db.stored.soundness import soundness_steps
-from gam_db.stored.steps import (
+from gam_db.stored.checking.soundness import soundness_steps
+from gam_db.stored.planning.reading import cohort_of
+from gam_db.stored.planning.steps import (
     Setting,
     can_trust,
     comparing_steps,
@@ -22,6 +20,8 @@ from gam_db.stored.steps import (
     searched_plan_steps,
     unmoved_steps,
 )
+from gam_db.stored.schema.checksums import matching_steps
+from gam_db.stored.schema.migration_files import definitions
 from sql_lint import Kind
 
 TYPES = {"BIGINT": Kind.INTEGER, "DOUBLE": Kind.DOUBLE, "VARCHAR": Kind.OTHER, "TEXT": Kind.OTHER}

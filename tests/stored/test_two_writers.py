@@ -25,10 +25,10 @@ import stored_rows
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.errors import ConflictError, UserError
-from gam_db.stored import publishing
 from gam_db.stored.monitor import Monitor
+from gam_db.stored.schema.tables import StateTables
+from gam_db.stored.scoring import publishing
 from gam_db.stored.state import State
-from gam_db.stored.tables import StateTables
 from gam_db.study.running import Listener
 from strategies import Row
 from visible import BUCKETS, NOVEL, visible

@@ -22,9 +22,9 @@ import states
 from gam_db.cli import app
 from gam_db.engines import NAMES, engine_named
 from gam_db.errors import StateError
-from gam_db.stored import migration_files, migrations
-from gam_db.stored.migration_files import Migration, files, record
-from gam_db.stored.tables import StateTables
+from gam_db.stored.schema import migration_files, migrations
+from gam_db.stored.schema.migration_files import Migration, files, record
+from gam_db.stored.schema.tables import StateTables
 from states import Before
 from visible import visible
 

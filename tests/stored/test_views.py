@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 
 from gam_db.engines import engine_named
 from gam_db.engines.duckdb.session import DuckSession
-from gam_db.stored.migrations import rendered
-from gam_db.stored.tables import TABLES as ALL
-from gam_db.stored.tables import StateTables
+from gam_db.stored.schema.migrations import rendered
+from gam_db.stored.schema.tables import TABLES as ALL
+from gam_db.stored.schema.tables import StateTables
 from stored_rows import STEP, Plant, Version, emptied
 
 TABLES = StateTables(schema='the "state"', prefix="Odd_")

@@ -12,8 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gam_db.engines import engine_named
-from gam_db.stored.migrations import rendered
-from gam_db.stored.tables import StateTables
+from gam_db.stored.schema.migrations import rendered
+from gam_db.stored.schema.tables import StateTables
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """The data dictionary, from the migrations: ``python tests/tools/dictionary.py > docs/tables.md``."""
 
 from gam_db.engines.storage import Definition
-from gam_db.stored.migration_files import definitions
+from gam_db.stored.schema.migration_files import definitions
 
 HEAD = """\
 # The tables of the state

@@ -7,7 +7,7 @@ from pathlib import Path
 from sqlglot import exp
 from sqlglot.errors import SqlglotError
 
-from gam_db.stored.migration_files import parsed
+from gam_db.stored.schema.migration_files import parsed
 
 _FILE = re.compile(r"([0-9]{4})_([a-z_]+)\.sql")
 

@@ -6,7 +6,7 @@ import duckdb
 
 import gam_db
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.tables import TABLES
+from gam_db.stored.schema.tables import TABLES
 from strategies import Row
 from visible import BUCKETS, NOVEL, put, rows_of
 

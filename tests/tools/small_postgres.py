@@ -10,7 +10,7 @@ import psycopg
 from psycopg.rows import dict_row
 
 import postgres_server
-from gam_db.stored import tables
+from gam_db.stored.schema import tables
 from small_plant import FIRST, LENGTH, monitor, readings
 from strategies import Row
 from visible import BUCKETS, NOVEL

@@ -24,10 +24,10 @@ import gam_db
 import harness
 import scripts
 from gam_db.engines.session import Session
-from gam_db.stored import migrations
-from gam_db.stored.migration_files import definitions, files
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.tables import TABLES, VIEWS, StateTables
+from gam_db.stored.schema import migrations
+from gam_db.stored.schema.migration_files import definitions, files
+from gam_db.stored.schema.tables import TABLES, VIEWS, StateTables
 from strategies import Row
 from visible import BUCKETS, NOVEL, visible
 

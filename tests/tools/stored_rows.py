@@ -12,8 +12,8 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.engines.duckdb.session import DuckSession
-from gam_db.stored import migrations
-from gam_db.stored.tables import TABLES, StateTables
+from gam_db.stored.schema import migrations
+from gam_db.stored.schema.tables import TABLES, StateTables
 
 Row = dict[str, Any]
 

@@ -31,9 +31,9 @@ import gam_db
 import harness
 import tiny
 from gam_db.composing import template
-from gam_db.stored import migrations
-from gam_db.stored.migration_files import files
 from gam_db.stored.monitor import Monitor
+from gam_db.stored.schema import migrations
+from gam_db.stored.schema.migration_files import files
 from gam_db.study.running import Listener
 
 #: A child that takes longer hangs, and ends itself.

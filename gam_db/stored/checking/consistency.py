@@ -17,11 +17,11 @@ from gam_db.clock import FAR_AHEAD, TimeKind
 from gam_db.columns import counts, table_of
 from gam_db.errors import ParameterError
 from gam_db.method.alarms import FAR, NEAR
-from gam_db.stored.alarms import DECISIONS, KINDS, UNREPRESENTATIVE
-from gam_db.stored.judging import buckets_of
-from gam_db.stored.limits import CHOSEN, learnt
+from gam_db.stored.alarms.judging import buckets_of
+from gam_db.stored.alarms.limits import CHOSEN, learnt
+from gam_db.stored.alarms.told import DECISIONS, KINDS, UNREPRESENTATIVE
+from gam_db.stored.checking.soundness import judging_steps
 from gam_db.stored.planning import Row, by
-from gam_db.stored.soundness import judging_steps
 from gam_db.stored.state import State
 from gam_db.study.running import Running
 

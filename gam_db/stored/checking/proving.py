@@ -14,10 +14,10 @@ from sqlglot import exp
 from gam_db import data
 from gam_db.columns import counts, table_of
 from gam_db.errors import StateError
-from gam_db.stored import checksums
 from gam_db.stored.planning import Row
+from gam_db.stored.planning.steps import DAY
+from gam_db.stored.schema import checksums
 from gam_db.stored.state import State, now
-from gam_db.stored.steps import DAY
 
 #: How much was checked: the whole state with its source, or the checksums of the active versions.
 STATE, CHECKSUMS = "state", "checksums"
@@ -56,7 +56,7 @@ def mismatched(state: State, wanted: exp.Table) -> list[Row]:
     found = []
     placed = {**state.tables.placed(), "wanted": wanted}
     for row in state.session.rows(checksums.matching_steps().query("mismatched", placed)):
-        words = data.table("gam_db.stored", "checks.toml")["frozen"]
+        words = data.table("gam_db.stored.checking", "checks.toml")["frozen"]
         said = ", ".join(what for column, what in words.items() if row[column])
         if not row["summed"]:
             said = "its bounds or its checksum are not there just once"

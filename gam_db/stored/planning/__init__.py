@@ -12,7 +12,7 @@ from itertools import groupby
 from typing import Any
 
 from gam_db.clock import LONG_AGO
-from gam_db.stored.steps import DAY, setting_of
+from gam_db.stored.planning.steps import DAY, setting_of
 
 Row = dict[str, Any]
 

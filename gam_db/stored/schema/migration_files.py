@@ -3,7 +3,7 @@
 A file makes one table or one view, or adds columns to a table and may fill them, with the comments of
 all that; it is safe to run twice, and calls the tables ``stored_run`` and so on. Its checksum is that of
 its bytes. A table that repeats what others hold is given the rows that it lacks in an older state
-(:func:`gam_db.stored.checksums.first_rows`).
+(:func:`gam_db.stored.schema.checksums.first_rows`).
 """
 
 import hashlib
@@ -22,8 +22,8 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import filled, place
 from gam_db.engines.base import Engine
 from gam_db.engines.storage import Addition, Definition, Filling
-from gam_db.stored import checksums
-from gam_db.stored.tables import TABLES, VIEWS, StateTables, insertion
+from gam_db.stored.schema import checksums
+from gam_db.stored.schema.tables import TABLES, VIEWS, StateTables, insertion
 from gam_db.version import __version__
 
 RECORD = ("number", "name", "checksum", "applied_at", "gam_version")
@@ -170,8 +170,8 @@ def _made(migrations: Iterable[Migration]) -> dict[str, Definition]:
 @cache
 def files() -> tuple[Migration, ...]:
     """Return the migrations of this gam-db, in order."""
-    installed = Path(__file__).parent.parent / "migrations"
-    checkout = Path(__file__).parent.parent.parent / "migrations"
+    installed = Path(__file__).parents[2] / "migrations"
+    checkout = Path(__file__).parents[3] / "migrations"
     return read(installed if installed.is_dir() else checkout)
 
 

@@ -18,7 +18,7 @@ from sqlglot import exp
 from gam_db.composing import template
 from gam_db.errors import ConflictError
 from gam_db.stored.planning import Row
-from gam_db.stored.reading import listed
+from gam_db.stored.planning.reading import listed
 from gam_db.stored.state import State
 
 CHANGED = (

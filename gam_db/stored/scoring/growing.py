@@ -8,9 +8,9 @@ from collections.abc import Mapping, Sequence
 
 from gam_db.columns import COUNT, SHARE, columns, table_of
 from gam_db.stored.planning import Row, by
-from gam_db.stored.reading import Reader, cohort_of
+from gam_db.stored.planning.reading import Reader, cohort_of
+from gam_db.stored.planning.steps import unmoved_steps
 from gam_db.stored.state import State
-from gam_db.stored.steps import unmoved_steps
 
 _RANGES = columns((COUNT, "channel_id run_id summed_from read_to read_sum bins"), (SHARE, "lo hi"))
 

@@ -17,10 +17,10 @@ from gam_db.engines.base import Engine
 from gam_db.engines.session import CONFLICT, Session
 from gam_db.engines.storage import Definition
 from gam_db.errors import ConflictError, EngineError, StateError
-from gam_db.stored import roles
-from gam_db.stored.migration_files import RECORD, Migration, files, record
-from gam_db.stored.roles import Roles
-from gam_db.stored.tables import VIEWS, StateTables
+from gam_db.stored.schema import roles
+from gam_db.stored.schema.migration_files import RECORD, Migration, files, record
+from gam_db.stored.schema.roles import Roles
+from gam_db.stored.schema.tables import VIEWS, StateTables
 from gam_db.study.running import Listener, unheard
 from gam_db.version import __version__
 

@@ -12,7 +12,7 @@ from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_kept_judgements
 from gam_db.stored.planning import Row
-from gam_db.stored.reading import near
+from gam_db.stored.planning.reading import near
 from gam_db.stored.state import State
 from gam_db.study.running import Running
 

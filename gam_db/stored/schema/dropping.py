@@ -11,8 +11,8 @@ from sqlglot import exp
 
 from gam_db.engines.session import Session
 from gam_db.errors import StateError, nearest
-from gam_db.stored.migrations import recorded
-from gam_db.stored.tables import TABLES, VIEWS, StateTables
+from gam_db.stored.schema.migrations import recorded
+from gam_db.stored.schema.tables import TABLES, VIEWS, StateTables
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 This module owns the steps of a run and its publication. Rows are appended first and one row per version
 in ``gam_run`` last: that is the commit. Where an engine has transactions, all of it is one, and rows
 that are now hidden go in the same. It counts only if nobody else wrote meanwhile
-(:mod:`gam_db.stored.publishing`).
+(:mod:`gam_db.stored.scoring.publishing`).
 """
 
 from collections.abc import Mapping, Sequence
@@ -20,15 +20,12 @@ from gam_db.errors import ConflictError, ParameterError, SourceError
 from gam_db.method.bits import Bits
 from gam_db.reading import look
 from gam_db.settings.source import AnySource
-from gam_db.stored.episodes import follow
-from gam_db.stored.explaining import explain
-from gam_db.stored.growing import read_ranges, unmoved
-from gam_db.stored.judging import judge
-from gam_db.stored.ordered import is_given
+from gam_db.stored.alarms.episodes import follow
+from gam_db.stored.alarms.explaining import explain
+from gam_db.stored.alarms.judging import judge
+from gam_db.stored.checking.proving import verify, verify_daily
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due, others, planned, portions, resumed
-from gam_db.stored.proving import verify, verify_daily
-from gam_db.stored.publishing import GONE, NOTHING, Snapshots, publication, snapshots, withdraw
-from gam_db.stored.reading import (
+from gam_db.stored.planning.reading import (
     Reader,
     cohort_of,
     last_times,
@@ -36,9 +33,7 @@ from gam_db.stored.reading import (
     plan_rows,
     searched_plan_rows,
 )
-from gam_db.stored.report import Report, Wanted
-from gam_db.stored.state import State, kind_of, now
-from gam_db.stored.steps import (
+from gam_db.stored.planning.steps import (
     PUBLISHED,
     can_trust,
     method_of,
@@ -46,7 +41,12 @@ from gam_db.stored.steps import (
     scoring_steps,
     setting_of,
 )
-from gam_db.stored.unplaced import keep_unplaced, note_unknown, undated
+from gam_db.stored.scoring.growing import read_ranges, unmoved
+from gam_db.stored.scoring.ordered import is_given
+from gam_db.stored.scoring.publishing import GONE, NOTHING, Snapshots, publication, snapshots, withdraw
+from gam_db.stored.scoring.report import Report, Wanted
+from gam_db.stored.scoring.unplaced import keep_unplaced, note_unknown, undated
+from gam_db.stored.state import State, kind_of, now
 from gam_db.study.running import Listener, Running, unheard
 
 #: With fewer rows, looking for repeated instants first is cheaper than scoring some channels twice.

@@ -11,9 +11,9 @@ from sqlglot import exp
 
 from gam_db.composing import template
 from gam_db.stored.planning import Row, assets_of, portions
-from gam_db.stored.reading import Reader, cohort_of, listed
+from gam_db.stored.planning.reading import Reader, cohort_of, listed
+from gam_db.stored.planning.steps import explaining_steps, reading_steps, setting_of
 from gam_db.stored.state import State
-from gam_db.stored.steps import explaining_steps, reading_steps, setting_of
 from gam_db.study.running import Running
 
 

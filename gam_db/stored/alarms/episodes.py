@@ -13,9 +13,9 @@ from gam_db.clock import LONG_AGO
 from gam_db.columns import counts, table_of
 from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add
-from gam_db.stored.judging import buckets_of
+from gam_db.stored.alarms.judging import buckets_of
 from gam_db.stored.planning import Row, by
-from gam_db.stored.reading import near
+from gam_db.stored.planning.reading import near
 from gam_db.stored.state import State, now
 from gam_db.study.running import Running
 

@@ -14,8 +14,8 @@ from gam_db.method.adding import add
 from gam_db.method.bits import Bits
 from gam_db.settings.parameters import Parameters
 from gam_db.stored.planning import Row
-from gam_db.stored.reading import Reader
-from gam_db.stored.steps import ENDS, reading_steps
+from gam_db.stored.planning.reading import Reader
+from gam_db.stored.planning.steps import ENDS, reading_steps
 from gam_db.study import streaming
 from gam_db.study.running import Running
 

@@ -16,9 +16,9 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.errors import ParameterError, UserError, nearest
 from gam_db.method.adding import add
-from gam_db.stored.episodes import Log, records_of
-from gam_db.stored.limits import CHOSEN
-from gam_db.stored.reading import Reader
+from gam_db.stored.alarms.episodes import Log, records_of
+from gam_db.stored.alarms.limits import CHOSEN
+from gam_db.stored.planning.reading import Reader
 from gam_db.stored.sources import source_of
 from gam_db.stored.state import State, kind_of, now
 from gam_db.units import told_by

@@ -12,8 +12,8 @@ from gam_db.composing import template
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, SourceError
-from gam_db.stored import migrations
-from gam_db.stored.tables import TABLES, StateTables, insertion
+from gam_db.stored.schema import migrations
+from gam_db.stored.schema.tables import TABLES, StateTables, insertion
 
 
 def copy(session: Session, tables: StateTables, path: Path) -> None:

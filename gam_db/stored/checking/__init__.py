@@ -20,13 +20,13 @@ from gam_db import data
 from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.columns import COUNT, WORD, columns, counts, table_of
 from gam_db.settings.source import AnySource
-from gam_db.stored.consistency import inconsistencies
+from gam_db.stored.checking.consistency import inconsistencies
+from gam_db.stored.checking.proving import STATE, Proof, mismatched
+from gam_db.stored.checking.soundness import soundness_steps
 from gam_db.stored.planning import Row, assets_of, portions, whole_pools
-from gam_db.stored.proving import STATE, Proof, mismatched
-from gam_db.stored.reading import Reader, cohort_of, plan_rows, searched_plan_rows
-from gam_db.stored.soundness import soundness_steps
+from gam_db.stored.planning.reading import Reader, cohort_of, plan_rows, searched_plan_rows
+from gam_db.stored.planning.steps import comparing_steps, reading_steps, relearning_steps, setting_of
 from gam_db.stored.state import State, kind_of, now
-from gam_db.stored.steps import comparing_steps, reading_steps, relearning_steps, setting_of
 from gam_db.study.running import Listener, Running, unheard
 
 #: Parts of the state, in the order in which they are told.
@@ -37,7 +37,7 @@ PARTS = (
 )
 
 #: What is said of what does not hold.
-_WORDS = data.table("gam_db.stored", "checks.toml")
+_WORDS = data.table("gam_db.stored.checking", "checks.toml")
 
 
 @dataclass(frozen=True)

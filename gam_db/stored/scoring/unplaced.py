@@ -6,8 +6,8 @@ from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.session import Session
 from gam_db.method.adding import add
 from gam_db.stored.planning import Row
-from gam_db.stored.reading import Reader
-from gam_db.stored.report import Report
+from gam_db.stored.planning.reading import Reader
+from gam_db.stored.scoring.report import Report
 from gam_db.stored.state import State
 
 

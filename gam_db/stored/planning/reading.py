@@ -19,8 +19,8 @@ from gam_db.reading import look
 from gam_db.reading.preparing import prepared
 from gam_db.settings.source import AnySource, parsed_condition, under
 from gam_db.stored.planning import Row
+from gam_db.stored.planning.steps import plan_steps, searched_plan_steps
 from gam_db.stored.state import State
-from gam_db.stored.steps import plan_steps, searched_plan_steps
 
 #: Keys that a condition lists; of more it says in which range they are.
 _LISTED = 1000
@@ -114,7 +114,7 @@ def plan_rows(
 def searched_plan_rows(
     state: State, monitor_id: int, lookback: int | None, repair_from: int | None = None
 ) -> list[Row]:
-    """Return the same, by a look at all buckets; see :func:`gam_db.stored.steps.searched_plan_steps`."""
+    """Return the same, by a look at all buckets; see :func:`.steps.searched_plan_steps`."""
     return _planned(state, searched_plan_steps(monitor_id, lookback, repair_from))
 
 

@@ -13,7 +13,7 @@ from sqlglot import exp
 from gam_db.composing import template
 from gam_db.engines.base import Engine
 from gam_db.errors import ConfigurationError, EngineError
-from gam_db.stored.tables import TABLES, StateTables
+from gam_db.stored.schema.tables import TABLES, StateTables
 
 ROLES = ("owner", "writer", "reader")
 
