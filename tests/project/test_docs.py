@@ -17,10 +17,18 @@ ROOT = Path(__file__).parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
-def test_every_link_of_the_readme_leads_somewhere() -> None:
-    links = re.findall(r"\]\(([^)#:]+)\)", README)
-    assert links
-    assert [link for link in links if not (ROOT / link).exists()] == []
+def broken(page: Path) -> list[str]:
+    """The links of a page that lead to no file beside it."""
+    links = re.findall(r"\]\(([^)#:\s]+)\)", page.read_text(encoding="utf-8"))
+    return [link for link in links if not (page.parent / link).exists()]
+
+
+def test_every_link_of_every_page_leads_somewhere(tmp_path: Path) -> None:
+    pages = [*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md"), *ROOT.glob("*/README.md")]
+    assert {page.name for page in pages} >= {"README.md", "CONTRIBUTING.md", "decisions.md"}
+    assert {str(page): found for page in pages if (found := broken(page))} == {}
+    (tmp_path / "page.md").write_text("[it](page.md), [not](there.md)", encoding="utf-8")
+    assert broken(tmp_path / "page.md") == ["there.md"]
 
 
 def test_ci_runs_the_tests_as_the_readme_says() -> None:
