@@ -17,17 +17,24 @@ import gam_db
 from gam_db.cli import app, commands
 
 PACKAGE = Path(gam_db.__file__).parent
-#: Lower modules first; a module may import what stands in lines above its own, and its own package.
+#: Lower modules first; one may import what stands in lines above its own, and its own room. Where a room
+#: is a hall, the modules in it are told apart, and its name alone is what stands at its entrance.
 LAYERS = [
-    ["columns", "data", "errors", "version"],
-    ["address", "clock", "composing", "extras", "langevin"],
-    ["settings", "units"],
+    ["columns", "data", "errors", "version", "composing.lately"],
+    ["address", "clock", "extras", "langevin", "composing.template"],
+    ["composing.pipeline", "settings.setting"],
+    ["settings.form", "units"],
+    ["settings.calibration", "settings.parameters"],
+    ["settings.patterns"],
+    ["settings.source"],
     ["method"],
     ["engines"],
-    ["reading"],
+    ["alarms.heights", "reading.look", "study.running"],
+    ["reading.guess", "reading.preparing"],
+    ["study.streaming", "study.trusting"],
     ["study"],
     ["alarms", "checking", "health", "selection"],
-    ["findings", "sklearn"],
+    ["alarms.backtesting", "findings", "sklearn"],
     ["report"],
     ["stored.lengths", "stored.schema", "stored.sources"],
     ["stored.state"],
@@ -44,8 +51,7 @@ LAYERS = [
     ["lab.reproduce"],
 ]
 
-#: Rooms that hold rooms.
-HALLS = ("gam_db.lab", "gam_db.stored")
+HALLS = ("alarms", "composing", "lab", "reading", "settings", "stored", "study")
 
 #: Tests of the checkout as it is, and what is no test.
 APART = ("project", "guard", "tools", "reference", "spec", "conftest.py")
@@ -62,50 +68,53 @@ def loaded_by(code: str) -> set[str]:
     return set(done.stdout.splitlines()[-1].split())
 
 
-def imported(source: str) -> Iterator[str]:
-    """The rooms of gam_db that a module imports, wherever in its text; not for the type checker only."""
-    tree = ast.parse(source)
-    for node in ast.walk(tree):
-        if (
-            isinstance(node, ast.If)
-            and isinstance(node.test, ast.Name)
-            and node.test.id == "TYPE_CHECKING"
-        ):
-            node.body = []
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Import):
-            names = [alias.name for alias in node.names]
-        elif isinstance(node, ast.ImportFrom) and node.level:
-            raise AssertionError("relative import")
-        elif isinstance(node, ast.ImportFrom) and node.module in ("gam_db", *HALLS):
-            names = [f"{node.module}.{alias.name}" for alias in node.names]
-        elif isinstance(node, ast.ImportFrom):
-            names = [node.module or ""]
+def imported(source: str) -> Iterator[Path]:
+    """The modules of gam_db that a module imports, wherever in its text, as files."""
+    for node in ast.walk(ast.parse(source)):
+        assert not (isinstance(node, ast.ImportFrom) and node.level), "relative import"
+        if isinstance(node, ast.ImportFrom):
+            asked = [(node.module or "", f".{alias.name}") for alias in node.names]
+        elif isinstance(node, ast.Import):
+            asked = [(alias.name, "") for alias in node.names]
         else:
             continue
-        for name in names:
-            if name == "gam_db" or name.startswith("gam_db."):
-                yield room(tuple(name.split(".")[1:]))
+        for module, name in asked:
+            if module.split(".")[0] == "gam_db":
+                found = [place for one in (module + name, module) for place in places(one)]
+                yield next(place for place in found if place.is_file())
 
 
-def room(parts: tuple[str, ...]) -> str:
-    """The room of a module: its first name below gam_db, its first two where rooms lie in one."""
-    return ".".join(parts[: 2 if f"gam_db.{parts[0]}" in HALLS else 1]) if parts else "gam_db"
+def places(module: str) -> tuple[Path, Path]:
+    """Where the file of a module may be."""
+    path = PACKAGE.joinpath(*module.split(".")[1:])
+    return path.with_suffix(".py"), path / "__init__.py"
+
+
+def room(path: Path) -> str:
+    """The room of a module: its first name below gam_db, in a hall its first two."""
+    parts = path.relative_to(PACKAGE).with_suffix("").parts
+    parts = parts[:-1] if parts[-1] == "__init__" else parts
+    return ".".join(parts[: 2 if parts[:1] and parts[0] in HALLS else 1]) or "gam_db"
 
 
 def too_high(subject: str, source: str) -> list[str]:
     """The imports of a module that stand no lower than itself; a module without layer is a top one."""
     level = {name: number for number, names in enumerate(LAYERS) for name in names}
     own = level.get(subject, len(LAYERS))
-    return [name for name in imported(source) if name != subject and level.get(name, len(LAYERS)) >= own]
+    rooms = map(room, imported(source))
+    return [name for name in rooms if name != subject and level.get(name, len(LAYERS)) >= own]
 
 
 def test_the_check_of_layers_finds_a_wrong_import() -> None:
     assert too_high("clock", "from gam_db.method import Method") == ["method"]
-    assert too_high("composing", "def f():\n    import gam_db.cli.run") == ["cli"]
-    assert too_high("settings", "from gam_db import units") == ["units"]
-    assert too_high("reading", "import gam_db") == ["gam_db"]
+    assert too_high("composing.template", "def f():\n    import gam_db.cli.once") == ["cli"]
+    assert too_high("settings.parameters", "from gam_db.settings import calibration") == [
+        "settings.calibration"
+    ]
+    assert too_high("settings.source", "import gam_db") == ["gam_db"]
+    assert too_high("study.running", "from gam_db.study import Study") == ["study"]
     assert too_high("cli", "from gam_db.lab.evaluation import evaluate") == ["lab.evaluation"]
+    assert too_high("stored.state", "from gam_db.lab.simulate import cli") == ["lab.simulate"]
     assert too_high("stored.state", "from gam_db import lab") == ["lab"]
     assert too_high("stored.state", "from gam_db.stored import planning") == ["stored.planning"]
     assert not too_high("method", "from gam_db.composing import template\nimport numpy")
@@ -113,35 +122,18 @@ def test_the_check_of_layers_finds_a_wrong_import() -> None:
 
 def test_lower_modules_do_not_import_higher_ones() -> None:
     """And so the core never imports the laboratory, whose rooms are the highest."""
-    wrong = {}
-    for path in PACKAGE.rglob("*.py"):
-        parts = path.relative_to(PACKAGE).with_suffix("").parts
-        subject = room(() if parts == ("__init__",) else parts)
-        if found := too_high(subject, path.read_text(encoding="utf-8")):
-            wrong[str(path.relative_to(PACKAGE))] = found
-    assert not wrong
-
-
-def read_by(path: Path) -> set[Path]:
-    """The modules of gam_db that a module imports, wherever in its text, as files."""
-    found = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if not isinstance(node, ast.ImportFrom) or not (node.module or "").startswith("gam_db"):
-            continue
-        folder = PACKAGE.joinpath(*(node.module or "").split(".")[1:])
-        for alias in node.names:
-            places = (folder / f"{alias.name}.py", folder / alias.name / "__init__.py")
-            own = (folder.with_suffix(".py"), folder / "__init__.py")
-            found.add(next(place for place in (*places, *own) if place.is_file()))
-    return found
+    texts = {path: path.read_text(encoding="utf-8") for path in PACKAGE.rglob("*.py")}
+    wrong = {path: too_high(room(path), text) for path, text in texts.items()}
+    assert {str(path.relative_to(PACKAGE)): found for path, found in wrong.items() if found} == {}
 
 
 def test_no_modules_import_one_another_in_a_circle() -> None:
-    graph = {path: read_by(path) for path in PACKAGE.rglob("*.py")}
+    paths = list(PACKAGE.rglob("*.py"))
+    graph = {path: set(imported(path.read_text(encoding="utf-8"))) for path in paths}
     assert len(list(TopologicalSorter(graph).static_order())) == len(graph)
-    running = PACKAGE / "study" / "running.py"
+    graph[PACKAGE / "errors.py"] = {PACKAGE / "study" / "running.py"}
     with pytest.raises(CycleError):
-        TopologicalSorter({**graph, PACKAGE / "errors.py": {running}}).prepare()
+        TopologicalSorter(graph).prepare()
 
 
 def test_importing_loads_nothing_that_is_not_needed() -> None:
