@@ -47,7 +47,7 @@ _FUNCTIONS = """
 def known() -> set[str]:
     """Return the words of our files that can be functions; the server's log shows whether all are."""
     written = [*_FOLDER.glob("sql/**/*.sql"), *_FOLDER.glob("migrations/*.sql")]
-    rendering = _FOLDER.glob("gam_db/engines/postgres*.*")
+    rendering = [file for file in (_FOLDER / "gam_db/engines/postgres").iterdir() if file.is_file()]
     words = (word for file in rendering for word in re.findall(r"\w+", file.read_text(encoding="utf-8")))
     called = named(file.read_text(encoding="utf-8") for file in written)
     return {*called, *map(str.lower, words)}
