@@ -49,15 +49,27 @@ class Retention:
     lookback: Length | None = None
 
 
-#: The steps that find what goes, in order; all are read before anything is deleted.
-_FILES = (
-    *("pruning/pruned_versions", "scoring/recorded", "pruning/bucket_ages", "pruning/horizons"),
-    *("pruning/expired_buckets", "pruning/expired_novel", "pruning/expired_judgements"),
-    *("pruning/expired_runs", "pruning/expired_band_visits", "pruning/expired_versions"),
-    *("pruning/expired_supports", "pruning/expired_unplaced", "pruning/new_horizons"),
-    "pruning/expired_horizons",
-)
-_STEPS = {file.rpartition("/")[2]: f"stored/{file}" for file in _FILES}
+#: What runs write anew, so that a later one hides it; of each there is a state table.
+_REWRITTEN = ("buckets", "novel", "judgements")
+
+#: The steps that find what goes, in order, and their files; all are read before anything is deleted.
+_STEPS = {
+    **{
+        step: f"stored/pruning/{step}"
+        for step in (
+            *("pruned_versions", "recorded", "bucket_ages", "horizons"),
+            *(f"staying_{rows}" for rows in _REWRITTEN),
+            *(f"expired_{rows}" for rows in _REWRITTEN),
+            *("expired_runs", "expired_band_visits", "expired_versions"),
+            *("expired_supports", "expired_unplaced", "new_horizons", "expired_horizons"),
+        )
+    },
+    "recorded": "stored/scoring/recorded",
+    **{f"expired_{rows}": "stored/pruning/expired_rows" for rows in _REWRITTEN},
+}
+
+#: Steps that have a row per bucket, which are not kept.
+_LARGE = frozenset({"bucket_ages", *(f"staying_{rows}" for rows in _REWRITTEN)})
 
 #: How long it stays known how many rows runs could give to no channel, in microseconds: a year.
 _UNPLACED = 365 * DAY
@@ -165,9 +177,12 @@ def _deleted(
         "at_least": 0,  # whatever the next run's lookback, it may rely on what the last one recorded
         **limits,
     }
-    steps = Pipeline(small=frozenset(_STEPS) - {"bucket_ages"})  # that one has a row per bucket
+    steps = Pipeline(small=frozenset(_STEPS) - _LARGE)
     for step, path in _STEPS.items():
-        steps.add(step, state.query(path, {slot: slots[slot] for slot in template.load(path).slots}))
+        own = {slot: slots[slot] for slot in template.load(path).slots}
+        _, _, rows = step.partition("_")
+        given = {"written_rows": tables.table(rows.removesuffix("s"))} if rows in _REWRITTEN else {}
+        steps.add(step, state.query(path, own, given), tables={"staying_rows": f"staying_{rows}"})
     sizes = state.query("stored/pruning/state_sizes", {"monitor": slots["monitor"]})
     with contextlib.suppress(_UndoneError), session.transaction():
         state.lock(monitor_id)  # a run that publishes now is there as a whole, or not yet

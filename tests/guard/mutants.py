@@ -104,7 +104,7 @@ _ABOUT = {
         f"stored/*/{name}": "test_stored_alarms"
         for name in (
             *("buffered_rows", "extent_rows", "kept_buffered", "limit_*", "judged_*", "judgement_rows"),
-            *("open_judgements", "found_episodes", "episode_records", "expired_judgements"),
+            *("open_judgements", "found_episodes", "episode_records", "staying_judgements"),
             *("alarm_rows", "event_rows", "labels", "next_judgement", "raised_judgements"),
             *(
                 "rejudged_*",
@@ -333,6 +333,8 @@ def main(words: Sequence[str] | None = None) -> int:
     parser.add_argument("--longest", type=float, default=LONGEST, help="seconds for one of them")
     said = parser.parse_args(words)
     chosen = [one for one in listed() if any(fnmatch.fnmatch(one.file, glob) for glob in said.files)]
+    if not chosen:
+        parser.error(f"no mutant is of a file like {' or '.join(said.files)}; --list shows them all")
     if said.list:
         print("\n".join(map(str, chosen)))
         return 0

@@ -38,3 +38,11 @@ def test_the_tests_that_run_are_there() -> None:
     there = {path.stem for path in (mutants.ROOT / "tests").rglob("test_*.py")}
     for one in (None, *mutants.listed()):
         assert {name.partition("[")[0] for name in mutants.tests_of(one)} <= there
+
+
+def test_a_pattern_of_no_file_is_refused_before_anything_runs(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    with pytest.raises(SystemExit):
+        mutants.main(["pruning"])
+    assert "no mutant is of a file like pruning" in capsys.readouterr().err

@@ -691,7 +691,7 @@ def test_filled_queries_of_a_selection_break_no_rule() -> None:
 #: What reads the state only; each may read those before it.
 OF_STATE = (
     *("status_rows", "course", "pruned_versions", "bucket_ages", "horizons"),
-    *("expired_buckets", "expired_novel", "expired_judgements"),
+    *("staying_buckets", "staying_novel", "staying_judgements"),
     *("expired_runs", "expired_versions", "expired_supports"),
     *("expired_unplaced", "new_horizons", "expired_horizons", "last_proofs", "state_sizes"),
 )

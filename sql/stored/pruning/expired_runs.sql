@@ -3,7 +3,7 @@
 -- recorded what is settled, and the newest that counted calibration; so does one that found other samples than
 -- were scored, where they are not too old to be scored again. A run whose record goes hides nothing any more,
 -- so hidden rows go with it.
--- Reads:  pruned_versions, horizons, stored_run, stored_visible_bucket, stored_visible_judgement
+-- Reads:  pruned_versions, horizons, staying_buckets, staying_judgements, stored_run
 -- A row:  one run of one version, by its key.
 SELECT
   run.version_id AS version_id,
@@ -36,17 +36,11 @@ LEFT JOIN (
 LEFT JOIN (
   SELECT DISTINCT version_id, run_id, 1 AS hit
   FROM (
-    SELECT visible.version_id AS version_id, visible.run_id AS run_id
-    FROM stored_visible_bucket AS visible
-    JOIN horizons AS horizon ON horizon.version_id = visible.version_id
-    WHERE visible.bucket_no >= horizon.first_bucket
+    SELECT version_id, run_id
+    FROM staying_buckets
     UNION ALL
-    SELECT visible.version_id AS version_id, visible.run_id AS run_id
-    FROM stored_visible_judgement AS visible
-    JOIN horizons AS horizon ON horizon.version_id = visible.version_id
-    JOIN pruned_versions AS sized ON sized.version_id = visible.version_id
-    WHERE visible.bucket_no * sized.stride
-      >= horizon.first_bucket * sized.stride - 51 * sized.window_length
+    SELECT version_id, run_id
+    FROM staying_judgements
   ) AS written
 ) AS staying ON staying.version_id = run.version_id AND staying.run_id = run.run_id
 WHERE CASE

@@ -1,26 +1,21 @@
--- Expired judgements: rows of judgements that go, by the same rule as buckets; but of those that are older than the
--- horizon 51 windows stay, on which evidence may hang.
--- Reads:  pruned_versions, horizons, stored_judgement, stored_visible_judgement, stored_run, stored_finished_run
--- A row:  one row of a judgement, by its key.
+-- Expired rows, of buckets, of novel cells or of judgements: hidden by a later run or left by one that never
+-- finished, older than the horizon, or of a version that goes.
+-- Reads:  written_rows, staying_rows, pruned_versions, stored_run, stored_finished_run
+-- A row:  all that one run wrote of one bucket, by their key.
 -- Slots:  :unfinished_from, :unfinished_to  runs in this range may still be at work, unless a later one of
 --         their version has finished: then they will be refused
 SELECT
   written.version_id AS version_id,
   written.bucket_no AS bucket_no,
   written.run_id AS run_id
-FROM stored_judgement AS written
+FROM (
+  SELECT DISTINCT version_id, bucket_no, run_id
+  FROM written_rows
+) AS written
 JOIN pruned_versions AS pruned ON pruned.version_id = written.version_id
 LEFT JOIN (
-  SELECT
-    visible.version_id AS version_id,
-    visible.bucket_no AS bucket_no,
-    visible.run_id AS run_id,
-    1 AS hit
-  FROM stored_visible_judgement AS visible
-  JOIN horizons AS horizon ON horizon.version_id = visible.version_id
-  JOIN pruned_versions AS sized ON sized.version_id = visible.version_id
-  WHERE visible.bucket_no * sized.stride
-    >= horizon.first_bucket * sized.stride - 51 * sized.window_length
+  SELECT version_id, bucket_no, run_id, 1 AS hit
+  FROM staying_rows
 ) AS staying
   ON staying.version_id = written.version_id
   AND staying.bucket_no = written.bucket_no
