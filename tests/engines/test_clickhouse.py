@@ -1,6 +1,7 @@
 """ClickHouse: its types and times, its settings, and how it keeps the state."""
 
 import datetime as dt
+import math
 import re
 import time
 from decimal import Decimal
@@ -12,12 +13,13 @@ import pytest
 import sqlglot
 from sqlglot import exp
 
+import by_hand
 import engines
 import gam_db
 import harness
 import small_plant
 from gam_db.clock import TimeKind
-from gam_db.composing.pipeline import filled, place
+from gam_db.composing.pipeline import Pipeline, filled, place
 from gam_db.engines.clickhouse import driver as clickhouse_driver
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, SourceError
@@ -58,6 +60,33 @@ def read(session: Session, relation: Any, **columns: Any) -> list[tuple[Any, ...
     query = reading_query(source, node, lambda time: session.engine.micros_of(kind, time))
     found = session.fetch(query).to_pylist()
     return sorted(tuple(row[c] for c in ("asset", "channel", "time", "reading")) for row in found)
+
+
+def arrays(session: Session, target: str, *samples: tuple[Any, ...]) -> list[dict[str, Any]]:
+    """Return the rows of a file for ClickHouse over samples of one channel, each with its time."""
+    steps = Pipeline()
+    for name in ("stored", "slices"):
+        steps.fill(name, f"arrays/{name}")
+    readings = by_hand.rows("asset channel time reading", *(("a", "x", *one) for one in samples))
+    with session.lent(readings) as lent:
+        found: list[dict[str, Any]] = session.fetch(steps.query(target, {"readings": lent})).to_pylist()
+    return found
+
+
+def test_arrays_take_the_widest_readings_for_what_they_are(session: Session) -> None:
+    """1e300 is a number, what is beyond it is missing."""
+    held = [(30, 1.1e300), (10, 1e300), (20, -1e300), (40, None), (25, float("inf"))]
+    (found,) = arrays(session, "stored", *held)
+    assert found["times"] == [10, 20, 25, 30, 40]
+    assert found["samples"][:2] == [1e300, -1e300]
+    assert all(map(math.isnan, found["samples"][2:]))
+    assert (found["without_time"], found["doubled"]) == (0, 0)
+
+
+def test_a_piece_of_an_array_says_where_it_begins_and_ends(session: Session) -> None:
+    held = [(2, -1.0), (1, 5.0), (4, 3.0), (8, None), (16, None)]
+    found = [tuple(row.values())[2:] for row in arrays(session, "slices", *held)]
+    assert sorted(found) == [(1, 3, 0, 0, -1.0, 5.0, 1, 4), (2, 2, 0, 2, None, None, 8, 16)]
 
 
 # Types and times
