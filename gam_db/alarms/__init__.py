@@ -297,7 +297,8 @@ def _replayed(work: Work, members: Sequence[Row]) -> tuple[dict[int, int], Mappi
             for row in families[family]
         ]
         work.load("members", table_of(asked, _MEMBERS))
-        work.load("heights", pa.table({"quarters": pa.array(range(LEAST, MOST + 1), pa.int64())}))
+        heights = [{"quarters": quarters} for quarters in range(LEAST, MOST + 1)]
+        work.load("heights", table_of(heights, counts("quarters")))
         add_replay(work.steps)
         for row in work.rows("counted_replay"):
             counted[row["family_no"]][row["quarters"]] = row["episodes"]
