@@ -44,8 +44,8 @@ import gam_db
 before = "pandas" in sys.modules
 with duckdb.connect() as connection:
     connection.execute(
-        "CREATE TABLE plant AS SELECT CAST(channel AS TEXT) AS channel, time, sin(time * channel) AS value "
-        "FROM range(1, 7) AS named (channel), range(3000) AS tick (time)"
+        "CREATE TABLE plant AS SELECT CAST(channel AS TEXT) AS channel, time, "
+        "sin(time * channel) AS value FROM range(1, 7) AS named (channel), range(3000) AS tick (time)"
     )
     source, parameters = gam_db.Source("plant", asset=None), gam_db.Parameters(m=1, bins=4, window=10)
     monitor = gam_db.Monitor(connection, source, parameters, gam_db.Calibration(fraction=0.5))
