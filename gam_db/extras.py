@@ -36,13 +36,20 @@ class _WithoutPandas:
 
 
 def begin_process() -> None:
-    """Begin a process that is our own, ends soon and is given no frame: a command, a measured run.
+    """Begin a process that is our own, ends soon and is given no frame, such as a command.
 
-    Python looks for circles among its objects less often, which takes a tenth of such a process. And
-    nobody loads pandas: Arrow would, wherever it is installed, to learn whether a list is one of its
-    frames, and that takes longer than most commands do.
+    Python looks for circles among its objects less often, which takes a tenth of such a process.
     """
     gc.set_threshold(100_000, 20, 100)
+    hide_pandas()
+
+
+def hide_pandas() -> None:
+    """Let nobody load pandas.
+
+    Arrow would, wherever it is installed, to learn whether a list is one of its frames, and that takes
+    longer than most commands do.
+    """
     sys.meta_path.insert(0, _WithoutPandas)
 
 

@@ -12,7 +12,10 @@ from typing import Any
 
 import gam_db
 from gam_db.errors import GamError, InternalError
-from gam_db.extras import begin_process
+from gam_db.extras import begin_process, hide_pandas
+
+#: How the tasks begin that another program does, which is measured beside gam-db.
+_NOT_OURS = ("extract", "floor")
 
 
 def run(module: str, task: str, job: str) -> dict[str, Any]:
@@ -44,9 +47,13 @@ def run(module: str, task: str, job: str) -> dict[str, Any]:
 def answer(work: Callable[[str], Mapping[str, Any]]) -> None:
     """Do the job that this process was started for, and print its figures as the last line.
 
-    Every side begins as a command does.
+    Ours begins as a command does. A script or a floor begins as Python does, with its collector as it
+    is; but it loads no pandas either, since imports are not measured.
     """
-    begin_process()
+    if json.loads(sys.argv[1])["task"].startswith(_NOT_OURS):
+        hide_pandas()
+    else:
+        begin_process()
     try:
         print(json.dumps(work(sys.argv[1])))
     except GamError as error:
