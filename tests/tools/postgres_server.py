@@ -74,6 +74,8 @@ class Server:
             "unix_socket_directories": self.folder,
             "autovacuum": "off",
             "shared_buffers": "64MB",
+            # A schema with ten thousand traps is dropped as a whole, by a lock each.
+            "max_locks_per_transaction": 512,
         }
         if not durable:
             # Translating long queries takes longer than running them: it was most of what views cost.
