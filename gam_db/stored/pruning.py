@@ -49,27 +49,21 @@ class Retention:
     lookback: Length | None = None
 
 
-#: What runs write anew, so that a later one hides it; of each there is a state table.
-_REWRITTEN = ("buckets", "novel", "judgements")
+#: The files of the steps that find what goes, in order; all are read before anything is deleted.
+_FILES = (
+    *("pruning/pruned_versions", "scoring/recorded", "pruning/bucket_ages", "pruning/horizons"),
+    *("pruning/staying_buckets", "pruning/staying_novel", "pruning/staying_judgements"),
+    *("pruning/expired_runs", "pruning/expired_band_visits", "pruning/expired_versions"),
+    *("pruning/expired_supports", "pruning/expired_unplaced", "pruning/new_horizons"),
+    "pruning/expired_horizons",
+)
 
-#: The steps that find what goes, in order, and their files; all are read before anything is deleted.
-_STEPS = {
-    **{
-        step: f"stored/pruning/{step}"
-        for step in (
-            *("pruned_versions", "recorded", "bucket_ages", "horizons"),
-            *(f"staying_{rows}" for rows in _REWRITTEN),
-            *(f"expired_{rows}" for rows in _REWRITTEN),
-            *("expired_runs", "expired_band_visits", "expired_versions"),
-            *("expired_supports", "expired_unplaced", "new_horizons", "expired_horizons"),
-        )
-    },
-    "recorded": "stored/scoring/recorded",
-    **{f"expired_{rows}": "stored/pruning/expired_rows" for rows in _REWRITTEN},
-}
+#: State tables whose rows a later run writes again -> what their steps are called by: of each those that
+#: stay are a step, and those that are not among them expire.
+_REWRITTEN = {"bucket": "buckets", "novel": "novel", "judgement": "judgements"}
 
 #: Steps that have a row per bucket, which are not kept.
-_LARGE = frozenset({"bucket_ages", *(f"staying_{rows}" for rows in _REWRITTEN)})
+_LARGE = frozenset({"bucket_ages", *(f"staying_{called}" for called in _REWRITTEN.values())})
 
 #: How long it stays known how many rows runs could give to no channel, in microseconds: a year.
 _UNPLACED = 365 * DAY
@@ -177,18 +171,21 @@ def _deleted(
         "at_least": 0,  # whatever the next run's lookback, it may rely on what the last one recorded
         **limits,
     }
-    steps = Pipeline(small=frozenset(_STEPS) - _LARGE)
-    for step, path in _STEPS.items():
-        own = {slot: slots[slot] for slot in template.load(path).slots}
-        _, _, rows = step.partition("_")
-        given = {"written_rows": tables.table(rows.removesuffix("s"))} if rows in _REWRITTEN else {}
-        steps.add(step, state.query(path, own, given), tables={"staying_rows": f"staying_{rows}"})
+    steps = Pipeline()
+    for file in _FILES:
+        steps.add(file.rpartition("/")[2], _query(state, f"stored/{file}", slots))
+    for table, called in _REWRITTEN.items():
+        expired = _query(
+            state, "stored/pruning/expired_rows", slots, {"written_rows": tables.table(table)}
+        )
+        steps.add(f"expired_{called}", expired, tables={"staying_rows": f"staying_{called}"})
+    steps.small = frozenset(steps.steps) - _LARGE
     sizes = state.query("stored/pruning/state_sizes", {"monitor": slots["monitor"]})
     with contextlib.suppress(_UndoneError), session.transaction():
         state.lock(monitor_id)  # a run that publishes now is there as a whole, or not yet
         before = session.fetch(sizes)
         kept: dict[str, exp.Table] = {}
-        for step in _STEPS:
+        for step in steps.steps:
             if step in steps.small:
                 kept[step] = session.keep(step, steps.query(step, kept))
         # Recorded first: what is cut short then is too much kept, and not a loss.
@@ -207,3 +204,14 @@ def _deleted(
         rows = rows.append_column(f"{column}_after", after[column])
     sizes = reduce(pc.add, (before[column] for column in COUNTED))
     return rows.take(pc.sort_indices(pc.negate(sizes)))
+
+
+def _query(
+    state: State,
+    path: str,
+    slots: Mapping[str, template.Slot],
+    given: Mapping[str, exp.Table] | None = None,
+) -> exp.Query:
+    """Return a file of ``sql/`` with those of the slots that it has."""
+    own = {slot: slots[slot] for slot in template.load(path).slots}
+    return state.query(path, own, given)

@@ -89,6 +89,23 @@ def test_ratios_are_quotients_of_printed_figures(
             assert case[name + ending] == pytest.approx(quotient, abs=1e-3)
 
 
+@pytest.mark.parametrize(
+    ("task", "begun"),
+    [("gam", "begin_process"), ("from_nothing", "begin_process"), ("extract", "hide_pandas")]
+    + [(floor, "hide_pandas") for floor in ("floor", *PROGRAMS) if floor.startswith("floor")],
+)
+def test_only_our_side_begins_as_a_command_does(
+    task: str, begun: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A script that is measured beside it has Python's own collector."""
+    called: list[str] = []
+    for name in ("begin_process", "hide_pandas"):
+        monkeypatch.setattr(alone, name, lambda name=name: called.append(name))
+    monkeypatch.setattr(sys, "argv", ["run", json.dumps({"task": task})])
+    alone.answer(lambda job: {"done": json.loads(job)["task"]})
+    assert (called, json.loads(capsys.readouterr().out)) == ([begun], {"done": task})
+
+
 def test_processes_that_were_started_count() -> None:
     """Those at work still and those that have ended; a child that idles adds next to nothing."""
     burn = "import time; end = time.process_time() + 0.3\nwhile time.process_time() < end: pass"
