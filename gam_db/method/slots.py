@@ -14,11 +14,28 @@ def following(setting: Parameters, names: Collection[str]) -> dict[str, template
     return {name: _FOLLOWS[name](setting) for name in names if name in _FOLLOWS}
 
 
+def code_in(bins: int | exp.Expr, place: exp.Expr | None = None) -> exp.Expr:
+    """Return support/code.sql for so many bins, with the column that holds the place if there is one."""
+    return template.fill("support/code", {"bins": bins, "place": place or place_in(bins)})
+
+
+def place_in(bins: int | exp.Expr) -> exp.Expr:
+    """Return support/place.sql for so many bins."""
+    return template.fill("support/place", {"bins": bins})
+
+
 def code_of(setting: Parameters) -> exp.Expr:
-    """Return support/code.sql cast to the narrowest integer: it is what a window has to sort."""
+    """Return the code of a sample cast to the narrowest integer: it is what a window has to sort."""
     largest = setting.grid + 2
     narrow = "SMALLINT" if largest < 2**15 else "INT" if largest < 2**31 else "BIGINT"
-    return exp.cast(template.fill("support/code", {"bins": setting.grid}), narrow)
+    return exp.cast(code_in(setting.grid), narrow)
+
+
+def block_no(setting: Parameters, vectors: int | None = None) -> exp.Expr:
+    """Return which block of calibration the vector of a place is in, of so many or those of a column."""
+    slots: dict[str, template.Slot] = {"place": exp.column("place"), "window": setting.window}
+    of = exp.column("vectors") if vectors is None else vectors
+    return template.fill("certificate/block_no", {**slots, "vectors": of})
 
 
 def coordinates(setting: Parameters) -> list[exp.Expr]:
@@ -41,10 +58,11 @@ def _known(setting: Parameters) -> exp.Expr:
     return exp.and_(*(template.fill("embedding/known", {"code": one}) for one in coordinates(setting)))
 
 
-def _cell_key(setting: Parameters) -> exp.Expr:
+def cell_key(setting: Parameters, term: str = "embedding/cell_term") -> exp.Expr:
+    """Return the key of a vector's cell: a term for each coordinate, of that file of ``sql/``."""
     return template.added(
         [
-            template.fill("embedding/cell_term", {"code": code, "weight": setting.radix**k})
+            template.fill(term, {"code": code, "weight": setting.radix**k})
             for k, code in enumerate(coordinates(setting))
         ]
     )
@@ -63,6 +81,7 @@ _FOLLOWS: Mapping[str, Callable[[Parameters], template.Slot]] = {
     "code": code_of,
     "coordinates": coordinates,
     "known": _known,
-    "cell_key": _cell_key,
+    "cell_key": cell_key,
+    "block_no": block_no,
     "outside": outside,
 }

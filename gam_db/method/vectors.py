@@ -8,7 +8,7 @@ from sqlglot import exp
 from gam_db.clock import LONG_AGO
 from gam_db.composing import template
 from gam_db.method.adding import OfSet
-from gam_db.method.slots import coordinates, following, outside
+from gam_db.method.slots import cell_key, code_in, coordinates, outside, place_in
 from gam_db.settings.parameters import Parameters
 
 
@@ -91,7 +91,13 @@ def stream_slots(setting: Parameters, has_context: bool) -> dict[str, template.S
     if has_context:
         over["context_time"] = _before("time", max(setting.span - 1, 0), streamed)
         columns.append(exp.column("context_time"))
-    return {**following(setting, ("cell_key", "code")), "coordinates": columns, "delayed": _named(over)}
+    return {
+        "place": place_in(setting.grid),
+        "code": code_in(setting.grid, exp.column("place")),
+        "cell_key": cell_key(setting, "streams/cell_term"),
+        "coordinates": columns,
+        "delayed": _named(over),
+    }
 
 
 def is_outside(setting: Parameters) -> exp.Expr:

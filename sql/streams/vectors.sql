@@ -1,19 +1,20 @@
 -- Vectors in stored order: v(t) (Eq. 1) of one channel, whose rows come by time as they are stored, so that
 -- nothing is sorted or joined: LAG without an order follows the rows. For DuckDB. Proof: the step ordered
 -- found the channel in one piece and growing, and out_of_order = 1 marks here what is not later than the row
--- before; one such mark, and all is done again by embedding/vectors.sql.
+-- before; one such mark, and all is done again by embedding/vectors.sql. Codes and keys are whole numbers below
+-- 2^25 here and added up as DOUBLE, which holds each of them and which DuckDB does not watch for overflow.
 -- Reads:  readings
 -- A row:  one sample; from position span + 1 on the vector whose newest one it is, before that without a cell.
 -- Slots:  :asset, :channel  the names of the channel
 --         :lo, :hi          its calibrated range. Not joined: a join hands on small pieces of rows late.
 --         :time_from, :time_to  the instants that are read
---         :code      the expression of support/code.sql
+--         :place, :code  the expressions of support/place.sql and support/code.sql
 --         :delayed   code_1 ... code_(m-1), the delayed codes
 --         :cell_key  the mixed-radix integer of the coordinates
 --         :coordinates  code_0 ... code_(m-1)
 SELECT
   time,
-  :cell_key AS cell_key,
+  CAST(:cell_key AS BIGINT) AS cell_key,
   :coordinates,
   position,
   CASE WHEN time <= previous_time THEN 1 ELSE 0 END AS out_of_order
@@ -25,17 +26,20 @@ FROM (
     LAG(time, 1) OVER () AS previous_time,
     CAST(ROW_NUMBER() OVER () AS BIGINT) AS position
   FROM (
-    SELECT time, :code AS code
+    SELECT time, CAST(:code AS DOUBLE) AS code
     FROM (
-      SELECT
-        reading.time AS time,
-        reading.reading AS value,
-        :lo AS lo,
-        :hi AS hi
-      FROM readings AS reading
-      WHERE reading.asset = :asset
-        AND reading.channel = :channel
-        AND reading.time BETWEEN :time_from AND :time_to
-    ) AS ranged
+      SELECT time, value, lo, hi, :place AS place
+      FROM (
+        SELECT
+          reading.time AS time,
+          reading.reading AS value,
+          :lo AS lo,
+          :hi AS hi
+        FROM readings AS reading
+        WHERE reading.asset = :asset
+          AND reading.channel = :channel
+          AND reading.time BETWEEN :time_from AND :time_to
+      ) AS ranged
+    ) AS scaled
   ) AS coded
 ) AS embedded

@@ -8,6 +8,7 @@ from sqlglot import exp
 
 from by_hand import rows, step
 from gam_db.composing.template import column, fill, text
+from gam_db.method.slots import code_in
 
 BEFORE_ALL = -(2**62)
 
@@ -532,7 +533,7 @@ def test_what_was_read_comes_to_a_sum_of_times_and_codes_twice_as_far_as_rows_ma
         for time, value in zip(times[channel], values[channel], strict=True)
     ]
     slots: dict[str, Any] = {
-        "code": fill("support/code", {"bins": 4}),
+        "code": code_in(4),
         "mark": fill("stored/scoring/read_mark"),
     }
     found = step(

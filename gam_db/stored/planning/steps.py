@@ -23,6 +23,7 @@ from gam_db.method.calibration import add_breaks, add_learnable
 from gam_db.method.certificate import add_judgement
 from gam_db.method.resolved import SMALL_OF_SET
 from gam_db.method.scoring import add_bucket_counts, add_buckets, add_numbered, add_support_bits
+from gam_db.method.slots import code_in
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
 
@@ -149,7 +150,7 @@ def unmoved_steps(rows: exp.Query, counted: bool) -> Pipeline:
         counted: whether rows are only counted.
     """
     steps = reading_steps(rows, is_ranged=False)
-    code = template.fill("support/code", {"bins": exp.column("bins")})
+    code = code_in(exp.column("bins"))
     add(steps, "stored/scoring/unmoved", {"code": code, "mark": _mark(counted)})
     return steps
 
@@ -184,7 +185,7 @@ def scoring_steps(
     if trusting:
         add(steps, "stored/scoring/repeated_instants")
     if counted or setting.still_after is None:
-        slots = {"code": template.fill("support/code", {"bins": setting.bins}), "mark": _mark(counted)}
+        slots = {"code": code_in(setting.bins), "mark": _mark(counted)}
         add(steps, "stored/scoring/read_sums", slots)
     else:
         add(steps, "stored/scoring/no_sums", name="read_sums")
