@@ -1,5 +1,5 @@
 -- Block sizes: the blocks that hold vectors, numbered from 0 in their channel (block) and over all
--- members of the pool (pool_block).
+-- members of the pool (pool_block); place is channel and block as one number.
 -- Reads:  visits
 -- A row:  one block.
 SELECT
@@ -12,7 +12,8 @@ SELECT
   CAST(ROW_NUMBER() OVER (PARTITION BY channel_id ORDER BY block_no) AS BIGINT) - 1 AS block,
   CAST(ROW_NUMBER() OVER (PARTITION BY support_id ORDER BY channel_id, block_no) AS BIGINT) - 1
     AS pool_block,
-  CAST(COUNT(*) OVER (PARTITION BY support_id) AS BIGINT) AS pool_blocks
+  CAST(COUNT(*) OVER (PARTITION BY support_id) AS BIGINT) AS pool_blocks,
+  CAST(channel_id AS BIGINT) * CAST(2147483648 AS BIGINT) + block_no AS place
 FROM (
   SELECT
     channel_id,

@@ -1,15 +1,33 @@
--- Cells: the support with what calibration knows of each cell: how often, and who saw it first and last.
+-- Cells: the support with what calibration knows of each cell: how often it was seen, in how many blocks, and who saw
+-- it first and last.
+-- Visits are grouped before blocks are looked up: DuckDB, given the join first, groups twice.
 -- Reads:  visits, block_sizes
 -- A row:  one cell of one support.
 SELECT
-  visit.support_id AS support_id,
-  visit.cell_key AS cell_key,
-  CAST(SUM(visit.visits) AS BIGINT) AS visits,
-  MIN(size.pool_block) AS first_block,
-  MAX(size.pool_block) AS last_block,
-  MIN(visit.first_time) AS first_time,
-  MAX(visit.last_time) AS last_time
-FROM visits AS visit
-JOIN block_sizes AS size
-  ON size.channel_id = visit.channel_id AND size.block_no = visit.block_no
-GROUP BY visit.support_id, visit.cell_key
+  seen.support_id AS support_id,
+  seen.cell_key AS cell_key,
+  seen.visits AS visits,
+  opening.pool_block AS first_block,
+  closing.pool_block AS last_block,
+  seen.visited_blocks AS visited_blocks,
+  seen.first_channel AS first_channel,
+  seen.last_channel AS last_channel,
+  seen.first_time AS first_time,
+  seen.last_time AS last_time
+FROM (
+  SELECT
+    support_id,
+    cell_key,
+    CAST(SUM(visit.visits) AS BIGINT) AS visits,
+    MIN(CAST(visit.channel_id AS BIGINT) * CAST(2147483648 AS BIGINT) + visit.block_no) AS first_place,
+    MAX(CAST(visit.channel_id AS BIGINT) * CAST(2147483648 AS BIGINT) + visit.block_no) AS last_place,
+    CAST(COUNT(*) AS BIGINT) AS visited_blocks,
+    MIN(visit.channel_id) AS first_channel,
+    MAX(visit.channel_id) AS last_channel,
+    MIN(visit.first_time) AS first_time,
+    MAX(visit.last_time) AS last_time
+  FROM visits AS visit
+  GROUP BY support_id, cell_key
+) AS seen
+JOIN block_sizes AS opening ON opening.place = seen.first_place
+JOIN block_sizes AS closing ON closing.place = seen.last_place
