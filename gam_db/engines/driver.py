@@ -99,6 +99,10 @@ class Driver(Protocol):
         """Return how many readings can be worked on at once."""
         return self.most_rows
 
+    def threads(self) -> int:
+        """Return how many parts of a statement are worked on side by side, where that is known."""
+        return 1
+
     def problem(self, error: Exception) -> UserError | None:
         """Return what the user can do about an error; None if it is none of the user's."""
 

@@ -220,6 +220,10 @@ class Session:
         """Return how many readings can be worked on at once within the memory of the engine."""
         return self.driver.rows_at_once()
 
+    def threads(self) -> int:
+        """Return how many parts of a statement the engine works on at once, 1 if it is not known."""
+        return self.driver.threads()
+
     def progress(self) -> float:
         """Return how far the running statement is, in percent; negative if it is not known."""
         return -1.0

@@ -60,9 +60,14 @@ class Ways:
     asked: frozenset[str] = frozenset()
 
     @property
+    def has_blocks(self) -> bool:
+        """Tell whether a certificate may be asked for, which is made of blocks of calibration."""
+        return not self.asked or not self.asked <= _HEALTH
+
+    @property
     def taught(self) -> str:
         """The step that supports are made of: vectors, or cells where no certificate is asked for."""
-        return "taught" if self.asked and self.asked <= _HEALTH else "learnable"
+        return "learnable" if self.has_blocks else "taught"
 
     @property
     def counted(self) -> str:

@@ -117,7 +117,7 @@ def add_results(steps: Pipeline, instant_of: TimeNode) -> None:
 def _add_readings(steps: Pipeline, readings: exp.Query, glance: int = 0) -> None:
     steps.add("readings", readings, template.load("source/readings").comment)
     if glance:
-        add(steps, "streams/glance", {"rows": glance})
+        add(steps, "streams/glance", {"rows": glance, "skip": 0})
         add(steps, "streams/as_stored")
         proof = exp.alias_(template.fill("streams/in_order"), "in_order")
         names = filled("source/names").select(proof, copy=False)

@@ -146,7 +146,9 @@ def visited_slots(
     gathered = [_gathered(name, said, "closing") for name, said in ends.items()]
     if trusting:
         carried.append("doubled")
-        gathered.append(_gathered("doubled", "doubled"))
+        marked = _gathered("doubled", "doubled")
+        marked.this.replace(exp.cast(marked.this.copy(), "SMALLINT"))
+        gathered.append(marked)
         needed = exp.column("doubled").eq(1)
     return {
         "stride": setting.bucket_length,

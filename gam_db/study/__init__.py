@@ -109,7 +109,7 @@ class Study:
         if (
             is_streamed
             and bits is not None
-            and (streams := Streams(self.method, self.running, ways.taught)).serve()
+            and (streams := Streams(self.method, self.running, ways.has_blocks)).serve()
         ):
             self._short_cut = streams
         elif slicing is not None:

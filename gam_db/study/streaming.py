@@ -1,9 +1,10 @@
 """Streams: channels that are stored in order of time are read in that order, and nothing is sorted.
 
-This module owns when that is done for a study, and what proves that it was right: a glance at the first
-rows, the proof in the step *ordered*, the marks that the vectors themselves carry, and the count of the
-calibration samples. What does not hold costs time, never a number: the study goes on with the steps that
-sort.
+This module owns when that is done for a study, a guess by a glance at some rows, and what proves that it
+was right: the marks that the vectors themselves carry, and the count of the calibration samples. Where
+calibration is a share of each channel, its vectors and the scored ones hold every row. Where it is
+declared, rows before it are in none of them; the step *ordered* proves the order of those, too. What
+does not hold costs time, never a number: the study goes on with the steps that sort.
 """
 
 from collections.abc import Mapping, Sequence
@@ -17,7 +18,7 @@ from gam_db.composing.pipeline import Step, filled
 from gam_db.method import Method
 from gam_db.method.bits import Bits
 from gam_db.method.scoring import visited_slots
-from gam_db.method.slots import coordinates
+from gam_db.method.slots import block_no, coordinates
 from gam_db.method.vectors import is_outside, stream_slots
 from gam_db.settings.parameters import Parameters
 from gam_db.study.running import Running
@@ -31,9 +32,9 @@ STREAMED_FROM = 50_000
 #: Channels of one statement.
 MOST_CHANNELS = 256
 
-#: The steps that streams give: the vectors of calibration, then the scored ones, grouped, or, where none
-#: are asked for, from where on they would be read.
-LEARNING, SCORING, RUN_UP = "learnable", "visited", "run_up"
+#: The steps that streams give: the cells of calibration, block by block, and supports, then the scored
+#: vectors, grouped, or, where none are asked for, from where on they would be read.
+LEARNING, SCORING, RUN_UP = ("visits", "support"), ("visited",), ("run_up",)
 
 Row = dict[str, Any]
 Slots = dict[str, template.Slot]
@@ -42,15 +43,16 @@ Slots = dict[str, template.Slot]
 def seems_ordered(method: Method, running: Running) -> bool:
     """Tell whether the first rows are of two channels at most, where the engine keeps their order.
 
-    If so, *names* will prove it of all of them.
+    If so, *names* will prove it of all of them where vectors do not.
     """
     bits = running.session.engine.bits
     if bits is None or not _is_plain(method, bits):
         return False
     if running.session.fetch(running.query("glance")).num_rows > 2:
         return False
-    running.keep("ordered")
-    running.put("names", exp.select("*").from_(running.placed["ordered"].copy()))
+    if any(rule.fraction is None for rule in method.rules):
+        running.keep("ordered")
+        running.put("names", exp.select("*").from_(running.placed["ordered"].copy()))
     return True
 
 
@@ -68,20 +70,21 @@ def _is_plain(method: Method, bits: Bits) -> bool:
 
 
 class Streams:
-    """The streams of a study whose *names* are those of the step *ordered*.
+    """The streams of a study whose source :func:`seems_ordered`.
 
     Args:
         method: of the study.
         running: its steps at work.
-        taught: the step that supports are made of (:class:`gam_db.method.delays.Ways`).
+        has_blocks: whether blocks of calibration may be asked for; if not, its cells alone are made.
     """
 
-    def __init__(self, method: Method, running: Running, taught: str = LEARNING) -> None:
-        self.method, self.running, self.taught = method, running, taught
+    def __init__(self, method: Method, running: Running, has_blocks: bool = True) -> None:
+        self.method, self.running, self.has_blocks = method, running, has_blocks
         self.holds = True
+        self._threads = running.session.threads()
         self._sorting: dict[str, Step] = {}
-        self._done: set[str] = set()
-        self._reached: dict[int, int] = {}
+        self._done: set[tuple[str, ...]] = set()
+        self._reached: dict[int, dict[str, int]] = {}
 
     @property
     def holds_so_far(self) -> bool:
@@ -89,13 +92,19 @@ class Streams:
         return self.holds and bool(self._done)
 
     def serve(self) -> bool:
-        """Tell whether all channels are in order, none lacks a sample, and they are long enough."""
-        names = self.running.rows("ordered")
-        return (
-            0 < len(names) <= MOST_CHANNELS
-            and sum(row["readings"] for row in names) >= STREAMED_FROM * len(names)
-            and all(row["in_order"] and not row["missing_readings"] for row in names)
-        )
+        """Tell whether no channel lacks a sample, they are long enough, and seem to be in order."""
+        names = self.running.rows("names")
+        readings = sum(row["readings"] for row in names)
+        is_long = 0 < len(names) <= MOST_CHANNELS and readings >= STREAMED_FROM * len(names)
+        if not is_long or any(row["missing_readings"] for row in names):
+            return False
+        if "ordered" in self.running.placed:
+            return all(row["in_order"] for row in self.running.rows("ordered"))
+        # A source in order of time may begin with what only one or two channels sent.
+        steps = self.running.steps.copied()
+        steps.fill("halfway", "streams/glance", {"rows": GLANCE, "skip": readings // 2})
+        found = self.running.session.rows(steps.query("halfway", self.running.placed))
+        return len(found) <= 2
 
     def begin_anew(self) -> None:
         """Go on with other channels, whose steps are not there yet."""
@@ -108,7 +117,7 @@ class Streams:
         giving = (LEARNING, self._learn), (SCORING, self._score), (RUN_UP, self._reach_back)
         for part, give in giving:
             needed = {one.name for one in steps.needed([step], self.running.placed)}
-            own = {method.named(part, number) for number in range(len(method.settings))}
+            own = {method.named(one, number) for one in part for number in range(len(method.settings))}
             asked = part not in self._done and bool(needed & own)
             if self.holds and asked and (part == LEARNING or LEARNING in self._done):
                 self._done.add(part)
@@ -125,6 +134,8 @@ class Streams:
             for row in channels
             if (rule := method.rules[row["calibration_no"]])
         }
+        if "ordered" not in running.placed and not all(quotas.values()):
+            return False  # a channel that teaches nothing is not scored, and no vector proves its order
         names = running.session.rows(running.query("names"))
         earliest = {(row["asset"], row["channel"]): row["earliest"] for row in names}
         timeline = []
@@ -151,7 +162,11 @@ class Streams:
             context = min(self._reach(row), quota)
             if quota and (found["calibration_samples"], found["context_samples"]) != (quota, context):
                 return False
-        self._reached = {id_: time for id_, time in reached.items() if time is not None}
+        self._reached = {
+            id_: {"read_from": time, "context_rows": seen[id_]["context_samples"]}
+            for id_, time in reached.items()
+            if time is not None
+        }
         has_learnt = False
         for number, setting in enumerate(method.settings):
             bounds = self._bounds(number)
@@ -161,32 +176,48 @@ class Streams:
                 continue
             if not all(row["is_exact"] for row in self._asked(exact, number)):
                 return False
-            learnable = []
+            cells, expected = [], {}
             for row in members:
                 piece = pieces[row["channel_id"]]
                 times = piece["time_from"], piece["time_to"]
                 vectors = _vectors(row, setting, _range(bounds[row["channel_id"]]), *times)
-                slots: Slots = {"channel_id": row["channel_id"], "span": setting.span}
-                learnable.append(_over("streams/learnable", slots, "streamed", vectors))
-            if not self._teach(learnable, number):
+                samples = seen[row["channel_id"]]["calibration_samples"]
+                expected[row["channel_id"]] = found = max(samples - setting.span, 0)
+                cells.append(self._cells(row, setting, vectors, found))
+            if not self._teach(cells, number, expected):
                 return False
             has_learnt = True
         return has_learnt
 
-    def _teach(self, learnable: Sequence[exp.Query], number: int) -> bool:
-        """Give the vectors of calibration of one set, or their cells; tell whether all are in order."""
-        step, missing, support, bounds = (
-            self.method.named(name, number)
-            for name in (self.taught, "missing_vectors", "support", "bounds")
+    def _cells(self, row: Row, setting: Parameters, vectors: exp.Query, found: int) -> exp.Query:
+        """Return the cells of the calibration of one channel, which has ``found`` vectors."""
+        slots: Slots = {"channel_id": row["channel_id"], "span": setting.span}
+        if not self.has_blocks:
+            learnable = _over("streams/learnable", slots, "streamed", vectors)
+            return _over("census/taught", {}, "learnable", learnable)
+        slots |= {"support_id": row["support_id"], "block_no": block_no(setting, found)}
+        return _over("streams/visits", slots, "streamed", vectors)
+
+    def _teach(self, cells: Sequence[exp.Query], number: int, expected: Mapping[int, int]) -> bool:
+        """Give the cells of calibration of one set; tell whether they are those of vectors in order."""
+        visits, missing, support, bounds = (
+            self.method.named(step, number)
+            for step in ("visits", "missing_vectors", "support", "bounds")
         )
-        if self.taught == LEARNING:
-            self._give(step, learnable)
-            self._replace(missing, filled("certificate/missing_vectors"), {"vectors": step})
-        else:
-            cells = [_over("census/taught", {}, LEARNING, vectors) for vectors in learnable]
-            self.running.steps.put(Step.of(step, stacked(cells), "", {"readings": "readings"}))
-            self._replace(support, filled("support/support"), {LEARNING: step, "bounds": bounds})
-        return not self.running.largest(step, "doubled")
+        if not self.has_blocks:
+            taught = self.method.named("taught", number)
+            query = stacked(cells, self._threads)
+            self.running.steps.put(Step.of(taught, query, "", {"readings": "readings"}))
+            self._replace(support, filled("support/support"), {"learnable": taught, "bounds": bounds})
+            return not self.running.largest(taught, "doubled")
+        self._give(visits, cells)
+        self._replace(support, filled("support/support"), {"learnable": visits, "bounds": bounds})
+        self._replace(missing, filled("certificate/missing_vectors"), {"vectors": visits})
+        steps = self.running.steps.copied()
+        steps.add("visited_vectors", filled("streams/visited_vectors"), tables={"visits": visits})
+        rows = self.running.session.rows(steps.query("visited_vectors", self.running.placed))
+        found = {row["channel_id"]: row["vectors"] for row in rows if not row["doubled"]}
+        return found == {id_: vectors for id_, vectors in expected.items() if vectors}
 
     def _score(self) -> bool:
         """Give the scored vectors, grouped; tell whether they are what they should be."""
@@ -194,18 +225,22 @@ class Streams:
         assert bits is not None
         channels = running.rows("channels")
         for number, setting in enumerate(method.settings):
-            held, visited = (method.named(step, number) for step in ("support_bits", SCORING))
+            held, visited = (method.named(step, number) for step in ("support_bits", "visited"))
             running.keep(held)
             bounds = self._bounds(number)
             members = [row for row in channels if row["channel_id"] in bounds]
             if not members:
                 continue
             first = {row["channel_id"]: bounds[row["channel_id"]]["first_scored"] for row in members}
-            starts = self._reached if setting.span else first
-            unknown = [row for row in members if row["channel_id"] not in starts]
+            unknown = [row for row in members if setting.span and row["channel_id"] not in self._reached]
             looked_for = self._run_up(unknown, number, bounds)
             found = self._asked(looked_for, number) if looked_for else []
-            starts = {**starts, **{row["channel_id"]: row["read_from"] for row in found}}
+            starts = (
+                first
+                if setting.span == 0
+                else {id_: of["read_from"] for id_, of in self._reached.items()}
+            )
+            starts |= {row["channel_id"]: row["read_from"] for row in found}
             parts = [
                 scored(row, setting, bits, _range(bounds[id_]), starts[id_], FAR_AHEAD)
                 for row in members
@@ -223,17 +258,21 @@ class Streams:
             bounds = self._bounds(number)
             members = [row for row in channels if row["channel_id"] in bounds]
             if members:
-                self._give(self.method.named(RUN_UP, number), self._run_up(members, number, bounds))
+                self._give(self.method.named("run_up", number), self._run_up(members, number, bounds))
         return True
 
     def _run_up(self, members: Sequence[Row], number: int, bounds: Mapping[int, Row]) -> list[exp.Query]:
-        """Return the run-up of each of some channels."""
+        """Return the run-up of each of some channels: what calibration has found of it, or a look."""
         span = self.method.settings[number].span
-        asked = [(row, bounds[row["channel_id"]]) for row in members]
-        return [
-            of_channel("run_up", row, **_range(of), first_scored=of["first_scored"], span=span)
-            for row, of in asked
-        ]
+        asked = []
+        for row in members:
+            of, reached = bounds[row["channel_id"]], self._reached.get(row["channel_id"])
+            if span and reached:
+                asked.append(of_channel("reached", row, **_range(of), **reached))
+            else:
+                slots = {"first_scored": of["first_scored"], "span": span}
+                asked.append(of_channel("run_up", row, **_range(of), **slots))
+        return asked
 
     def _bounds(self, number: int) -> dict[int, Row]:
         """Return the bounds of the channels of a set that have a range."""
@@ -247,14 +286,18 @@ class Streams:
     def _asked(self, queries: Sequence[exp.Query], number: int) -> list[Row]:
         """Ask what speaks of a channel each in one statement."""
         steps = self.running.steps.copied()
-        steps.add("asked", stacked(queries), tables={"bounds": self.method.named("bounds", number)})
+        steps.add(
+            "asked",
+            stacked(queries, self._threads),
+            tables={"bounds": self.method.named("bounds", number)},
+        )
         return self.running.session.rows(steps.query("asked", self.running.placed))
 
     def _give(
         self, step: str, parts: Sequence[exp.Query], tables: Mapping[str, str] | None = None
     ) -> None:
         """Keep what speaks of a channel each as a step, in the place of what it was."""
-        self._replace(step, stacked(parts), tables)
+        self._replace(step, stacked(parts, self._threads), tables)
         self.running.keep(step)
 
     def _replace(self, step: str, query: exp.Query, tables: Mapping[str, str] | None = None) -> None:
@@ -339,15 +382,17 @@ def _times(piece: Row) -> dict[str, int]:
     return {name: piece[name] for name in ("time_from", "time_to")}
 
 
-def stacked(queries: Sequence[exp.Query]) -> exp.Query:
-    """Return the rows of several queries, which DuckDB works on side by side.
+def stacked(queries: Sequence[exp.Query], threads: int) -> exp.Query:
+    """Return the rows of several queries, which DuckDB works on side by side if it has several threads.
 
-    It does so with entries of a WITH list that it is to keep. The parts of a UNION it takes one after
-    another, wherever one of them alone has rows for all threads.
+    It does so with entries of a WITH list that it is to keep, each a copy. The parts of a UNION it takes
+    one after another, wherever one of them alone has rows for all threads.
     """
     first, *others = queries
     if not others:
         return first
+    if threads == 1:
+        return exp.union(*queries, distinct=False, copy=False)
     names = [exp.to_identifier(f"gam_part_{number}") for number in range(len(queries))]
     parts = [
         exp.CTE(this=query, alias=exp.TableAlias(this=name), materialized=True)

@@ -6,7 +6,7 @@ SELECT
   visit.channel_id AS channel_id,
   visit.bucket_no AS bucket_no,
   visit.novel_cell AS cell_key,
-  visit.visits AS visits,
+  CAST(visit.visits AS BIGINT) AS visits,
   visit.first_time AS first_time,
   visit.last_time AS last_time
 FROM visited AS visit

@@ -1,7 +1,7 @@
 -- Visited: where the machine was in each bucket: the novel cells one by one, all else in the row without a
 -- cell. What buckets and novel cells need of the scored vectors is read off these few rows. A vector that
 -- is neither novel nor the first or last of its bucket changes none of them, and is dropped before, and so are
--- samples of a run-up, whose number is none.
+-- samples of a run-up, whose number is none. A bucket has fewer than 2^31 vectors; narrow rows take less room.
 -- Reads:  placed
 -- A row:  one novel cell in one bucket, or NULL for its other vectors; closing = 1 if the bucket ends in it.
 -- Slots:  :stride    vectors per bucket
@@ -15,11 +15,11 @@ SELECT
   channel_id,
   bucket_no,
   :cell,
-  CAST(COUNT(*) AS BIGINT) AS visits,
+  CAST(COUNT(*) AS INTEGER) AS visits,
   MIN(kept.time) AS first_time,
   MAX(kept.time) AS last_time,
-  CAST(SUM(kept.out_of_range) AS BIGINT) AS out_of_range,
-  MAX(kept.closing) AS closing,
+  CAST(SUM(kept.out_of_range) AS INTEGER) AS out_of_range,
+  CAST(MAX(kept.closing) AS SMALLINT) AS closing,
   :gathered
 FROM (
   SELECT

@@ -749,13 +749,19 @@ def loading() -> Iterator[set[str]]:
         yield loaded
 
 
+#: What may be all that is asked for.
+HEALTH = ("bucket_health",)
+
+
 def stream_once() -> None:
     """Read a channel in the order in which it is stored."""
     table = pa.table({"time": range(streaming.STREAMED_FROM), "value": [1.5] * streaming.STREAMED_FROM})
     with DuckSession() as session, session.lent(table) as lent:
         source = Source(lent.name, None, None)
-        for calibration in (CALIBRATIONS[0], gam_db.Calibration(duration=9)):
-            study = Study(session, source, gam_db.Parameters(), calibration, short_cuts=True)
+        told = ((CALIBRATIONS[0], ()), (CALIBRATIONS[0], HEALTH), (gam_db.Calibration(duration=9), ()))
+        for calibration, asked in told:
+            given = source, gam_db.Parameters(), calibration
+            study = Study(session, *given, short_cuts=True, asked=asked)
             study.table("bucket_health")
             assert study.is_streamed
             study.forget()

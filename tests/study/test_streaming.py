@@ -133,16 +133,27 @@ def test_streams_give_the_integers_of_the_reference(
     agrees(found, rows(), *method)
 
 
-def test_channels_are_worked_on_side_by_side(connection: duckdb.DuckDBPyConnection) -> None:
-    """DuckDB does so with entries of a WITH list that it keeps, and not with parts of a UNION."""
+@pytest.mark.parametrize("threads", [1, 2])
+def test_channels_are_worked_on_side_by_side(
+    connection: duckdb.DuckDBPyConnection, threads: int
+) -> None:
+    """DuckDB does so with entries of a WITH list that it keeps, a copy for nothing on one thread."""
     stored(connection, rows())
+    connection.execute("SET threads = ?", [threads])
     with DuckSession(connection) as session:
         method = harness.made(*SERVED["delays"])
         study = Study(session, gam_db.Source("telemetry"), *method, short_cuts=True)
         study.table("novel_cells")
-        for step in ("learnable", "visited"):
-            entries = list(study.steps.steps[step].query.find_all(exp.CTE))
-            assert [entry.args["materialized"] for entry in entries] == [True] * 6
+        for step in ("visits", "visited"):
+            query = study.steps.steps[step].query
+            entries = list(query.find_all(exp.CTE))
+            assert [entry.args["materialized"] for entry in entries] == [True] * 6 * (threads > 1)
+            assert len(list(query.find_all(exp.Union))) == 5
+        agrees(
+            {name: study.table(step).to_pylist() for name, step in harness.STEPS.items()},
+            rows(),
+            *method,
+        )
         study.forget()
 
 
@@ -252,6 +263,50 @@ def test_the_vectors_themselves_show_a_wrong_proof(
     found, is_streamed = answers(connection, *method, asked=asked)
     assert is_streamed == (dirt is by_time)  # by time, each channel alone is in order all the same
     agrees(found, table, *method)
+
+
+def test_a_source_in_order_of_time_that_began_with_one_channel_is_sorted(
+    connection: duckdb.DuckDBPyConnection, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its channels alone are in order; but each would be looked for among the rows of all."""
+    monkeypatch.setattr(streaming, "GLANCE", 10)
+    table = [row for row in by_time(rows()) if (row[0] == "a" and row[1] == "x") or row[2] >= 100]
+    method = harness.made(*SERVED["delays"])
+    stored(connection, table)
+    found, is_streamed = answers(connection, *method)
+    assert not is_streamed
+    agrees(found, table, *method)
+
+
+def test_a_channel_of_which_no_vector_tells_the_order_is_not_taken_on_trust(
+    connection: duckdb.DuckDBPyConnection,
+) -> None:
+    """It is too short to teach anything, and its instant that occurs twice is counted all the same."""
+    few: list[Row] = [("z", "x", time, float(time % 3)) for time in (0, 2, 2, 4)]
+    table, method = [*rows(), *few], harness.made({"m": 2, "bins": 3, "window": 6}, {"fraction": 0.2})
+    stored(connection, table)
+    found, is_streamed = answers(connection, *method)
+    assert not is_streamed
+    agrees(found, table, *method)
+
+
+def test_visits_that_are_not_those_of_the_counted_samples_are_made_anew(
+    connection: duckdb.DuckDBPyConnection,
+) -> None:
+    """Here somebody takes a row away between two statements."""
+    stored(connection, rows())
+
+    def on_step(step: str) -> None:
+        if step == "visits":
+            connection.execute("DELETE FROM telemetry WHERE asset = 'b' AND channel = 'y' AND time = 40")
+
+    with DuckSession(connection) as session:
+        method = harness.made(*SERVED["delays"])
+        source = gam_db.Source("telemetry")
+        study = Study(session, source, *method, on_step=on_step, short_cuts=True)
+        study.table("novel_cells")
+        assert not study.is_streamed
+        study.forget()
 
 
 @pytest.mark.parametrize("form", ["file", "files", "view with a join", "view", "no order kept"])

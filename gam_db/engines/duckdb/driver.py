@@ -233,6 +233,9 @@ class DuckDriver(Driver):
         amount, _, unit = str(row[0]).partition(" ")
         return max(int(float(amount) * _UNITS.get(unit, 2**20)) // _PER_READING, 100_000)
 
+    def threads(self) -> int:
+        return int(self.connection.execute("SELECT current_setting('threads')").fetchall()[0][0])
+
     def problem(self, error: Exception) -> UserError | None:
         if isinstance(error, duckdb.PermissionException) and self.owned:
             return SourceError(

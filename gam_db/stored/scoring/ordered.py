@@ -40,10 +40,11 @@ def is_given(
     """
     session, steps = running.session, Pipeline()
     steps.add("readings", reader.readings(assets, min(row["read_from"] for row in group)))
-    steps.add("glance", filled("streams/glance", {"rows": streaming.GLANCE}))
+    steps.add("glance", filled("streams/glance", {"rows": streaming.GLANCE, "skip": 0}))
     if len(group) > streaming.MOST_CHANNELS or len(session.rows(steps.query("glance"))) > 2:
         return False
-    steps.add("seen", streaming.stacked([_seen(row) for row in group]))
+    threads = session.threads()
+    steps.add("seen", streaming.stacked([_seen(row) for row in group], threads))
     running.put("seen", steps.query("seen"))
     found = {row["channel_id"]: row for row in running.rows("seen")}
     there = [
@@ -54,20 +55,20 @@ def is_given(
     if _are_whole(list(found.values()), setting.span):
         add(steps, "stored/scoring/bounds")
         compared = [streaming.of_channel("exact", row, **_range(row)) for row in there]
-        steps.add("exact", streaming.stacked(compared))
+        steps.add("exact", streaming.stacked(compared, threads))
         exact = session.rows(steps.query("exact", running.placed))
         running.keep("support_bits")
         vectors = [
             streaming.scored(row, setting, bits, _range(row), row["read_from"], row["read_until"], ENDS)
             for row in there
         ]
-        steps.add("visited", streaming.stacked(vectors))
+        steps.add("visited", streaming.stacked(vectors, threads))
         running.put("visited", steps.query("visited", running.placed))
         # The newest rows, which are summed up, are copied before all are counted again.
         since = min(max(row["read_from"], row["read_until"] - 2 * row["late_by"]) for row in there)
         newest = reading_steps(reader.readings(assets, since))
         running.put("identified", newest.query("identified", running.placed))
-        steps.add("again", streaming.stacked([_seen(row) for row in there]))
+        steps.add("again", streaming.stacked([_seen(row) for row in there], threads))
         again = {row["channel_id"]: row for row in session.rows(steps.query("again"))}
         if all(row["is_exact"] for row in exact) and again == found:
             return True

@@ -1,0 +1,26 @@
+-- Visits, in stored order: how often each block of the calibration of one channel visited each cell; see
+-- certificate/visits.sql. Proof: all visits of a channel add up to its vectors, which block numbers are made of.
+-- Reads:  streamed, the samples of the channel's calibration.
+-- A row:  one cell in one block, or NULL; doubled = 1 if one of its vectors, or a sample without a vector, is not
+--         later than the sample before.
+-- Slots:  :channel_id, :support_id
+--         :span      (m-1) * tau, the samples between oldest and newest
+--         :block_no  the expression of certificate/block_no.sql, of place
+SELECT
+  CAST(:channel_id AS INTEGER) AS channel_id,
+  CAST(:support_id AS INTEGER) AS support_id,
+  block_no,
+  cell_key,
+  CAST(COUNT(*) AS BIGINT) AS visits,
+  MIN(learnt.time) AS first_time,
+  MAX(learnt.time) AS last_time,
+  MAX(learnt.out_of_order) AS doubled
+FROM (
+  SELECT time, cell_key, CAST(:block_no AS BIGINT) AS block_no, out_of_order
+  FROM (
+    SELECT time, cell_key, position - :span - 1 AS place, out_of_order
+    FROM streamed
+    WHERE position > :span OR out_of_order = 1
+  ) AS learnable
+) AS learnt
+GROUP BY block_no, cell_key
