@@ -146,9 +146,8 @@ def visited_slots(
     gathered = [_gathered(name, said, "closing") for name, said in ends.items()]
     if trusting:
         carried.append("doubled")
-        marked = _gathered("doubled", "doubled")
-        marked.this.replace(exp.cast(marked.this.copy(), "SMALLINT"))
-        gathered.append(marked)
+        marked = exp.cast(exp.Max(this=exp.column("doubled", table="kept")), "SMALLINT")
+        gathered.append(exp.alias_(marked, "doubled"))
         needed = exp.column("doubled").eq(1)
     return {
         "stride": setting.bucket_length,
@@ -205,12 +204,11 @@ def _add_short_vectors(one: OfSet, prefix: str, trusting: bool = False) -> None:
     add_short_vectors(one, prefix, trusting)
 
 
-def _gathered(name: str, said: str, where: str | None = None) -> exp.Expr:
+def _gathered(name: str, said: str, where: str) -> exp.Expr:
     """Return the largest value of a column, of the rows alone where another one is 1."""
-    value: exp.Expr = exp.column(name, table="kept")
-    if where is not None:
-        value = exp.Case(ifs=[exp.If(this=exp.column(where, table="kept").eq(1), true=value)])
-    return exp.alias_(exp.Max(this=value), said)
+    value = exp.column(name, table="kept")
+    chosen = exp.If(this=exp.column(where, table="kept").eq(1), true=value)
+    return exp.alias_(exp.Max(this=exp.Case(ifs=[chosen])), said)
 
 
 def _carried(name: str) -> exp.Expr:

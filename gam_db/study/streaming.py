@@ -231,15 +231,13 @@ class Streams:
             members = [row for row in channels if row["channel_id"] in bounds]
             if not members:
                 continue
-            first = {row["channel_id"]: bounds[row["channel_id"]]["first_scored"] for row in members}
-            unknown = [row for row in members if setting.span and row["channel_id"] not in self._reached]
+            if setting.span:
+                starts = {id_: of["read_from"] for id_, of in self._reached.items()}
+            else:
+                starts = {id_: of["first_scored"] for id_, of in bounds.items()}
+            unknown = [row for row in members if row["channel_id"] not in starts]
             looked_for = self._run_up(unknown, number, bounds)
             found = self._asked(looked_for, number) if looked_for else []
-            starts = (
-                first
-                if setting.span == 0
-                else {id_: of["read_from"] for id_, of in self._reached.items()}
-            )
             starts |= {row["channel_id"]: row["read_from"] for row in found}
             parts = [
                 scored(row, setting, bits, _range(bounds[id_]), starts[id_], FAR_AHEAD)
