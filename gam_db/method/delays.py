@@ -60,6 +60,11 @@ class Ways:
     asked: frozenset[str] = frozenset()
 
     @property
+    def scores(self) -> bool:
+        """Tell whether it is known that something of the scored vectors will be asked for."""
+        return bool(self.asked & _HEALTH)
+
+    @property
     def has_blocks(self) -> bool:
         """Tell whether a certificate may be asked for, which is made of blocks of calibration."""
         return not self.asked or not self.asked <= _HEALTH

@@ -88,8 +88,8 @@ class Study:
         unread = dataclasses.replace(read.rows, relation=None)  # the node counts
         self._asked = (self.method, unread, read.relation, session.engine)
         self.running = Running(session, self._opening(), on_step=on_step)
-        is_streamed = short_cuts and seems_ordered(self.method, self.running)
         slicing, ways = None, Ways(asked=frozenset(asked))
+        is_streamed = short_cuts and seems_ordered(self.method, self.running, ways.scores)
         if short_cuts and on_trust and not is_streamed and trusting.serves(self.method):
             slicing, rows = trusting.sliced(self.running)
             ways = ways if slicing is None else self._ways(rows, asked)

@@ -2,9 +2,9 @@
 
 This module owns when that is done for a study, a guess by a glance at some rows, and what proves that it
 was right: the marks that the vectors themselves carry, and the count of the calibration samples. Where
-calibration is a share of each channel, its vectors and the scored ones hold every row. Where it is
-declared, rows before it are in none of them; the step *ordered* proves the order of those, too. What
-does not hold costs time, never a number: the study goes on with the steps that sort.
+it is known that the study scores, and calibration is a share of each channel, its vectors and the scored
+ones hold every row. Else there are rows in none of them, and the step *ordered* proves the order of all.
+What does not hold costs time, never a number: the study goes on with the steps that sort.
 """
 
 from collections.abc import Mapping, Sequence
@@ -40,17 +40,18 @@ Row = dict[str, Any]
 Slots = dict[str, template.Slot]
 
 
-def seems_ordered(method: Method, running: Running) -> bool:
+def seems_ordered(method: Method, running: Running, scores: bool) -> bool:
     """Tell whether the first rows are of two channels at most, where the engine keeps their order.
 
-    If so, *names* will prove it of all of them where vectors do not.
+    If so, *names* will prove it of all of them, unless the vectors do: where it is known that the study
+    ``scores``, and no row is before calibration.
     """
     bits = running.session.engine.bits
     if bits is None or not _is_plain(method, bits):
         return False
     if running.session.fetch(running.query("glance")).num_rows > 2:
         return False
-    if any(rule.fraction is None for rule in method.rules):
+    if not scores or any(rule.fraction is None for rule in method.rules):
         running.keep("ordered")
         running.put("names", exp.select("*").from_(running.placed["ordered"].copy()))
     return True
@@ -118,7 +119,11 @@ class Streams:
         for part, give in giving:
             needed = {one.name for one in steps.needed([step], self.running.placed)}
             own = {method.named(one, number) for one in part for number in range(len(method.settings))}
-            asked = part not in self._done and bool(needed & own)
+            # What calibration gives is proven of all rows only when the scored ones are made, too.
+            is_proof = (
+                part == SCORING and LEARNING in self._done and "ordered" not in self.running.placed
+            )
+            asked = part not in self._done and (is_proof or bool(needed & own))
             if self.holds and asked and (part == LEARNING or LEARNING in self._done):
                 self._done.add(part)
                 self.holds = give()
@@ -195,7 +200,9 @@ class Streams:
         if not self.has_blocks:
             learnable = _over("streams/learnable", slots, "streamed", vectors)
             return _over("census/taught", {}, "learnable", learnable)
-        slots |= {"support_id": row["support_id"], "block_no": block_no(setting, found)}
+        # Without a vector there may be marked samples all the same, and a block for them to be in.
+        block = block_no(setting, max(found, 1))
+        slots |= {"support_id": row["support_id"], "block_no": block}
         return _over("streams/visits", slots, "streamed", vectors)
 
     def _teach(self, cells: Sequence[exp.Query], number: int, expected: Mapping[int, int]) -> bool:
@@ -216,8 +223,9 @@ class Streams:
         steps = self.running.steps.copied()
         steps.add("visited_vectors", filled("streams/visited_vectors"), tables={"visits": visits})
         rows = self.running.session.rows(steps.query("visited_vectors", self.running.placed))
-        found = {row["channel_id"]: row["vectors"] for row in rows if not row["doubled"]}
-        return found == {id_: vectors for id_, vectors in expected.items() if vectors}
+        found = {row["channel_id"]: row["vectors"] for row in rows}
+        is_marked = any(row["doubled"] for row in rows)
+        return not is_marked and found == {id_: vectors for id_, vectors in expected.items() if vectors}
 
     def _score(self) -> bool:
         """Give the scored vectors, grouped; tell whether they are what they should be."""

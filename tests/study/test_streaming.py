@@ -232,17 +232,33 @@ def by_time(table: list[Row]) -> list[Row]:
     return sorted(table, key=lambda row: row[2])
 
 
+def begun_by_one(table: list[Row]) -> list[Row]:
+    """By time, and the first rows are of one channel: each would be looked for among all rows."""
+    return [row for row in by_time(table) if row[:2] == ("a", "x") or row[2] >= LENGTH]
+
+
+def too_short(table: list[Row]) -> list[Row]:
+    """One more channel, which teaches nothing: no vector shows that its instant occurs twice."""
+    return [*table, ("z", "x", 0, 1.0), ("z", "x", 0, 1.0)]
+
+
 #: What breaks the order or the completeness of a source.
-DIRT: tuple[Callable[[list[Row]], list[Row]], ...] = (swapped, doubled, missing, in_two_pieces, by_time)
+DIRT: tuple[Callable[[list[Row]], list[Row]], ...] = (
+    *(swapped, doubled, missing, in_two_pieces, by_time),
+    *(begun_by_one, too_short),
+)
 
 
+@pytest.mark.parametrize("asked", [(), HEALTH], ids=["all", "health alone"])
 @pytest.mark.parametrize("dirt", DIRT)
 def test_a_source_that_is_not_in_order_is_sorted(
-    connection: duckdb.DuckDBPyConnection, dirt: Callable[[list[Row]], list[Row]]
+    connection: duckdb.DuckDBPyConnection,
+    dirt: Callable[[list[Row]], list[Row]],
+    asked: Sequence[str],
 ) -> None:
     table, method = dirt(rows()), harness.made(*SERVED["delays"])
     stored(connection, table)
-    found, is_streamed = answers(connection, *method)
+    found, is_streamed = answers(connection, *method, asked=asked)
     assert not is_streamed
     agrees(found, table, *method)
 
@@ -265,29 +281,34 @@ def test_the_vectors_themselves_show_a_wrong_proof(
     agrees(found, table, *method)
 
 
-def test_a_source_in_order_of_time_that_began_with_one_channel_is_sorted(
-    connection: duckdb.DuckDBPyConnection, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize("asked", [(), HEALTH], ids=["all", "health alone"])
+def test_an_instant_that_occurs_twice_is_found_where_calibration_has_no_vector(
+    connection: duckdb.DuckDBPyConnection, asked: Sequence[str]
 ) -> None:
-    """Its channels alone are in order; but each would be looked for among the rows of all."""
-    monkeypatch.setattr(streaming, "GLANCE", 10)
-    table = [row for row in by_time(rows()) if (row[0] == "a" and row[1] == "x") or row[2] >= 100]
-    method = harness.made(*SERVED["delays"])
+    """Its mark is of a sample that comes before any vector, and so before any block."""
+    table = [(*row[:2], 2 if row[2] == 4 else row[2], row[3]) for row in rows()]
+    method = harness.made(*SERVED["short calibration"])
     stored(connection, table)
-    found, is_streamed = answers(connection, *method)
+    found, is_streamed = answers(connection, *method, asked=asked)
     assert not is_streamed
     agrees(found, table, *method)
 
 
-def test_a_channel_of_which_no_vector_tells_the_order_is_not_taken_on_trust(
-    connection: duckdb.DuckDBPyConnection,
+@pytest.mark.parametrize("asked", [(), HEALTH, ("bucket_health", "certificate")])
+@pytest.mark.parametrize("question", harness.STEPS)
+def test_an_instant_that_occurs_twice_after_calibration_changes_what_calibration_is(
+    connection: duckdb.DuckDBPyConnection, question: str, asked: Sequence[str]
 ) -> None:
-    """It is too short to teach anything, and its instant that occurs twice is counted all the same."""
-    few: list[Row] = [("z", "x", time, float(time % 3)) for time in (0, 2, 2, 4)]
-    table, method = [*rows(), *few], harness.made({"m": 2, "bins": 3, "window": 6}, {"fraction": 0.2})
+    """It makes the channel shorter by one sample, and so its share. Nothing else is asked for before."""
+    table = [(*row[:2], 402 if row[2] == 404 else row[2], row[3]) for row in rows()]
+    method = harness.made({"m": 2, "bins": 3, "window": 6}, {"fraction": 0.25})
     stored(connection, table)
-    found, is_streamed = answers(connection, *method)
-    assert not is_streamed
-    agrees(found, table, *method)
+    with DuckSession(connection) as session:
+        source = gam_db.Source("telemetry")
+        study = Study(session, source, *method, short_cuts=True, asked=asked)
+        found = study.table(harness.STEPS[question]).to_pylist()
+        study.forget()
+    harness.assert_same(harness.all_by_reference(table, *method)[question], found, question)
 
 
 def test_visits_that_are_not_those_of_the_counted_samples_are_made_anew(
