@@ -34,6 +34,9 @@ def table_of(rows: Sequence[Mapping[str, Any]], schema: pa.Schema) -> pa.Table:
     return pa.Table.from_arrays(arrays, schema=schema)
 
 
+_NUMBERS = {COUNT: np.int64, SHARE: np.float64}
+
+
 def _array(values: Sequence[Any], of: pa.DataType) -> pa.Array:
     there = np.fromiter((value is not None for value in values), bool, len(values))
     valid = _bits(there)
@@ -45,8 +48,7 @@ def _array(values: Sequence[Any], of: pa.DataType) -> pa.Array:
         held = [_bits(np.fromiter(map(bool, values), bool, len(values)))]
     else:
         numbers = (0 if value is None else value for value in values)
-        kind = np.int64 if of == COUNT else np.float64
-        held = [pa.py_buffer(np.fromiter(numbers, kind, len(values)))]
+        held = [pa.py_buffer(np.fromiter(numbers, _NUMBERS[of], len(values)))]
     return pa.Array.from_buffers(of, len(values), [valid, *held])
 
 

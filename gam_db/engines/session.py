@@ -48,6 +48,7 @@ class Session:
         self.transactions = driver.engine.transactions
         self._number: int | None = None
         self._made: dict[str, exp.Table] = {}
+        self._defined: dict[str, exp.Expr] = {}  # what is not needed any more -> how it is dropped
 
     def __enter__(self) -> Self:
         return self
@@ -60,10 +61,13 @@ class Session:
         with contextlib.suppress(*self.driver.errors):
             for made in list(self._made.values()):
                 self.driver.drop(made)
+            for dropped in self._defined.values():
+                self.driver.execute(self.engine.text(dropped))
             if self._number is not None:
                 _NUMBERS.discard(self._number)
         self._number = None
         self._made.clear()
+        self._defined.clear()
         self.driver.close()
 
     def relation(self, relation: Any, form: Form | None = None) -> exp.Expr:
@@ -206,6 +210,30 @@ class Session:
             self.driver.drop(kept)
             del self._made[kept.name]
 
+    def define(self, step: str, query: exp.Query, parameters: Sequence[str]) -> str:
+        """Let a query be called like a table, and return its name; for an engine with macros (DuckDB).
+
+        It stands for the query that was defined of that step before.
+
+        Args:
+            step: what it is.
+            query: its tree, where each parameter is a column without a table.
+            parameters: their names, in the order in which they are said in a call.
+        """
+        name = self._numbered(step)
+        macro = exp.UserDefinedFunction(
+            this=exp.Table(this=exp.to_identifier(name)),
+            expressions=[exp.to_identifier(one) for one in parameters],
+            wrapped=True,
+        )
+        gives_rows = exp.ReturnsProperty(this=exp.Schema(this=exp.var("TABLE")), is_table=True)
+        said = exp.Properties(expressions=[exp.TemporaryProperty(), gives_rows])
+        self.execute(
+            exp.Create(this=macro, kind="MACRO", expression=query, properties=said, replace=True)
+        )
+        self._defined[name] = exp.Drop(tables=[macro.this.copy()], kind="MACRO TABLE", exists=True)
+        return name
+
     def write(self, query: exp.Query, path: Path, table: str) -> None:
         """Write the rows of a query as Parquet, or as a table of a DuckDB file.
 
@@ -237,13 +265,18 @@ class Session:
         where = f"in this {self.engine.title} database"
         return f"There is no table or view {shown!r} that can be read {where}{hint or '.'}"
 
-    def _new(self, step: str) -> exp.Table:
-        # A name that is free again comes again, and with it the texts that hold it.
+    def _numbered(self, step: str) -> str:
+        """Return a name that no other session of this process has."""
         if self._number is None:
             with _TAKING:
                 self._number = next(one for one in itertools.count() if one not in _NUMBERS)
                 _NUMBERS.add(self._number)
-        names = (f"gam_{self._number}_{step}_{number}" for number in itertools.count())
+        return f"gam_{self._number}_{step}"
+
+    def _new(self, step: str) -> exp.Table:
+        # A name that is free again comes again, and with it the texts that hold it.
+        own = self._numbered(step)
+        names = (f"{own}_{number}" for number in itertools.count())
         name = next(name for name in names if name not in self._made)
         schema = self.engine.temporary
         return exp.Table(this=template.name(name), db=schema and template.name(schema))

@@ -3,7 +3,7 @@
 from sqlglot import exp
 
 from gam_db.composing import template
-from gam_db.composing.pipeline import Pipeline, filled
+from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import OfSet, add, join_sets
 from gam_db.method.bits import Bits
 from gam_db.method.calibration import add_calibration
@@ -32,7 +32,7 @@ _JOINED_CERTIFICATE = (
 
 
 def pipeline(
-    method: Method, readings: exp.Query, instant_of: TimeNode, bits: Bits | None = None, glance: int = 0
+    method: Method, readings: exp.Query, instant_of: TimeNode, bits: Bits | None = None
 ) -> Pipeline:
     """Return all steps of the method over the given readings.
 
@@ -41,14 +41,12 @@ def pipeline(
         readings: the step *readings*.
         instant_of: turns integer time into what the source has, for the last steps.
         bits: for an engine that keeps a support as bits.
-        glance: rows that are looked at to guess in which order channels are stored, by the step of that
-            name; the step *ordered* proves it. 0: there are no such steps.
 
     The last steps are *health_indicator* (a row per scored vector), *bucket_health* (a row per full
     bucket), *novel_cells*, *support_summary* (a row per channel) and *certificate* (a row per block).
     """
     steps = Pipeline(small=frozenset(method.small()))
-    _add_readings(steps, readings, glance)
+    _add_readings(steps, readings)
     add_source(steps, method)
     numbers = range(len(method.settings))
     for number in numbers:
@@ -66,7 +64,7 @@ def pipeline(
 
 
 def opening_pipeline(
-    readings: exp.Query, glance: int = 0, slicing: Slicing | None = None, delays: str | None = None
+    readings: exp.Query, slicing: Slicing | None = None, delays: str | None = None
 ) -> Pipeline:
     """Return the steps that are asked before it is known what else is: up to *names*, and *extent*.
 
@@ -74,7 +72,7 @@ def opening_pipeline(
     ``slicing`` the former.
     """
     steps = Pipeline(small=OPENING)
-    _add_readings(steps, readings, glance)
+    _add_readings(steps, readings)
     add(steps, "census/extent")
     if slicing is None:
         add(steps, "source/names")
@@ -114,14 +112,8 @@ def add_results(steps: Pipeline, instant_of: TimeNode) -> None:
     _add_summaries(steps, instant_of)
 
 
-def _add_readings(steps: Pipeline, readings: exp.Query, glance: int = 0) -> None:
+def _add_readings(steps: Pipeline, readings: exp.Query) -> None:
     steps.add("readings", readings, template.load("source/readings").comment)
-    if glance:
-        add(steps, "streams/glance", {"rows": glance, "skip": 0})
-        add(steps, "streams/as_stored")
-        proof = exp.alias_(template.fill("streams/in_order"), "in_order")
-        names = filled("source/names").select(proof, copy=False)
-        steps.add("ordered", names, "Ordered: names, with the proof.", {"readings": "as_stored"})
 
 
 def _add_summaries(steps: Pipeline, instant_of: TimeNode) -> None:

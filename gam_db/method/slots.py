@@ -31,11 +31,10 @@ def code_of(setting: Parameters) -> exp.Expr:
     return exp.cast(code_in(setting.grid), narrow)
 
 
-def block_no(setting: Parameters, vectors: int | None = None) -> exp.Expr:
-    """Return which block of calibration the vector of a place is in, of so many or those of a column."""
+def block_no(setting: Parameters, vectors: exp.Expr | None = None) -> exp.Expr:
+    """Return which block of calibration the vector of a place is in, of a column's or so many."""
     slots: dict[str, template.Slot] = {"place": exp.column("place"), "window": setting.window}
-    of = exp.column("vectors") if vectors is None else vectors
-    return template.fill("certificate/block_no", {**slots, "vectors": of})
+    return template.fill("certificate/block_no", {**slots, "vectors": vectors or exp.column("vectors")})
 
 
 def coordinates(setting: Parameters) -> list[exp.Expr]:

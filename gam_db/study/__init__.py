@@ -31,7 +31,7 @@ from gam_db.settings.parameters import AUTO, RUNGS, Override, Parameters
 from gam_db.settings.patterns import grouped
 from gam_db.settings.setting import settings_of
 from gam_db.settings.source import AnySource, is_file, paths_of, under
-from gam_db.study import streaming, trusting
+from gam_db.study import trusting
 from gam_db.study.running import Listener, Running, unheard
 from gam_db.study.streaming import Streams, seems_ordered
 from gam_db.study.trusting import Trust
@@ -109,7 +109,7 @@ class Study:
         if (
             is_streamed
             and bits is not None
-            and (streams := Streams(self.method, self.running, ways.has_blocks)).serve()
+            and (streams := Streams(self.method, self.running, ways.scores, ways.has_blocks)).serve()
         ):
             self._short_cut = streams
         elif slicing is not None:
@@ -175,8 +175,7 @@ class Study:
 
     def _opening(self, slicing: Slicing | None = None, delays: str | None = None) -> Pipeline:
         """Return the steps that are asked first."""
-        glance = streaming.GLANCE if self.session.engine.bits else 0
-        steps = _opened(*self._asked, glance, slicing, delays).copied()
+        steps = _opened(*self._asked, slicing, delays).copied()
         return self._with_file(steps)
 
     def _ways(self, rows: int, asked: Collection[str]) -> Ways:
@@ -190,7 +189,7 @@ class Study:
         self, bits: Bits | None, slicing: Slicing | None = None, ways: Ways | None = None
     ) -> Pipeline:
         """Return steps of the study's own; text is parsed once, not once per step."""
-        steps = _filled(*self._asked, streaming.GLANCE if bits else 0, slicing, ways).copied()
+        steps = _filled(*self._asked, bits is not None, slicing, ways).copied()
         return self._with_file(steps)
 
     def _with_file(self, steps: Pipeline) -> Pipeline:
@@ -201,7 +200,7 @@ class Study:
 
     def begin_anew(self) -> None:
         """Forget what was made of channels: others have the step *names* now."""
-        self.running.forget(but=("names", "ordered", "readings"))
+        self.running.forget(but=("names", "readings"))
         if isinstance(self._short_cut, Streams):
             self._short_cut.begin_anew()
 
@@ -285,12 +284,11 @@ def _opened(
     source: AnySource,
     relation: exp.Expr,
     engine: Engine,
-    glance: int,
     slicing: Slicing | None,
     delays: str | None,
 ) -> Pipeline:
     """Return the steps that are asked first, likewise; arguments as for :func:`_filled`."""
-    return opening_pipeline(engine.readings(source, relation, method.kind), glance, slicing, delays)
+    return opening_pipeline(engine.readings(source, relation, method.kind), slicing, delays)
 
 
 @lru_cache(maxsize=LATELY)
@@ -299,7 +297,7 @@ def _filled(
     source: AnySource,
     relation: exp.Expr,
     engine: Engine,
-    glance: int,
+    has_bits: bool,
     slicing: Slicing | None = None,
     ways: Ways | None = None,
 ) -> Pipeline:
@@ -310,13 +308,13 @@ def _filled(
         source: how the relation is read; its own relation does not matter.
         relation: the node to read from.
         engine: knows the way from the source's time to integers, and back.
-        glance: keep supports as bits, as the engine does it, and look at so many rows first; 0: do not.
+        has_bits: keep supports as bits, as the engine does it.
         slicing: how times are cut, for the steps that trust; None for those that look first.
         ways: what this engine does differently, for the steps that trust.
     """
-    kind, bits = method.kind, engine.bits if glance else None
+    kind, bits = method.kind, engine.bits if has_bits else None
     rows = engine.readings(source, relation, kind)
     said = method, rows, lambda node: engine.instant_of(kind, node)
     if slicing is not None:
         return trusting_pipeline(*said, slicing, bits, ways)
-    return pipeline(*said, bits, glance)
+    return pipeline(*said, bits)

@@ -7,54 +7,48 @@ ones hold every row. Else there are rows in none of them, and the step *ordered*
 What does not hold costs time, never a number: the study goes on with the steps that sort.
 """
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 
 from sqlglot import exp
 
 from gam_db.clock import FAR_AHEAD, LONG_AGO
-from gam_db.composing import template
+from gam_db.columns import COUNT, SHARE, columns, table_of
 from gam_db.composing.pipeline import Step, filled
+from gam_db.engines.session import Row
 from gam_db.method import Method
 from gam_db.method.bits import Bits
-from gam_db.method.scoring import visited_slots
-from gam_db.method.slots import block_no, coordinates
-from gam_db.method.vectors import is_outside, stream_slots
-from gam_db.settings.parameters import Parameters
+from gam_db.study import naming, streamed
 from gam_db.study.running import Running
-
-#: Rows that are glanced at to guess whether channels lie one after another.
-GLANCE = 10_000
-
-#: Readings of a channel, on the average, from which on a part of a statement for each is worth its time.
-STREAMED_FROM = 50_000
-
-#: Channels of one statement.
-MOST_CHANNELS = 256
+from gam_db.study.streamed import Own, of_channel, of_each, own
 
 #: The steps that streams give: the cells of calibration, block by block, and supports, then the scored
 #: vectors, grouped, or, where none are asked for, from where on they would be read.
 LEARNING, SCORING, RUN_UP = ("visits", "support"), ("visited",), ("run_up",)
 
-Row = dict[str, Any]
-Slots = dict[str, template.Slot]
+Make = Callable[[Own], exp.Query]
 
 
 def seems_ordered(method: Method, running: Running, scores: bool) -> bool:
-    """Tell whether the first rows are of two channels at most, where the engine keeps their order.
+    """Tell whether channels seem to be stored one after another; if so, *names* is there.
 
-    If so, *names* will prove it of all of them, unless the vectors do: where it is known that the study
-    ``scores``, and no row is before calibration.
+    Where the vectors will not prove the order of all rows, it is proven.
     """
-    bits = running.session.engine.bits
+    session, bits = running.session, running.session.engine.bits
     if bits is None or not _is_plain(method, bits):
         return False
-    if running.session.fetch(running.query("glance")).num_rows > 2:
+    running.prepare("names")
+    is_proven = not _vectors_prove(method, scores)
+    names = naming.counted(session, running.steps, running.placed, is_proven)
+    if names is None:
         return False
-    if not scores or any(rule.fraction is None for rule in method.rules):
-        running.keep("ordered")
-        running.put("names", exp.select("*").from_(running.placed["ordered"].copy()))
-    return True
+    running.load("names", names)
+    return not is_proven or all(names["in_order"].to_pylist())
+
+
+def _vectors_prove(method: Method, scores: bool) -> bool:
+    """Tell whether it is known that the study ``scores``, and no row is before calibration."""
+    return scores and all(rule.fraction is not None for rule in method.rules)
 
 
 def _is_plain(method: Method, bits: Bits) -> bool:
@@ -76,13 +70,13 @@ class Streams:
     Args:
         method: of the study.
         running: its steps at work.
+        scores: whether it is known that it scores.
         has_blocks: whether blocks of calibration may be asked for; if not, its cells alone are made.
     """
 
-    def __init__(self, method: Method, running: Running, has_blocks: bool = True) -> None:
+    def __init__(self, method: Method, running: Running, scores: bool, has_blocks: bool) -> None:
         self.method, self.running, self.has_blocks = method, running, has_blocks
-        self.holds = True
-        self._threads = running.session.threads()
+        self.holds, self.is_proven = True, not _vectors_prove(method, scores)
         self._sorting: dict[str, Step] = {}
         self._done: set[tuple[str, ...]] = set()
         self._reached: dict[int, dict[str, int]] = {}
@@ -93,19 +87,9 @@ class Streams:
         return self.holds and bool(self._done)
 
     def serve(self) -> bool:
-        """Tell whether no channel lacks a sample, they are long enough, and seem to be in order."""
+        """Tell whether no channel lacks a sample."""
         names = self.running.rows("names")
-        readings = sum(row["readings"] for row in names)
-        is_long = 0 < len(names) <= MOST_CHANNELS and readings >= STREAMED_FROM * len(names)
-        if not is_long or any(row["missing_readings"] for row in names):
-            return False
-        if "ordered" in self.running.placed:
-            return all(row["in_order"] for row in self.running.rows("ordered"))
-        # A source in order of time may begin with what only one or two channels sent.
-        steps = self.running.steps.copied()
-        steps.fill("halfway", "streams/glance", {"rows": GLANCE, "skip": readings // 2})
-        found = self.running.session.rows(steps.query("halfway", self.running.placed))
-        return len(found) <= 2
+        return bool(names) and not any(row["missing_readings"] for row in names)
 
     def begin_anew(self) -> None:
         """Go on with other channels, whose steps are not there yet."""
@@ -118,12 +102,10 @@ class Streams:
         giving = (LEARNING, self._learn), (SCORING, self._score), (RUN_UP, self._reach_back)
         for part, give in giving:
             needed = {one.name for one in steps.needed([step], self.running.placed)}
-            own = {method.named(one, number) for one in part for number in range(len(method.settings))}
+            given = {method.named(one, number) for one in part for number in range(len(method.settings))}
             # What calibration gives is proven of all rows only when the scored ones are made, too.
-            is_proof = (
-                part == SCORING and LEARNING in self._done and "ordered" not in self.running.placed
-            )
-            asked = part not in self._done and (is_proof or bool(needed & own))
+            is_proof = part == SCORING and LEARNING in self._done and not self.is_proven
+            asked = part not in self._done and (is_proof or bool(needed & given))
             if self.holds and asked and (part == LEARNING or LEARNING in self._done):
                 self._done.add(part)
                 self.holds = give()
@@ -139,7 +121,7 @@ class Streams:
             for row in channels
             if (rule := method.rules[row["calibration_no"]])
         }
-        if "ordered" not in running.placed and not all(quotas.values()):
+        if not self.is_proven and not all(quotas.values()):
             return False  # a channel that teaches nothing is not scored, and no vector proves its order
         names = running.session.rows(running.query("names"))
         earliest = {(row["asset"], row["channel"]): row["earliest"] for row in names}
@@ -148,19 +130,18 @@ class Streams:
             quota = quotas[row["channel_id"]]
             before = max(quota - self._reach(row), 0)
             first = earliest[row["asset"], row["channel"]]
-            asked: Slots = {"before": before, "samples": quota - before, "first_time": first}
-            timeline.append(of_channel("timeline", row, **asked))
-        self._give("timeline", timeline)
+            timeline.append(own(row, before=before, samples=quota - before, first_time=first))
+        self._give("timeline", partial(of_channel, "timeline"), timeline, "channel_id")
         reached = {row["channel_id"]: row["read_from"] for row in running.rows("timeline")}
         pieces = {row["channel_id"]: row for row in running.rows("calibration")}
         calibrated = [
-            of_channel("calibrated", row, **_times(pieces[id_]), read_from=reached[id_])
+            own(row, **_times(pieces[id_]), read_from=reached[id_])
             for row in channels
             if (id_ := row["channel_id"]) in pieces
         ]
         if not calibrated:
             return False
-        self._give("calibrated", calibrated)
+        self._give("calibrated", partial(of_channel, "calibrated"), calibrated, "channel_id")
         seen = {row["channel_id"]: row for row in running.rows("calibrated")}
         for row in channels:
             quota, found = quotas[row["channel_id"]], seen.get(row["channel_id"], _UNSEEN)
@@ -176,48 +157,41 @@ class Streams:
         for number, setting in enumerate(method.settings):
             bounds = self._bounds(number)
             members = [row for row in channels if row["channel_id"] in bounds.keys() & pieces.keys()]
-            exact = [of_channel("exact", row, **_range(bounds[row["channel_id"]])) for row in members]
             if not members:
                 continue
-            if not all(row["is_exact"] for row in self._asked(exact, number)):
+            exact = [own(row, **_range(bounds[row["channel_id"]])) for row in members]
+            asked = partial(of_channel, "exact")
+            named = self.method.named("bounds", number)
+            if not all(row["is_exact"] for row in self._asked(asked, exact, bounds=named)):
                 return False
             cells, expected = [], {}
             for row in members:
-                piece = pieces[row["channel_id"]]
-                times = piece["time_from"], piece["time_to"]
-                vectors = _vectors(row, setting, _range(bounds[row["channel_id"]]), *times)
-                samples = seen[row["channel_id"]]["calibration_samples"]
-                expected[row["channel_id"]] = found = max(samples - setting.span, 0)
-                cells.append(self._cells(row, setting, vectors, found))
+                id_ = row["channel_id"]
+                expected[id_] = max(seen[id_]["calibration_samples"] - setting.span, 0)
+                # Without a vector there may be marked samples all the same, and a block for them.
+                counted = {"support_id": row["support_id"], "vectors": max(expected[id_], 1)}
+                read = {**_range(bounds[id_]), **_times(pieces[id_])}
+                cells.append(own(row, **read, **(counted if self.has_blocks else {})))
             if not self._teach(cells, number, expected):
                 return False
             has_learnt = True
         return has_learnt
 
-    def _cells(self, row: Row, setting: Parameters, vectors: exp.Query, found: int) -> exp.Query:
-        """Return the cells of the calibration of one channel, which has ``found`` vectors."""
-        slots: Slots = {"channel_id": row["channel_id"], "span": setting.span}
-        if not self.has_blocks:
-            learnable = _over("streams/learnable", slots, "streamed", vectors)
-            return _over("census/taught", {}, "learnable", learnable)
-        # Without a vector there may be marked samples all the same, and a block for them to be in.
-        block = block_no(setting, max(found, 1))
-        slots |= {"support_id": row["support_id"], "block_no": block}
-        return _over("streams/visits", slots, "streamed", vectors)
-
-    def _teach(self, cells: Sequence[exp.Query], number: int, expected: Mapping[int, int]) -> bool:
+    def _teach(self, cells: Sequence[Own], number: int, expected: Mapping[int, int]) -> bool:
         """Give the cells of calibration of one set; tell whether they are those of vectors in order."""
         visits, missing, support, bounds = (
             self.method.named(step, number)
             for step in ("visits", "missing_vectors", "support", "bounds")
         )
+        setting = self.method.settings[number]
+        make = partial(streamed.visits, setting=setting, has_blocks=self.has_blocks)
         if not self.has_blocks:
             taught = self.method.named("taught", number)
-            query = stacked(cells, self._threads)
-            self.running.steps.put(Step.of(taught, query, "", {"readings": "readings"}))
+            query = self._of_each(taught, make, cells)
+            self.running.steps.put(Step.of(taught, query, "", {}))
             self._replace(support, filled("support/support"), {"learnable": taught, "bounds": bounds})
             return not self.running.largest(taught, "doubled")
-        self._give(visits, cells)
+        self._give(visits, make, cells, "channel_id", "support_id")
         self._replace(support, filled("support/support"), {"learnable": visits, "bounds": bounds})
         self._replace(missing, filled("certificate/missing_vectors"), {"vectors": visits})
         steps = self.running.steps.copied()
@@ -239,20 +213,22 @@ class Streams:
             members = [row for row in channels if row["channel_id"] in bounds]
             if not members:
                 continue
-            if setting.span:
-                starts = {id_: of["read_from"] for id_, of in self._reached.items()}
-            else:
-                starts = {id_: of["first_scored"] for id_, of in bounds.items()}
-            unknown = [row for row in members if row["channel_id"] not in starts]
-            looked_for = self._run_up(unknown, number, bounds)
-            found = self._asked(looked_for, number) if looked_for else []
-            starts |= {row["channel_id"]: row["read_from"] for row in found}
+            run_up = self._run_up(members, number, bounds)
+            starts = {row["channel_id"]: row["read_from"] for row in run_up}
+            read = {"time_to": FAR_AHEAD}
             parts = [
-                scored(row, setting, bits, _range(bounds[id_]), starts[id_], FAR_AHEAD)
+                own(
+                    row,
+                    **_range(bounds[id_]),
+                    support_id=row["support_id"],
+                    time_from=starts[id_],
+                    **read,
+                )
                 for row in members
                 for id_ in (row["channel_id"],)
             ]
-            self._give(visited, parts, {"support_bits": held})
+            make = partial(streamed.scored, setting=setting, bits=bits)
+            self._give(visited, make, parts, support_bits=held)
             if running.largest(visited, "doubled"):
                 return False
         return True
@@ -263,22 +239,27 @@ class Streams:
         for number in range(len(self.method.settings)):
             bounds = self._bounds(number)
             members = [row for row in channels if row["channel_id"] in bounds]
-            if members:
-                self._give(self.method.named("run_up", number), self._run_up(members, number, bounds))
+            found = table_of(self._run_up(members, number, bounds), _RUN_UP)
+            self.running.load(self.method.named("run_up", number), found)
         return True
 
-    def _run_up(self, members: Sequence[Row], number: int, bounds: Mapping[int, Row]) -> list[exp.Query]:
-        """Return the run-up of each of some channels: what calibration has found of it, or a look."""
+    def _run_up(self, members: Sequence[Row], number: int, bounds: Mapping[int, Row]) -> list[Row]:
+        """Return the run-up of some channels: what calibration has found of it, else a look."""
         span = self.method.settings[number].span
-        asked = []
-        for row in members:
-            of, reached = bounds[row["channel_id"]], self._reached.get(row["channel_id"])
-            if span and reached:
-                asked.append(of_channel("reached", row, **_range(of), **reached))
-            else:
-                slots = {"first_scored": of["first_scored"], "span": span}
-                asked.append(of_channel("run_up", row, **_range(of), **slots))
-        return asked
+        known = self._reached if span else {}
+        reached = dict(known)
+        unknown = [row for row in members if row["channel_id"] not in known]
+        if unknown:
+            asked = [own(row, first_scored=bounds[row["channel_id"]]["first_scored"]) for row in unknown]
+            for row in self._asked(partial(of_channel, "run_up", span=span), asked):
+                first = bounds[row["channel_id"]]["first_scored"]
+                read_from = first if row["earliest"] is None else row["earliest"]
+                found = {"read_from": read_from, "context_rows": row["context_rows"]}
+                reached[row["channel_id"]] = found
+        return [
+            {"channel_id": id_, **_range(bounds[id_]), **reached[id_], "complete": 1}
+            for id_ in (row["channel_id"] for row in members)
+        ]
 
     def _bounds(self, number: int) -> dict[int, Row]:
         """Return the bounds of the channels of a set that have a range."""
@@ -289,21 +270,22 @@ class Streams:
         """Return how many samples of calibration the first scored vector of a channel reaches, or 1."""
         return max(self.method.settings[row["settings_no"]].span, 1)
 
-    def _asked(self, queries: Sequence[exp.Query], number: int) -> list[Row]:
-        """Ask what speaks of a channel each in one statement."""
-        steps = self.running.steps.copied()
-        steps.add(
-            "asked",
-            stacked(queries, self._threads),
-            tables={"bounds": self.method.named("bounds", number)},
-        )
-        return self.running.session.rows(steps.query("asked", self.running.placed))
+    def _of_each(
+        self, step: str, make: Make, channels: Sequence[Own], *labels: str, **tables: str
+    ) -> exp.Query:
+        """Return what is asked of each of some channels."""
+        running = self.running
+        read = running.steps, running.placed, tables
+        return of_each(running.session, step, make, channels, *read, labels)
 
-    def _give(
-        self, step: str, parts: Sequence[exp.Query], tables: Mapping[str, str] | None = None
-    ) -> None:
-        """Keep what speaks of a channel each as a step, in the place of what it was."""
-        self._replace(step, stacked(parts, self._threads), tables)
+    def _asked(self, make: Make, channels: Sequence[Own], **tables: str) -> list[Row]:
+        """Ask it."""
+        asked = self._of_each("asked", make, channels, "channel_id", **tables)
+        return self.running.session.rows(asked)
+
+    def _give(self, step: str, make: Make, channels: Sequence[Own], *labels: str, **tables: str) -> None:
+        """Keep what is asked of each of some channels as a step, in the place of what it was."""
+        self._replace(step, self._of_each(step, make, channels, *labels, **tables))
         self.running.keep(step)
 
     def _replace(self, step: str, query: exp.Query, tables: Mapping[str, str] | None = None) -> None:
@@ -313,71 +295,12 @@ class Streams:
         """Let the study begin anew with the steps that sort."""
         for step in self._sorting.values():
             self.running.steps.put(step)
-        self.running.forget(but=("names", "ordered", "readings", "channels"))
+        self.running.forget(but=("names", "readings", "channels"))
 
 
-def of_channel(file: str, row: Row, **slots: template.Slot) -> exp.Query:
-    """Return a file of ``sql/streams`` that speaks of one channel."""
-    own = {"channel_id": row["channel_id"], **_names(row)}
-    asked = template.load(f"streams/{file}").slots
-    return filled(f"streams/{file}", {**{name: own[name] for name in own.keys() & asked}, **slots})
+_UNSEEN = {"calibration_samples": 0, "context_samples": 0}
 
-
-def scored(
-    row: Row,
-    setting: Parameters,
-    bits: Bits,
-    ends_of_range: Mapping[str, float],
-    time_from: int,
-    time_to: int,
-    ends: Mapping[str, str] | None = None,
-) -> exp.Query:
-    """Return the scored vectors of one channel, grouped: the step *visited*.
-
-    Args:
-        row: the channel, with its support.
-        setting: its parameters.
-        bits: how its support is kept, in the step *support_bits*.
-        ends_of_range: its calibrated ``lo`` and ``hi``.
-        time_from: the first instant that is read.
-        time_to: the last one.
-        ends: see :func:`gam_db.method.scoring.add_buckets`.
-    """
-    slots: Slots = {
-        **{name: row[name] for name in ("channel_id", "support_id")},
-        "before": setting.span,
-        "is_held": bits.held(exp.column("bits"), exp.column("cell_key")),
-        "carried": [*coordinates(setting), *map(exp.column, ends or ())],
-    }
-    vectors = _vectors(row, setting, ends_of_range, time_from, time_to, bool(ends))
-    placed = _over("streams/placed", slots, "streamed", vectors)
-    grouped = visited_slots(setting, ends, trusting=True) | {"outside": is_outside(setting)}
-    return _over("health/visited", grouped, "placed", placed)
-
-
-def _vectors(
-    row: Row,
-    setting: Parameters,
-    ends_of_range: Mapping[str, float],
-    time_from: int,
-    time_to: int,
-    has_context: bool = False,
-) -> exp.Query:
-    """Return the vectors of one channel over what is read of it."""
-    read: Slots = {"time_from": time_from, "time_to": time_to}
-    return of_channel("vectors", row, **ends_of_range, **read, **stream_slots(setting, has_context))
-
-
-def _over(path: str, slots: Slots, name: str, rows: exp.Query) -> exp.Query:
-    """Return a file of ``sql/`` that reads the rows of a query where it has a name for them."""
-    query = filled(path, slots)
-    (read,) = (table for table in query.find_all(exp.Table) if table.name == name)
-    read.replace(rows.subquery(read.alias_or_name, copy=False))
-    return query
-
-
-def _names(row: Row) -> Slots:
-    return {name: template.text(row[name]) for name in ("asset", "channel")}
+_RUN_UP = columns((COUNT, "channel_id"), (SHARE, "lo hi"), (COUNT, "read_from context_rows complete"))
 
 
 def _range(bounds: Row) -> dict[str, float]:
@@ -386,29 +309,3 @@ def _range(bounds: Row) -> dict[str, float]:
 
 def _times(piece: Row) -> dict[str, int]:
     return {name: piece[name] for name in ("time_from", "time_to")}
-
-
-def stacked(queries: Sequence[exp.Query], threads: int) -> exp.Query:
-    """Return the rows of several queries, which DuckDB works on side by side if it has several threads.
-
-    It does so with entries of a WITH list that it is to keep, each a copy. The parts of a UNION it takes
-    one after another, wherever one of them alone has rows for all threads.
-    """
-    first, *others = queries
-    if not others:
-        return first
-    if threads == 1:
-        return exp.union(*queries, distinct=False, copy=False)
-    names = [exp.to_identifier(f"gam_part_{number}") for number in range(len(queries))]
-    parts = [
-        exp.CTE(this=query, alias=exp.TableAlias(this=name), materialized=True)
-        for name, query in zip(names, queries, strict=True)
-    ]
-    columns = [exp.column(name) for name in first.named_selects]
-    rows = [exp.select(*columns).from_(exp.Table(this=name.copy())) for name in names]
-    union = exp.union(*rows, distinct=False, copy=False)
-    union.set("with_", exp.With(expressions=parts))
-    return union
-
-
-_UNSEEN = {"calibration_samples": 0, "context_samples": 0}

@@ -1,11 +1,10 @@
 -- Calibrated, one channel: its range over calibration, where it has no missing sample; see calibration/calibrated.sql.
 -- Reads:  readings
 -- A row:  the channel, if it has a calibration sample.
--- Slots:  :channel_id, :asset, :channel
+-- Slots:  :asset, :channel
 --         :time_from, :time_to  the instants of calibration
 --         :read_from  context_samples are those from here on
 SELECT
-  CAST(:channel_id AS INTEGER) AS channel_id,
   MIN(reading.reading) AS lowest,
   MAX(reading.reading) AS highest,
   CAST(COUNT(*) AS BIGINT) AS calibration_samples,

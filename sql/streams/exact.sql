@@ -2,8 +2,6 @@
 -- Reads:  bounds
 -- A row:  the channel.
 -- Slots:  :channel_id, :lo, :hi
-SELECT
-  CAST(:channel_id AS INTEGER) AS channel_id,
-  CASE WHEN MIN(scale.calibrated_lo) = :lo AND MIN(scale.calibrated_hi) = :hi THEN 1 ELSE 0 END AS is_exact
+SELECT CASE WHEN scale.calibrated_lo = :lo AND scale.calibrated_hi = :hi THEN 1 ELSE 0 END AS is_exact
 FROM bounds AS scale
 WHERE scale.channel_id = :channel_id

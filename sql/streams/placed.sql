@@ -17,7 +17,7 @@ SELECT
   out_of_order AS doubled
 FROM streamed
 CROSS JOIN (
-  SELECT MAX(held.bits) AS bits
+  SELECT ANY_VALUE(held.bits) AS bits
   FROM support_bits AS held
   WHERE support_id = :support_id
 ) AS healthy

@@ -1,17 +1,10 @@
 -- Run-up of one channel, in stored order: from where on it is read so that the first scored vector finds its oldest
--- sample; see score/run_up.sql.
+-- sample, if there is one before it; see score/run_up.sql.
 -- Reads:  readings
 -- A row:  the channel.
--- Slots:  :channel_id, :asset, :channel, :first_scored
---         :lo, :hi  its calibrated range
+-- Slots:  :asset, :channel, :first_scored
 --         :span     (m-1) * tau, the samples between oldest and newest
-SELECT
-  CAST(:channel_id AS INTEGER) AS channel_id,
-  :lo AS lo,
-  :hi AS hi,
-  COALESCE(MIN(earlier.time), CAST(:first_scored AS BIGINT)) AS read_from,
-  CAST(COUNT(*) AS BIGINT) AS context_rows,
-  1 AS complete
+SELECT MIN(earlier.time) AS earliest, CAST(COUNT(*) AS BIGINT) AS context_rows
 FROM (
   SELECT time
   FROM readings

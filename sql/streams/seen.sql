@@ -1,11 +1,10 @@
 -- Seen, one channel, in stored order: what is read of it; see stored/scoring/seen.sql.
 -- Reads:  readings
 -- A row:  the channel, if it has a row in its range.
--- Slots:  :channel_id, :asset, :channel
+-- Slots:  :asset, :channel
 --         :time_from, :time_to  the instants that are read
 --         :first_scored         what lies before it is context
 SELECT
-  CAST(:channel_id AS INTEGER) AS channel_id,
   CAST(COUNT(*) AS BIGINT) AS rows_read,
   CAST(SUM(CASE WHEN reading.time < :first_scored THEN 1 ELSE 0 END) AS BIGINT) AS context_rows,
   CAST(

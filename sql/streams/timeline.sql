@@ -3,20 +3,22 @@
 -- up to the one, and from the other on (streams/calibrated.sql).
 -- Reads:  readings
 -- A row:  the channel; the instants are NULL where no sample is asked for.
--- Slots:  :channel_id, :asset, :channel
+-- Slots:  :asset, :channel
 --         :first_time  the instant of its first sample
 --         :before      samples before those that are asked for
 --         :samples     how many these are: up to the quota-th
 SELECT
-  CAST(:channel_id AS INTEGER) AS channel_id,
   CAST(0 AS BIGINT) AS repeats,
   CAST(:first_time AS BIGINT) AS first_time,
-  MAX(reached.time) AS quota_time,
-  MIN(reached.time) AS read_from
+  reached.quota_time AS quota_time,
+  reached.read_from AS read_from
 FROM (
-  SELECT time
-  FROM readings
-  WHERE asset = :asset AND channel = :channel
-  LIMIT :samples
-  OFFSET :before
+  SELECT MAX(asked.time) AS quota_time, MIN(asked.time) AS read_from
+  FROM (
+    SELECT time
+    FROM readings
+    WHERE asset = :asset AND channel = :channel
+    LIMIT :samples
+    OFFSET :before
+  ) AS asked
 ) AS reached

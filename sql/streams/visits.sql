@@ -3,12 +3,9 @@
 -- Reads:  streamed, the samples of the channel's calibration.
 -- A row:  one cell in one block, or NULL; doubled = 1 if one of its vectors, or a sample without a vector, is not
 --         later than the sample before.
--- Slots:  :channel_id, :support_id
---         :span      (m-1) * tau, the samples between oldest and newest
+-- Slots:  :span      (m-1) * tau, the samples between oldest and newest
 --         :block_no  the expression of certificate/block_no.sql, of place
 SELECT
-  CAST(:channel_id AS INTEGER) AS channel_id,
-  CAST(:support_id AS INTEGER) AS support_id,
   block_no,
   cell_key,
   CAST(COUNT(*) AS BIGINT) AS visits,

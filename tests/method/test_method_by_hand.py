@@ -7,7 +7,7 @@ from sqlglot import exp
 import alarms_reference as plain
 from by_hand import fetched, rows, step
 from gam_db.composing.pipeline import Pipeline, filled
-from gam_db.composing.template import column, fill
+from gam_db.composing.template import column, fill, text
 from gam_db.engines import duckdb
 from gam_db.method.alarms import add_replay
 
@@ -60,33 +60,28 @@ def test_what_is_there_is_coded_where_a_single_sample_is_missing() -> None:
     assert found == [(1, 5, 1), (1, 6, 0)]
 
 
-def test_rows_are_in_order_where_they_lie_together_and_each_is_later() -> None:
-    stored = {
-        "together": [1, 2, 5],
-        "apart": [7],
+def test_a_channel_is_in_order_where_each_row_is_later() -> None:
+    stored: dict[str, list[int | None]] = {
+        "growing": [1, 2, 5],
         "again": [1, 1],
         "back": [3, 2],
-        "apart, once more": [8],
         "alone": [9],
+        "without time": [3, None, 4],
     }
-    listed = [(name.split(",")[0], time) for name, times in stored.items() for time in times]
+    listed = [(name, time) for name, times in stored.items() for time in times]
     readings = rows("asset channel time reading", *((name, "x", time, 0.0) for name, time in listed))
-    query = filled("source/names").select(exp.alias_(fill("streams/in_order"), "in_order"), copy=False)
-    query.set("with_", exp.With(expressions=[_entry("as_stored", filled("streams/as_stored"), "raw")]))
-    for table in query.find_all(exp.Table):
-        if table.name == "readings":
-            table.set("this", exp.to_identifier("as_stored"))
-    found = fetched(query, raw=readings)
-    assert {row[0]: row[-1] for row in found} == {
-        **{"together": 1, "apart": 0, "again": 0},
-        **{"back": 0, "alone": 1},
+    proof = [exp.alias_(fill("streams/in_order"), "in_order")]
+    found = {}
+    for name in stored:
+        names = {"asset": text(name), "channel": text("x")}
+        (found[name],) = fetched(filled("streams/names", {**names, "proof": proof}), readings=readings)
+    assert found == {
+        "growing": (3, 0, 0, 1, 5, 1),
+        "again": (2, 0, 0, 1, 1, 0),
+        "back": (2, 0, 0, 2, 3, 0),
+        "alone": (1, 0, 0, 9, 9, 1),
+        "without time": (2, 1, 0, 3, 4, 0),
     }
-
-
-def _entry(name: str, body: exp.Query, source: str) -> exp.CTE:
-    for table in body.find_all(exp.Table):
-        table.set("this", exp.to_identifier(source))
-    return exp.CTE(this=body, alias=exp.TableAlias(this=exp.to_identifier(name)))
 
 
 def channel(chance: random.Random, blocks: int) -> list[int]:

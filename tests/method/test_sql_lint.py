@@ -41,7 +41,7 @@ from gam_db.stored.schema.migration_files import definitions
 from gam_db.stored.schema.migrations import rendered
 from gam_db.stored.schema.tables import StateTables
 from gam_db.stored.scoring.publishing import withdraw
-from gam_db.study import Study, streaming
+from gam_db.study import Study, naming
 from harness import arrow
 from sql_lint import Kind
 from strategies import Row
@@ -755,7 +755,7 @@ HEALTH = ("bucket_health",)
 
 def stream_once() -> None:
     """Read a channel in the order in which it is stored."""
-    table = pa.table({"time": range(streaming.STREAMED_FROM), "value": [1.5] * streaming.STREAMED_FROM})
+    table = pa.table({"time": range(naming.STREAMED_FROM), "value": [1.5] * naming.STREAMED_FROM})
     with DuckSession() as session, session.lent(table) as lent:
         source = Source(lent.name, None, None)
         told = ((CALIBRATIONS[0], ()), (CALIBRATIONS[0], HEALTH), (gam_db.Calibration(duration=9), ()))
@@ -779,7 +779,7 @@ def test_every_file_is_used() -> None:
         for arguments in PIPELINES:
             steps(*arguments)
         for body in (None, *STORED):
-            opening_pipeline(exp.select("*"), 5, Slicing.of(0, 9), body)
+            opening_pipeline(exp.select("*"), Slicing.of(0, 9), body)
         for body in (None, *KEPT):
             trusting_in(Ways(body, by_sets=True, asked=frozenset(["bucket_health"])))
         ENGINE.readings(

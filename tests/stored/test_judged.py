@@ -26,7 +26,7 @@ from gam_db.export import Package
 from gam_db.findings import findings
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.schema.migration_files import definitions
-from gam_db.study import Study, streaming, trusting
+from gam_db.study import Study, naming, trusting
 from sets import amounts
 from visible import visible
 
@@ -220,8 +220,9 @@ def test_a_run_says_what_a_monitor_does(
 
 def test_a_run_says_the_same_whatever_short_cuts_it_takes(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
-    monkeypatch.setattr(streaming, "STREAMED_FROM", 2)
-    monkeypatch.setattr(streaming, "GLANCE", 5)
+    monkeypatch.setattr(naming, "STREAMED_FROM", 2)
+    monkeypatch.setattr(naming, "GLANCE", 5)
+    monkeypatch.setattr(naming, "EVERY", 8)
     by_channel = plant(random.Random(0), [name for name in OF_PLANT if name != "new"], 4)
     by_time = sorted(by_channel, key=lambda row: row[2])
     parameters = gam_db.Parameters(m=1, bins=40, window=4, stride=2, target_floor=0.9)

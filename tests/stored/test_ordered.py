@@ -17,7 +17,7 @@ from gam_db.stored import scoring
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.planning import steps
 from gam_db.stored.scoring import ordered
-from gam_db.study import streaming
+from gam_db.study import naming
 from small_plant import source
 from strategies import Row
 from visible import BUCKETS, NOVEL, put, rows_of
@@ -60,8 +60,9 @@ def ways(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
         found.append(ordered.is_given(*asked))
         return found[-1]
 
-    monkeypatch.setattr(streaming, "STREAMED_FROM", 2)
-    monkeypatch.setattr(streaming, "GLANCE", 20)
+    monkeypatch.setattr(naming, "STREAMED_FROM", 2)
+    monkeypatch.setattr(naming, "GLANCE", 20)
+    monkeypatch.setattr(naming, "EVERY", 8)
     monkeypatch.setattr(scoring, "TRUSTED_FROM", 0)
     monkeypatch.setattr(scoring, "is_given", noted)
     return found

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import duckdb
+import pyarrow as pa
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -18,9 +19,10 @@ from sqlglot import exp
 import comparisons
 import gam_db
 import harness
+from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.method.bits import Bits
-from gam_db.study import Study, streaming
+from gam_db.study import Study, naming, streaming
 from harness import Answer, Row
 
 pytestmark = pytest.mark.thorough
@@ -61,8 +63,9 @@ UNSERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
 @pytest.fixture(autouse=True)
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let streams serve short channels, too."""
-    monkeypatch.setattr(streaming, "STREAMED_FROM", 2)
-    monkeypatch.setattr(streaming, "GLANCE", 100)
+    monkeypatch.setattr(naming, "STREAMED_FROM", 2)
+    monkeypatch.setattr(naming, "GLANCE", 100)
+    monkeypatch.setattr(naming, "EVERY", 8)
 
 
 @pytest.fixture
@@ -109,8 +112,16 @@ def answers(
         found = {question: study.table(step).to_pylist() for question, step in harness.STEPS.items()}
         novel = study.table("novel_cells").num_rows
         study.forget()
+        assert macros(connection) > 0 or not study.is_streamed
+    assert macros(connection) == 0
     assert novel or not any(row["novel"] for row in found["health_at_buckets"])
     return found, study.is_streamed
+
+
+def macros(connection: duckdb.DuckDBPyConnection) -> int:
+    """Return how many of ours the user's connection has."""
+    ours = "SELECT function_name FROM duckdb_functions() WHERE function_name LIKE 'gam!_%' ESCAPE '!'"
+    return len(connection.execute(ours).fetchall())
 
 
 def agrees(found: dict[str, Answer], table: list[Row], parameters: Any, calibration: Any) -> None:
@@ -168,10 +179,10 @@ def test_streams_load_no_pandas(tmp_path: Path) -> None:
 import sys
 from pathlib import Path
 import gam_db
-from gam_db.study import streaming
+from gam_db.study import naming
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.study import Study
-streaming.STREAMED_FROM, streaming.GLANCE = 2, 100
+naming.STREAMED_FROM, naming.GLANCE, naming.EVERY = 2, 100, 8
 with DuckSession() as session:
     method = gam_db.Parameters(m=3, bins=4, window=20, stride=5), gam_db.Calibration(fraction=0.4)
     study = Study(session, gam_db.Source({str(path)!r}), *method, short_cuts=True)
@@ -272,7 +283,12 @@ def test_the_vectors_themselves_show_a_wrong_proof(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Where the glance and the proof are passed over, what is computed says so itself."""
-    monkeypatch.setattr(streaming, "GLANCE", 1)
+
+    def grouped(session: DuckSession, steps: Pipeline, placed: Any, is_proven: bool) -> pa.Table:
+        names = session.fetch(steps.query("names", placed))
+        return names.append_column("in_order", pa.array([1] * names.num_rows))
+
+    monkeypatch.setattr(naming, "counted", grouped)
     monkeypatch.setattr(streaming.Streams, "serve", lambda streams: True)
     table, method = dirt(rows()), harness.made(*SERVED["delays"])
     stored(connection, table)
@@ -335,7 +351,7 @@ def test_any_relation_gives_the_same(
     connection: duckdb.DuckDBPyConnection, form: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Whether its rows come in order or not; of a file and a plain view they do."""
-    monkeypatch.setattr(streaming, "GLANCE", 10)
+    monkeypatch.setattr(naming, "GLANCE", 10)
     many = 40  # of the rows that follow from one; several vectors and threads
     table = [
         (*row[:2], row[2] + many_of * 1000, row[3]) for row in rows("ab") for many_of in range(many)
@@ -374,7 +390,7 @@ def test_random_sources_give_the_same_as_the_steps_that_sort(data: st.DataObject
         for time in range(length)
     ]
     with duckdb.connect() as connection, pytest.MonkeyPatch.context() as patched:
-        patched.setattr(streaming, "GLANCE", 5)
+        patched.setattr(naming, "GLANCE", 5)
         stored(connection, table)
         found, is_streamed = answers(connection, *method)
         assert is_streamed or served in ("an interval", "short calibration")

@@ -6,18 +6,20 @@ made each channel is counted again. What does not hold costs time, never a numbe
 """
 
 from collections.abc import Sequence
+from functools import partial
 
-from sqlglot import exp
-
-from gam_db.composing.pipeline import Pipeline, filled
+from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add
 from gam_db.method.bits import Bits
 from gam_db.settings.parameters import Parameters
 from gam_db.stored.planning import Row
 from gam_db.stored.planning.reading import Reader
 from gam_db.stored.planning.steps import ENDS, reading_steps
-from gam_db.study import streaming
+from gam_db.study import naming
 from gam_db.study.running import Running
+from gam_db.study.streamed import Own, of_channel, of_each, own, scored
+
+_LABEL = ("channel_id",)
 
 
 def is_given(
@@ -40,12 +42,10 @@ def is_given(
     """
     session, steps = running.session, Pipeline()
     steps.add("readings", reader.readings(assets, min(row["read_from"] for row in group)))
-    steps.add("glance", filled("streams/glance", {"rows": streaming.GLANCE, "skip": 0}))
-    if len(group) > streaming.MOST_CHANNELS or len(session.rows(steps.query("glance"))) > 2:
+    if len(group) > naming.MOST_CHANNELS or not naming.seems_apart(session, steps):
         return False
-    threads = session.threads()
-    steps.add("seen", streaming.stacked([_seen(row) for row in group], threads))
-    running.put("seen", steps.query("seen"))
+    seen, read = partial(of_channel, "seen"), [_read(row) for row in group]
+    running.put("seen", of_each(session, "seen", seen, read, steps, labels=_LABEL))
     found = {row["channel_id"]: row for row in running.rows("seen")}
     there = [
         {**row, "read_until": found[row["channel_id"]]["read_to"]}
@@ -54,45 +54,45 @@ def is_given(
     ]
     if _are_whole(list(found.values()), setting.span):
         add(steps, "stored/scoring/bounds")
-        compared = [streaming.of_channel("exact", row, **_range(row)) for row in there]
-        steps.add("exact", streaming.stacked(compared, threads))
-        exact = session.rows(steps.query("exact", running.placed))
+        exact = partial(of_channel, "exact")
+        compared = [own(row, lo=row["lo"], hi=row["hi"]) for row in there]
+        exactly = session.rows(of_each(session, "exact", exact, compared, steps, running.placed))
         running.keep("support_bits")
         vectors = [
-            streaming.scored(row, setting, bits, _range(row), row["read_from"], row["read_until"], ENDS)
+            own(
+                row,
+                **{name: row[name] for name in ("lo", "hi", "support_id")},
+                time_from=row["read_from"],
+                time_to=row["read_until"],
+            )
             for row in there
         ]
-        steps.add("visited", streaming.stacked(vectors, threads))
-        running.put("visited", steps.query("visited", running.placed))
+        make = partial(scored, setting=setting, bits=bits, ends=ENDS)
+        running.put("visited", of_each(session, "visited", make, vectors, steps, running.placed))
         # The newest rows, which are summed up, are copied before all are counted again.
         since = min(max(row["read_from"], row["read_until"] - 2 * row["late_by"]) for row in there)
         newest = reading_steps(reader.readings(assets, since))
         running.put("identified", newest.query("identified", running.placed))
-        steps.add("again", streaming.stacked([_seen(row) for row in there], threads))
-        again = {row["channel_id"]: row for row in session.rows(steps.query("again"))}
-        if all(row["is_exact"] for row in exact) and again == found:
+        rows = session.rows(
+            of_each(session, "seen", seen, [_read(row) for row in there], steps, labels=_LABEL)
+        )
+        again = {row["channel_id"]: row for row in rows}
+        if all(row["is_exact"] for row in exactly) and again == found:
             return True
     running.forget(but=("cohort", "recount", "support_bits"))
     return False
 
 
-def _seen(row: Row) -> exp.Query:
-    """Return what is read of a channel, in numbers."""
-    range_of: streaming.Slots = {
-        "time_from": row["read_from"],
-        "time_to": row["read_until"],
-        "first_scored": row["first_scored"],
-    }
-    return streaming.of_channel("seen", row, **range_of)
-
-
-def _range(row: Row) -> dict[str, float]:
-    return {"lo": row["lo"], "hi": row["hi"]}
+def _read(row: Row) -> Own:
+    """Return the slots of a channel and of what is read of it."""
+    return own(
+        row, time_from=row["read_from"], time_to=row["read_until"], first_scored=row["first_scored"]
+    )
 
 
 def _are_whole(seen: Sequence[Row], span: int) -> bool:
     """Tell whether channels have rows enough, and each vector's number follows from its place."""
     rows = sum(row["rows_read"] for row in seen)
-    return rows >= max(streaming.STREAMED_FROM * len(seen), 1) and all(
+    return rows >= max(naming.STREAMED_FROM * len(seen), 1) and all(
         row["missing_samples"] == 0 and row["context_rows"] <= span for row in seen
     )

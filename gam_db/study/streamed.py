@@ -1,0 +1,154 @@
+"""Streamed: what is asked of one channel in stored order, and of many channels in one statement.
+
+This module owns the queries of ``sql/streams``. Each is composed and written once, and called for every
+channel as a macro of DuckDB; names, instants and ranges reach it as the literals of the call.
+"""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+
+from sqlglot import exp
+
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline, filled
+from gam_db.engines.session import Row, Session
+from gam_db.method.bits import Bits
+from gam_db.method.scoring import visited_slots
+from gam_db.method.slots import block_no, coordinates
+from gam_db.method.vectors import is_outside, stream_slots
+from gam_db.settings.parameters import Parameters
+
+#: The slots of one channel.
+Own = Mapping[str, int | float | exp.Expr | None]
+
+
+def own(row: Row, **slots: int | float | exp.Expr | None) -> dict[str, int | float | exp.Expr | None]:
+    """Return the slots of one channel: its number, its names, and others."""
+    names = {name: template.text(row[name]) for name in ("asset", "channel")}
+    return {"channel_id": row["channel_id"], **names, **slots}
+
+
+def of_each(
+    session: Session,
+    step: str,
+    make: Callable[[Own], exp.Query],
+    channels: Sequence[Own],
+    steps: Pipeline,
+    placed: Mapping[str, exp.Table] | None = None,
+    tables: Mapping[str, str] | None = None,
+    labels: Sequence[str] = (),
+) -> exp.Query:
+    """Return the rows of a query that is asked of each of some channels.
+
+    Args:
+        session: of an engine with macros; it keeps this one until another is made for the step.
+        step: what is asked.
+        make: makes the query of one channel, of its slots.
+        channels: the slots of each; all have the same ones.
+        steps: what the query reads.
+        placed: those of them that exist as tables.
+        tables: as for :meth:`Pipeline.add`.
+        labels: slots that become the first columns.
+    """
+    said = _free_names(steps, channels[0])
+    steps = steps.copied()
+    steps.add("of_channel", make({slot: exp.column(name) for slot, name in said.items()}), tables=tables)
+    query = steps.query("of_channel", placed)
+    macro = session.define(step, query, list(said.values()))
+    columns = [exp.column(name) for name in query.named_selects]
+    calls = []
+    for slots in channels:
+        arguments = [template.node_of(slots[slot]) for slot in said]
+        called = exp.Table(this=exp.Anonymous(this=macro, expressions=arguments))
+        calls.append(exp.select(*(_label(one, slots[one]) for one in labels), *columns).from_(called))
+    return _stacked(calls, session.threads())
+
+
+def of_channel(file: str, own: Own, **slots: template.Slot) -> exp.Query:
+    """Return a file of ``sql/streams`` that speaks of one channel, with those of its slots it has."""
+    asked = template.load(f"streams/{file}").slots
+    return filled(f"streams/{file}", {**{name: own[name] for name in own.keys() & asked}, **slots})
+
+
+def visits(own: Own, setting: Parameters, has_blocks: bool) -> exp.Query:
+    """Return the cells of the calibration of one channel, in blocks or not.
+
+    Args:
+        own: slots of the channel, and ``lo``, ``hi``, ``time_from``, ``time_to``; with blocks also
+            ``support_id``, and ``vectors``, how many calibration has.
+        setting: its parameters.
+        has_blocks: whether blocks are asked for.
+    """
+    vectors = of_channel("vectors", own, **stream_slots(setting, has_context=False))
+    if has_blocks:
+        block = block_no(setting, template.node_of(own["vectors"]))
+        return _over(of_channel("visits", own, span=setting.span, block_no=block), "streamed", vectors)
+    learnable = _over(of_channel("learnable", own, span=setting.span), "streamed", vectors)
+    return _over(filled("census/taught"), "learnable", learnable)
+
+
+def scored(
+    own: Own, setting: Parameters, bits: Bits, ends: Mapping[str, str] | None = None
+) -> exp.Query:
+    """Return the scored vectors of one channel, grouped: the step *visited*.
+
+    Args:
+        own: slots of the channel, and ``lo``, ``hi``, ``time_from``, ``time_to``, ``support_id``.
+        setting: its parameters.
+        bits: how a support is kept, in the step *support_bits*.
+        ends: see :func:`gam_db.method.scoring.add_buckets`.
+    """
+    vectors = of_channel("vectors", own, **stream_slots(setting, bool(ends)))
+    slots: dict[str, template.Slot] = {
+        "before": setting.span,
+        "is_held": bits.held(exp.column("bits"), exp.column("cell_key")),
+        "carried": [*coordinates(setting), *map(exp.column, ends or ())],
+    }
+    placed = of_channel("placed", own, **slots)
+    grouped = visited_slots(setting, ends, trusting=True) | {"outside": is_outside(setting)}
+    visited = filled("health/visited", grouped)
+    return _over(visited, "placed", _over(placed, "streamed", vectors))
+
+
+def _free_names(steps: Pipeline, slots: Iterable[str]) -> dict[str, str]:
+    """Return the parameters of some slots: names that no column of the user's has."""
+    taken = {one.name.lower() for one in steps.steps["readings"].query.find_all(exp.Identifier)}
+    prefix = "asked_"
+    while any(name.startswith(prefix) for name in taken):
+        prefix += "_"
+    return {slot: f"{prefix}{slot}" for slot in slots}
+
+
+def _label(name: str, value: int | float | exp.Expr | None) -> exp.Expr:
+    return exp.alias_(
+        exp.cast(template.node_of(value), "INT" if isinstance(value, int) else "TEXT"), name
+    )
+
+
+def _over(query: exp.Query, name: str, rows: exp.Query) -> exp.Query:
+    """Let a query read the rows of another one where it has a name for them."""
+    (read,) = (table for table in query.find_all(exp.Table) if table.name == name)
+    read.replace(rows.subquery(read.alias_or_name, copy=False))
+    return query
+
+
+def _stacked(queries: Sequence[exp.Query], threads: int) -> exp.Query:
+    """Return the rows of several queries, which DuckDB works on side by side if it has several threads.
+
+    It does so with entries of a WITH list that it is to keep, each a copy. The parts of a UNION it takes
+    one after another, wherever one of them alone has rows for all threads.
+    """
+    first, *others = queries
+    if not others:
+        return first
+    if threads == 1:
+        return exp.union(*queries, distinct=False, copy=False)
+    names = [exp.to_identifier(f"gam_part_{number}") for number in range(len(queries))]
+    parts = [
+        exp.CTE(this=query, alias=exp.TableAlias(this=name), materialized=True)
+        for name, query in zip(names, queries, strict=True)
+    ]
+    columns = [exp.column(name) for name in first.named_selects]
+    rows = [exp.select(*columns).from_(exp.Table(this=name.copy())) for name in names]
+    union = exp.union(*rows, distinct=False, copy=False)
+    union.set("with_", exp.With(expressions=parts))
+    return union
