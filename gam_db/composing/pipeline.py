@@ -3,9 +3,10 @@
 This module owns how steps refer to one another. It knows neither what they compute nor any engine.
 """
 
-from collections.abc import Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Container, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import cast
+from functools import cached_property
+from typing import NamedTuple, TypeAlias, cast
 
 from sqlglot import exp
 
@@ -14,23 +15,36 @@ from gam_db.composing.lately import Lately
 from gam_db.errors import InternalError
 
 
-@dataclass(frozen=True)
-class Step:
-    """One named SELECT.
+Slots: TypeAlias = Mapping[str, template.Slot]
+Tables: TypeAlias = Mapping[str, str]
+
+
+class Made(NamedTuple):
+    """What a step is made of.
 
     Attributes:
-        name: what other steps call it.
         query: the filled tree; tables that carry the name of a step are read from that step.
         comment: what it computes, for whoever reads the query.
         reads: the steps it reads.
         tables: all names that a table may be placed for: the steps it reads, and what is no step.
     """
 
-    name: str
     query: exp.Query
     comment: str
     reads: frozenset[str]
     tables: frozenset[str]
+
+
+class Step:
+    """One named SELECT, made when it is asked for: of a method's steps a question needs a few.
+
+    Args:
+        name: what other steps call it.
+        make: makes it.
+    """
+
+    def __init__(self, name: str, make: Callable[[], Made]) -> None:
+        self.name, self._make = name, make
 
     @classmethod
     def of(cls, name: str, query: exp.Query, comment: str, inputs: Mapping[str, str]) -> "Step":
@@ -42,13 +56,38 @@ class Step:
             comment: what it computes.
             inputs: what the tree calls the steps that it reads -> the steps.
         """
-        read_as(query, inputs)
-        return cls(name, query, comment, frozenset(inputs.values()), _names(query))
+        made = _made(query, comment, inputs)
+        return cls(name, lambda: made)
+
+    @cached_property
+    def made(self) -> Made:
+        """What it is made of."""
+        return self._make()
+
+    @property
+    def query(self) -> exp.Query:
+        """Its tree."""
+        return self.made.query
+
+    @property
+    def comment(self) -> str:
+        """What it computes."""
+        return self.made.comment
+
+    @property
+    def reads(self) -> frozenset[str]:
+        """The steps it reads."""
+        return self.made.reads
+
+    @property
+    def tables(self) -> frozenset[str]:
+        """All names that a table may be placed for."""
+        return self.made.tables
 
 
 #: Steps that were filled, and queries that were composed, by all that they were made of. A query takes
 #: about half a megabyte.
-_FILLED: Lately[Step] = Lately(4000)
+_FILLED: Lately[Made] = Lately(4000)
 _COMPOSED: Lately[exp.Query] = Lately(256)
 
 
@@ -76,16 +115,16 @@ class Pipeline:
             comment: what it computes.
             tables: for a tree that calls its inputs otherwise: the name in the tree -> the step.
         """
-        self._put(Step.of(name, query, comment, self._inputs(_names(query), tables or {})))
+        self._put(Step.of(name, query, comment, _inputs(_names(query), tables or {}, self.steps)))
 
     def fill(
         self,
         name: str,
         path: str,
-        slots: Mapping[str, template.Slot] | None = None,
-        tables: Mapping[str, str] | None = None,
+        slots: Slots | Callable[[], Slots] | None = None,
+        tables: Tables | Callable[[], Tables] | None = None,
     ) -> None:
-        """Add a step that is a file of ``sql/``.
+        """Add a step that is a file of ``sql/``, which is read and filled when the step is asked for.
 
         What was filled lately in the same way is not filled again: copies of trees are most of what a
         method costs that is asked for few rows.
@@ -93,29 +132,31 @@ class Pipeline:
         Args:
             name: of the step.
             path: of the file, as ``folder/file``.
-            slots: of the file.
-            tables: as in :meth:`add`.
+            slots: of the file, or what gives them.
+            tables: as in :meth:`add`, or what gives them.
         """
-        inputs = self._inputs(template.load(path).tables, tables or {})
-        key = name, path, tuple(sorted(inputs.items())), _slot_key(slots or {})
-        comment = template.load(path).comment
-        self._put(_FILLED.get(key, lambda: Step.of(name, filled(path, slots), comment, inputs)))
+        known = frozenset(self.steps)
+
+        def make() -> Made:
+            loaded = template.load(path)
+            given = (slots() if callable(slots) else slots) or {}
+            said = (tables() if callable(tables) else tables) or {}
+            inputs = _inputs(loaded.tables, said, known)
+            key = name, path, tuple(sorted(inputs.items())), _slot_key(given)
+            return _FILLED.get(key, lambda: _made(filled(path, given), loaded.comment, inputs))
+
+        self._put(Step(name, make))
 
     def replace(self, name: str, query: exp.Query, tables: Mapping[str, str] | None = None) -> Step:
         """Let another tree be the one of a step, in its place in the order; return the step before."""
         before = self.steps[name]
-        inputs = self._inputs(_names(query), tables or {})
+        inputs = _inputs(_names(query), tables or {}, self.steps)
         self.put(Step.of(name, query, before.comment, inputs))
         return before
 
     def put(self, step: Step) -> None:
         """Let a step be the one of its name."""
         self.steps[step.name] = step
-
-    def _inputs(self, names: Iterable[str], tables: Mapping[str, str]) -> dict[str, str]:
-        """Return the steps that a query reads, by the names that it has for them."""
-        said = {name: tables.get(name, name) for name in names}
-        return {name: step for name, step in said.items() if step in self.steps}
 
     def _put(self, step: Step) -> None:
         if step.name in self.steps:
@@ -197,6 +238,17 @@ class Pipeline:
             listed.append(entry)
         query.set("with_", exp.With(expressions=listed))
         return query
+
+
+def _made(query: exp.Query, comment: str, inputs: Mapping[str, str]) -> Made:
+    read_as(query, inputs)
+    return Made(query, comment, frozenset(inputs.values()), _names(query))
+
+
+def _inputs(names: Iterable[str], tables: Tables, known: Container[str]) -> dict[str, str]:
+    """Return the steps that a query reads, by the names that it has for them."""
+    said = {name: tables.get(name, name) for name in names}
+    return {name: step for name, step in said.items() if step in known}
 
 
 def place(query: exp.Expr, placed: Mapping[str, exp.Table]) -> None:

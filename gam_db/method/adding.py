@@ -58,13 +58,18 @@ class OfSet:
 
         Slots that follow from the parameters are filled by their names (:mod:`gam_db.method.slots`).
         """
-        inputs = {}
-        for table in template.load(path).tables:
-            step = (tables or {}).get(table, table)
-            own = self.named(step)
-            inputs[table] = own if own in self.steps.steps else step
+        known = frozenset(self.steps.steps)
+
+        def inputs() -> dict[str, str]:
+            said = {table: (tables or {}).get(table, table) for table in template.load(path).tables}
+            own = {table: self.named(step) for table, step in said.items()}
+            return {table: own[table] if own[table] in known else said[table] for table in said}
+
         self.steps.fill(
-            self.named(name or path.rpartition("/")[2]), path, self.slots(path, slots or {}), inputs
+            self.named(name or path.rpartition("/")[2]),
+            path,
+            lambda: self.slots(path, slots or {}),
+            inputs,
         )
 
     def slots(self, path: str, given: Mapping[str, template.Slot]) -> dict[str, template.Slot]:

@@ -570,10 +570,10 @@ def test_what_is_read_in_stored_order_is_context_up_to_the_first_scored_instant(
         ("a", "y", 9, 0.0),
     )
     slots: dict[str, Any] = {
-        **{"channel_id": 3, "asset": text("a"), "channel": text("x")},
+        **{"asset": text("a"), "channel": text("x")},
         **{"time_from": 5, "time_to": 11, "first_scored": 10},
     }
-    assert step("streams/seen", slots, readings=readings) == [(3, 4, 2, 2, 11)]
+    assert step("streams/seen", slots, readings=readings) == [(4, 2, 2, 11)]
 
 
 def test_calibration_is_counted_one_by_one_where_an_instant_occurs_twice() -> None:
