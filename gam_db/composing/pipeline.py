@@ -14,7 +14,6 @@ from gam_db.composing import template
 from gam_db.composing.lately import Lately
 from gam_db.errors import InternalError
 
-
 Slots: TypeAlias = Mapping[str, template.Slot]
 Tables: TypeAlias = Mapping[str, str]
 

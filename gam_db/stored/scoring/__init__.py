@@ -47,6 +47,7 @@ from gam_db.stored.scoring.publishing import GONE, NOTHING, Snapshots, publicati
 from gam_db.stored.scoring.report import Report, Wanted
 from gam_db.stored.scoring.unplaced import keep_unplaced, note_unknown, undated
 from gam_db.stored.state import State, kind_of, now
+from gam_db.study.naming import counted
 from gam_db.study.running import Listener, Running, unheard
 
 #: With fewer rows, looking for repeated instants first is cheaper than scoring some channels twice.
@@ -203,7 +204,10 @@ class _Run:
     def _look(self, cohort: Cohort) -> list[Row]:
         self.on_step("looking at the source")
         steps = reading_steps(self.reader.readings(cohort.assets, cohort.earliest))
-        rows = self.session.rows(steps.query("names"))
+        is_first = cohort.channels and all(row["read_until"] == LONG_AGO for row in cohort.channels)
+        # All of a source is read, which may be stored channel by channel.
+        found = counted(self.session, steps) if is_first and self.session.engine.bits else None
+        rows = self.session.rows(steps.query("names")) if found is None else found.to_pylist()
         if not rows and self.reader.is_empty():
             raise SourceError(look.NO_ROW)
         return rows
