@@ -48,7 +48,7 @@ class Session:
         self.transactions = driver.engine.transactions
         self._number: int | None = None
         self._made: dict[str, exp.Table] = {}
-        self._defined: dict[str, exp.Expr] = {}  # what is not needed any more -> how it is dropped
+        self._defined: dict[str, exp.Expr] = {}  # by name: how it is dropped
 
     def __enter__(self) -> Self:
         return self

@@ -1,9 +1,10 @@
 """Streams: channels that are stored in order of time are read in that order, and nothing is sorted.
 
-This module owns when that is done for a study, a guess by a glance at some rows, and what proves that it
-was right: the marks that the vectors themselves carry, and the count of the calibration samples. Where
-it is known that the study scores, and calibration is a share of each channel, its vectors and the scored
-ones hold every row. Else there are rows in none of them, and the step *ordered* proves the order of all.
+This module owns when that is done for a study, and what proves that it was right: the marks that the
+vectors themselves carry, and the count of the calibration samples. Where it is known that the study
+scores, and calibration is a share of each channel, its vectors and the scored ones hold every row. Else
+there are rows in none of them, and the order of all is proven when names are counted
+(:mod:`gam_db.study.naming`).
 What does not hold costs time, never a number: the study goes on with the steps that sort.
 """
 
