@@ -135,12 +135,14 @@ class Pipeline:
             tables: as in :meth:`add`, or what gives them.
         """
         known = frozenset(self.steps)
+        # Whoever gave them may go on with them before the step is made.
+        held = slots if callable(slots) else dict(slots or {})
+        renamed = tables if callable(tables) else dict(tables or {})
 
         def make() -> Made:
             loaded = template.load(path)
-            given = (slots() if callable(slots) else slots) or {}
-            said = (tables() if callable(tables) else tables) or {}
-            inputs = _inputs(loaded.tables, said, known)
+            given = held() if callable(held) else held
+            inputs = _inputs(loaded.tables, renamed() if callable(renamed) else renamed, known)
             key = name, path, tuple(sorted(inputs.items())), _slot_key(given)
             return _FILLED.get(key, lambda: _made(filled(path, given), loaded.comment, inputs))
 

@@ -58,17 +58,17 @@ class OfSet:
 
         Slots that follow from the parameters are filled by their names (:mod:`gam_db.method.slots`).
         """
-        known = frozenset(self.steps.steps)
+        known, given, renamed = frozenset(self.steps.steps), dict(slots or {}), dict(tables or {})
 
         def inputs() -> dict[str, str]:
-            said = {table: (tables or {}).get(table, table) for table in template.load(path).tables}
+            said = {table: renamed.get(table, table) for table in template.load(path).tables}
             own = {table: self.named(step) for table, step in said.items()}
             return {table: own[table] if own[table] in known else said[table] for table in said}
 
         self.steps.fill(
             self.named(name or path.rpartition("/")[2]),
             path,
-            lambda: self.slots(path, slots or {}),
+            lambda: self.slots(path, given),
             inputs,
         )
 
