@@ -19,6 +19,7 @@ from gam_db.checking.look import add_look
 from gam_db.clock import TimeKind
 from gam_db.composing import template
 from gam_db.composing.lately import Lately
+from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.export import Package, grafana
@@ -514,6 +515,11 @@ TELEMETRY = {
 }
 
 
+def filled_steps(made: Pipeline) -> list[tuple[str, exp.Query]]:
+    """Return the steps of a pipeline, which are filled when they are asked for."""
+    return [(step.name, step.query) for step in made.steps.values()]
+
+
 def steps(
     parameters: gam_db.Parameters, calibration: gam_db.Calibration, source: Source | WideSource
 ) -> list[tuple[str, exp.Query]]:
@@ -522,7 +528,7 @@ def steps(
     rows = readings(source, exp.to_table("telemetry"), lambda node: node)
     made = pipeline(method, rows, lambda node: node)
     add_look(made, method, lambda node: node)
-    return [(step.name, step.query) for step in made.steps.values()]
+    return filled_steps(made)
 
 
 SOURCES: list[Source | WideSource] = [
@@ -549,7 +555,7 @@ def trusting_in(ways: Ways, source: Source | WideSource = SOURCES[0]) -> list[tu
     method = Method(PARAMETERS[0], CALIBRATIONS[0], TimeKind.COUNTER)
     rows = readings(source, exp.to_table("telemetry"), lambda node: node)
     made = trusting_pipeline(method, rows, lambda node: node, Slicing.of(-7, 900), ways=ways)
-    return [(step.name, step.query) for step in made.steps.values()]
+    return filled_steps(made)
 
 
 def test_there_are_files() -> None:
@@ -576,7 +582,7 @@ def selection_steps() -> list[tuple[str, exp.Query]]:
     add_dimensions(made, search, usable=5000, waiting=lambda _: (4, 3))
     add_budget(made, method, search)
     add_results(made, method)
-    return [(step.name, step.query) for step in made.steps.values()]
+    return filled_steps(made)
 
 
 def alarm_steps(number: int) -> list[tuple[str, exp.Query]]:
@@ -604,7 +610,7 @@ def alarm_steps(number: int) -> list[tuple[str, exp.Query]]:
     add(made, "judgement/raised")
     add_judged(made, "raised")
     add_standing(made, method)
-    return [(step.name, step.query) for step in made.steps.values()]
+    return filled_steps(made)
 
 
 def found_in(made: list[tuple[str, exp.Query]]) -> set[tuple[str, str, str]]:
@@ -779,7 +785,7 @@ def test_every_file_is_used() -> None:
         for arguments in PIPELINES:
             steps(*arguments)
         for body in (None, *STORED):
-            opening_pipeline(exp.select("*"), Slicing.of(0, 9), body)
+            filled_steps(opening_pipeline(exp.select("*"), Slicing.of(0, 9), body))
         for body in (None, *KEPT):
             trusting_in(Ways(body, by_sets=True, asked=frozenset(["bucket_health"])))
         ENGINE.readings(
@@ -791,8 +797,10 @@ def test_every_file_is_used() -> None:
         for form, engine in (("exact", "sqlite"), ("view", "duckdb")):
             gam_db.render(form, engine, source, gam_db.Parameters(), CALIBRATIONS[1])
         rendered(ENGINE, StateTables())
-        scoring_steps(Setting(3, 1, 100, 5000, 100, None, False), TimeKind.COUNTER, trusting=True)
-        scoring_steps(Setting(3, 1, 100, 5000, 100, None, False, 25), TimeKind.COUNTER)
+        setting = Setting(3, 1, 100, 5000, 100, None, False)
+        filled_steps(scoring_steps(setting, TimeKind.COUNTER, trusting=True))
+        still = Setting(3, 1, 100, 5000, 100, None, False, 25)
+        filled_steps(scoring_steps(still, TimeKind.COUNTER))
         watch_once()
         alarm_once()
         stream_once()

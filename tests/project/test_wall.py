@@ -31,6 +31,8 @@ LAYERS = [
     ["engines"],
     ["alarms.heights", "reading.look", "study.running"],
     ["reading.guess", "reading.preparing"],
+    ["study.streamed"],
+    ["study.naming"],
     ["study.streaming", "study.trusting"],
     ["study"],
     ["alarms", "checking", "health", "selection"],
