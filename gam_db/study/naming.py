@@ -58,7 +58,7 @@ def counted(
     if not seems_apart(session, steps, placed):
         return None
     guessed = _asked(session, steps, placed, "spread", every=EVERY, mask=EVERY - 1)
-    if not guessed or not all(row["together"] for row in guessed):
+    if not guessed or not all(row["together"] for row in guessed) or not _are_named(guessed):
         return None
     (rows,) = {row["rows_in_all"] for row in guessed}
     if len(guessed) > MOST_CHANNELS or rows < STREAMED_FROM * len(guessed):
@@ -69,6 +69,8 @@ def counted(
     found = session.fetch(steps.query("names", placed))
     if is_proven:
         rows, known = _rows(found), found.select(_NAMES).to_pylist()
+        if not _are_named(known):
+            return None
         found = _one_by_one(session, steps, placed, known, is_proven)
         return found if _rows(found) == rows else None
     return found
@@ -89,11 +91,16 @@ def _one_by_one(
     names: Iterable[Row],
     is_proven: bool,
 ) -> pa.Table:
-    """Return the counts of some channels; of a row that lacks a name there are none."""
+    """Return the counts of some channels."""
     proof = [exp.alias_(template.fill("streams/in_order"), "in_order")] if is_proven else []
-    channels = [{one: template.text(row[one] or "") for one in _NAMES} for row in names]
+    channels = [{one: template.text(row[one]) for one in _NAMES} for row in names]
     make = partial(of_channel, "names", proof=proof)
     return session.fetch(of_each(session, "named", make, channels, steps, placed, labels=_NAMES))
+
+
+def _are_named(names: Iterable[Row]) -> bool:
+    """Tell whether no name is missing: rows without one are counted by a grouping only."""
+    return all(row[one] is not None for row in names for one in _NAMES)
 
 
 def _rows(names: pa.Table) -> int:

@@ -95,6 +95,13 @@ def test_a_row_without_a_name_is_counted_or_all_are_left(session: DuckSession, i
         assert {row["asset"]: row["readings"] for row in found.to_pylist()}[None] == 1
 
 
+@pytest.mark.parametrize("is_proven", [False, True])
+def test_a_missing_name_is_not_taken_for_an_empty_one(session: DuckSession, is_proven: bool) -> None:
+    """As many rows have either: counted twice, the empty name would make up for the missing one."""
+    table: list[Any] = [(asset, "x", time, 1.0) for asset in ("", None) for time in range(12)]
+    assert naming.counted(session, steps(session, table), is_proven=is_proven) is None
+
+
 def test_rows_that_come_meanwhile_are_not_lost(
     session: DuckSession, monkeypatch: pytest.MonkeyPatch
 ) -> None:
