@@ -8,11 +8,13 @@ from typing import Any
 
 import psycopg
 import pytest
+import sqlglot
 from psycopg.rows import dict_row
+from sqlglot import exp
 
 import gam_db
 import postgres_server
-from gam_db.engines.postgres import ENGINE
+from gam_db.engines.postgres import ENGINE, ROOM
 from gam_db.engines.postgres import driver as postgres_driver
 from gam_db.engines.postgres import refusals as postgres_refusals
 from gam_db.errors import EngineError, SourceError, UserError
@@ -138,6 +140,26 @@ def test_an_open_connection_stays_as_it_was(plant: Any, autocommit: bool) -> Non
         tables = mine.execute("SELECT 1 FROM pg_class WHERE relpersistence = 't'").fetchall()
         assert tables == []
     assert seen(plant) == whole()
+
+
+@pytest.mark.parametrize(
+    ("given", "room"), [("4MB", ROOM), ("64kB", ROOM), ("128MB", 2 * ROOM), ("1000000kB", 1_000_000)]
+)
+def test_a_step_that_is_kept_has_room(name: str, given: str, room: int) -> None:
+    """At least so much, never less than the user gave, and for that statement alone."""
+    setting = """
+    SELECT setting::bigint AS kb FROM "pg_catalog"."pg_settings" WHERE name = 'work_mem'
+    """
+    with psycopg.connect(url(name)) as mine:
+        with gam_db.connect(mine) as session:
+            mine.execute(f"SET work_mem = '{given}'")  # after the session began
+            before = mine.execute(setting).fetchall()
+            kept = session.keep("room", sqlglot.parse_one(setting, dialect="postgres", into=exp.Select))
+            assert session.rows(exp.select("kb").from_(kept)) == [{"kb": room}]
+            assert session.engine.most_in_set is not None
+            assert session.rows(session.engine.most_in_set) == [{"most": room * 16}]
+            assert mine.execute(setting).fetchall() == before
+        assert mine.execute(setting).fetchall() == before
 
 
 def test_a_transaction_of_the_user_survives(connection: Any) -> None:

@@ -80,11 +80,16 @@ def _by_bytes(column: exp.ColumnDef) -> None:
         column.set("constraints", [exp.ColumnConstraint(kind=by_bytes), *column.constraints])
 
 
-#: How many rows a set (IN) may have: of a larger one every row is compared. A row takes 64 bytes where
-#: it is looked up by its hash: its few columns, its head, and room for an estimate wrong by half.
+#: What a step that is kept may take at least, in kB, whatever work_mem says.
+ROOM = 65_536
+
+#: How many rows a set (IN) may have in that room: of a larger one every row is compared. A row takes 64
+#: bytes where it is looked up by its hash: its few columns, its head, and room for an estimate wrong by
+#: half.
 _MOST_IN_SET = sqlglot.parse_one(
     """
-    SELECT CAST(setting AS BIGINT) * 16 AS most FROM "pg_catalog"."pg_settings" WHERE name = 'work_mem'
+    SELECT GREATEST(CAST(setting AS BIGINT), 65536) * 16 AS most
+    FROM "pg_catalog"."pg_settings" WHERE name = 'work_mem'
     """,
     dialect="postgres",
     into=exp.Select,

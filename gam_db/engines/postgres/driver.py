@@ -22,7 +22,7 @@ from gam_db.composing import template
 from gam_db.engines.base import temporary
 from gam_db.engines.dbapi import DbapiDriver
 from gam_db.engines.driver import by_table
-from gam_db.engines.postgres import ENGINE, PATH
+from gam_db.engines.postgres import ENGINE, PATH, ROOM
 from gam_db.engines.postgres.refusals import of_connecting, of_statement
 from gam_db.engines.postgres.types import ARROW, travelling
 from gam_db.engines.refusals import refused
@@ -108,7 +108,7 @@ class PostgresDriver(DbapiDriver):
             else:
                 self._asked("SELECT 1")  # every statement of ours pins the path, and asks for it
             self.engine = dataclasses.replace(ENGINE, home=self._home)
-            self._set(_AT_WORK["settings"] | (_AT_WORK["own"] if owned else {}))
+            self._settings = self._set(_AT_WORK["settings"] | (_AT_WORK["own"] if owned else {}))
         except psycopg.Error as error:
             raise self.problem(error) or refused("postgres", "25P02") from error
 
@@ -123,7 +123,7 @@ class PostgresDriver(DbapiDriver):
 
     def fetch(self, query: str) -> pa.Table:
         self._statement = query
-        with self._planned("planned"), self._safely(), self._cursor(binary=True) as cursor:
+        with self._planned(_AT_WORK["planned"]), self._safely(), self._cursor(binary=True) as cursor:
             cursor.execute(query, prepare=False)
             names = [column.name for column in cursor.description]
             kinds = [ARROW.get(column.type_code) for column in cursor.description]
@@ -164,7 +164,8 @@ class PostgresDriver(DbapiDriver):
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
         """Make a temporary table of the rows of a query, and count what is in it for the planner."""
-        with self._planned("planned_alone"):
+        room = max(self._memory(), ROOM)
+        with self._planned(_AT_WORK["planned_alone"] | {"work_mem": f"{room}kB"}):
             super().keep(table, query)
         self._count(table)
 
@@ -234,8 +235,7 @@ class PostgresDriver(DbapiDriver):
         return by_table(self._asked(_QUERIES["relations"], (schema,)))
 
     def rows_at_once(self) -> int:
-        ((memory,),) = self._asked(_QUERIES["memory"])
-        return max(int(memory) // _PER_READING, _AT_LEAST)
+        return max(self._memory() * 1024 // _PER_READING, _AT_LEAST)
 
     def problem(self, error: Exception) -> UserError | None:
         return of_statement(error, self._statement, self._connection.closed)
@@ -265,11 +265,17 @@ class PostgresDriver(DbapiDriver):
                 f"PostgreSQL {version} is too old; gam-db needs PostgreSQL {ENGINE.oldest} or later."
             )
 
-    def _set(self, settings: Mapping[str, str]) -> None:
-        """Change settings of the connection, and remember what they were the first time."""
+    def _memory(self) -> int:
+        """Return the work_mem of the connection, in kB."""
+        ((memory,),) = self._asked(_QUERIES["memory"])
+        return int(memory)
+
+    def _set(self, settings: Mapping[str, str]) -> dict[str, str]:
+        """Change settings of the connection; return what they were."""
+        before = {}
         for name, value in settings.items():
-            ((before, _),) = self._asked(_QUERIES["setting"], (name, name, value))
-            self._settings.setdefault(name, before)
+            ((before[name], _),) = self._asked(_QUERIES["setting"], (name, name, value))
+        return before
 
     @contextlib.contextmanager
     def _safely(self) -> Iterator[None]:
@@ -303,16 +309,15 @@ class PostgresDriver(DbapiDriver):
         return before, schema
 
     @contextlib.contextmanager
-    def _planned(self, way: str) -> Iterator[None]:
+    def _planned(self, settings: Mapping[str, str]) -> Iterator[None]:
         """Let statements be planned otherwise."""
-        settings = _AT_WORK[way]
-        self._set(settings)
+        before = self._set(settings)
         try:
             yield
         finally:
             # In a transaction that has failed it cannot be said, and is undone with the rest.
             with contextlib.suppress(self._psycopg.Error):
-                self._set({name: self._settings[name] for name in settings})
+                self._set(before)
 
     def _cursor(self, binary: bool = False) -> Any:
         # A factory of the user's would make something else than tuples of the rows.
