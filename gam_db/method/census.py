@@ -16,7 +16,16 @@ from gam_db.method.adding import OfSet, add
 from gam_db.method.bits import Bits
 from gam_db.method.calibration import add_learnt
 from gam_db.method.certificate import add_judgement
-from gam_db.method.delays import CALIBRATION, COMPLETE, INCOMPLETE, STORED, Ways, add_coded, add_delays
+from gam_db.method.delays import (
+    CALIBRATION,
+    COMPLETE,
+    INCOMPLETE,
+    STORED,
+    Ways,
+    add_coded,
+    add_delays,
+    add_stored,
+)
 from gam_db.method.delays import KEPT as KEPT_BY
 from gam_db.method.resolved import Method
 from gam_db.method.scoring import (
@@ -59,6 +68,10 @@ class Slicing:
         return cls(earliest, (latest - earliest) // SLICES + 1)
 
 
+#: Of a source that a body keeps, which cuts it by the number of samples.
+UNCUT = Slicing(0, 1)
+
+
 def serves(method: Method) -> bool:
     """Tell whether no segment ends, and calibration is the first samples or one declared interval."""
     whole = ((LONG_AGO, FAR_AHEAD),)
@@ -69,15 +82,15 @@ def serves(method: Method) -> bool:
     )
 
 
-def add_census(steps: Pipeline, method: Method, slicing: Slicing, delays: str | None = None) -> None:
+def add_census(steps: Pipeline, method: Method, slicing: Slicing, ways: Ways) -> None:
     """Add what speaks of whole channels, up to the range of calibration (method, sections 2 and 4)."""
-    add_names(steps, slicing, delays)
+    add_names(steps, slicing, ways)
     add_rules(steps, method)
     add_channels(steps, method)
     reach = max(1, *(setting.span for setting in method.settings))
     add(steps, "census/edges", {"reach": reach})
-    if delays is not None:
-        add(steps, f"{delays}/edge_samples")
+    if ways.delays is not None:
+        add(steps, f"{ways.delays}/edge_samples")
     else:
         _add_readings(steps, EDGES)
         add(steps, "source/identified", {"read": exp.true()}, "near_edges", {"readings": EDGES})
@@ -89,17 +102,10 @@ def add_census(steps: Pipeline, method: Method, slicing: Slicing, delays: str | 
     add(steps, "source/identified", {"read": exp.true()})
 
 
-def add_names(steps: Pipeline, slicing: Slicing, delays: str | None = None) -> None:
-    """Add the counts by slice, and the names that follow from them.
-
-    Args:
-        steps: the pipeline.
-        slicing: how times are cut for windows; a body cuts what it keeps.
-        delays: the body of the delays (:mod:`gam_db.method.delays`).
-    """
-    if delays is not None:
-        for name in (*STORED[delays], "slices"):
-            add(steps, f"{delays}/{name}")
+def add_names(steps: Pipeline, slicing: Slicing, ways: Ways) -> None:
+    """Add the counts by slice, and the names that follow from them."""
+    if ways.delays is not None:
+        add_stored(steps, ways)
     else:
         add(steps, "census/slices", {"origin": slicing.origin, "width": slicing.width})
     add(steps, "census/names")

@@ -13,15 +13,15 @@ that is not right for a source shows it by ``doubled``, too: that costs time, ne
 What these two keep in order the census is made of, too.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from sqlglot import exp
 
 from gam_db.clock import FAR_AHEAD
 from gam_db.composing import template
-from gam_db.composing.pipeline import filled
-from gam_db.method.adding import OfSet
+from gam_db.composing.pipeline import Pipeline, filled
+from gam_db.method.adding import OfSet, add
 from gam_db.method.vectors import add_short_vectors
 
 #: What is kept before vectors are made of it, body by body.
@@ -30,6 +30,9 @@ KEPT = {"rowids": ("coded", "runs"), "arrays": ()}
 #: What is kept of the samples of the source before they are cut, body by body: its *slices*, its
 #: *edge_samples* and its codes are read off it.
 STORED = {"rowids": ("spoken", "lined", "pieces"), "arrays": ("stored",)}
+
+#: The step that shows by its column ``misplaced`` whether a source is stored in order, body by body.
+IN_ORDER = {"rowids": "pieces"}
 
 #: The steps with a column ``doubled`` that prove a body right where it is 0 everywhere, as it must be in
 #: the ones that supports and buckets are made of (:attr:`Ways.taught`, :attr:`Ways.counted`).
@@ -50,12 +53,14 @@ class Ways:
     Attributes:
         delays: the body of the delays; None for windows.
         by_sets: whether a cell is looked up in the support as a set, instead of by a join.
+        as_stored: whether the source is taken to be stored in order of name and time.
         has_missing: whether a channel lacks a sample; if none does, nothing is made for such.
         asked: the last steps that will be asked for, where that is known; others may be, at a price.
     """
 
     delays: str | None = None
     by_sets: bool = False
+    as_stored: bool = False
     has_missing: bool = True
     asked: frozenset[str] = frozenset()
 
@@ -80,6 +85,16 @@ class Ways:
         return "visited" if "novel_cells" in self.asked else "tallied"
 
 
+def add_stored(steps: Pipeline, ways: Ways) -> None:
+    """Add what a body keeps of the samples of a source, and their counts by slice."""
+    for name in (*STORED[ways.delays or ""], "slices"):
+        add(steps, f"{ways.delays}/{name}")
+    if ways.as_stored:
+        lined = filled(f"{ways.delays}/lined")
+        lined.set("order", None)
+        steps.replace("lined", lined)
+
+
 def add_coded(one: OfSet, body: str) -> None:
     """Add what vectors of one set are made of, once, where a body keeps it for each set."""
     for name in KEPT[body]:
@@ -95,39 +110,42 @@ def add_delays(one: OfSet, prefix: str, body: str | None, rows: str) -> None:
         body: a folder of ``sql/``; None for windows.
         rows: the step that holds the readings of the vectors, for windows.
     """
+    # Of a channel without a missing sample every coordinate is there.
+    known: Mapping[str, template.Slot] = {"known": exp.true()} if prefix == COMPLETE else {}
     if body is not None:
-        query = _BODIES[body](one, prefix)
+        query = _BODIES[body](one, prefix, known)
         tables = {name: one.named(name) for name in ("scale", *KEPT[body])}
         one.steps.add(one.named(f"{prefix}vectors"), query, "", tables)
         return
     one.add("census/codes", {"read": _read(prefix)}, f"{prefix}codes", {"readings": rows})
-    add_short_vectors(one, prefix, trusting=True, carried=("support_id",))
+    add_short_vectors(one, prefix, known, trusting=True, carried=("support_id",))
 
 
-def _by_row(one: OfSet, prefix: str) -> exp.Query:
+def _by_row(one: OfSet, prefix: str, known: Mapping[str, template.Slot]) -> exp.Query:
     """Return the vectors of a prefix by the numbers of rows."""
     setting = one.setting
     is_taught = prefix == CALIBRATION
     first, last = ("first_row", "taught_row") if is_taught else ("start_row", "last_row")
-    others = range(1, setting.m)
+    # One row before is the row that each is compared with.
+    tables = {k: f"delayed_{k}" if k * setting.tau > 1 else "previous" for k in range(1, setting.m)}
     slots: dict[str, template.Slot] = {
+        **known,
         "first_row": exp.column(first, table="run"),
         "last_row": exp.column(last, table="run"),
-        "delayed": [exp.alias_(exp.column("code", table=f"delayed_{k}"), f"code_{k}") for k in others],
+        "delayed": [exp.alias_(exp.column("code", table=of), f"code_{k}") for k, of in tables.items()],
         "read": exp.true() if is_taught else _is_complete(prefix, "run"),
     }
     query = filled("rowids/vectors", one.slots("rowids/vectors", slots))
     (joined,) = (one for one in query.find_all(exp.Select) if one.args.get("joins"))
-    for k in others:
-        row = exp.column("rowid", table=f"delayed_{k}")
-        where = template.fill("rowids/delayed", {"row": row, "delay": k * setting.tau})
-        joined.join(
-            exp.to_table("coded"), on=where, join_type="cross", join_alias=f"delayed_{k}", copy=False
-        )
+    for k, table in tables.items():
+        if table != "previous":
+            row = exp.column("rowid", table=table)
+            where = template.fill("rowids/delayed", {"row": row, "delay": k * setting.tau})
+            joined.join(exp.to_table("coded"), on=where, join_type="cross", join_alias=table, copy=False)
     return query
 
 
-def _in_arrays(one: OfSet, prefix: str) -> exp.Query:
+def _in_arrays(one: OfSet, prefix: str, known: Mapping[str, template.Slot]) -> exp.Query:
     """Return the vectors of a prefix by arrays."""
     setting = one.setting
     is_taught = prefix == CALIBRATION
@@ -136,6 +154,7 @@ def _in_arrays(one: OfSet, prefix: str) -> exp.Query:
         place = {"place": setting.span - k * setting.tau + 1}
         delayed.append(exp.alias_(template.fill("arrays/delayed", place), f"code_{k}"))
     slots: dict[str, template.Slot] = {
+        **known,
         "time_from": exp.column("taught_from" if is_taught else "read_from"),
         "time_to": exp.column("taught_to") if is_taught else FAR_AHEAD,
         "delayed": delayed,
@@ -160,4 +179,5 @@ def _is_complete(prefix: str, table: str | None = None) -> exp.Expr:
     return exp.column("complete", table=table).eq(int(prefix == COMPLETE))
 
 
-_BODIES: dict[str, Callable[[OfSet, str], exp.Query]] = {"rowids": _by_row, "arrays": _in_arrays}
+_Body = Callable[[OfSet, str, Mapping[str, template.Slot]], exp.Query]
+_BODIES: dict[str, _Body] = {"rowids": _by_row, "arrays": _in_arrays}

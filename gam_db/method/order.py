@@ -64,20 +64,20 @@ def pipeline(
 
 
 def opening_pipeline(
-    readings: exp.Query, slicing: Slicing | None = None, delays: str | None = None
+    readings: exp.Query, slicing: Slicing | None = None, ways: Ways | None = None
 ) -> Pipeline:
-    """Return the steps that are asked before it is known what else is: up to *names*, and *extent*.
+    """Return the steps that are asked before it is known what else is: up to *names*, and what decides.
 
-    Arguments as for :func:`pipeline` and :func:`trusting_pipeline`, ``delays`` as of its ways; without
-    ``slicing`` the former.
+    Arguments as for :func:`pipeline` and :func:`trusting_pipeline`; without ``slicing`` the former.
     """
     steps = Pipeline(small=OPENING)
     _add_readings(steps, readings)
+    add(steps, "census/size")
     add(steps, "census/extent")
     if slicing is None:
         add(steps, "source/names")
     else:
-        add_names(steps, slicing, delays)
+        add_names(steps, slicing, ways or Ways())
     return steps
 
 
@@ -97,7 +97,7 @@ def trusting_pipeline(
     ways = ways or Ways()
     steps = Pipeline(small=frozenset(method.small() - FLOWING | kept(method, ways)))
     _add_readings(steps, readings)
-    add_census(steps, method, slicing, ways.delays)
+    add_census(steps, method, slicing, ways)
     for number in range(len(method.settings)):
         one = OfSet(steps, method, number)
         add_census_set(one, bits, ways)

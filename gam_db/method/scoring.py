@@ -201,7 +201,7 @@ def _add_short_vectors(one: OfSet, prefix: str, trusting: bool = False) -> None:
     """Add codes and vectors of the channels with, or without, missing samples."""
     slots = {"read": exp.column("complete", table="scale").eq(int(prefix == COMPLETE))}
     one.add("support/codes", slots, f"{prefix}codes")
-    add_short_vectors(one, prefix, trusting)
+    add_short_vectors(one, prefix, trusting=trusting)
 
 
 def _gathered(name: str, said: str, where: str) -> exp.Expr:

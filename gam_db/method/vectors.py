@@ -40,11 +40,16 @@ def add_vectors(one: OfSet, prefix: str, read: exp.Expr, carried: Sequence[str] 
 
 
 def add_short_vectors(
-    one: OfSet, prefix: str, trusting: bool = False, carried: Sequence[str] = ()
+    one: OfSet,
+    prefix: str,
+    known: Mapping[str, template.Slot] | None = None,
+    trusting: bool = False,
+    carried: Sequence[str] = (),
 ) -> None:
     """Add the vectors of one set (Eq. 1) over the codes of the same prefix, where no segment ends.
 
-    Columns of the codes that are ``carried`` travel with the vectors.
+    Columns of the codes that are ``carried`` travel with the vectors. ``known`` gives a slot where it is
+    known that all coordinates are there.
 
     Where it is taken on trust that no instant occurs twice, ``doubled`` = 1 marks each sample that shows
     the contrary, be it the newest one of a vector or not.
@@ -61,7 +66,7 @@ def add_short_vectors(
         doubled = template.fill("embedding/doubled", {"previous_time": previous})
         travelling.append(exp.alias_(_flag(doubled), "doubled"))
         whole = exp.or_(whole, doubled)
-    _add(one, prefix, f"{prefix}codes", delayed, travelling, whole)
+    _add(one, prefix, f"{prefix}codes", delayed, travelling, whole, known or {})
 
 
 def _add(
@@ -71,11 +76,12 @@ def _add(
     delayed: list[exp.Expr],
     carried: list[exp.Expr],
     whole: exp.Expr,
+    known: Mapping[str, template.Slot] | None = None,
 ) -> None:
     """Add Eq. 1 over some codes, with other columns over the same order, and those that travel on."""
     coordinates = {f"code_{k}": _before("code", k * one.setting.tau) for k in range(1, one.setting.m)}
     slots: dict[str, template.Slot] = {"context": _context(one.setting), "carried": carried}
-    slots |= {"delayed": [*_named(coordinates), *delayed], "whole": whole}
+    slots |= {"delayed": [*_named(coordinates), *delayed], "whole": whole, **(known or {})}
     one.add("embedding/vectors", slots, f"{prefix}vectors", {"codes": codes})
 
 

@@ -91,9 +91,7 @@ class Study:
         slicing, ways = None, Ways(asked=frozenset(asked))
         is_streamed = short_cuts and seems_ordered(self.method, self.running, ways.scores)
         if short_cuts and on_trust and not is_streamed and trusting.serves(self.method):
-            slicing, rows = trusting.sliced(self.running)
-            ways = ways if slicing is None else self._ways(rows, asked)
-            self.running.steps = self._opening(slicing, ways.delays)
+            slicing, ways = trusting.begun(self.running, ways, self._opening)
         self.running.keep("names")
         names = session.fetch(self.steps.query("names", self.running.placed))
         (look.check_rows if strict else look.check_clock)(names)
@@ -173,17 +171,10 @@ class Study:
         if self._is_lent and isinstance(self.relation, exp.Table):
             self.session.forget(self.relation)
 
-    def _opening(self, slicing: Slicing | None = None, delays: str | None = None) -> Pipeline:
+    def _opening(self, slicing: Slicing | None = None, ways: Ways | None = None) -> Pipeline:
         """Return the steps that are asked first."""
-        steps = _opened(*self._asked, slicing, delays).copied()
+        steps = _opened(*self._asked, slicing, ways).copied()
         return self._with_file(steps)
-
-    def _ways(self, rows: int, asked: Collection[str]) -> Ways:
-        """Return what this engine does in a way of its own with a source of so many rows."""
-        engine = self.session.engine
-        has_room = not engine.holds_delays or rows <= self.session.rows_at_once()
-        delays = engine.delays if has_room else None
-        return Ways(delays, engine.by_sets, asked=frozenset(asked))
 
     def _steps(
         self, bits: Bits | None, slicing: Slicing | None = None, ways: Ways | None = None
@@ -285,10 +276,10 @@ def _opened(
     relation: exp.Expr,
     engine: Engine,
     slicing: Slicing | None,
-    delays: str | None,
+    ways: Ways | None,
 ) -> Pipeline:
     """Return the steps that are asked first, likewise; arguments as for :func:`_filled`."""
-    return opening_pipeline(engine.readings(source, relation, method.kind), slicing, delays)
+    return opening_pipeline(engine.readings(source, relation, method.kind), slicing, ways)
 
 
 @lru_cache(maxsize=LATELY)

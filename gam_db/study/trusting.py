@@ -7,7 +7,7 @@ first; so it does for what is asked before there is a proof. Single vectors are 
 proof they go on from what there is.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import replace
 
 import pyarrow as pa
@@ -15,31 +15,73 @@ from sqlglot import exp
 
 from gam_db.clock import FAR_AHEAD
 from gam_db.columns import counts, table_of
-from gam_db.composing.pipeline import Pipeline
+from gam_db.composing.pipeline import Pipeline, filled
 from gam_db.method import Method
-from gam_db.method.census import EDGES, SCORED, TAUGHT, Slicing, serves
-from gam_db.method.delays import PROOFS, Ways
+from gam_db.method.census import EDGES, SCORED, TAUGHT, UNCUT, Slicing, serves
+from gam_db.method.delays import IN_ORDER, PROOFS, Ways
 from gam_db.study.running import Running
 
-__all__ = ["Trust", "serves", "sliced"]
+__all__ = ["Trust", "begun", "serves"]
 
 #: Readings of a source from which on its steps are worth theirs.
 TRUSTED_FROM = 100_000
 
 
-def sliced(running: Running) -> tuple[Slicing | None, int]:
-    """Return how the times of a source are cut into slices, and how many rows it has.
+#: Rows that are glanced at to guess whether a source is stored in order.
+GLANCE = 10_000
 
-    There are no slices where these are few, or times are odd.
+
+def begun(
+    running: Running, ways: Ways, opening: Callable[[Slicing | None, Ways], Pipeline]
+) -> tuple[Slicing | None, Ways]:
+    """Begin with the steps that trust, unless rows are few or times are odd.
+
+    Args:
+        running: the steps that are asked first.
+        ways: what is to be done.
+        opening: gives the steps that are asked first for how times are cut, and other ways.
+
+    Returns:
+        How the times of the source are cut, None where it is not trusted; and what is done in the way of
+        the engine and of this source.
     """
+    session, engine = running.session, running.session.engine
+    own = replace(ways, by_sets=engine.by_sets)
+    if engine.delays is not None:
+        (size,) = running.rows("size")
+        if size["readings"] < TRUSTED_FROM:
+            return None, ways
+        if not engine.holds_delays or size["readings"] <= session.rows_at_once():
+            return UNCUT, _kept(running, replace(own, delays=engine.delays), opening)
     running.keep("extent")
     (extent,) = running.rows("extent")
     edges = extent["earliest"], extent["latest"]
-    if extent["readings"] < TRUSTED_FROM or any(
-        edge is None or abs(edge) >= FAR_AHEAD for edge in edges
-    ):
-        return None, extent["readings"]
-    return Slicing.of(*edges), extent["readings"]
+    if extent["readings"] < TRUSTED_FROM or _are_odd(edges):
+        return None, ways
+    slicing = Slicing.of(*edges)
+    running.steps = opening(slicing, own)
+    return slicing, own
+
+
+def _kept(running: Running, ways: Ways, opening: Callable[[Slicing | None, Ways], Pipeline]) -> Ways:
+    """Begin with a body that keeps the source in order, and sorts it if need be; return the ways."""
+    proof = IN_ORDER.get(ways.delays or "")
+    if proof is not None:
+        query = filled(f"{ways.delays}/glance", {"rows": GLANCE})
+        running.steps.add("glance", query)
+        ((misplaced,),) = (row.values() for row in running.rows("glance"))
+        ways = replace(ways, as_stored=not misplaced)
+    running.steps = opening(UNCUT, ways)
+    if proof is not None and ways.as_stored and running.largest(proof, "misplaced"):
+        running.forget(but=("readings",))
+        ways = replace(ways, as_stored=False)
+        running.steps = opening(UNCUT, ways)
+    return ways
+
+
+def _are_odd(edges: Collection[int | None]) -> bool:
+    """Tell whether a source has no first and last time, or one beyond all instants."""
+    return not edges or any(edge is None or abs(edge) >= FAR_AHEAD for edge in edges)
 
 
 class Trust:
@@ -70,8 +112,8 @@ class Trust:
         self._sets = range(len(method.settings))
         self.holds, self._is_proven = True, False
         declared = [rule.allowed[0][0] for rule in method.rules if rule.declared_end is not None]
-        first = min((start for start in names["earliest"].to_pylist() if start is not None), default=0)
-        if any(first < start for start in declared):
+        edges = names["earliest"].drop_null().to_pylist(), names["latest"].drop_null().to_pylist()
+        if _are_odd([*edges[0], *edges[1]]) or any(min(edges[0]) < start for start in declared):
             self._give_up()
 
     @property

@@ -13,6 +13,7 @@ import pytest
 import sqlglot
 from sqlglot import exp
 
+import engines
 import gam_db
 import sql_lint
 from gam_db.checking.look import add_look
@@ -42,7 +43,7 @@ from gam_db.stored.schema.migration_files import definitions
 from gam_db.stored.schema.migrations import rendered
 from gam_db.stored.schema.tables import StateTables
 from gam_db.stored.scoring.publishing import withdraw
-from gam_db.study import Study, naming
+from gam_db.study import Study, naming, trusting
 from harness import arrow
 from sql_lint import Kind
 from strategies import Row
@@ -779,13 +780,22 @@ def stream_once() -> None:
             monitor.score()
 
 
+def keep_once() -> None:
+    """Keep a source in order that seems to be stored so."""
+    session, table = engines.session("sqlite"), pa.table({"time": [1, 2, 3], "value": [2.5] * 3})
+    with session.lent(table) as lent, pytest.MonkeyPatch.context() as patched:
+        patched.setattr(trusting, "TRUSTED_FROM", 1)
+        source = Source(lent.name, None, None)
+        Study(session, source, gam_db.Parameters(), CALIBRATIONS[0], short_cuts=True).forget()
+
+
 def test_every_file_is_used() -> None:
     """A file that no form loads would be checked, shipped and read for nothing."""
     with loading() as loaded:
         for arguments in PIPELINES:
             steps(*arguments)
         for body in (None, *STORED):
-            filled_steps(opening_pipeline(exp.select("*"), Slicing.of(0, 9), body))
+            filled_steps(opening_pipeline(exp.select("*"), Slicing.of(0, 9), Ways(body)))
         for body in (None, *KEPT):
             trusting_in(Ways(body, by_sets=True, asked=frozenset(["bucket_health"])))
         ENGINE.readings(
@@ -804,6 +814,7 @@ def test_every_file_is_used() -> None:
         watch_once()
         alarm_once()
         stream_once()
+        keep_once()
         gam_db.check(gam_db.Source(pa.table({"time": [1], "value": [2.5], "more": ["3"]}), None, None))
         gam_db.check(gam_db.Source(pa.table({"time": ["2026-01-01"], "value": [2.5]}), None, None))
         for times, unit in (([1], "s"), ([1], "ns"), ([1.5], "s"), ([Decimal("1.5")], "s")):

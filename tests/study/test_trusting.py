@@ -243,11 +243,15 @@ def test_random_sources_give_the_integers_of_the_reference(data: st.DataObject) 
     agrees("duckdb", found, table, method)
 
 
+def by_channel(table: list[Row]) -> list[Row]:
+    return sorted(table, key=lambda row: row[:3])
+
+
 #: Ways in which the rows of a source may lie.
 ORDERS: dict[str, Callable[[list[Row]], list[Row]]] = {
-    "by channel": lambda table: sorted(table, key=lambda row: row[:3]),
+    "by channel": by_channel,
     "backwards": lambda table: sorted(table, key=lambda row: row[:3], reverse=True),
-    "one after its time": lambda table: [*(by := sorted(table, key=lambda row: row[:3]))[1:], by[0]],
+    "one after its time": lambda table: [*(by := by_channel(table))[1:], by[0]],
     "shuffled": lambda table: random.Random(3).sample(table, len(table)),
 }
 
@@ -277,6 +281,63 @@ def test_however_rows_lie_the_body_of_the_engine_serves(engine: str, order: str)
         assert set(STORED.get(body or "", ())) <= set(study.running.placed)
         assert "incomplete_vectors_0" not in study.steps.steps
         study.forget()
+
+
+#: Ways in which rows may lie that differ from the stored order late in a source.
+NEARLY: dict[str, Callable[[list[Row]], list[Row]]] = {
+    **ORDERS,
+    "the last two turned round": lambda table: [*(by := by_channel(table))[:-2], by[-1], by[-2]],
+    "the last channel before": lambda table: [*(by := by_channel(table))[-LENGTH:], *by[:-LENGTH]],
+    "one among another channel": lambda table: [*(by := by_channel(table))[:200], by[660], *by[200:660]],
+    "the first channel once more": lambda table: [*by_channel(table), ("a", "x", 999, 1.0)],
+}
+
+
+@pytest.mark.parametrize("glance", [1, trusting.GLANCE])
+@pytest.mark.parametrize("order", NEARLY)
+def test_what_is_stored_in_order_is_not_sorted(
+    monkeypatch: pytest.MonkeyPatch, order: str, glance: int
+) -> None:
+    """Also where the first rows say that it is: then it is found out, and sorted."""
+    monkeypatch.setattr(trusting, "GLANCE", glance)
+    session, method = engines.session("sqlite"), harness.made(*SERVED["delays"])
+    table = NEARLY[order](rows())
+    found, is_trusting = answers(session, table, method)
+    assert is_trusting
+    agrees("sqlite", found, table, method)
+    with session.lent(harness.arrow(table)) as lent:
+        study = study_of(session, lent.name, method)
+        study.table("bucket_health")
+        is_sorted = study.steps.steps["lined"].query.args.get("order") is not None
+        study.forget()
+    assert is_sorted is (order != "by channel")
+
+
+@pytest.mark.parametrize("place", [0, 200, 321, -1])
+def test_rows_without_a_time_are_counted_where_they_lie(engine: str, place: int) -> None:
+    """Two of the first channel, wherever they are stored, beside one without a value."""
+    table: list[Any] = by_channel(rows())
+    table[place:place] = [("a", "x", None, 3.0), ("a", "x", None, None)]
+    method = harness.made(*SERVED["delays"])
+    session = engines.session(engine)
+    with session.lent(harness.arrow(table)) as lent:
+        study = Study(session, gam_db.Source(lent.name), *method, strict=False, short_cuts=True)
+        found = {(row["asset"], row["channel"]): row for row in study.rows("names")}
+        assert study.steps.steps.get("slices"), "the census counts them"
+        study.forget()
+    ours = [row for row in table if row[:2] == ("a", "x")]
+    times = [time for _, _, time, _ in ours if time is not None]
+    assert found["a", "x"] == {
+        "asset": "a",
+        "channel": "x",
+        "readings": len(times),
+        "without_time": 2,
+        "missing_readings": sum(value is None for *_, value in ours),
+        "earliest": min(times),
+        "latest": max(times),
+    }
+    assert len(found) == 6
+    assert not any(row["without_time"] for name, row in found.items() if name != ("a", "x"))
 
 
 @pytest.mark.parametrize("number", range(1, 6 * LENGTH, 173))
