@@ -313,7 +313,7 @@ def test_what_is_stored_in_order_is_not_sorted(
     assert is_sorted is (order != "by channel")
 
 
-@pytest.mark.parametrize("place", [0, 200, 321, -1])
+@pytest.mark.parametrize("place", [0, 100, 200, 321, -1])
 def test_rows_without_a_time_are_counted_where_they_lie(engine: str, place: int) -> None:
     """Two of the first channel, wherever they are stored, beside one without a value."""
     table: list[Any] = by_channel(rows())
