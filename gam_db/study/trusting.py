@@ -26,7 +26,6 @@ __all__ = ["Trust", "begun", "serves"]
 #: Readings of a source from which on its steps are worth theirs.
 TRUSTED_FROM = 100_000
 
-
 #: Rows that are glanced at to guess whether a source is stored in order.
 GLANCE = 10_000
 
