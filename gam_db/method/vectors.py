@@ -66,7 +66,7 @@ def add_short_vectors(
         doubled = template.fill("embedding/doubled", {"previous_time": previous})
         travelling.append(exp.alias_(_flag(doubled), "doubled"))
         whole = exp.or_(whole, doubled)
-    _add(one, prefix, f"{prefix}codes", delayed, travelling, whole, known or {})
+    _add(one, prefix, f"{prefix}codes", delayed, travelling, whole, known)
 
 
 def _add(

@@ -15,19 +15,17 @@ from sqlglot import exp
 
 from gam_db.clock import FAR_AHEAD
 from gam_db.columns import counts, table_of
-from gam_db.composing.pipeline import Pipeline, filled
+from gam_db.composing.pipeline import Pipeline
 from gam_db.method import Method
 from gam_db.method.census import EDGES, SCORED, TAUGHT, UNCUT, Slicing, serves
 from gam_db.method.delays import IN_ORDER, PROOFS, Ways
+from gam_db.study.naming import GLANCE
 from gam_db.study.running import Running
 
 __all__ = ["Trust", "begun", "serves"]
 
 #: Readings of a source from which on its steps are worth theirs.
 TRUSTED_FROM = 100_000
-
-#: Rows that are glanced at to guess whether a source is stored in order.
-GLANCE = 10_000
 
 
 def begun(
@@ -66,10 +64,9 @@ def _kept(running: Running, ways: Ways, opening: Callable[[Slicing | None, Ways]
     """Begin with a body that keeps the source in order, and sorts it if need be; return the ways."""
     proof = IN_ORDER.get(ways.delays or "")
     if proof is not None:
-        query = filled(f"{ways.delays}/glance", {"rows": GLANCE})
-        running.steps.add("glance", query)
-        ((misplaced,),) = (row.values() for row in running.rows("glance"))
-        ways = replace(ways, as_stored=not misplaced)
+        running.steps.fill("glance", f"{ways.delays}/glance", {"rows": GLANCE})
+        (glanced,) = running.rows("glance")
+        ways = replace(ways, as_stored=glanced["misplaced"] == 0)
     running.steps = opening(UNCUT, ways)
     if proof is not None and ways.as_stored and running.largest(proof, "misplaced"):
         running.forget(but=("readings",))
@@ -111,8 +108,8 @@ class Trust:
         self._sets = range(len(method.settings))
         self.holds, self._is_proven = True, False
         declared = [rule.allowed[0][0] for rule in method.rules if rule.declared_end is not None]
-        edges = names["earliest"].drop_null().to_pylist(), names["latest"].drop_null().to_pylist()
-        if _are_odd([*edges[0], *edges[1]]) or any(min(edges[0]) < start for start in declared):
+        first, last = (names[edge].drop_null().to_pylist() for edge in ("earliest", "latest"))
+        if _are_odd([*first, *last]) or any(min(first) < start for start in declared):
             self._give_up()
 
     @property

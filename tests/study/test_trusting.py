@@ -21,7 +21,7 @@ import strategies
 from gam_db.engines.session import Session
 from gam_db.method import census
 from gam_db.method.delays import KEPT, STORED
-from gam_db.study import Study, trusting
+from gam_db.study import Study, naming, trusting
 from harness import Answer, Row
 
 pytestmark = pytest.mark.thorough
@@ -293,7 +293,7 @@ NEARLY: dict[str, Callable[[list[Row]], list[Row]]] = {
 }
 
 
-@pytest.mark.parametrize("glance", [1, trusting.GLANCE])
+@pytest.mark.parametrize("glance", [1, naming.GLANCE])
 @pytest.mark.parametrize("order", NEARLY)
 def test_what_is_stored_in_order_is_not_sorted(
     monkeypatch: pytest.MonkeyPatch, order: str, glance: int
