@@ -1,5 +1,6 @@
 """PostgreSQL's own ways: who is let in, what is refused and how it is said."""
 
+import contextlib
 import dataclasses
 import sys
 import traceback
@@ -48,8 +49,8 @@ def connection(name: str) -> Iterator[Any]:
 
 
 def url(name: str, user: str | None = None, **settings: str) -> str:
-    said = "&".join(f"options=-c%20{key}%3D{value}" for key, value in settings.items())
-    return postgres_server.server().url_of(name, user) + f"?{said}" * bool(said)
+    said = "%20".join(f"-c%20{key}%3D{value}" for key, value in settings.items())
+    return postgres_server.server().url_of(name, user) + f"?options={said}" * bool(said)
 
 
 # Who is let in
@@ -160,6 +161,36 @@ def test_a_step_that_is_kept_has_room(name: str, given: str, room: int) -> None:
             assert session.rows(session.engine.most_in_set) == [{"most": room * 16}]
             assert mine.execute(setting).fetchall() == before
         assert mine.execute(setting).fetchall() == before
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"jit": "on"}, "off"),
+        ({"jit": "on", "jit_above_cost": "1"}, "on"),
+        ({"jit": "on", "jit_above_cost": "-1"}, "off"),
+        ({"jit": "off", "jit_above_cost": "1"}, "off"),
+    ],
+)
+@pytest.mark.parametrize("is_lent", [True, False])
+def test_only_a_long_step_is_translated(
+    name: str, given: dict[str, str], said: str, is_lent: bool
+) -> None:
+    """On a server that does so, from the cost on that is set there; a sort that is off is no cost."""
+    asked = """
+    SELECT setting AS jit FROM "pg_catalog"."pg_settings" WHERE name = 'jit' ORDER BY setting
+    """
+    query = sqlglot.parse_one(asked, dialect="postgres", into=exp.Select)
+    with contextlib.ExitStack() as stack:
+        target: Any = url(name, **given)
+        if is_lent:
+            target = stack.enter_context(psycopg.connect(target))
+        with gam_db.connect(target) as session:
+            kept = session.keep("translated", query)
+            assert session.rows(exp.select("jit").from_(kept)) == [{"jit": said}]
+            assert session.rows(query) == [{"jit": "off"}]
+        if is_lent:
+            assert target.execute(asked).fetchall() == [(given["jit"],)]
 
 
 def test_a_transaction_of_the_user_survives(connection: Any) -> None:

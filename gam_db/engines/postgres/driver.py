@@ -108,7 +108,7 @@ class PostgresDriver(DbapiDriver):
             else:
                 self._asked("SELECT 1")  # every statement of ours pins the path, and asks for it
             self.engine = dataclasses.replace(ENGINE, home=self._home)
-            self._settings = self._set(_AT_WORK["settings"] | (_AT_WORK["own"] if owned else {}))
+            self._settings = self._set(_AT_WORK["settings"])
         except psycopg.Error as error:
             raise self.problem(error) or refused("postgres", "25P02") from error
 
@@ -164,8 +164,10 @@ class PostgresDriver(DbapiDriver):
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
         """Make a temporary table of the rows of a query, and count what is in it for the planner."""
-        room = max(self._memory(), ROOM)
-        with self._planned(_AT_WORK["planned_alone"] | {"work_mem": f"{room}kB"}):
+        settings = _AT_WORK["planned_alone"] | {"work_mem": f"{max(self._memory(), ROOM)}kB"}
+        if self._is_long(query):
+            settings |= _AT_WORK["planned_long"]
+        with self._planned(settings):
             super().keep(table, query)
         self._count(table)
 
@@ -270,6 +272,16 @@ class PostgresDriver(DbapiDriver):
         ((memory,),) = self._asked(_QUERIES["memory"])
         return int(memory)
 
+    def _is_long(self, query: exp.Query) -> bool:
+        """Tell whether a server that translates queries to machine code would translate this one."""
+        if self._settings["jit"] == "off":
+            return False
+        self._statement = self.engine.text(query)
+        sql = self._psycopg.sql
+        ((said,),) = self._asked(sql.SQL(_QUERIES["plan"]).format(sql.SQL(self._statement)))
+        ((least,),) = self._asked(_QUERIES["translated_from"])
+        return bool(0 <= least <= said[0]["Plan"]["Total Cost"])
+
     def _set(self, settings: Mapping[str, str]) -> dict[str, str]:
         """Change settings of the connection; return what they were."""
         before = {}
@@ -323,8 +335,8 @@ class PostgresDriver(DbapiDriver):
         # A factory of the user's would make something else than tuples of the rows.
         return self._connection.cursor(binary=binary, row_factory=self._psycopg.rows.tuple_row)
 
-    def _asked(self, query: str, values: Sequence[Any] = ()) -> list[tuple[Any, ...]]:
-        """Return the rows of a query of our own."""
+    def _asked(self, query: Any, values: Sequence[Any] = ()) -> list[tuple[Any, ...]]:
+        """Return the rows of a query of our own, a text or one that psycopg composed."""
         with self._safely(), self._cursor() as cursor:
             found: list[tuple[Any, ...]] = cursor.execute(
                 query, values or None, prepare=False
