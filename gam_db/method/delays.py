@@ -31,7 +31,8 @@ KEPT = {"rowids": ("coded", "runs"), "arrays": ()}
 #: *edge_samples* and its codes are read off it.
 STORED = {"rowids": ("spoken", "lined", "pieces"), "arrays": ("stored",)}
 
-#: The step that shows by its column ``misplaced`` whether a source is stored in order, body by body.
+#: The step that shows by its columns ``misplaced`` and ``doubled`` whether a source is stored in order,
+#: and whether an instant occurs twice, body by body.
 IN_ORDER = {"rowids": "pieces"}
 
 #: The steps with a column ``doubled`` that prove a body right where it is 0 everywhere, as it must be in
@@ -126,8 +127,7 @@ def _by_row(one: OfSet, prefix: str, known: Mapping[str, template.Slot]) -> exp.
     setting = one.setting
     is_taught = prefix == CALIBRATION
     first, last = ("first_row", "taught_row") if is_taught else ("start_row", "last_row")
-    # One row before is the row that each is compared with.
-    tables = {k: f"delayed_{k}" if k * setting.tau > 1 else "previous" for k in range(1, setting.m)}
+    tables = {k: f"delayed_{k}" for k in range(1, setting.m)}
     slots: dict[str, template.Slot] = {
         **known,
         "first_row": exp.column(first, table="run"),
@@ -138,10 +138,9 @@ def _by_row(one: OfSet, prefix: str, known: Mapping[str, template.Slot]) -> exp.
     query = filled("rowids/vectors", one.slots("rowids/vectors", slots))
     (joined,) = (one for one in query.find_all(exp.Select) if one.args.get("joins"))
     for k, table in tables.items():
-        if table != "previous":
-            row = exp.column("rowid", table=table)
-            where = template.fill("rowids/delayed", {"row": row, "delay": k * setting.tau})
-            joined.join(exp.to_table("coded"), on=where, join_type="cross", join_alias=table, copy=False)
+        row = exp.column("rowid", table=table)
+        where = template.fill("rowids/delayed", {"row": row, "delay": k * setting.tau})
+        joined.join(exp.to_table("coded"), on=where, join_type="cross", join_alias=table, copy=False)
     return query
 
 

@@ -72,7 +72,6 @@ def opening_pipeline(
     """
     steps = Pipeline(small=OPENING)
     _add_readings(steps, readings)
-    add(steps, "census/size")
     add(steps, "census/extent")
     if slicing is None:
         add(steps, "source/names")

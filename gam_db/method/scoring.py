@@ -10,7 +10,7 @@ from gam_db.method.adding import OfSet
 from gam_db.method.bits import Bits
 from gam_db.method.delays import COMPLETE, INCOMPLETE
 from gam_db.method.vectors import add_short_vectors, add_vectors
-from gam_db.settings.parameters import Parameters
+from gam_db.settings.parameters import LARGEST_KEY, Parameters
 
 
 def add_support_bits(one: OfSet, bits: Bits | None) -> None:
@@ -35,7 +35,11 @@ def add_novelty(
     that up at less cost, else by a join.
     """
     slots: dict[str, template.Slot] = {"carried": carried}
-    file, setting = "census/novelty_set" if by_sets else "score/novelty", one.setting
+    file, setting = "score/novelty", one.setting
+    if by_sets:
+        file, sought = "census/novelty_set", _set_key(setting, "vector")
+        slots["sought"] = sought[0] if len(sought) == 1 else exp.Tuple(expressions=sought)
+        slots["cell"] = _set_key(setting, "healthy")
     if bits is not None and bits.serve(setting.radix**setting.m):
         held = (exp.column("bits", table="healthy"), exp.column("cell_key", table="vector"))
         file, slots["is_held"] = "score/novelty_bits", bits.held(*held)
@@ -202,6 +206,16 @@ def _add_short_vectors(one: OfSet, prefix: str, trusting: bool = False) -> None:
     slots = {"read": exp.column("complete", table="scale").eq(int(prefix == COMPLETE))}
     one.add("support/codes", slots, f"{prefix}codes")
     add_short_vectors(one, prefix, trusting=trusting)
+
+
+def _set_key(setting: Parameters, table: str) -> list[exp.Expr]:
+    """Return what a cell of a support is looked up by: one number where eight million supports fit."""
+    support_id, cell_key = (exp.column(name, table=table) for name in ("support_id", "cell_key"))
+    cells = setting.radix**setting.m
+    if cells > LARGEST_KEY >> 23:
+        return [support_id, cell_key]
+    slots: dict[str, template.Slot] = {"support_id": support_id, "cells": cells, "cell_key": cell_key}
+    return [template.fill("census/set_key", slots)]
 
 
 def _gathered(name: str, said: str, where: str) -> exp.Expr:

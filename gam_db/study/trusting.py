@@ -45,11 +45,14 @@ def begun(
     session, engine = running.session, running.session.engine
     own = replace(ways, by_sets=engine.by_sets)
     if engine.delays is not None:
+        most = session.rows_at_once() if engine.holds_delays else TRUSTED_FROM
+        running.steps.fill("size", "census/size", {"most": most + 1})
         (size,) = running.rows("size")
         if size["readings"] < TRUSTED_FROM:
             return None, ways
-        if not engine.holds_delays or size["readings"] <= session.rows_at_once():
-            return UNCUT, _kept(running, replace(own, delays=engine.delays), opening)
+        if not engine.holds_delays or size["readings"] <= most:
+            kept = _kept(running, replace(own, delays=engine.delays), opening)
+            return (None, ways) if kept is None else (UNCUT, kept)
     running.keep("extent")
     (extent,) = running.rows("extent")
     edges = extent["earliest"], extent["latest"]
@@ -60,19 +63,32 @@ def begun(
     return slicing, own
 
 
-def _kept(running: Running, ways: Ways, opening: Callable[[Slicing | None, Ways], Pipeline]) -> Ways:
-    """Begin with a body that keeps the source in order, and sorts it if need be; return the ways."""
+def _kept(
+    running: Running, ways: Ways, opening: Callable[[Slicing | None, Ways], Pipeline]
+) -> Ways | None:
+    """Begin with a body that keeps the source in order, and sorts it if need be.
+
+    Returns:
+        The ways; None where an instant is seen to occur twice, and steps that look first are begun with.
+    """
     proof = IN_ORDER.get(ways.delays or "")
-    if proof is not None:
-        running.steps.fill("glance", f"{ways.delays}/glance", {"rows": GLANCE})
-        (glanced,) = running.rows("glance")
-        ways = replace(ways, as_stored=glanced["misplaced"] == 0)
-    running.steps = opening(UNCUT, ways)
-    if proof is not None and ways.as_stored and running.largest(proof, "misplaced"):
-        running.forget(but=("readings",))
-        ways = replace(ways, as_stored=False)
+    if proof is None:
         running.steps = opening(UNCUT, ways)
-    return ways
+        return ways
+    running.steps.fill("glance", f"{ways.delays}/glance", {"rows": GLANCE})
+    (glanced,) = running.rows("glance")
+    is_ordered = glanced["misplaced"] == 0
+    for as_stored in (True, False) if is_ordered else (False,):
+        ways = replace(ways, as_stored=as_stored)
+        running.steps = opening(UNCUT, ways)
+        if not (as_stored and running.largest(proof, "misplaced")):
+            break
+        running.forget(but=("readings",))
+    if not running.largest(proof, "doubled"):
+        return ways
+    running.forget(but=("readings",))
+    running.steps = opening(None, ways)
+    return None
 
 
 def _are_odd(edges: Collection[int | None]) -> bool:

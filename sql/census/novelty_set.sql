@@ -4,6 +4,8 @@
 -- Reads:  monitored, support
 -- A row:  one scored vector.
 -- Slots:  :carried  columns that travel with the vector
+--         :sought   the cell of a vector: census/set_key.sql, or support_id and cell_key
+--         :cell     the same of the support
 SELECT
   vector.channel_id AS channel_id,
   vector.time AS time,
@@ -13,7 +15,7 @@ SELECT
   vector.context_time AS context_time,
   :carried,
   CASE
-    WHEN (vector.support_id, vector.cell_key) IN (SELECT support_id, cell_key FROM support) THEN 0
+    WHEN :sought IN (SELECT :cell FROM support AS healthy) THEN 0
     ELSE 1
   END AS novel
 FROM monitored AS vector

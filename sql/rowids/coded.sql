@@ -1,7 +1,7 @@
 -- Coded, in order: all samples of the channels with a range, coded (Phi, method section 3), one after another, so
 -- that the number of a row (rowid) is its place. For SQLite, where a window costs as much as all else: a delay is
 -- then a row some numbers before. CROSS JOIN keeps it to this order, in which pieces and their readings lie.
--- Proof: the step runs, and vectors, which marks each row that is not later than the one before.
+-- Proof: the step runs.
 -- Dialect: sqlite
 -- Reads:  pieces, scale, lined
 -- A row:  one sample, kept.

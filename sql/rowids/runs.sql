@@ -1,11 +1,9 @@
 -- Runs: where each channel lies among the coded samples, by what was counted before. For SQLite. Proof: the rows
--- at both ends of each part are looked at, and the vectors look at all between them.
--- doubled = 1 where one is not where it should be, or where an instant occurs twice among the samples that no
--- vector ends with; if so, all is done again by windows.
+-- at both ends of each part are looked at; doubled = 1 where one is not where it should be, and all is done again
+-- by windows. Between them they lie as pieces has them, one after another in time.
 -- Dialect: sqlite
 -- Reads:  scale, coded
 -- A row:  one channel: its rows, the last one of calibration, and the first one that the scored vectors read.
--- Slots:  :span  (m-1) * tau, the samples between oldest and newest
 SELECT
   run.channel_id AS channel_id,
   run.support_id AS support_id,
@@ -18,15 +16,7 @@ SELECT
     WHEN first_one.channel_id = run.channel_id
       AND last_one.channel_id = run.channel_id
       AND (run.taught_row < run.first_row OR taught.time < run.first_scored)
-      AND (run.taught_row = run.last_row OR untaught.time >= run.first_scored)
-      AND NOT EXISTS (
-        SELECT 1
-        FROM coded AS later
-        JOIN coded AS earlier ON earlier.rowid = later.rowid - 1
-        WHERE later.rowid BETWEEN run.first_row + 1 AND run.first_row + :span
-          AND later.rowid <= run.last_row
-          AND later.time <= earlier.time
-      ) THEN 0
+      AND (run.taught_row = run.last_row OR untaught.time >= run.first_scored) THEN 0
     ELSE 1
   END AS doubled
 FROM (

@@ -1,6 +1,6 @@
 -- Vectors by row: v(t) (Eq. 1) of coded samples, whose rows are numbered in order: a delay is the row so many
--- before, and no window is needed. For SQLite; CROSS JOIN keeps it to this order. Proof: the step runs; doubled = 1
--- marks here what is not later than the row before, or is the first after one of another channel.
+-- before, and no window is needed. For SQLite; CROSS JOIN keeps it to this order. Proof: pieces and runs, so that no
+-- vector need be marked.
 -- Dialect: sqlite
 -- Reads:  runs, coded
 -- A row:  one vector, at the time of its newest sample; cell_key is NULL where a sample is missing; position
@@ -20,7 +20,7 @@ SELECT
   CASE WHEN :outside THEN 1 ELSE 0 END AS out_of_range,
   position,
   time AS context_time,
-  CASE WHEN position = 1 OR previous_time < time THEN 0 ELSE 1 END AS doubled
+  0 AS doubled
 FROM (
   SELECT
     run.channel_id AS channel_id,
@@ -28,11 +28,8 @@ FROM (
     newest.time AS time,
     newest.code AS code_0,
     :delayed,
-    previous.time AS previous_time,
     newest.rowid - :first_row + 1 AS position
   FROM runs AS run
   CROSS JOIN coded AS newest ON newest.rowid BETWEEN :first_row + :span AND :last_row
-  LEFT JOIN coded AS previous
-    ON previous.rowid = newest.rowid - 1 AND previous.channel_id = run.channel_id
   WHERE :read
 ) AS embedded

@@ -45,6 +45,7 @@ FOLDERS = (
 _RUN_BY = {
     "rowids/*": "sqlite",
     "census/novelty_set": "sqlite",
+    "census/set_key": "sqlite",
     "arrays/*": "clickhouse",
     "stored/state/withdrawal": "clickhouse",
 }

@@ -32,6 +32,7 @@ LENGTH = 160
 SERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "delays": ({"m": 3, "tau": 2, "bins": 4, "window": 20, "stride": 5}, {"fraction": 0.4}),
     "one coordinate": ({"m": 1, "bins": 5, "window": 12, "stride": 4}, {"duration": 90}),
+    "keys that fill a number": ({"m": 9, "bins": 100, "window": 12}, {"fraction": 0.4}),
     "an interval": ({"m": 2, "tau": 3, "bins": 4, "window": 9}, {"intervals": [(-5, 99)]}),
     "an end between samples": ({"m": 2, "bins": 4, "window": 9}, {"intervals": [(0, 100)]}),
     "a reach of many slices": ({"m": 4, "tau": 9, "bins": 3, "window": 6}, {"fraction": 0.5}),
