@@ -31,6 +31,9 @@ KEPT = {"rowids": ("coded", "runs"), "arrays": ()}
 #: *edge_samples* and its codes are read off it.
 STORED = {"rowids": ("spoken", "lined", "pieces"), "arrays": ("stored",)}
 
+#: The steps that take their place for a source that is taken to be stored in order, and their files.
+_AS_STORED = {"lined": "laid", "pieces": "laid_pieces"}
+
 #: The step that shows by its columns ``misplaced`` and ``doubled`` whether a source is stored in order,
 #: and whether an instant occurs twice, body by body.
 IN_ORDER = {"rowids": "pieces"}
@@ -88,12 +91,9 @@ class Ways:
 
 def add_stored(steps: Pipeline, ways: Ways) -> None:
     """Add what a body keeps of the samples of a source, and their counts by slice."""
-    for name in (*STORED[ways.delays or ""], "slices"):
-        add(steps, f"{ways.delays}/{name}")
-    if ways.as_stored:
-        lined = filled(f"{ways.delays}/lined")
-        lined.set("order", None)
-        steps.replace("lined", lined)
+    files = _AS_STORED if ways.as_stored else {name: name for name in STORED[ways.delays or ""]}
+    for name, file in {**files, "slices": "slices"}.items():
+        add(steps, f"{ways.delays}/{file}", name=name)
 
 
 def add_coded(one: OfSet, body: str) -> None:

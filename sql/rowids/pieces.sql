@@ -1,7 +1,7 @@
 -- Pieces: where slices lie among the lined readings. A piece begins with a name, every so many rows as make a
 -- thousand pieces of large sources, and where a row does not come after the one that it follows. Where it comes
--- before it, misplaced = 1, and readings are sorted after all; where it has its name and instant, doubled = 1, and
--- nothing of this body is used. For SQLite.
+-- before it, misplaced = 1, and readings that were laid are sorted; where it has its name and instant, doubled = 1,
+-- and nothing of this body is used. For SQLite.
 -- Dialect: sqlite
 -- Reads:  lined, spoken
 -- A row:  one piece, in order: its name, its first row and its last.
