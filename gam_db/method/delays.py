@@ -34,8 +34,8 @@ STORED = {"rowids": ("spoken", "lined", "pieces"), "arrays": ("stored",)}
 #: The steps that take their place for a source that is taken to be stored in order, and their files.
 _AS_STORED = {"lined": "laid", "pieces": "laid_pieces"}
 
-#: The step that shows by its columns ``misplaced`` and ``doubled`` whether a source is stored in order,
-#: and whether an instant occurs twice, body by body.
+#: The step that shows by its column ``doubled`` whether an instant occurs twice, and of a source that is
+#: taken to be stored in order by ``misplaced`` whether it is, body by body.
 IN_ORDER = {"rowids": "pieces"}
 
 #: The steps with a column ``doubled`` that prove a body right where it is 0 everywhere, as it must be in

@@ -1,4 +1,5 @@
--- Pieces of what is laid: as rowids/pieces.sql, where rows have their names. For SQLite.
+-- Pieces of what is laid: as rowids/pieces.sql, where rows have their names. A piece begins, too, where a row comes
+-- before the one that it follows: then misplaced = 1, and readings are sorted after all. For SQLite.
 -- Dialect: sqlite
 -- Reads:  lined
 -- A row:  one piece, in order: its name, its first row and its last.
