@@ -77,13 +77,12 @@ def _kept(
         return ways
     running.steps.fill("glance", f"{ways.delays}/glance", {"rows": GLANCE})
     (glanced,) = running.rows("glance")
-    is_ordered = glanced["misplaced"] == 0
-    for as_stored in (True, False) if is_ordered else (False,):
-        ways = replace(ways, as_stored=as_stored)
-        running.steps = opening(UNCUT, ways)
-        if not (as_stored and running.largest(proof, "misplaced")):
-            break
+    ways = replace(ways, as_stored=glanced["misplaced"] == 0)
+    running.steps = opening(UNCUT, ways)
+    if ways.as_stored and running.largest(proof, "misplaced"):
         running.forget(but=("readings",))
+        ways = replace(ways, as_stored=False)
+        running.steps = opening(UNCUT, ways)
     if not running.largest(proof, "doubled"):
         return ways
     running.forget(but=("readings",))
