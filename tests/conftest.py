@@ -48,6 +48,12 @@ def pytest_configure(config: pytest.Config) -> None:
     engines.asked_for(config.getoption("--engines"))
 
 
+def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:
+    """Start one worker more than there are cores where servers are asked, for which workers wait."""
+    is_fast = config.getoption("--engines") == "fast"
+    return None if is_fast else (os.cpu_count() or 1) + 1
+
+
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
     """Leave the files alone whose engine nobody asked for; they need its libraries."""
     return engines.is_left_out(collection_path.name, config.getoption("--engines")) or None
@@ -77,7 +83,7 @@ def pytest_collection_finish() -> None:
     """
     gc.collect()
     gc.freeze()
-    gc.set_threshold(20_000, 20, 50)
+    gc.set_threshold(100_000, 20, 100)
 
 
 @pytest.hookimpl(tryfirst=True)

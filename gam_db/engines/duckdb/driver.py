@@ -174,9 +174,9 @@ class DuckDriver(Driver):
                 "give another name."
             )
         rows = self.connection.execute(
-            "SELECT table_name, list(column_name ORDER BY ordinal_position) "
-            "FROM information_schema.columns WHERE table_catalog = current_database() "
-            "AND lower(table_schema) = lower(coalesce(?, current_schema())) GROUP BY table_name",
+            "SELECT table_name, list(column_name ORDER BY column_index) "
+            "FROM duckdb_columns() WHERE database_name = current_database() "
+            "AND lower(schema_name) = lower(coalesce(?, current_schema())) GROUP BY table_name",
             [schema],
         )
         return {name.casefold(): tuple(columns) for name, columns in rows.fetchall()}

@@ -69,7 +69,7 @@ class Migration:
     def filling(self) -> Filling | None:
         """What the rows that are there have in columns that it adds; None for NULL."""
         updates = (one for one in self._statements if isinstance(one, exp.Update))
-        return next((Filling(_made([*self.before, self])[self.name], one) for one in updates), None)
+        return next((Filling(made_by([*self.before, self])[self.name], one) for one in updates), None)
 
     @cached_property
     def _statements(self) -> list[exp.Expr]:
@@ -97,22 +97,26 @@ class Migration:
             place(update, tables.placed())
             filling = Filling(Definition(create, whole.comment, whole.columns), update)
             return [*extended, *engine.fill(filling)]
-        create = self.definition.create.copy()
-        target = create.this.this if isinstance(create.this, exp.Schema) else create.this
-        target.replace(tables.table(self.name))
-        if create.expression is not None:
-            place(create.expression, tables.placed())
-            for instant in list(create.find_all(exp.UnixToTime)):
-                found = engine.instant_of(TimeKind.TIMESTAMP, instant.this.copy())
-                instant.replace(exp.paren(found) if isinstance(instant.parent, exp.Binary) else found)
-        about = self.definition
-        made = engine.define(Definition(create, about.comment, about.columns))
+        made = placed(self.definition, self.name, engine, tables)
         rows = None if fresh else checksums.first_rows(self.name)
         if rows is None:
             return made
         rows = rows.copy()
         place(rows, tables.placed())
         return [*made, insertion(tables.table(self.name), rows)]
+
+
+def placed(about: Definition, name: str, engine: Engine, tables: StateTables) -> list[exp.Expr]:
+    """Return the statements that make a table or view, for an engine, with the tables in their place."""
+    create = about.create.copy()
+    target = create.this.this if isinstance(create.this, exp.Schema) else create.this
+    target.replace(tables.table(name))
+    if create.expression is not None:
+        place(create.expression, tables.placed())
+        for instant in list(create.find_all(exp.UnixToTime)):
+            found = engine.instant_of(TimeKind.TIMESTAMP, instant.this.copy())
+            instant.replace(exp.paren(found) if isinstance(instant.parent, exp.Binary) else found)
+    return engine.define(Definition(create, about.comment, about.columns))
 
 
 def record(migrations: Sequence[Migration], tables: StateTables, applied_at: int) -> exp.Expr:
@@ -138,8 +142,7 @@ def record(migrations: Sequence[Migration], tables: StateTables, applied_at: int
 @cache
 def definitions() -> dict[str, Definition]:
     """Return what all migrations make together, by name: tables, then views after what they read."""
-    made = _made(files())
-    return {name: made[name] for name in (*TABLES, *VIEWS)}
+    return made_by(files())
 
 
 @cache
@@ -150,8 +153,8 @@ def columns_of(table: str) -> pa.Schema:
     return pa.schema([(column.name, kinds[column.kind.sql()]) for column in made])
 
 
-def _made(migrations: Iterable[Migration]) -> dict[str, Definition]:
-    """Return what migrations make together, by name."""
+def made_by(migrations: Iterable[Migration]) -> dict[str, Definition]:
+    """Return what migrations make together, by name: tables, then views after what they read."""
     made: dict[str, Definition] = {}
     for migration in migrations:
         about = migration.definition
@@ -164,7 +167,7 @@ def _made(migrations: Iterable[Migration]) -> dict[str, Definition]:
             create.this.set("expressions", [*create.this.expressions, *more])
             about = Definition(create, before.comment, {**before.columns, **about.comments})
         made[migration.name] = about
-    return made
+    return {name: made[name] for name in (*TABLES, *VIEWS) if name in made}
 
 
 @cache

@@ -1,8 +1,8 @@
 """Applying migrations: what was applied to a database, what is pending, and the record of it.
 
-Where an engine undoes definitions, all that is pending is one transaction with its record; else the
-record of each migration is written after it, and a run that is cut short applies it again. A state that
-a newer gam-db made is refused.
+Where an engine undoes definitions, all that is pending is one transaction with its record, and a state
+that begins is made as it is in the end; else the record of each migration is written after it, and a run
+that is cut short applies it again. A state that a newer gam-db made is refused.
 """
 
 import time
@@ -18,7 +18,7 @@ from gam_db.engines.session import CONFLICT, Session
 from gam_db.engines.storage import Definition
 from gam_db.errors import ConflictError, EngineError, StateError
 from gam_db.stored.schema import roles
-from gam_db.stored.schema.migration_files import RECORD, Migration, files, record
+from gam_db.stored.schema.migration_files import RECORD, Migration, files, made_by, placed, record
 from gam_db.stored.schema.roles import Roles
 from gam_db.stored.schema.tables import VIEWS, StateTables
 from gam_db.study.running import Listener, unheard
@@ -132,10 +132,13 @@ def _apply(
     fresh = not any(tables.folded(migration.name) in there for migration in files())
     for statement in _schema(session.engine, tables) if first == 1 else ():
         session.execute(statement)
-    for migration in group:
+    at_once = made_by(group) if fresh and len(group) > 1 else {}
+    for name, about in at_once.items():
+        on_step(name)
+        for statement in placed(about, name, session.engine, tables):
+            session.execute(statement)
+    for migration in () if at_once else group:
         on_step(migration.name)
-        if fresh and _is_made_again(migration, group):
-            continue
         # Some columns may be there, of a run that was cut short or of a script that was printed.
         present = there.get(tables.folded(migration.name), ())
         if not (_gets_more(migration) and len(present) > len(migration.definition.columns)):
@@ -200,17 +203,6 @@ def _schema(engine: Engine, tables: StateTables) -> list[exp.Expr]:
     if not engine.schemas:
         raise EngineError(f"{engine.name} has no schemas; leave schema out and give another prefix.")
     return [exp.Create(this=exp.Table(db=template.name(tables.schema)), kind="SCHEMA", exists=True)]
-
-
-def _is_made_again(migration: Migration, group: Sequence[Migration]) -> bool:
-    """Tell whether a view is made again within a group, and nothing reads it before."""
-    later = [one for one in group if one.number > migration.number]
-    names = [one.name for one in later]
-    if migration.name not in VIEWS or migration.name not in names:
-        return False
-    between = (one.definition for one in later[: names.index(migration.name)])
-    read = (one.create.find_all(exp.Table) for one in between if isinstance(one, Definition))
-    return f"stored_{migration.name}" not in {table.name for tables in read for table in tables}
 
 
 def _gets_more(migration: Migration) -> bool:
