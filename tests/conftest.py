@@ -48,12 +48,6 @@ def pytest_configure(config: pytest.Config) -> None:
     engines.asked_for(config.getoption("--engines"))
 
 
-def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:
-    """Start one worker more than there are cores where servers are asked, for which workers wait."""
-    is_fast = config.getoption("--engines") == "fast"
-    return None if is_fast else (os.cpu_count() or 1) + 1
-
-
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
     """Leave the files alone whose engine nobody asked for; they need its libraries."""
     return engines.is_left_out(collection_path.name, config.getoption("--engines")) or None
