@@ -8,6 +8,7 @@ import pytest
 from sqlglot import exp
 
 import dictionary
+import engines
 import migration_lint
 import sql_lint
 from gam_db.engines.duckdb import ENGINE
@@ -78,6 +79,22 @@ def test_a_fresh_database_gets_every_table_with_its_comments(session: DuckSessio
     assert dict(found) == whole  # type: ignore[arg-type]
     recorded = rows(session, "SELECT number, name, checksum FROM gam_migration ORDER BY number")
     assert recorded == [(one.number, one.name, one.checksum) for one in files()]
+
+
+def test_a_new_state_is_what_the_files_make_one_after_another(engine: str) -> None:
+    """Where definitions can be undone it is made at once: with the same columns, of the same types."""
+    session = engines.session(engine)
+    at_once, by_file = (StateTables(prefix=f"{engines.fresh_name('state')}_") for _ in range(2))
+    migrate(session, at_once)
+    for migration in files():
+        for statement in migration.statements(session.engine, by_file, fresh=True):
+            session.execute(statement)
+
+    def made(tables: StateTables) -> dict[str, list[tuple[str, str]]]:
+        names = (*TABLES, *VIEWS)
+        return {name: list(session.describe(tables.table(name)).items()) for name in names}
+
+    assert made(at_once) == made(by_file)
 
 
 def test_a_second_time_nothing_is_done(session: DuckSession) -> None:
