@@ -92,6 +92,8 @@ class Engine:
     #: The integer time of a column (``:time``) of a kind of calendar time, see :func:`formula`.
     micros: Formulas = field(hash=False)
     instant: Formulas = field(hash=False)  # the way back (of ``:micros``), for the last step of a query
+    #: The same as what a column of a kind is compared with, where it takes no other instant.
+    compared: Mapping[TimeKind, str] = field(default_factory=dict, hash=False)
     #: The integer time of a column that counts; engines refuse the product of a timestamp.
     counted: str = "CAST(:time * 1 AS BIGINT)"
     #: Conditions on a column of times, where its own order is not that of the instants.
@@ -169,13 +171,17 @@ class Engine:
             return self.range_of(column, earliest, latest)
         conditions: list[exp.Expr] = []
         if earliest is not None:
-            start = self.instant_of(kind, template.node_of(earliest))
-            conditions.append(exp.GTE(this=column.copy(), expression=start))
+            conditions.append(exp.GTE(this=column.copy(), expression=self._bound(kind, earliest)))
         if latest is not None:
             # The next one is excluded, so that nanoseconds after the last microsecond are not.
-            end = self.instant_of(kind, template.node_of(latest + 1))
-            conditions.append(exp.LT(this=column.copy(), expression=end))
+            conditions.append(exp.LT(this=column.copy(), expression=self._bound(kind, latest + 1)))
         return conditions
+
+    def _bound(self, kind: TimeKind, time: int) -> exp.Expr:
+        """Return an integer time as a column of a kind can be compared with it."""
+        if kind in self.compared:
+            return formula(self.compared[kind], micros=time)
+        return self.instant_of(kind, template.node_of(time))
 
     def define(self, definition: Definition) -> list[exp.Expr]:
         """Return the statements that make a table or view of the state, the caller's own tree."""

@@ -9,9 +9,9 @@ from gam_db.engines.types import Types
 from gam_db.method.bits import Bits
 
 #: DuckDB rounds nanoseconds to microseconds; the method floors them. Its integer division rounds towards
-#: zero, so a rest below zero takes one more. Infinite times are NULL.
-_FLOORED = """ THEN own.EPOCH_NS(:time) // 1000
-    - CASE WHEN own.EPOCH_NS(:time) % 1000 < 0 THEN 1 ELSE 0 END END"""
+#: zero, so a rest below zero takes one more; since 1970 there is none. Infinite times are NULL.
+_FLOORED = """ THEN NULL WHEN own.EPOCH_NS(:time) >= 0 THEN own.EPOCH_NS(:time) // 1000
+    ELSE own.EPOCH_NS(:time) // 1000 - CASE WHEN own.EPOCH_NS(:time) % 1000 < 0 THEN 1 ELSE 0 END END"""
 _ZONED = "own.MAKE_TIMESTAMPTZ(:micros)"
 
 
@@ -37,14 +37,17 @@ ENGINE = Engine(
     retyped=retyped,
     micros={
         TimeKind.TIMESTAMP: "CASE WHEN own.ISFINITE(:time) THEN own.EPOCH_US(:time) END",
-        TimeKind.NANOSECONDS: "CASE WHEN own.ISFINITE(:time)" + _FLOORED,
-        TimeKind.NANOSECONDS_WITH_ZONE: "CASE WHEN own.ISFINITE(CAST(:time AS TIMESTAMPTZ))" + _FLOORED,
+        TimeKind.NANOSECONDS: "CASE WHEN NOT own.ISFINITE(:time)" + _FLOORED,
+        TimeKind.NANOSECONDS_WITH_ZONE: (
+            "CASE WHEN NOT own.ISFINITE(CAST(:time AS TIMESTAMPTZ))" + _FLOORED
+        ),
     },
     instant={
         TimeKind.TIMESTAMP: "own.MAKE_TIMESTAMP(:micros)",
         TimeKind.TIMESTAMP_WITH_ZONE: _ZONED,
         TimeKind.NANOSECONDS_WITH_ZONE: _ZONED,
     },
+    compared={TimeKind.NANOSECONDS_WITH_ZONE: "CAST(own.MAKE_TIMESTAMPTZ(:micros) AS TIMESTAMPTZ_NS)"},
     flow_hint=True,
     reads_files=True,
     unpivots=True,

@@ -1,0 +1,87 @@
+"""Calendar time on the steps that large sources take: the integers of a counter of microseconds.
+
+Each kind of time is asked for by its own expressions and bounds, on each engine, whichever body serves.
+"""
+
+import datetime as dt
+from typing import Any
+
+import pyarrow as pa
+import pytest
+
+import comparisons
+import engines
+import gam_db
+import harness
+from gam_db.study import Study, naming, trusting
+from harness import Row
+
+pytestmark = pytest.mark.thorough
+
+METHOD = harness.made({"m": 3, "tau": 2, "bins": 4, "window": 20, "stride": 5}, {"fraction": 0.4})
+
+#: Of what the times of a source are.
+KINDS = {
+    "microseconds": pa.timestamp("us"),
+    "with a zone": pa.timestamp("us", "UTC"),
+    "nanoseconds": pa.timestamp("ns"),
+    "nanoseconds with a zone": pa.timestamp("ns", "UTC"),
+}
+
+#: When a source begins: in our days, and so that it passes an instant at which a formula changes.
+BEGINS = {
+    "in our days": dt.datetime(2026, 11, 26, 12),
+    "across 1900": dt.datetime(1899, 12, 31, 23, 59),
+    "across 1970": dt.datetime(1969, 12, 31, 23, 59),
+    "across 2040": dt.datetime(2039, 12, 31, 23, 59),
+}
+
+
+@pytest.fixture(autouse=True)
+def short(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Take short sources for large ones."""
+    monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
+    monkeypatch.setattr(naming, "STREAMED_FROM", 2)
+    monkeypatch.setattr(naming, "GLANCE", 100)
+    monkeypatch.setattr(naming, "EVERY", 8)
+
+
+def rows(begin: dt.datetime, by_time: bool) -> list[Row]:
+    """Channels of a sample in 0.7 s and a microsecond, that repeat a pattern, and later on less so."""
+    first = (begin - dt.datetime(1970, 1, 1)) // dt.timedelta(microseconds=1)
+    table: list[Row] = [
+        (asset, "x", first + 700_001 * time, float(time % (5 + number) if time < 100 else time % 11))
+        for number, asset in enumerate("abc")
+        for time in range(200)
+    ]
+    return sorted(table, key=lambda row: row[2]) if by_time else table
+
+
+def counted(answer: pa.Table) -> list[dict[str, Any]]:
+    """Return an answer with its instants as microseconds."""
+    for number, column in enumerate(answer.schema):
+        if pa.types.is_timestamp(column.type):
+            micros = answer.column(number).cast(pa.timestamp("us", column.type.tz)).cast(pa.int64())
+            answer = answer.set_column(number, column.name, micros)
+    found: list[dict[str, Any]] = answer.to_pylist()
+    return found
+
+
+@pytest.mark.parametrize("by_time", [False, True], ids=["by channel", "by time"])
+@pytest.mark.parametrize("begin", BEGINS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_it_gives_the_integers_of_a_counter(engine: str, kind: str, begin: str, by_time: bool) -> None:
+    told = rows(BEGINS[begin], by_time)
+    source, session = harness.arrow(told), engines.session(engine)
+    micros = source["time"].cast(pa.timestamp("us"))
+    source = source.set_column(2, "time", micros.cast(KINDS[kind]))
+    with session.lent(source) as lent:
+        study = Study(
+            session, gam_db.Source(lent.name), *METHOD, short_cuts=True, asked=["bucket_health"]
+        )
+        for question in ("health_at_buckets", "support"):
+            expected = harness.by_reference(question, told, *METHOD)
+            harness.assert_same(expected, counted(study.table(harness.STEPS[question])), question)
+        assert study.is_trusting or study.is_streamed
+        study.forget()
+    comparisons.compared(engine, "calendar", told, *METHOD)
