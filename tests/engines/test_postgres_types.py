@@ -12,6 +12,8 @@ from sqlglot import exp
 
 import gam_db
 import postgres_server
+from gam_db.clock import TimeKind
+from gam_db.engines.postgres import ENGINE
 from gam_db.errors import SourceError
 from gam_db.settings.source import Source
 from small_plant import readings
@@ -60,6 +62,24 @@ def expected(rows: pa.Table) -> list[dict[str, Any]]:
 
 def pattern(length: int = 40) -> list[float]:
     return [float((number * 7) % 5 if number % 11 else number % 13) for number in range(length)]
+
+
+@pytest.mark.parametrize("kind", ["timestamp", "timestamptz"])
+def test_every_microsecond_is_its_integer(connection: Any, kind: str) -> None:
+    """Around the instants at which the formula changes, and where its double has the fewest digits."""
+    micros = ENGINE.text(ENGINE.micros_of(TimeKind.TIMESTAMP, exp.column("t")))
+    ends = (-2_208_988_800_000_000, 0, 2_208_988_800_000_000)
+    for end in ends:
+        query = f"""
+            SELECT COUNT(*), COUNT(*) FILTER (WHERE {micros} IS DISTINCT FROM n) FROM (
+                SELECT n, {kind} '1970-01-01' + (n / 1000000) * interval '1 second'
+                    + (n % 1000000) * interval '1 microsecond' AS t
+                FROM generate_series({end - 30_000}::bigint, {end + 30_000}::bigint) AS n
+            ) AS made
+        """
+        assert connection.execute(query).fetchall() == [(60_001, 0)]
+    infinite = f"SELECT {micros} FROM (VALUES ({kind} 'infinity'), ({kind} '-infinity')) AS made (t)"
+    assert connection.execute(infinite).fetchall() == [(None,), (None,)]
 
 
 @pytest.mark.parametrize("kind", ['text COLLATE "folding"', "citext", "text"])
