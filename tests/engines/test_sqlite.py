@@ -1,5 +1,6 @@
 """SQLite's own ways: instants as texts, declared types, other connections, what cannot be opened."""
 
+import datetime as dt
 import sqlite3
 from pathlib import Path
 
@@ -70,6 +71,44 @@ def test_a_range_may_end_on_the_last_day_of_the_calendar() -> None:
         conditions = engine.in_range(TimeKind.TIMESTAMP, column, earliest, end)
         query = exp.select(exp.Count(this=exp.Star())).from_("t").where(exp.and_(*conditions))
         assert connection.execute(engine.text(query)).fetchone() == (expected,)
+    connection.close()
+
+
+@pytest.mark.parametrize("offset", ["", "Z", "+05:30", "-11:00"])
+@pytest.mark.parametrize("parted", [" ", "T"])
+def test_texts_tell_their_instant_and_lie_in_its_range(parted: str, offset: str) -> None:
+    """STRFTIME takes 59.9995 for the next second; what follows the digits is no digit."""
+    engine, column, kind = engine_named("sqlite"), exp.column("time"), TimeKind.TIMESTAMP
+    fractions = ["", ".5", ".25", ".123456", ".1234567", ".999", ".9995", ".999999", ".000001"]
+    moments = [
+        "1969-12-31{}23:59:59",
+        "1970-01-01{}00:00:00",
+        "2026-11-26{}12:00:59",
+        "2026-11-26{}00:01",
+    ]
+    texts = [
+        f"{moment.format(parted)}{fraction}{offset}" for moment in moments[:-1] for fraction in fractions
+    ]
+    texts += [moments[-1].format(parted) + offset]
+    read = engine.micros_of(kind, column)
+    connection = sqlite3.connect(":memory:")
+    connection.execute("CREATE TABLE t (time TEXT)")
+    for text in texts:
+        # Python reads digits beyond microseconds as the method does: they are cut off.
+        told = dt.datetime.fromisoformat(text)
+        told = told if told.tzinfo else told.replace(tzinfo=dt.UTC)
+        micros = (told - dt.datetime(1970, 1, 1, tzinfo=dt.UTC)) // dt.timedelta(microseconds=1)
+        connection.execute("INSERT INTO t VALUES (?)", [text])
+        assert connection.execute(engine.text(exp.select(read).from_("t"))).fetchone() == (micros,), text
+        for earliest, latest, expected in (
+            (micros, micros, 1),
+            (None, micros - 1, 0),
+            (micros + 1, None, 0),
+        ):
+            conditions = engine.in_range(kind, column, earliest, latest)
+            query = exp.select(exp.Count(this=exp.Star())).from_("t").where(exp.and_(*conditions))
+            assert connection.execute(engine.text(query)).fetchone() == (expected,), text
+        connection.execute("DELETE FROM t")
     connection.close()
 
 

@@ -47,10 +47,10 @@ def short(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def rows(begin: dt.datetime, by_time: bool) -> list[Row]:
-    """Channels of a sample in 0.7 s and a microsecond, that repeat a pattern, and later on less so."""
+    """Channels of a sample in 0.7 s less 5 microseconds, that repeat a pattern, and later on less so."""
     first = (begin - dt.datetime(1970, 1, 1)) // dt.timedelta(microseconds=1)
     table: list[Row] = [
-        (asset, "x", first + 700_001 * time, float(time % (5 + number) if time < 100 else time % 11))
+        (asset, "x", first + 699_995 * time, float(time % (5 + number) if time < 100 else time % 11))
         for number, asset in enumerate("abc")
         for time in range(200)
     ]

@@ -1,4 +1,7 @@
-"""SQLite: the engine of the standard library; times are ISO 8601 texts in UTC or integers."""
+"""SQLite: the engine of the standard library; times are ISO 8601 texts or integers.
+
+A text without an offset is in UTC.
+"""
 
 import datetime as dt
 from collections.abc import Callable
@@ -11,10 +14,12 @@ from gam_db.engines.base import Engine, formula
 from gam_db.engines.storage import Storage
 from gam_db.engines.types import Types
 
-#: Of a text YYYY-MM-DD HH:MM:SS.ffffff; fewer digits are filled up.
+#: Of a text YYYY-MM-DD HH:MM:SS.ffffff, with Z or an offset or neither. Digits behind the point are kept
+#: from STRFTIME, which rounds to milliseconds: half a millisecond before a second is that second to it.
 _MICROS = (
-    "CAST(own.STRFTIME('%s', :time) AS BIGINT) * 1000000"
-    " + CAST(own.SUBSTR(own.SUBSTR(:time, 21) || '000000', 1, 6) AS BIGINT)"
+    "CAST(own.STRFTIME('%s', own.SUBSTR(:time, 1, 19)"
+    " || own.LTRIM(own.SUBSTR(:time, 20), '.0123456789')) AS BIGINT) * 1000000"
+    " + CAST(own.ROUND(CAST('0' || own.SUBSTR(:time, 20, 7) AS DOUBLE) * 1000000) AS BIGINT)"
 )
 _REST = "((:micros % 1000000 + 1000000) % 1000000)"
 _INSTANT = (
@@ -22,8 +27,13 @@ _INSTANT = (
     " || own.PRINTF('.%06d', " + _REST + ")"
 )
 
-#: From here on there is no next day that could be written: 9999-12-31.
-_LAST_DAY = 253_402_214_400 * SECOND
+_DAY = 86_400 * SECOND
+
+#: From here on there is no day after the next that could be written: 9999-12-31 is the last.
+_LAST_DAYS = 253_402_214_400 * SECOND - _DAY
+
+#: 0001-01-02, before which no day is written.
+_FIRST_DAYS = -62_135_510_400 * SECOND
 
 
 def range_of(column: exp.Expr, earliest: int | None, latest: int | None) -> list[exp.Expr]:
@@ -31,16 +41,18 @@ def range_of(column: exp.Expr, earliest: int | None, latest: int | None) -> list
 
     Cause: texts are compared sign by sign. Symptom: ``12:00:00`` is less than ``12:00:00.000000``, and
     ``T12:00:00`` greater than both, so that a row at the edge of a range is left out. The day alone is
-    compared as a text, for an index; the instant decides.
+    compared as a text, for an index, and a day further, since an offset may be another day; the instant
+    decides.
     """
     conditions: list[exp.Expr] = []
     micros = formula(_MICROS, time=column)
     if earliest is not None:
-        conditions.append(exp.GTE(this=column.copy(), expression=_day(earliest)))
+        if earliest >= _FIRST_DAYS:
+            conditions.append(exp.GTE(this=column.copy(), expression=_day(earliest - _DAY)))
         conditions.append(exp.GTE(this=micros.copy(), expression=template.node_of(earliest)))
     if latest is not None:
-        if latest < _LAST_DAY:
-            conditions.append(exp.LT(this=column.copy(), expression=_day(latest + 86_400 * SECOND)))
+        if latest < _LAST_DAYS:
+            conditions.append(exp.LT(this=column.copy(), expression=_day(latest + 2 * _DAY)))
         conditions.append(exp.LTE(this=micros.copy(), expression=template.node_of(latest)))
     return conditions
 
