@@ -8,11 +8,16 @@ from typing import Any
 
 import pyarrow as pa
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 import comparisons
 import engines
 import gam_db
 import harness
+import strategies
+from calendar_cases import Calendar
+from gam_db.engines.session import Session
 from gam_db.study import Study, naming, trusting
 from harness import Row
 
@@ -57,6 +62,12 @@ def rows(begin: dt.datetime, by_time: bool) -> list[Row]:
     return sorted(table, key=lambda row: row[2]) if by_time else table
 
 
+def source(rows: list[Row], kind: pa.DataType) -> pa.Table:
+    """Return rows as a source whose times are of a kind."""
+    table = harness.arrow(rows)
+    return table.set_column(2, "time", table["time"].cast(pa.timestamp("us")).cast(kind))
+
+
 def counted(answer: pa.Table) -> list[dict[str, Any]]:
     """Return an answer with its instants as microseconds."""
     for number, column in enumerate(answer.schema):
@@ -71,11 +82,8 @@ def counted(answer: pa.Table) -> list[dict[str, Any]]:
 @pytest.mark.parametrize("begin", BEGINS)
 @pytest.mark.parametrize("kind", KINDS)
 def test_it_gives_the_integers_of_a_counter(engine: str, kind: str, begin: str, by_time: bool) -> None:
-    told = rows(BEGINS[begin], by_time)
-    source, session = harness.arrow(told), engines.session(engine)
-    micros = source["time"].cast(pa.timestamp("us"))
-    source = source.set_column(2, "time", micros.cast(KINDS[kind]))
-    with session.lent(source) as lent:
+    told, session = rows(BEGINS[begin], by_time), engines.session(engine)
+    with session.lent(source(told, KINDS[kind])) as lent:
         study = Study(
             session, gam_db.Source(lent.name), *METHOD, short_cuts=True, asked=["bucket_health"]
         )
@@ -85,3 +93,38 @@ def test_it_gives_the_integers_of_a_counter(engine: str, kind: str, begin: str, 
         assert study.is_trusting or study.is_streamed
         study.forget()
     comparisons.compared(engine, "calendar", told, *METHOD)
+
+
+def test_random_cases_give_the_integers_of_a_counter(engine: str) -> None:
+    @settings(max_examples=engines.examples(engine))
+    @given(
+        case=strategies.cases(),
+        kind=st.sampled_from(list(KINDS)),
+        calendar=st.builds(
+            Calendar,
+            st.sampled_from(list(BEGINS.values())),
+            st.sampled_from([1, 999_983, 3_600_000_000]),
+        ),
+    )
+    def agrees(case: strategies.Case, kind: str, calendar: Calendar) -> None:
+        given_rows, *said = case
+        told = calendar.rows(given_rows)
+        expected = harness.all_by_reference(told, *harness.made(*calendar.in_micros(*said)))
+        method = harness.made(*calendar.in_words(*said))
+        found = answers(engines.session(engine), source(told, KINDS[kind]), method)
+        for question in harness.STEPS:
+            harness.assert_same(expected[question], found[question], question)
+        comparisons.compared(engine, "calendar", told, *method)
+
+    agrees()
+
+
+def answers(
+    session: Session, telemetry: pa.Table, method: tuple[Any, Any]
+) -> dict[str, list[dict[str, Any]]]:
+    """Return what a study of calendar time answers, instants as microseconds."""
+    with session.lent(telemetry) as lent:
+        study = Study(session, gam_db.Source(lent.name), *method, short_cuts=True)
+        found = {question: counted(study.table(step)) for question, step in harness.STEPS.items()}
+        study.forget()
+    return found
