@@ -122,18 +122,18 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
         add_coded(one, ways.delays)
     else:
         _add_readings(one.steps, scored)
-    add_delays(one, CALIBRATION, ways.delays, TAUGHT)
+    add_delays(one, CALIBRATION, ways.delays, TAUGHT, bits is not None)
     add_learnt(one, exp.true(), "doubled")
     if ways.taught == "taught":
         one.add("census/taught")
     one.add("support/support", tables={"learnable": ways.taught})
     add_support_bits(one, bits)
-    add_delays(one, COMPLETE, ways.delays, scored)
+    add_delays(one, COMPLETE, ways.delays, scored, bits is not None)
     carried = [number_of(setting), exp.alias_(exp.column("doubled", table="vector"), "doubled")]
     add_novelty(one, carried, bits, COMPLETE, "vectors", ways.by_sets)
     parts = [f"{COMPLETE}novelty"]
     if ways.has_missing:
-        add_delays(one, INCOMPLETE, ways.delays, scored)
+        add_delays(one, INCOMPLETE, ways.delays, scored, bits is not None)
         add_incomplete(one, ["doubled"], bits, ways.by_sets)
         parts.append(f"{INCOMPLETE}numbered")
     add_placed(one, parts, trusting=True, counted=ways.counted)

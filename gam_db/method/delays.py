@@ -22,7 +22,7 @@ from gam_db.clock import FAR_AHEAD
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, filled
 from gam_db.method.adding import OfSet, add
-from gam_db.method.vectors import add_short_vectors
+from gam_db.method.vectors import add_short_vectors, small_key
 
 #: What is kept before vectors are made of it, body by body.
 KEPT = {"rowids": ("coded", "runs"), "arrays": ()}
@@ -102,7 +102,7 @@ def add_coded(one: OfSet, body: str) -> None:
         one.add(f"{body}/{name}")
 
 
-def add_delays(one: OfSet, prefix: str, body: str | None, rows: str) -> None:
+def add_delays(one: OfSet, prefix: str, body: str | None, rows: str, has_bits: bool) -> None:
     """Add the step *vectors* of a prefix, for one set.
 
     Args:
@@ -110,16 +110,24 @@ def add_delays(one: OfSet, prefix: str, body: str | None, rows: str) -> None:
         prefix: one of the three above.
         body: a folder of ``sql/``; None for windows.
         rows: the step that holds the readings of the vectors, for windows.
+        has_bits: whether supports are kept as bits, so that keys are small.
     """
     # Of a channel without a missing sample every coordinate is there.
-    known: Mapping[str, template.Slot] = {"known": exp.true()} if prefix == COMPLETE else {}
+    known: dict[str, template.Slot] = {"known": exp.true()} if prefix == COMPLETE else {}
     if body is not None:
         query = _BODIES[body](one, prefix, known)
         tables = {name: one.named(name) for name in ("scale", *KEPT[body])}
         one.steps.add(one.named(f"{prefix}vectors"), query, "", tables)
         return
     one.add("census/codes", {"read": _read(prefix)}, f"{prefix}codes", {"readings": rows})
-    add_short_vectors(one, prefix, known, trusting=True, carried=("support_id",))
+    if has_bits:
+        known["cell_key"] = small_key(one.setting)
+    if one.method.pools:
+        add_short_vectors(one, prefix, known, trusting=True, carried=("support_id",))
+        return
+    # Without pools each channel has its own support, whose number need not be sorted along.
+    own = exp.alias_(exp.column("channel_id"), "support_id")
+    add_short_vectors(one, prefix, known, trusting=True, told=[own])
 
 
 def _by_row(one: OfSet, prefix: str, known: Mapping[str, template.Slot]) -> exp.Query:

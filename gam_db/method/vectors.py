@@ -45,11 +45,13 @@ def add_short_vectors(
     known: Mapping[str, template.Slot] | None = None,
     trusting: bool = False,
     carried: Sequence[str] = (),
+    told: Sequence[exp.Expr] = (),
 ) -> None:
     """Add the vectors of one set (Eq. 1) over the codes of the same prefix, where no segment ends.
 
-    Columns of the codes that are ``carried`` travel with the vectors. ``known`` gives a slot where it is
-    known that all coordinates are there.
+    Columns of the codes that are ``carried`` travel with the vectors; what else is ``told`` of one
+    follows from its own. ``known`` gives slots otherwise than usual, where it is known that all
+    coordinates are there, or that keys are small.
 
     Where it is taken on trust that no instant occurs twice, ``doubled`` = 1 marks each sample that shows
     the contrary, be it the newest one of a vector or not.
@@ -58,6 +60,7 @@ def add_short_vectors(
     whole = template.fill("embedding/whole", {"span": setting.span})
     travelling: list[exp.Expr] = [exp.column(name) for name in carried]
     delayed = list(travelling)
+    travelling += told
     if trusting:
         # Where the next vector begins with the sample before this one, its time is known already.
         previous = exp.column("context_time" if setting.span == 2 else "previous_time")
@@ -104,6 +107,11 @@ def stream_slots(setting: Parameters, has_context: bool) -> dict[str, template.S
         "coordinates": columns,
         "delayed": _named(over),
     }
+
+
+def small_key(setting: Parameters) -> exp.Expr:
+    """Return the key of a vector's cell, added up as it costs least where supports are kept as bits."""
+    return exp.cast(cell_key(setting, "streams/cell_term"), "BIGINT")
 
 
 def is_outside(setting: Parameters) -> exp.Expr:
