@@ -9,7 +9,7 @@ from gam_db.composing.pipeline import union_of
 from gam_db.method.adding import OfSet
 from gam_db.method.bits import Bits
 from gam_db.method.delays import COMPLETE, INCOMPLETE
-from gam_db.method.vectors import add_short_vectors, add_vectors, small_key
+from gam_db.method.vectors import add_short_vectors, add_vectors
 from gam_db.settings.parameters import LARGEST_KEY, Parameters
 
 
@@ -90,7 +90,7 @@ def add_buckets(
     marks = ("doubled",) if trusting else ()
     if one.method.is_short(one.number):
         _add_complete_scoring(one, marks, bits)
-        _add_short_vectors(one, INCOMPLETE, bool(marks), bits)
+        _add_short_vectors(one, INCOMPLETE, bool(marks))
         add_incomplete(one, marks, bits)
         parts = ["complete_novelty", "incomplete_numbered"]
     else:
@@ -172,7 +172,7 @@ def add_bucket_counts(one: OfSet, tables: Mapping[str, str] | None = None) -> No
 def _add_complete_scoring(one: OfSet, marks: Sequence[str], bits: Bits | None) -> None:
     """Add Eq. 1 and Eq. 4 of channels without missing samples, with their marks."""
     prefix = COMPLETE
-    _add_short_vectors(one, prefix, bool(marks), bits)
+    _add_short_vectors(one, prefix, bool(marks))
     travelling = [_carried(mark) for mark in marks]
     carried = [number_of(one.setting), *travelling]
     slots: dict[str, template.Slot] = {"carried": carried, "counted": exp.true()}
@@ -201,12 +201,11 @@ def add_incomplete(one: OfSet, marks: Sequence[str], bits: Bits | None, by_sets:
     one.add("health/numbered", said, f"{prefix}numbered", renamed)
 
 
-def _add_short_vectors(one: OfSet, prefix: str, trusting: bool, bits: Bits | None) -> None:
+def _add_short_vectors(one: OfSet, prefix: str, trusting: bool = False) -> None:
     """Add codes and vectors of the channels with, or without, missing samples."""
     slots = {"read": exp.column("complete", table="scale").eq(int(prefix == COMPLETE))}
     one.add("support/codes", slots, f"{prefix}codes")
-    known = {} if bits is None else {"cell_key": small_key(one.setting)}
-    add_short_vectors(one, prefix, known, trusting=trusting)
+    add_short_vectors(one, prefix, trusting=trusting)
 
 
 def _set_key(setting: Parameters, table: str) -> list[exp.Expr]:
