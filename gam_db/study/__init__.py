@@ -199,7 +199,7 @@ class Study:
         if self._short_cut is not None:
             self._short_cut.prepare(step)
 
-    def _readings(self, earliest: int, latest: int | None) -> exp.Query:
+    def _readings(self, earliest: int, latest: int) -> exp.Query:
         """Return the step *readings* for a range of time, with bounds that an index can serve."""
         _, source, relation, engine = self._asked
         time, kind = template.column(source.time), self.method.kind

@@ -105,7 +105,7 @@ class Trust:
         ways: what the engine does in a way of its own.
         made: gives the steps for other ways.
         careful: gives the steps that look first.
-        between: makes the step *readings* for a range of time; None for no latest one.
+        between: makes the step *readings* for a range of time.
     """
 
     def __init__(
@@ -116,7 +116,7 @@ class Trust:
         ways: Ways,
         made: Callable[[Ways], Pipeline],
         careful: Callable[[], Pipeline],
-        between: Callable[[int, int | None], exp.Query],
+        between: Callable[[int, int], exp.Query],
     ) -> None:
         self.method, self.running, self._ways, self._made = method, running, ways, made
         self._careful, self._between = careful, between
@@ -199,7 +199,7 @@ class Trust:
         self.running.keep(step)
         said = [row for row in self.running.rows(step) if row.get("is_edge", 1)]
         if said:
-            latest = None if high is None else max(row[high] for row in said)
+            latest = FAR_AHEAD if high is None else max(row[high] for row in said)
             self.running.steps.replace(rows, self._between(min(row[low] for row in said), latest))
 
     def _hand_over(self) -> None:

@@ -16,6 +16,7 @@ from gam_db.clock import TimeKind
 from gam_db.engines.postgres import ENGINE
 from gam_db.errors import SourceError
 from gam_db.settings.source import Source
+from gam_db.study import Study, trusting
 from small_plant import readings
 from small_postgres import administrator, database, source
 
@@ -80,6 +81,23 @@ def test_every_microsecond_is_its_integer(connection: Any, kind: str) -> None:
         assert connection.execute(query).fetchall() == [(60_001, 0)]
     infinite = f"SELECT {micros} FROM (VALUES ({kind} 'infinity'), ({kind} '-infinity')) AS made (t)"
     assert connection.execute(infinite).fetchall() == [(None,), (None,)]
+
+
+def test_the_time_of_a_timestamp_is_computed_once_a_row(
+    connection: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Slices name it three times; without a fence each name of it is the formula."""
+    monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
+    connection.execute(
+        "CREATE TABLE telemetry AS SELECT 'a' AS asset, 'x' AS channel, "
+        "timestamptz '2026-11-26' + n * interval '1 second' AS time, n % 7 AS value "
+        "FROM generate_series(1, 99) AS n"
+    )
+    with gam_db.connect(url(connection.info.dbname)) as session:
+        study = Study(session, Source("telemetry"), PARAMETERS, CALIBRATION, short_cuts=True)
+        query = session.engine.text(study.steps.query("slices"))
+    plan = "\n".join(line for (line,) in connection.execute(f"EXPLAIN VERBOSE {query}"))
+    assert plan.count("date_part") == 1, plan
 
 
 @pytest.mark.parametrize("kind", ['text COLLATE "folding"', "citext", "text"])

@@ -46,7 +46,7 @@ def keep_small_steps(tree: exp.Expr) -> exp.Expr:
     return tree
 
 
-def fence_windows(tree: exp.Expr) -> exp.Expr:
+def fence_reads(tree: exp.Expr) -> exp.Expr:
     """Let what a window reads, and a formula that is read twice, be computed before it, once.
 
     Cause: a subquery or a WITH entry is put in the place where it is read. Symptom: below a window the
@@ -154,5 +154,5 @@ ENGINE = Engine(
     ),
     by_sets=True,
     most_in_set=_MOST_IN_SET,
-    rewrites=(partial(compare_by_bytes, BYTES), keep_small_steps, fence_windows, fence_sets),
+    rewrites=(partial(compare_by_bytes, BYTES), keep_small_steps, fence_reads, fence_sets),
 )
