@@ -66,6 +66,12 @@ class TimeKind(Enum):
         """True if its timestamps say that they are UTC."""
         return self in (TimeKind.TIMESTAMP_WITH_ZONE, TimeKind.NANOSECONDS_WITH_ZONE)
 
+    @property
+    def furthest(self) -> int:
+        """How far from 0, on either side, it can tell time: 64 bits of nanoseconds are 292 years."""
+        in_nanoseconds = self in (TimeKind.NANOSECONDS, TimeKind.NANOSECONDS_WITH_ZONE)
+        return 2**63 // 1000 if in_nanoseconds else FAR_AHEAD
+
 
 def instant(value: object, kind: TimeKind, what: str) -> int:
     """Return an instant as an integer: a counter value, or microseconds since 1970 (UTC).

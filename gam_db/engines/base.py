@@ -165,16 +165,20 @@ class Engine:
     ) -> list[exp.Expr]:
         """Return the conditions that a time lies in a range, both ends included.
 
-        None is no limit. They are on the column itself: an index or the statistics of a file serve.
+        None is no limit, nor is what lies beyond all that the column can tell. They are on the column
+        itself: an index or the statistics of a file serve.
         """
+        furthest = kind.furthest
+        first = None if earliest is None or earliest <= -furthest else min(earliest, furthest)
+        last = None if latest is None or latest >= furthest else max(latest, -furthest)
         if self.range_of is not None and not kind.is_counter:
-            return self.range_of(column, earliest, latest)
+            return self.range_of(column, first, last)
         conditions: list[exp.Expr] = []
-        if earliest is not None:
-            conditions.append(exp.GTE(this=column.copy(), expression=self._bound(kind, earliest)))
-        if latest is not None:
+        if first is not None:
+            conditions.append(exp.GTE(this=column.copy(), expression=self._bound(kind, first)))
+        if last is not None:
             # The next one is excluded, so that nanoseconds after the last microsecond are not.
-            conditions.append(exp.LT(this=column.copy(), expression=self._bound(kind, latest + 1)))
+            conditions.append(exp.LT(this=column.copy(), expression=self._bound(kind, last + 1)))
         return conditions
 
     def _bound(self, kind: TimeKind, time: int) -> exp.Expr:

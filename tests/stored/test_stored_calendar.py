@@ -13,6 +13,7 @@ import engines
 import frozen
 import gam_db
 import harness
+import scripts
 from gam_db.clock import TimeKind
 from gam_db.engines.session import Session
 from gam_db.stored import scoring
@@ -60,21 +61,12 @@ def readings(start: int, end: int) -> list[Row]:
     ]
 
 
-def arrive(session: Session, table: exp.Table, of_type: str, rows: list[Row], is_new: bool) -> None:
-    """Append rows whose times are of a type of the engine."""
-    kind = TYPES[session.engine.name][of_type]
-    with session.lent(harness.arrow(rows)) as lent:
-        instant = session.engine.instant_of(kind, exp.column("time"))
-        to = exp.DataType.build(of_type, dialect=session.engine.dialect, udt=True)
-        columns = ("asset", "channel", exp.Cast(this=instant, to=to).as_("time"), "value")
-        query = exp.select(*columns).from_(lent)
-        if is_new:
-            session.execute(session.engine.create_table(table, query))
-            return
-        names = [exp.to_identifier(name) for name in query.named_selects]
-        session.execute(
-            exp.Insert(this=exp.Schema(this=table.copy(), expressions=names), expression=query)
-        )
+def told(session: Session, of_type: str) -> exp.Expr:
+    """Return the time of a row as a column of a type tells it."""
+    instant = session.engine.instant_of(TYPES[session.engine.name][of_type], exp.column("time"))
+    return exp.Cast(
+        this=instant, to=exp.DataType.build(of_type, dialect=session.engine.dialect, udt=True)
+    )
 
 
 def test_it_ends_in_the_tables_of_a_counter(engine: str, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -91,14 +83,14 @@ def test_it_ends_in_the_tables_of_a_counter(engine: str, monkeypatch: pytest.Mon
 
 def scored(session: Session, of_type: str) -> Monitor:
     """Return a monitor that has scored two batches; a row of the first came with the second."""
-    table = exp.to_table(engines.fresh_name("telemetry"))
-    arrive(session, table, of_type, readings(0, 120), True)
+    time = told(session, of_type)
+    table = scripts.telemetry(session, readings(0, 120), time)
     source, prefix = gam_db.Source(table.name), engines.fresh_name("state")
     monitor = Monitor(session, source, *METHOD, lookback=dt.timedelta(seconds=30), prefix=prefix)
     monitor.migrate()
     monitor.calibrate()
     late = readings(195, 196)
     for rows in (readings(120, 195) + readings(196, 200), late + readings(200, 260)):
-        arrive(session, table, of_type, rows, False)
+        scripts.arrive(session, table, rows, time)
         monitor.score()
     return monitor

@@ -60,12 +60,12 @@ def _parameters(said: Arguments, length: Told) -> Arguments:
 
 def _calibration(said: Arguments, length: Told, instant: Told) -> Arguments:
     made = dict(said)
-    if said["duration"] is not None:
+    if said.get("duration") is not None:
         made["duration"] = length(said["duration"])
-    if said["score_from"] is not None:
+    if said.get("score_from") is not None:
         made["score_from"] = instant(said["score_from"])
     for name in ("intervals", "exclude"):
-        if said[name]:
+        if said.get(name):
             made[name] = [(instant(start), instant(end)) for start, end in said[name]]
     for pattern, one in said.get("overrides", {}).items():
         made["overrides"] = {

@@ -52,22 +52,34 @@ def _answers(
     return found
 
 
-def telemetry(session: Session, rows: list[Row]) -> exp.Table:
-    """Make a table of telemetry, as a team would find it in its warehouse."""
+COUNTER = exp.column("time")
+
+
+def telemetry(session: Session, rows: list[Row], time: exp.Expr = COUNTER) -> exp.Table:
+    """Make a table of telemetry, as a team would find it in its warehouse.
+
+    Args:
+        session: of the engine.
+        rows: that it holds.
+        time: what becomes of their ``time``.
+    """
     table = exp.to_table(engines.fresh_name("telemetry"))
     with session.lent(arrow(rows)) as lent:
-        columns = ("asset", "channel", "time", "value")
-        session.execute(session.engine.create_table(table, exp.select(*columns).from_(lent)))
+        session.execute(session.engine.create_table(table, _columns(time).from_(lent)))
     return table
 
 
-def arrive(session: Session, table: exp.Table, rows: list[Row]) -> None:
+def arrive(session: Session, table: exp.Table, rows: list[Row], time: exp.Expr = COUNTER) -> None:
     """Append rows to a table of telemetry."""
     with session.lent(arrow(rows)) as lent:
-        columns = ("asset", "channel", "time", "value")
-        names = [exp.to_identifier(column) for column in columns]
+        query = _columns(time).from_(lent)
+        names = [exp.to_identifier(column) for column in query.named_selects]
         into = exp.Schema(this=table.copy(), expressions=names)
-        session.execute(exp.Insert(this=into, expression=exp.select(*columns).from_(lent)))
+        session.execute(exp.Insert(this=into, expression=query))
+
+
+def _columns(time: exp.Expr) -> exp.Select:
+    return exp.select("asset", "channel", exp.alias_(time, "time"), "value")
 
 
 def fetched(session: Session, script: str) -> Answer:

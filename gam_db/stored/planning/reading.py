@@ -56,12 +56,8 @@ class Reader:
             earliest: nothing older is read.
             latest: nothing newer is read.
         """
-        conditions = self._engine.in_range(
-            self.kind,
-            template.column(self._source.time),
-            earliest if earliest > LONG_AGO else None,
-            latest if latest < FAR_AHEAD else None,
-        )
+        time = template.column(self._source.time)
+        conditions = self._engine.in_range(self.kind, time, earliest, latest)
         if assets is not None and self._source.asset is not None:
             named = exp.cast(template.column(self._source.asset), "VARCHAR")
             texts = [template.text(asset) for asset in assets]
