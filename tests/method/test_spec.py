@@ -23,9 +23,12 @@ TEXTS = ("asset", "channel", "verdict")  # columns whose entries are words
 ENDINGS = re.compile(r"(-?\d+)\.\.(-?\d+)")
 
 
-@dataclass
+@dataclass(frozen=True)
 class Case:
-    """One case of a file: what goes in, and per question the rows that must come out."""
+    """One case of a file: what goes in, and per question the rows that must come out.
+
+    Frozen: other modules ask these cases, too, and what one of them struck would be struck for all.
+    """
 
     name: str
     parameters: dict[str, Any] = field(default_factory=dict)
@@ -58,7 +61,7 @@ def read_block(case: Case, lines: list[str]) -> None:
     titles = [part.strip() for part in lines[0].split("|")]
     tables = [[line.split("|")[n].split() for line in lines[1:]] for n in range(len(titles))]
     if titles[0] == "source":
-        case.rows += [row for entries in tables[0][1:] for row in readings(tables[0][0], entries)]
+        case.rows.extend(row for entries in tables[0][1:] for row in readings(tables[0][0], entries))
         if len(titles) == 1:
             return
         assert titles[1:] == ["health_indicator"], case.name
@@ -117,14 +120,14 @@ def read_settings(case: Case, line: str) -> None:
             values |= {"asset": asset, "channel": channel}
             case.parameters.setdefault("overrides", []).append(values)
         else:
-            case.parameters |= values
+            case.parameters.update(values)
     else:
         assert word == "calibration", f"{case.name}: {line}"
         rule = None if given == "none" else {name: of_rule(name, text) for name, text in pairs(given)}
         if pattern:
             case.calibration.setdefault("overrides", {})[pattern] = rule
         else:
-            case.calibration |= rule or {}
+            case.calibration.update(rule or {})
 
 
 def pairs(given: str) -> Iterator[tuple[str, str]]:
