@@ -46,7 +46,7 @@ SLICES = 32
 
 #: Its own steps that are kept, up to what *names* are read off, and in all.
 OPENING = frozenset(("slices", *(step for steps in STORED.values() for step in steps)))
-KEPT = OPENING | {"edges", "edge_samples"}
+KEPT = OPENING | {"edges", "edge_samples", "turns"}
 
 #: Small steps that are read once or are constants here: a table of each would cost more.
 FLOWING = frozenset(("rules", "declared", "series", "calibrated"))
@@ -100,6 +100,8 @@ def add_census(steps: Pipeline, method: Method, slicing: Slicing, ways: Ways) ->
     add(steps, "census/calibrated")
     _add_readings(steps, TAUGHT)
     add(steps, "source/identified", {"read": exp.true()})
+    if ways.round is not None:
+        add(steps, "rounds/turns", {"round": ways.round})
 
 
 def add_names(steps: Pipeline, slicing: Slicing, ways: Ways) -> None:
@@ -113,27 +115,27 @@ def add_names(steps: Pipeline, slicing: Slicing, ways: Ways) -> None:
 
 def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
     """Add support, buckets and certificate of one set, after :func:`add_census`."""
-    setting = one.setting
     one.add("support/bounds")
     add_run_up(one, {"samples": "edge_samples"})
     one.add("census/scale")
+    if ways.round is not None:
+        one.add("rounds/rounds", {"before": 0, "after": 0})
     scored = one.named(SCORED)
     if ways.delays is not None:
         add_coded(one, ways.delays)
     else:
         _add_readings(one.steps, scored)
-    add_delays(one, CALIBRATION, ways.delays, TAUGHT, bits is not None)
+    add_delays(one, CALIBRATION, ways, TAUGHT, bits is not None)
     add_learnt(one, exp.true(), "doubled")
     if ways.taught == "taught":
         one.add("census/taught")
     one.add("support/support", tables={"learnable": ways.taught})
     add_support_bits(one, bits)
-    add_delays(one, COMPLETE, ways.delays, scored, bits is not None)
-    carried = [number_of(setting), exp.alias_(exp.column("doubled", table="vector"), "doubled")]
-    add_novelty(one, carried, bits, COMPLETE, "vectors", ways.by_sets)
+    add_delays(one, COMPLETE, ways, scored, bits is not None)
+    add_trusted_novelty(one, bits, ways.by_sets)
     parts = [f"{COMPLETE}novelty"]
     if ways.has_missing:
-        add_delays(one, INCOMPLETE, ways.delays, scored, bits is not None)
+        add_delays(one, INCOMPLETE, ways, scored, bits is not None)
         add_incomplete(one, ["doubled"], bits, ways.by_sets)
         parts.append(f"{INCOMPLETE}numbered")
     add_placed(one, parts, trusting=True, counted=ways.counted)
@@ -144,9 +146,15 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
     one.add("certificate/missing_vectors", tables={"vectors": "known_vectors"})
 
 
+def add_trusted_novelty(one: OfSet, bits: Bits | None, by_sets: bool = False) -> None:
+    """Add Eq. 4 of channels without missing samples, right over their vectors, with their marks."""
+    doubled = exp.alias_(exp.column("doubled", table="vector"), "doubled")
+    add_novelty(one, [number_of(one.setting), doubled], bits, COMPLETE, "vectors", by_sets)
+
+
 def kept(method: Method, ways: Ways) -> set[str]:
     """Return the steps of the census that are kept beside those of every form."""
-    own = (ways.taught, "scale", *KEPT_BY.get(ways.delays or "", ()))
+    own = (ways.taught, "scale", "rounds", *KEPT_BY.get(ways.delays or "", ()))
     return {method.named(step, number) for step in own for number in range(len(method.settings))} | KEPT
 
 

@@ -10,7 +10,8 @@ that is not right for a source shows it by ``doubled``, too: that costs time, ne
 * ``rowids``, by the numbers of rows that are kept in order: SQLite.
 * ``arrays``, by arrays that are kept in order: ClickHouse.
 
-What these two keep in order the census is made of, too.
+What these two keep in order the census is made of, too. The fourth, ``rounds``, takes the place of
+windows where channels take turns as rows are stored (:attr:`Ways.round`).
 """
 
 from collections.abc import Callable, Mapping
@@ -22,7 +23,7 @@ from gam_db.clock import FAR_AHEAD
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, filled
 from gam_db.method.adding import OfSet, add
-from gam_db.method.vectors import add_short_vectors, small_key
+from gam_db.method.vectors import Round, add_short_vectors, small_key
 
 #: What is kept before vectors are made of it, body by body.
 KEPT = {"rowids": ("coded", "runs"), "arrays": ()}
@@ -60,6 +61,8 @@ class Ways:
         as_stored: whether the source is taken to be stored in order of name and time.
         has_missing: whether a channel lacks a sample; if none does, nothing is made for such.
         asked: the last steps that will be asked for, where that is known; others may be, at a price.
+        round: rows of a round, where channels are taken to take turns in the order in which rows are
+            stored, each once in every round; None where they are not.
     """
 
     delays: str | None = None
@@ -67,6 +70,7 @@ class Ways:
     as_stored: bool = False
     has_missing: bool = True
     asked: frozenset[str] = frozenset()
+    round: int | None = None
 
     @property
     def scores(self) -> bool:
@@ -102,32 +106,51 @@ def add_coded(one: OfSet, body: str) -> None:
         one.add(f"{body}/{name}")
 
 
-def add_delays(one: OfSet, prefix: str, body: str | None, rows: str, has_bits: bool) -> None:
+def add_delays(one: OfSet, prefix: str, ways: Ways, rows: str, has_bits: bool) -> None:
     """Add the step *vectors* of a prefix, for one set.
 
     Args:
         one: the set, with *scale*, and what :func:`add_coded` adds.
         prefix: one of the three above.
-        body: a folder of ``sql/``; None for windows.
+        ways: what is done in the way of the engine and of the source.
         rows: the step that holds the readings of the vectors, for windows.
         has_bits: whether supports are kept as bits, so that keys are small.
     """
     # Of a channel without a missing sample every coordinate is there.
     known: dict[str, template.Slot] = {"known": exp.true()} if prefix == COMPLETE else {}
+    body = ways.delays
     if body is not None:
         query = _BODIES[body](one, prefix, known)
         tables = {name: one.named(name) for name in ("scale", *KEPT[body])}
         one.steps.add(one.named(f"{prefix}vectors"), query, "", tables)
         return
-    one.add("census/codes", {"read": _read(prefix)}, f"{prefix}codes", {"readings": rows})
+    round_ = None
+    if ways.round is None:
+        one.add("census/codes", {"read": _read(prefix)}, f"{prefix}codes", {"readings": rows})
+    else:
+        round_ = _add_round(one, prefix, ways.round, rows)
     if has_bits:
         known["cell_key"] = small_key(one.setting)
     if one.method.pools:
-        add_short_vectors(one, prefix, known, trusting=True, carried=("support_id",))
+        pooled = ("support_id",)
+        add_short_vectors(one, prefix, known, trusting=True, carried=pooled, round_=round_)
         return
     # Without pools each channel has its own support, whose number need not be sorted along.
     own = exp.alias_(exp.column("channel_id"), "support_id")
-    add_short_vectors(one, prefix, known, trusting=True, told=[own])
+    add_short_vectors(one, prefix, known, trusting=True, told=[own], round_=round_)
+
+
+def _add_round(one: OfSet, prefix: str, length: int, rows: str) -> Round:
+    """Add the codes of a prefix where channels take turns, and return what vectors need of that."""
+    is_taught = prefix == CALIBRATION
+    first, last = (
+        template.fill("rounds/own", {"listed": exp.column(listed)})
+        for listed in ("taught_froms" if is_taught else "read_froms", "taught_tos")
+    )
+    slots: dict[str, template.Slot] = {"round": length, "time_from": first}
+    slots["time_to"] = last if is_taught else FAR_AHEAD
+    one.add("rounds/codes", slots, f"{prefix}codes", {"readings": rows})
+    return Round(length, exp.true() if is_taught else _is_complete(prefix))
 
 
 def _by_row(one: OfSet, prefix: str, known: Mapping[str, template.Slot]) -> exp.Query:

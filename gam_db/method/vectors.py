@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
+from typing import NamedTuple
 
 from sqlglot import exp
 
@@ -10,6 +11,18 @@ from gam_db.composing import template
 from gam_db.method.adding import OfSet
 from gam_db.method.slots import cell_key, code_in, coordinates, outside, place_in
 from gam_db.settings.parameters import Parameters
+
+
+class Round(NamedTuple):
+    """Channels that take turns as rows are stored.
+
+    Attributes:
+        rows: of a round, one of each channel.
+        asked: of which channels vectors are asked for.
+    """
+
+    rows: int
+    asked: exp.Expr
 
 
 def add_vectors(one: OfSet, prefix: str, read: exp.Expr, carried: Sequence[str] = ()) -> None:
@@ -46,6 +59,7 @@ def add_short_vectors(
     trusting: bool = False,
     carried: Sequence[str] = (),
     told: Sequence[exp.Expr] = (),
+    round_: Round | None = None,
 ) -> None:
     """Add the vectors of one set (Eq. 1) over the codes of the same prefix, where no segment ends.
 
@@ -54,22 +68,25 @@ def add_short_vectors(
     coordinates are there, or that keys are small.
 
     Where it is taken on trust that no instant occurs twice, ``doubled`` = 1 marks each sample that shows
-    the contrary, be it the newest one of a vector or not.
+    the contrary, be it the newest one of a vector or not. Where channels take turns as rows are stored,
+    a sample is a ``round_`` behind the one before, and ``doubled`` marks what is not so, too.
     """
     setting = one.setting
     whole = template.fill("embedding/whole", {"span": setting.span})
     travelling: list[exp.Expr] = [exp.column(name) for name in carried]
     delayed = list(travelling)
     travelling += told
+    rows = None if round_ is None else round_.rows
     if trusting:
         # Where the next vector begins with the sample before this one, its time is known already.
         previous = exp.column("context_time" if setting.span == 2 else "previous_time")
         if previous.name == "previous_time":
-            delayed += _named({previous.name: _before("time", 1)})
-        doubled = template.fill("embedding/doubled", {"previous_time": previous})
+            delayed += _named({previous.name: _before("time", 1, rows)})
+        mark = "embedding/doubled" if round_ is None else "rounds/misplaced"
+        doubled = template.fill(mark, {"previous_time": previous})
         travelling.append(exp.alias_(_flag(doubled), "doubled"))
         whole = exp.or_(whole, doubled)
-    _add(one, prefix, f"{prefix}codes", delayed, travelling, whole, known)
+    _add(one, prefix, f"{prefix}codes", delayed, travelling, whole, known, round_)
 
 
 def _add(
@@ -80,12 +97,18 @@ def _add(
     carried: list[exp.Expr],
     whole: exp.Expr,
     known: Mapping[str, template.Slot] | None = None,
+    round_: Round | None = None,
 ) -> None:
     """Add Eq. 1 over some codes, with other columns over the same order, and those that travel on."""
-    coordinates = {f"code_{k}": _before("code", k * one.setting.tau) for k in range(1, one.setting.m)}
-    slots: dict[str, template.Slot] = {"context": _context(one.setting), "carried": carried}
+    delays = {f"code_{k}": k * one.setting.tau for k in range(1, one.setting.m)}
+    rows = None if round_ is None else round_.rows
+    coordinates = {name: _before("code", delay, rows) for name, delay in delays.items()}
+    slots: dict[str, template.Slot] = {"context": _context(one.setting, rows), "carried": carried}
     slots |= {"delayed": [*_named(coordinates), *delayed], "whole": whole, **(known or {})}
-    one.add("embedding/vectors", slots, f"{prefix}vectors", {"codes": codes})
+    file = "embedding/vectors"
+    if round_ is not None:
+        file, slots["asked"] = "rounds/vectors", round_.asked
+    one.add(file, slots, f"{prefix}vectors", {"codes": codes})
 
 
 @lru_cache
@@ -95,10 +118,10 @@ def stream_slots(setting: Parameters, has_context: bool) -> dict[str, template.S
     Where a later run must know from where on it reads, that instant travels with each vector. Every
     channel has the same ones, so nobody may change them.
     """
-    streamed, columns = "streams/delayed", coordinates(setting)
-    over = {f"code_{k}": _before("code", k * setting.tau, streamed) for k in range(1, setting.m)}
+    columns = coordinates(setting)
+    over = {f"code_{k}": _before("code", k * setting.tau, rows=1) for k in range(1, setting.m)}
     if has_context:
-        over["context_time"] = _before("time", max(setting.span - 1, 0), streamed)
+        over["context_time"] = _before("time", max(setting.span - 1, 0), rows=1)
         columns.append(exp.column("context_time"))
     return {
         "place": place_in(setting.grid),
@@ -119,11 +142,11 @@ def is_outside(setting: Parameters) -> exp.Expr:
     return _flag(outside(setting))
 
 
-def _context(setting: Parameters) -> exp.Expr:
+def _context(setting: Parameters, rows: int | None = None) -> exp.Expr:
     """Return the time from where on the next vector is decided."""
     delay = max(setting.reach - 1, 0)
     if setting.still_after is None:
-        return _before("time", delay)
+        return _before("time", delay, rows)
     return template.fill("embedding/context", {"delay": delay, "long_ago": LONG_AGO})
 
 
@@ -132,9 +155,10 @@ def _flag(condition: exp.Expr) -> exp.Expr:
     return template.case([(condition.copy(), 1)], 0)
 
 
-def _before(column: str, delay: int, path: str = "embedding/delayed") -> exp.Expr:
-    """Return the value of a column that many samples before."""
-    return template.fill(path, {"column": exp.column(column), "delay": delay})
+def _before(column: str, delay: int, rows: int | None = None) -> exp.Expr:
+    """Return the value of a column that many samples before: so many ``rows`` as stored for each."""
+    path = "embedding/delayed" if rows is None else "streams/delayed"
+    return template.fill(path, {"column": exp.column(column), "delay": delay * (rows or 1)})
 
 
 def _newest(is_such: exp.Expr) -> exp.Expr:

@@ -60,7 +60,7 @@ def of_each(
         arguments = [template.node_of(slots[slot]) for slot in said]
         called = exp.Table(this=exp.Anonymous(this=macro, expressions=arguments))
         calls.append(exp.select(*(_label(one, slots[one]) for one in labels), *columns).from_(called))
-    return _stacked(calls, session.threads())
+    return stacked(calls, session.threads())
 
 
 def of_channel(file: str, own: Own, **slots: template.Slot) -> exp.Query:
@@ -131,7 +131,7 @@ def _over(query: exp.Query, name: str, rows: exp.Query) -> exp.Query:
     return query
 
 
-def _stacked(queries: Sequence[exp.Query], threads: int) -> exp.Query:
+def stacked(queries: Sequence[exp.Query], threads: int) -> exp.Query:
     """Return the rows of several queries, which DuckDB works on side by side if it has several threads.
 
     It does so with entries of a WITH list that it is to keep, each a copy. The parts of a UNION it takes

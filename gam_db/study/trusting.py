@@ -4,7 +4,8 @@ This module owns when that is done (:mod:`gam_db.method.census` has the steps), 
 vector of calibration and each scored one is marked where it has the instant of the sample before it,
 and between them they hold every sample. One mark, and the study begins anew with the steps that look
 first; so it does for what is asked before there is a proof. Single vectors are theirs as well: after a
-proof they go on from what there is.
+proof they go on from what there is. Channels that seem to take turns are tried so first; one mark, and
+vectors are sorted.
 """
 
 from collections.abc import Callable, Collection
@@ -17,9 +18,11 @@ from gam_db.clock import FAR_AHEAD
 from gam_db.columns import counts, table_of
 from gam_db.composing.pipeline import Pipeline
 from gam_db.method import Method
-from gam_db.method.census import EDGES, SCORED, TAUGHT, UNCUT, Slicing, serves
+from gam_db.method.census import EDGES, OPENING, SCORED, TAUGHT, UNCUT, Slicing, serves
 from gam_db.method.delays import IN_ORDER, PROOFS, Ways
+from gam_db.study import rounds
 from gam_db.study.naming import GLANCE
+from gam_db.study.rounds import Range, Rounds
 from gam_db.study.running import Running
 
 __all__ = ["Trust", "begun", "serves"]
@@ -122,6 +125,7 @@ class Trust:
         self._careful, self._between = careful, between
         self._sets = range(len(method.settings))
         self.holds, self._is_proven = True, False
+        self._take_turns(names)
         declared = [rule.allowed[0][0] for rule in method.rules if rule.declared_end is not None]
         first, last = (names[edge].drop_null().to_pylist() for edge in ("earliest", "latest"))
         if _are_odd([*first, *last]) or any(min(first) < start for start in declared):
@@ -148,10 +152,30 @@ class Trust:
         else:
             self._give_up()
 
+    def _take_turns(self, names: pa.Table) -> None:
+        """Let vectors be made by rounds, if channels seem to take turns as rows are stored."""
+        are_alike = len(set(names["readings"].to_pylist())) == 1
+        if not are_alike or self._ways.delays is not None:
+            return
+        asked = self.running.session, self.running.steps, self.running.placed, names.num_rows
+        if rounds.seem_to_be(*asked, self.method.settings, self._ways.has_missing):
+            self._ways = replace(self._ways, round=names.num_rows)
+            self.running.steps = self._made(self._ways)
+
     def _proves(self) -> bool:
         """Tell whether every sample is in a vector, and none is marked."""
+        if self._ways.round is not None:
+            if self._holds_with():
+                return True
+            self._ways = replace(self._ways, round=None)
+            self.running.forget(but=("names", "readings", *OPENING))
+            self.running.steps = self._made(self._ways)
+        return self._holds_with()
+
+    def _holds_with(self) -> bool:
+        """Tell the same of the ways in which vectors are made."""
         self._bound(EDGES, "edges", "first_time", "last_time")
-        self._bound(TAUGHT, "calibration", "time_from", "time_to")
+        healthy = self._bound(TAUGHT, "calibration", "time_from", "time_to")
         for number in self._sets:
             bounds, *marked = (
                 self._step(step, number)
@@ -160,6 +184,7 @@ class Trust:
             self.running.keep(bounds)
             if self.running.table(bounds)["calibrated_lo"].null_count:
                 return False
+            self._keep_rounds(self._ways.taught, number, TAUGHT, healthy)
             if any(self.running.largest(step, "doubled") for step in marked):
                 return False
         if self._ways.by_sets and self._has_large_support():
@@ -168,7 +193,7 @@ class Trust:
             run_up, final, scored = (
                 self._step(step, number) for step in ("run_up", self._ways.counted, SCORED)
             )
-            self._bound(scored, run_up, "read_from")
+            self._keep_rounds(final, number, scored, self._bound(scored, run_up, "read_from"))
             if self.running.largest(final, "doubled"):
                 return False
         return True
@@ -192,15 +217,34 @@ class Trust:
                 return True
         return False
 
-    def _bound(self, rows: str, step: str, low: str, high: str | None = None) -> None:
+    def _bound(self, rows: str, step: str, low: str, high: str | None = None) -> tuple[int, int] | None:
         """Let a step of readings be bounded by the least and greatest time of another one."""
         if rows not in self.running.steps.steps:
-            return
+            return None
         self.running.keep(step)
         said = [row for row in self.running.rows(step) if row.get("is_edge", 1)]
-        if said:
-            latest = FAR_AHEAD if high is None else max(row[high] for row in said)
-            self.running.steps.replace(rows, self._between(min(row[low] for row in said), latest))
+        if not said:
+            return None
+        latest = FAR_AHEAD if high is None else max(row[high] for row in said)
+        edges = min(row[low] for row in said), latest
+        self.running.steps.replace(rows, self._between(*edges))
+        return edges
+
+    def _keep_rounds(self, step: str, number: int, rows: str, edges: tuple[int, int] | None) -> None:
+        """Keep a step of vectors that are made by rounds, of the readings between two instants."""
+        scale = self._step("scale", number)
+        if self._ways.round is None or edges is None:
+            return
+        self.running.keep(scale)
+        counted = ("readings", "calibration_samples", "context_rows")
+        counts = {tuple(row[name] for name in counted) for row in self.running.rows(scale)}
+        # Vectors of channels with missing samples are numbered one by one, from the first to the last.
+        if len(counts) == 1 and (rows == TAUGHT or not self._ways.has_missing):
+            ((readings, taught, context),) = counts
+            start, end = (0, taught) if rows == TAUGHT else (taught - context, readings)
+            read = Range(rows, *edges, start, end - start)
+            named = self._step(step, number), self._step("rounds", number), scale
+            Rounds(self.running, self._between).keep(*named, self.method.settings[number], read)
 
     def _hand_over(self) -> None:
         """Let the steps that look first go on with all that is proven: no instant occurs twice."""

@@ -38,7 +38,7 @@ LIST = Path(__file__).with_name("mutants.txt")
 #: The folders of ``sql/`` of which every file has a mutant.
 FOLDERS = (
     *("source", "support", "embedding", "score", "health", "calibration", "certificate", "stored"),
-    *("streams", "census", "rowids", "arrays", "judgement", "report", "alarms"),
+    *("streams", "census", "rounds", "rowids", "arrays", "judgement", "report", "alarms"),
 )
 
 #: Files of ``sql/`` -> the engine that runs them; DuckDB runs all others.
@@ -57,7 +57,7 @@ LONGEST = 600.0
 #: Files of tests in the order in which they run, those of single files of SQL first; after a bracket,
 #: only those of a file whose names hold a word.
 _BY_HAND = ("test_method_by_hand", "test_stored_by_hand", "test_report_by_hand")
-_METHOD = ("test_spec", "test_agreement", "test_streaming", "test_trusting", "test_wide")
+_METHOD = ("test_spec", "test_agreement", "test_streaming", "test_trusting", "test_rounds", "test_wide")
 _STORED = (
     *("test_falsified", "test_several_monitors", "test_checksums", "test_learnt", "test_pruning"),
     "test_outside_the_contract",
@@ -78,6 +78,7 @@ _ABOUT = {
     "rowids/*": "test_trusting",
     "arrays/s*": "test_clickhouse[piece or widest",
     "arrays/*": "test_trusting",
+    "rounds/*": "test_rounds",
     "certificate/*": "test_spec[certificate",
     "embedding/context": "test_incremental[still",
     "embedding/moving_codes": "test_spec[still",
@@ -97,6 +98,7 @@ _ABOUT = {
     "stored/state/withdrawal": "test_clickhouse_writers",
     **{f"streams/{name}": "test_naming" for name in ("names", "spread", "in_order")},
     "streams/glance": "test_ordered",
+    "rounds/seen": "test_turning",
     "stored/scoring/pla[n]": "test_incremental[still",
     "stored/pruning/expired_unplaced": "test_clocks_and_replays",
     "judgement/standing": "test_standing",

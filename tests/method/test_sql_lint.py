@@ -43,7 +43,7 @@ from gam_db.stored.schema.migration_files import definitions
 from gam_db.stored.schema.migrations import rendered
 from gam_db.stored.schema.tables import StateTables
 from gam_db.stored.scoring.publishing import withdraw
-from gam_db.study import Study, naming, trusting
+from gam_db.study import Study, naming, rounds, trusting
 from harness import arrow
 from sql_lint import Kind
 from strategies import Row
@@ -780,6 +780,19 @@ def stream_once() -> None:
             monitor.score()
 
 
+def turn_once() -> None:
+    """Read channels in rounds, in two pieces."""
+    rows = rounds.PIECE
+    columns = {"asset": [*"abc"] * rows, "channel": ["x"] * 3 * rows, "value": [0.5, 1.5, 2.5] * rows}
+    table = pa.table({"time": [number // 3 for number in range(3 * rows)], **columns})
+    with DuckSession(threads=2) as session, session.lent(table) as lent:
+        given = Source(lent.name), gam_db.Parameters(), CALIBRATIONS[0]
+        study = Study(session, *given, short_cuts=True)
+        study.table("bucket_health")
+        assert study.is_trusting
+        study.forget()
+
+
 def keep_once() -> None:
     """Keep a source in order that seems to be stored so."""
     session, table = engines.session("sqlite"), pa.table({"time": [1, 2, 3], "value": [2.5] * 3})
@@ -814,6 +827,7 @@ def test_every_file_is_used() -> None:
         watch_once()
         alarm_once()
         stream_once()
+        turn_once()
         keep_once()
         gam_db.check(gam_db.Source(pa.table({"time": [1], "value": [2.5], "more": ["3"]}), None, None))
         gam_db.check(gam_db.Source(pa.table({"time": ["2026-01-01"], "value": [2.5]}), None, None))

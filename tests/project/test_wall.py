@@ -33,6 +33,7 @@ LAYERS = [
     ["reading.guess", "reading.preparing"],
     ["study.streamed"],
     ["study.naming"],
+    ["study.rounds"],
     ["study.streaming", "study.trusting"],
     ["study"],
     ["alarms", "checking", "health", "selection"],

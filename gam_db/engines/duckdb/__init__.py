@@ -53,4 +53,5 @@ ENGINE = Engine(
     unpivots=True,
     macros=True,
     bits=Bits(gathered, held),
+    in_rounds=True,
 )

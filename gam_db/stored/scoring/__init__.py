@@ -41,6 +41,7 @@ from gam_db.stored.planning.steps import (
     scoring_steps,
     setting_of,
 )
+from gam_db.stored.scoring import turning
 from gam_db.stored.scoring.growing import read_ranges, unmoved
 from gam_db.stored.scoring.ordered import is_given
 from gam_db.stored.scoring.publishing import GONE, NOTHING, Snapshots, publication, snapshots, withdraw
@@ -283,10 +284,11 @@ class _Run:
     def _in_order(
         self, running: Running, group: Sequence[Row], assets: Sequence[str] | None, bits: Bits
     ) -> bool:
-        """Give the vectors of channels as they are stored, if they are in order."""
+        """Give the vectors of channels as they are stored, if they are in order or take turns."""
         asked = [{**row, "read_until": self._until(row)} for row in group]
-        setting = method_of(setting_of(group[0]), self.reader.kind).settings[0]
-        return is_given(running, self.reader, assets, asked, setting, bits)
+        method = method_of(setting_of(group[0]), self.reader.kind)
+        told = running, self.reader, assets, asked
+        return is_given(*told, method.settings[0], bits) or turning.is_given(*told, method, bits)
 
     def _repeating(self, running: Running, group: Sequence[Row]) -> list[Row]:
         """Second stage: return the channels that did not deserve trust, and leave them out."""

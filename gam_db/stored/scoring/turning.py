@@ -1,0 +1,96 @@
+"""Scoring channels that take turns in the order in which rows are stored: nothing is copied or sorted.
+
+This module owns when that is done in a run, and what proves it: the marks of the vectors, as in the
+exact form (:mod:`gam_db.study.rounds`), and once all are made rows are counted again. What does not hold
+costs time, never a number.
+"""
+
+from collections.abc import Sequence
+from functools import partial
+
+from gam_db.columns import COUNT, SHARE, WORD, columns, counts, table_of
+from gam_db.engines.session import Row
+from gam_db.method import Method
+from gam_db.method.bits import Bits
+from gam_db.method.census import Slicing
+from gam_db.stored.planning.reading import Reader
+from gam_db.stored.planning.steps import reading_steps, turning_steps
+from gam_db.study.rounds import Range, Rounds, seem_to_be
+from gam_db.study.running import Running
+
+
+def is_given(
+    running: Running,
+    reader: Reader,
+    assets: Sequence[str] | None,
+    group: Sequence[Row],
+    method: Method,
+    bits: Bits,
+) -> bool:
+    """Give *seen*, *visited* and *identified* of channels that take turns; tell whether they serve.
+
+    Args:
+        running: the steps of a run that trusts that no instant occurs twice, with its *cohort*.
+        reader: of the source.
+        assets: those of the channels, where not all are read.
+        group: rows of the plan, with ``read_until``: nothing newer is read.
+        method: of the version of all channels.
+        bits: how supports are kept.
+    """
+    starts, stops = ({row[name] for row in group} for name in ("read_from", "read_until"))
+    if len(stops) > 1 or min(stops) < max(starts):
+        return False
+    edges, between = (min(starts), max(stops)), partial(reader.readings, assets)
+    steps = turning_steps(between(*edges), len(group), method, Slicing.of(*edges), bits)
+    if not seem_to_be(running.session, steps, {}, len(group), method.settings):
+        return False
+    running.keep("support_bits")
+    given, running.steps = running.steps, steps
+    try:
+        seen = _seen(running.rows("slices"))
+        if _are_whole(seen, len(group), method.settings[0].span):
+            # The newest rows, which are summed up, are copied first: where one is replaced meanwhile,
+            # the next run finds another sum.
+            since = max(edges[0], edges[1] - 2 * max(row["late_by"] for row in group))
+            newest = reading_steps(between(since))
+            running.put("identified", newest.query("identified", running.placed))
+            running.load("scale", table_of([{**row, "complete": 1} for row in group], _SCALE))
+            read = Range("readings", *edges, 0, seen[0]["rows_read"])
+            Rounds(running, between).keep("visited", "rounds", "scale", method.settings[0], read)
+            running.load("seen", table_of(seen, _SEEN))
+            expected = sum(row["rows_read"] for row in seen)
+            steps.fill("size", "census/size", {"most": expected + 1})
+            (size,) = running.session.rows(steps.query("size"))
+            if size["readings"] == expected and not running.largest("visited", "doubled"):
+                return True
+    finally:
+        running.steps = given
+    running.forget(but=("cohort", "recount", "support_bits"))
+    return False
+
+
+def _seen(slices: Sequence[Row]) -> list[Row]:
+    """Return what is read of each channel, of what is read of it slice by slice."""
+    seen: dict[int, Row] = {}
+    for row in slices:
+        nothing = {"rows_read": 0, "context_rows": 0, "missing_samples": 0, "read_to": row["latest"]}
+        one = seen.setdefault(row["channel_id"], {"channel_id": row["channel_id"], **nothing})
+        one["rows_read"] += row["readings"]
+        one["context_rows"] += row["context_rows"]
+        one["missing_samples"] += row["missing_samples"]
+        one["read_to"] = max(one["read_to"], row["latest"])
+    return list(seen.values())
+
+
+def _are_whole(seen: Sequence[Row], channels: int, span: int) -> bool:
+    """Tell whether all channels have as many rows, and each vector's number follows from its round."""
+    alike = len(seen) == channels and len({(row["rows_read"], row["read_to"]) for row in seen}) == 1
+    return alike and all(row["missing_samples"] == 0 and row["context_rows"] <= span for row in seen)
+
+
+_SEEN = counts("channel_id rows_read context_rows missing_samples read_to")
+_SCALE = columns(
+    (COUNT, "channel_id support_id read_from complete taught_from taught_to"),
+    (WORD, "asset channel"),
+    (SHARE, "lo hi"),
+)

@@ -1,0 +1,165 @@
+"""Rounds: channels that take turns in the order in which rows are stored, so that no vector is sorted.
+
+This module owns the guess that they do, and how a range of time is cut into pieces, which an engine
+works on side by side: what has no order but that of its rows it takes one after another. That the guess
+was right shows by the marks of the vectors (``sql/rounds/vectors.sql``).
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from itertools import accumulate
+from typing import NamedTuple
+
+from sqlglot import exp
+
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
+from gam_db.engines.session import Session
+from gam_db.settings.parameters import Parameters
+from gam_db.study.naming import GLANCE
+from gam_db.study.running import Running
+from gam_db.study.streamed import stacked
+
+#: Rows that DuckDB looks back without a sort: fewer than these. Beyond, it puts all of them in order.
+FARTHEST = 2048
+
+#: Rows from which on a piece is worth a part of a statement of its own.
+PIECE = 500_000
+
+#: Passes over all rows that cost no more than a sort: one for each set of parameters, and one more for
+#: each where samples are missing.
+MOST_PASSES = 3
+
+
+def seem_to_be(
+    session: Session,
+    steps: Pipeline,
+    placed: Mapping[str, exp.Table],
+    channels: int,
+    settings: Sequence[Parameters],
+    has_missing: bool = False,
+) -> bool:
+    """Tell whether channels seem to take turns, each once in every round, and that is of use.
+
+    Args:
+        session: an open session.
+        steps: with *readings*.
+        placed: those of them that exist as tables.
+        channels: how many there are.
+        settings: the sets of parameters.
+        has_missing: whether a sample is missing.
+    """
+    reach = max(1, *(setting.span for setting in settings))
+    passes = len(settings) * (1 + has_missing)
+    if not session.engine.in_rounds or passes > MOST_PASSES or channels * reach >= FARTHEST:
+        return False
+    steps = steps.copied()
+    steps.fill("glance", "rounds/glance", {"rows": GLANCE, "round": channels})
+    (glanced,) = session.rows(steps.query("glance", placed))
+    return bool(glanced["misplaced"] == 0)
+
+
+class Range(NamedTuple):
+    """The samples that vectors of one set are made of, which are the same of each of its channels.
+
+    Attributes:
+        rows: the step of their readings.
+        earliest, latest: the instants that are read.
+        skipped: samples of a channel that come before.
+        samples: how many they are.
+    """
+
+    rows: str
+    earliest: int
+    latest: int
+    skipped: int
+    samples: int
+
+
+class _Piece(NamedTuple):
+    """A part of a range: how many of its rounds come before what is read, and before what is asked."""
+
+    before: int
+    after: int
+    earliest: int
+    latest: int
+
+
+class Rounds:
+    """The rounds of a study in which channels :func:`seem_to_be` at turns.
+
+    Args:
+        running: its steps, those by rounds, with *slices* of the readings.
+        between: makes the step *readings* for a range of time.
+    """
+
+    def __init__(self, running: Running, between: Callable[[int, int], exp.Query]) -> None:
+        self.running, self._between = running, between
+        running.keep("turns")
+        turns = sorted(running.rows("turns"), key=lambda row: int(row["place"]))
+        self._round, first = len(turns), turns[0]
+        # Where the channels of a round have one instant, it begins and ends with that.
+        self._are_sharp = len({row["time"] for row in turns}) == 1
+        self._first = {name: template.text(first[name]) for name in ("asset", "channel")}
+        slices = (row for row in running.rows("slices") if row["slice_no"] is not None)
+        same = (row for row in slices if all(row[name] == first[name] for name in self._first))
+        self._slices = sorted(same, key=lambda row: int(row["slice_no"]))
+
+    def keep(self, step: str, listed: str, scale: str, setting: Parameters, read: Range) -> None:
+        """Keep a step of one set that is made of vectors; in pieces side by side, if that is worth it.
+
+        Args:
+            step: its name.
+            listed: what the step *rounds* of the set is called.
+            scale: likewise.
+            setting: its parameters.
+            read: what the vectors are made of.
+        """
+        running, session = self.running, self.running.session
+        running.prepare(step)
+        threads = session.threads()
+        pieces = self._cut(read, setting, min(threads, read.samples * self._round // PIECE))
+        if len(pieces) < 2:
+            running.keep(step)
+            return
+        queries, kept = [], []
+        for piece in pieces:
+            steps = running.steps.copied()
+            slots = {"before": piece.before, "after": piece.after}
+            steps.fill("piece", "rounds/rounds", slots, {"scale": scale})
+            kept.append(session.keep("piece", steps.query("piece", running.placed)))
+            steps.replace(read.rows, self._between(piece.earliest, piece.latest))
+            queries.append(steps.query(step, {**running.placed, listed: kept[-1]}).copy())
+        running.put(step, stacked(queries, threads))
+        for table in kept:
+            session.forget(table)
+
+    def _cut(self, read: Range, setting: Parameters, number: int) -> list[_Piece]:
+        """Return the pieces of a range, up to a number; each ends with a bucket."""
+        span, stride = setting.span, setting.bucket_length
+        buckets = max(read.samples - span, 0) // stride
+        ends = sorted({buckets * one // number * stride for one in range(1, number)} - {0})
+        if not (self._are_sharp and ends):
+            return []
+        edges = [self._edge(read, end, span) for end in ends]
+        starts = [
+            (0, 0, read.earliest),
+            *((end, end + span, start) for end, (_, start) in zip(ends, edges, strict=True)),
+        ]
+        stops = [*(stop for stop, _ in edges), read.latest]
+        return [_Piece(*start, stop) for start, stop in zip(starts, stops, strict=True)]
+
+    def _edge(self, read: Range, vectors: int, span: int) -> tuple[int, int]:
+        """Return the instants of the last of so many vectors, and of the next one's oldest sample."""
+        stop, start = read.skipped + vectors + span - 1, read.skipped + vectors
+        skipped, samples = min(start, stop), abs(stop - start) + 1
+        counts = [row["readings"] for row in self._slices]
+        known = list(zip(self._slices, accumulate(counts, initial=0), strict=False))
+        reached = [(one, before) for one, before in known if before < skipped + samples]
+        (first, before) = [(one, before) for one, before in reached if before <= skipped][-1]
+        steps = self.running.steps.copied()
+        steps.replace("readings", self._between(first["earliest"], reached[-1][0]["latest"]))
+        slots = {**self._first, "skipped": skipped - before, "samples": samples}
+        steps.fill("instants", "rounds/instants", slots)
+        (found,) = self.running.session.rows(steps.query("instants"))
+        instants = found["earliest"], found["latest"]
+        return instants if start > stop else instants[::-1]

@@ -1,0 +1,209 @@
+"""Scoring channels that take turns: the integers of the reference, by rounds or by the steps that sort.
+
+Which of the two it was is asked for in each case, so that no case passes by the other way.
+"""
+
+import random
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import duckdb
+import pytest
+
+import comparisons
+import frozen
+import gam_db
+import harness
+from gam_db.stored import scoring
+from gam_db.stored.monitor import Monitor
+from gam_db.stored.planning import steps
+from gam_db.stored.scoring import turning
+from gam_db.study import naming, rounds
+from small_plant import source
+from strategies import Row
+from visible import BUCKETS, NOVEL, put, rows_of
+
+pytestmark = pytest.mark.thorough
+
+LENGTH, LOOKBACK, STEP = 200, 12, 2
+NAMES = [("b", "x"), ("a", "y"), ("a", "x"), ("c", "x")]  # the order of their turns
+
+#: name -> keyword arguments of Parameters
+METHODS: dict[str, dict[str, Any]] = {
+    "delays": {"m": 3, "tau": 2, "bins": 4, "window": 20, "stride": 5},
+    "neighbours": {"m": 2, "tau": 1, "bins": 4, "window": 20, "stride": 5},
+    "one coordinate": {"m": 1, "bins": 5, "window": 12, "stride": 4},
+}
+
+RUNS = """
+    SELECT asset, channel, from_bucket, read_from, read_to, rows_read, context_rows, context_expected,
+        settled_bucket, settled_time, settled_context, summed_from, read_sum
+    FROM gam_run JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+    ORDER BY ALL
+"""
+
+
+def taking_turns(start: int = 0, length: int = LENGTH) -> list[Row]:
+    """Channels that repeat a pattern, and later on less so: one row of each per instant."""
+    return [
+        (*name, STEP * time, float(time % (5 + place) if time % 17 else 40 + time % 9))
+        for time in range(start, start + length)
+        for place, name in enumerate(NAMES)
+    ]
+
+
+@pytest.fixture
+def ways(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
+    """Whether channels were read by rounds, run by run; short ones may be, too, and are cut."""
+    found: list[bool] = []
+    given = turning.is_given
+
+    def noted(*asked: Any) -> bool:
+        found.append(given(*asked))
+        return found[-1]
+
+    monkeypatch.setattr(naming, "STREAMED_FROM", 2)
+    monkeypatch.setattr(rounds, "GLANCE", 20)
+    monkeypatch.setattr(rounds, "PIECE", 50)
+    monkeypatch.setattr(scoring, "TRUSTED_FROM", 0)
+    monkeypatch.setattr(turning, "is_given", noted)
+    return found
+
+
+@pytest.fixture(params=[1, 3])
+def connection(request: pytest.FixtureRequest) -> Iterator[duckdb.DuckDBPyConnection]:
+    with duckdb.connect() as connection:
+        connection.execute("SET threads = ?", [request.param])
+        yield connection
+
+
+def monitor(connection: Any, parameters: dict[str, Any], **more: Any) -> Monitor:
+    method = gam_db.Parameters(**parameters), gam_db.Calibration(fraction=0.3)
+    return Monitor(connection, gam_db.Source("telemetry"), *method, lookback=LOOKBACK, **more)
+
+
+def begun(connection: duckdb.DuckDBPyConnection, rows: list[Row], case: str) -> Monitor:
+    """Calibrate and score, and compare with the reference."""
+    source(connection, rows)
+    made = monitor(connection, METHODS[case])
+    made.migrate()
+    made.calibrate()
+    made.score()
+    compare(connection, rows, METHODS[case])
+    return made
+
+
+def compare(
+    connection: duckdb.DuckDBPyConnection,
+    rows: list[Row],
+    parameters: dict[str, Any],
+    first: list[Row] | None = None,
+) -> None:
+    asked = (first or rows, rows, *harness.made(parameters, {"fraction": 0.3}))
+    harness.assert_same(frozen.buckets(*asked), rows_of(connection, BUCKETS), "buckets")
+    harness.assert_same(frozen.novel_cells(*asked), rows_of(connection, NOVEL), "novel cells")
+    comparisons.compared("duckdb", "stored", rows, *asked[2:], asked[0])
+
+
+@pytest.mark.parametrize("case", METHODS)
+def test_channels_that_take_turns_are_scored_by_rounds(
+    connection: duckdb.DuckDBPyConnection, ways: list[bool], case: str
+) -> None:
+    """What runs record is the same as where all is sorted; and later runs go on so."""
+    made = begun(connection, taking_turns(), case)
+    assert ways == [True]
+    with duckdb.connect() as other:
+        rows = taking_turns()
+        source(other, random.Random(3).sample(rows, len(rows)))
+        sorting = monitor(other, METHODS[case])
+        sorting.migrate()
+        sorting.calibrate()
+        sorting.score()
+        assert ways == [True, False]
+        assert rows_of(connection, RUNS) == rows_of(other, RUNS)
+    assert made.check_state().num_rows == 0
+    rows = taking_turns()
+    for start, length in ((LENGTH, 3), (LENGTH + 3, 40)):
+        more = taking_turns(start, length)
+        put(connection, more)
+        rows = [*rows, *more]
+        made.score()
+        compare(connection, rows, METHODS[case], taking_turns())
+    # With one coordinate a later run begins with a sample that is no vector's context.
+    assert ways[2:] == [case != "one coordinate"] * 2
+    assert made.check_state().num_rows == 0
+
+
+def lacking(rows: list[Row]) -> list[Row]:
+    """One reading is missing."""
+    return [(*row[:3], None) if place == 500 else row for place, row in enumerate(rows)]
+
+
+def fewer(rows: list[Row]) -> list[Row]:
+    """One row is not there."""
+    return [*rows[:500], *rows[501:]]
+
+
+def swapped(rows: list[Row]) -> list[Row]:
+    """Two channels have each other's turn once, long after calibration."""
+    return [*rows[:500], rows[501], rows[500], *rows[502:]]
+
+
+def earlier(rows: list[Row]) -> list[Row]:
+    """One round lies before the one that it follows."""
+    return [*rows[:500], *rows[504:508], *rows[500:504], *rows[508:]]
+
+
+def twice(rows: list[Row]) -> list[Row]:
+    """One round comes again."""
+    again = [(*row[:3], -3.0) for row in rows[500:504]]
+    return [*rows[:504], *again, *rows[504:]]
+
+
+def longer(rows: list[Row]) -> list[Row]:
+    """One channel goes on for a while."""
+    return [*rows, ("b", "x", STEP * LENGTH, 1.0)]
+
+
+@pytest.mark.parametrize("changed", [lacking, fewer, swapped, earlier, twice, longer])
+def test_others_are_left_to_the_steps_that_sort(
+    connection: duckdb.DuckDBPyConnection, ways: list[bool], changed: Callable[[list[Row]], list[Row]]
+) -> None:
+    begun(connection, changed(taking_turns()), "delays")
+    assert ways == [False]
+
+
+def test_rows_that_come_meanwhile_are_noticed(
+    connection: duckdb.DuckDBPyConnection, ways: list[bool], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One of before the end is there when rows are counted again: then all is copied and sorted."""
+    late: Row = ("a", "x", STEP * 150 + 1, 99.0)
+    begun = steps.reading_steps
+
+    def meanwhile(*asked: Any) -> Any:
+        put(connection, [late])
+        monkeypatch.setattr(turning, "reading_steps", begun)
+        return begun(*asked)
+
+    monkeypatch.setattr(turning, "reading_steps", meanwhile)
+    source(connection, taking_turns())
+    made = monitor(connection, METHODS["delays"])
+    made.migrate()
+    made.calibrate()
+    made.score()
+    assert ways == [False]
+    compare(connection, [*taking_turns(), late], METHODS["delays"], taking_turns())
+
+
+def test_rows_that_come_late_are_read_again(
+    connection: duckdb.DuckDBPyConnection, ways: list[bool]
+) -> None:
+    """Within the lookback they are found by their sum, and what they change is sorted."""
+    made = begun(connection, taking_turns(), "delays")
+    late: Row = ("a", "x", STEP * LENGTH - 5, 99.0)
+    put(connection, [late, *taking_turns(LENGTH, 30)])
+    made.score()
+    rows = [*taking_turns(), late, *taking_turns(LENGTH, 30)]
+    compare(connection, rows, METHODS["delays"], taking_turns())
+    assert ways[0]
+    assert made.check_state().num_rows == 0
