@@ -47,6 +47,7 @@ def is_given(
     running.keep("support_bits")
     given, running.steps = running.steps, steps
     try:
+        running.keep("slices")
         seen = _seen(running.rows("slices"))
         if _are_whole(seen, len(group), method.settings[0].span):
             # The newest rows, which are summed up, are copied first: where one is replaced meanwhile,
