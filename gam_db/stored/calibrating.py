@@ -28,6 +28,7 @@ from gam_db.stored.schema import checksums
 from gam_db.stored.sources import described
 from gam_db.stored.state import State, kind_of, now
 from gam_db.study import Study
+from gam_db.study.running import UNSORTED
 
 #: The folders of ``sql/`` that decide what the numbers of a version are.
 _METHOD = ("source", "calibration", "embedding", "support", "certificate", "score", "health")
@@ -100,7 +101,8 @@ def calibrate(
     made: list[Row] = []
     names = running.placed["names"]
     readings = {(row["asset"], row["channel"]): row["readings"] for row in found}
-    groups = list(whole_pools(due, readings, limit or state.session.rows_at_once()))
+    most = state.session.rows_at_once() * (UNSORTED if study.is_ordered else 1)
+    groups = list(whole_pools(due, readings, limit or most))
     if not study.is_ordered and (len(groups) > 1 or not study.method.kind.is_counter):
         # Five steps read a group's rows. Unless the engine can leave out what they do not need (other
         # groups, or what follows calibration, which it cannot tell by timestamps), they are copied once.

@@ -35,6 +35,7 @@ from gam_db.study import trusting
 from gam_db.study.running import Listener, Running, unheard
 from gam_db.study.streaming import Streams, seems_ordered
 from gam_db.study.trusting import Trust
+from gam_db.study.turning import Turns
 
 #: Studies whose filled and composed steps are kept; each has a few thousand nodes of trees.
 LATELY = 16
@@ -103,7 +104,7 @@ class Study:
         if not any(names["missing_readings"].to_pylist()):
             ways = dataclasses.replace(ways, has_missing=False)
         self.running.steps = self._steps(bits, slicing, ways)
-        self._short_cut: Streams | Trust | None = None
+        self._short_cut: Streams | Trust | Turns | None = None
         if (
             is_streamed
             and bits is not None
@@ -114,6 +115,9 @@ class Study:
             made, careful = partial(self._steps, bits, slicing), partial(self._steps, bits)
             given = self.running, names, ways
             self._short_cut = Trust(self.method, *given, made, careful, self._readings)
+        elif short_cuts and sum(names["readings"].to_pylist()) >= trusting.TRUSTED_FROM:
+            turns = Turns(self.method, self.running, self._readings)
+            self._short_cut = turns if turns.serve(names) else None
 
     @property
     def steps(self) -> Pipeline:
@@ -123,7 +127,7 @@ class Study:
     @property
     def is_ordered(self) -> bool:
         """Tell whether channels are to be read as they are stored."""
-        return isinstance(self._short_cut, Streams) and self._short_cut.holds
+        return isinstance(self._short_cut, (Streams, Turns)) and self._short_cut.holds
 
     @property
     def is_streamed(self) -> bool:
@@ -192,7 +196,7 @@ class Study:
     def begin_anew(self) -> None:
         """Forget what was made of channels: others have the step *names* now."""
         self.running.forget(but=("names", "readings"))
-        if isinstance(self._short_cut, Streams):
+        if isinstance(self._short_cut, (Streams, Turns)):
             self._short_cut.begin_anew()
 
     def _prepare(self, step: str) -> None:

@@ -15,6 +15,10 @@ from gam_db.engines.session import Row, Session
 
 Listener = Callable[[str], None]
 
+#: Of channels that are read as they are stored, so many times the readings are worked on together that
+#: can be sorted at once. What is made of them is one transaction, and lost where it is killed.
+UNSORTED = 10
+
 
 def unheard(_: str) -> None:
     """Listen to nothing."""

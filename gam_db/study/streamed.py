@@ -16,6 +16,7 @@ from gam_db.method.scoring import visited_slots
 from gam_db.method.slots import block_no, coordinates
 from gam_db.method.vectors import is_outside, stream_slots
 from gam_db.settings.parameters import Parameters
+from gam_db.study.running import Running
 
 #: The slots of one channel.
 Own = Mapping[str, int | float | exp.Expr | None]
@@ -107,6 +108,21 @@ def scored(
     grouped = visited_slots(setting, ends, trusting=True) | {"outside": is_outside(setting)}
     visited = filled("health/visited", grouped)
     return _over(visited, "placed", _over(placed, "streamed", vectors))
+
+
+def are_whole(running: Running, visits: str, expected: Mapping[int, int]) -> bool:
+    """Tell whether the visits of calibration are those of vectors as stored, and none is marked.
+
+    Args:
+        running: steps at work.
+        visits: what the step is called, which is kept.
+        expected: the vectors of each channel that has one.
+    """
+    steps = running.steps.copied()
+    steps.add("visited_vectors", filled("streams/visited_vectors"), tables={"visits": visits})
+    rows = running.session.rows(steps.query("visited_vectors", running.placed))
+    found = {row["channel_id"]: row["vectors"] for row in rows}
+    return found == expected and not any(row["doubled"] for row in rows)
 
 
 def _free_names(steps: Pipeline, slots: Iterable[str]) -> dict[str, str]:

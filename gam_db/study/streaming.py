@@ -195,12 +195,8 @@ class Streams:
         self._give(visits, make, cells, "channel_id", "support_id")
         self._replace(support, filled("support/support"), {"learnable": visits, "bounds": bounds})
         self._replace(missing, filled("certificate/missing_vectors"), {"vectors": visits})
-        steps = self.running.steps.copied()
-        steps.add("visited_vectors", filled("streams/visited_vectors"), tables={"visits": visits})
-        rows = self.running.session.rows(steps.query("visited_vectors", self.running.placed))
-        found = {row["channel_id"]: row["vectors"] for row in rows}
-        is_marked = any(row["doubled"] for row in rows)
-        return not is_marked and found == {id_: vectors for id_, vectors in expected.items() if vectors}
+        wanted = {id_: vectors for id_, vectors in expected.items() if vectors}
+        return streamed.are_whole(self.running, visits, wanted)
 
     def _score(self) -> bool:
         """Give the scored vectors, grouped; tell whether they are what they should be."""

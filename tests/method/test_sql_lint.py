@@ -791,6 +791,14 @@ def turn_once() -> None:
         study.table("bucket_health")
         assert study.is_trusting
         study.forget()
+        study = Study(session, *given, short_cuts=True, on_trust=False)
+        study.table("certificate")
+        assert study.is_ordered
+        study.forget()
+        monitor = Monitor(session, *given)
+        monitor.migrate()
+        monitor.calibrate()
+        monitor.score()
 
 
 def keep_once() -> None:

@@ -34,7 +34,7 @@ LAYERS = [
     ["study.streamed"],
     ["study.naming"],
     ["study.rounds"],
-    ["study.streaming", "study.trusting"],
+    ["study.streaming", "study.trusting", "study.turning"],
     ["study"],
     ["alarms", "checking", "health", "selection"],
     ["alarms.backtesting", "findings", "sklearn"],

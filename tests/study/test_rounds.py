@@ -159,6 +159,56 @@ def test_what_cannot_be_cut_is_whole(apart: int, missing: Sequence[int], parts: 
     agrees(found, table, method)
 
 
+def proven(
+    session: Session, table: list[Row], method: tuple[Any, Any]
+) -> tuple[dict[str, Any], bool, bool]:
+    """Return what a study answers that takes nothing on trust, and whether all rows are in turn, twice.
+
+    That is before it is asked for what calibration teaches, and after.
+    """
+    with session.lent(harness.arrow(table)) as lent:
+        study = Study(session, gam_db.Source(lent.name), *method, short_cuts=True, on_trust=False)
+        before = study.is_ordered
+        questions = ("support", "certificate", "health_at_buckets", "health_indicator")
+        found = {name: study.table(harness.STEPS[name]).to_pylist() for name in questions}
+        after = study.is_ordered
+        study.forget()
+    return found, before, after
+
+
+@pytest.mark.parametrize("missing", [(), (130,)])
+@pytest.mark.parametrize("apart", [0, 1])
+@pytest.mark.parametrize("case", SERVED)
+def test_calibration_alone_is_proven_by_all_rows(case: str, apart: int, missing: Sequence[int]) -> None:
+    method = harness.made(*SERVED[case])
+    table = taking_turns(missing, apart)
+    found, before, after = proven(engines.session("duckdb"), table, method)
+    assert before is (case != "two sets" and not missing)
+    assert after is before
+    agrees(found, table, method)
+
+
+def test_groups_of_channels_are_calibrated_one_after_another() -> None:
+    """Others have their turns in the same rounds."""
+    method = harness.made(*SERVED["delays"])
+    table = taking_turns()
+    session = engines.session("duckdb")
+    with session.lent(harness.arrow(table)) as lent:
+        study = Study(session, gam_db.Source(lent.name), *method, short_cuts=True, on_trust=False)
+        names = study.running.placed["names"]
+        found = []
+        for asset in "abc":
+            study.begin_anew()
+            own = exp.select("*").from_(names.copy()).where(exp.column("asset").eq(asset))
+            study.running.placed["names"] = session.keep("wanted_names", own)
+            found += study.table("support_summary").to_pylist()
+            assert study.is_ordered
+            session.forget(study.running.placed["names"])
+        study.running.placed["names"] = names
+        study.forget()
+    harness.assert_same(harness.by_reference("support", table, *method), found)
+
+
 def swapped(table: list[Row], one: int, other: int) -> list[Row]:
     table[one], table[other] = table[other], table[one]
     return table
@@ -210,6 +260,18 @@ def test_what_is_not_in_rounds_is_sorted(
         found, is_trusting, by_rounds = answers(session, table, method)
     assert is_trusting
     assert not by_rounds
+    agrees(found, table, method)
+
+
+@pytest.mark.parametrize("order", NEARLY)
+def test_calibration_alone_is_sorted_where_a_row_is_not_in_turn(
+    order: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(rounds, "GLANCE", 6)
+    method = harness.made(*SERVED["delays"])
+    table = NEARLY[order](taking_turns())
+    found, before, _ = proven(engines.session("duckdb"), table, method)
+    assert not before
     agrees(found, table, method)
 
 

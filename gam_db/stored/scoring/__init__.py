@@ -49,7 +49,7 @@ from gam_db.stored.scoring.report import Report, Wanted
 from gam_db.stored.scoring.unplaced import keep_unplaced, note_unknown, undated
 from gam_db.stored.state import State, kind_of, now
 from gam_db.study.naming import counted
-from gam_db.study.running import Listener, Running, unheard
+from gam_db.study.running import UNSORTED, Listener, Running, unheard
 
 #: With fewer rows, looking for repeated instants first is cheaper than scoring some channels twice.
 TRUSTED_FROM = 200_000
@@ -143,11 +143,18 @@ class _Run:
                 continue
             self._verify(cohort)
             limit = wanted.limit or self.session.rows_at_once()
-            for group in portions(cohort.channels, counts, limit):
-                read = sum(counts.get((row["asset"], row["channel"]), 0) for row in group)
+            whole = [] if wanted.limit else portions(cohort.channels, counts, UNSORTED * limit)
+            scored = {
+                row["version_id"]
+                for group in whole
+                for row in self._score_whole(group, cohort, counts, limit)
+            }
+            rest = [row for row in cohort.channels if row["version_id"] not in scored]
+            for group in portions(rest, counts, limit):
+                read = _rows(group, counts)
                 trusts = read >= TRUSTED_FROM and can_trust(setting_of(group[0]), self.reader.kind)
-                rest = self._score(group, cohort, read, True) if trusts else group
-                self._score(rest, cohort, read, False)
+                left = self._score(group, cohort, read, True) if trusts else group
+                self._score(left, cohort, read, False)
         self.report.parked = len(parked)
         self.report.undated = undated(self.session, self.reader)
         if not dry_run:
@@ -246,8 +253,32 @@ class _Run:
         is_little = cells * supports <= BITS_OF_A_ROW * read
         return bits if bits is not None and is_little and bits.serve(cells, supports) else None
 
-    def _score(self, group: list[Row], cohort: Cohort, read: int, trusting: bool) -> list[Row]:
-        """Score channels of one setting, in four stages; return those that did not deserve trust."""
+    def _score_whole(
+        self, group: list[Row], cohort: Cohort, counts: dict[tuple[str, str], int], limit: int
+    ) -> list[Row]:
+        """Score channels with more readings than can be sorted at once, if nothing needs sorting.
+
+        Returns:
+            Those that were scored.
+        """
+        read = _rows(group, counts)
+        if read <= limit or not can_trust(setting_of(group[0]), self.reader.kind):
+            return []
+        left = {row["version_id"] for row in self._score(group, cohort, read, True, as_stored=True)}
+        return [row for row in group if row["version_id"] not in left]
+
+    def _score(
+        self,
+        group: list[Row],
+        cohort: Cohort,
+        read: int,
+        trusting: bool,
+        as_stored: bool = False,
+    ) -> list[Row]:
+        """Score channels of one setting, in four stages; return those that did not deserve trust.
+
+        Where nothing may be sorted, as they are stored, that can be all of them.
+        """
         if not group:
             return []
         setting = setting_of(group[0])
@@ -258,6 +289,8 @@ class _Run:
             assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
             self._recount(running, group, assets)
             if not (trusting and bits and self._in_order(running, group, assets, bits)):
+                if as_stored:
+                    return group
                 since = min(row["read_from"] for row in group)
                 rows = reading_steps(self.reader.readings(assets, since))
                 running.put("identified", rows.query("identified", running.placed))
@@ -398,6 +431,11 @@ class _Run:
                     "context_expected": row["context_expected"],
                 }
             )
+
+
+def _rows(group: Sequence[Row], counts: Mapping[tuple[str, str], int]) -> int:
+    """Return how many readings of some channels the look has found."""
+    return sum(counts.get((row["asset"], row["channel"]), 0) for row in group)
 
 
 _NO_RECOUNT = counts("channel_id calibration_readings")

@@ -1,0 +1,168 @@
+"""Turning: the calibration of channels that take turns as rows are stored, where nothing is sorted.
+
+This module owns when that is done for who asks for calibration alone, which proves nothing of the rows
+after it: the order of all rows is proven first, as their times are looked at. The vectors carry the
+marks of :mod:`gam_db.study.rounds` as well. What does not hold costs time, never a number: the study
+goes on with the steps that sort.
+"""
+
+from collections.abc import Callable, Sequence
+
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db.clock import FAR_AHEAD, LONG_AGO
+from gam_db.columns import COUNT, SHARE, WORD, columns, counts, table_of
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline, Step, filled
+from gam_db.engines.session import Row
+from gam_db.method import Method
+from gam_db.method.adding import OfSet, add
+from gam_db.method.delays import CALIBRATION, Ways, add_delays
+from gam_db.method.slots import block_no
+from gam_db.study import rounds
+from gam_db.study.running import Running
+from gam_db.study.streamed import are_whole
+
+
+class Turns:
+    """The turns of channels, of a study that looks before it trusts.
+
+    Args:
+        method: of the study.
+        running: its steps at work, with *names*.
+        between: makes the step *readings* for a range of time.
+    """
+
+    def __init__(
+        self, method: Method, running: Running, between: Callable[[int, int], exp.Query]
+    ) -> None:
+        self.method, self.running, self._between = method, running, between
+        self.holds, self._has_learnt, self._round = True, False, 0
+        self._timeline: dict[tuple[str, str], Row] = {}
+        self._sorting: dict[str, Step] = {}
+
+    def serve(self, names: pa.Table) -> bool:
+        """Tell whether the method is served, and all rows are proven to be in turn."""
+        rows, counted = names.to_pylist(), set(names["readings"].to_pylist())
+        lacks = any(row["missing_readings"] or row["without_time"] for row in rows)
+        if lacks or len(counted) != 1 or not _is_plain(self.method):
+            return False
+        running, self._round = self.running, len(rows)
+        asked = running.session, running.steps, running.placed, self._round
+        if not rounds.seem_to_be(*asked, self.method.settings):
+            return False
+        (readings,), fraction = counted, self.method.rules[0].fraction
+        steps = self._steps(running.steps.steps["readings"].query)
+        quota = 0 if fraction is None else int(fraction * readings)
+        add(steps, "rounds/timeline", {"round": self._round, "quota": quota})
+        channels = running.rows("channels")
+        looked = {row["channel_id"]: row for row in self._asked(steps, channels, "timeline")}
+        self._timeline = {_name(row): {**looked[row["channel_id"]], "repeats": 0} for row in channels}
+        return all(row["misplaced"] == 0 for row in looked.values())
+
+    def begin_anew(self) -> None:
+        """Go on with other channels, whose steps are not there yet."""
+        self._has_learnt = False
+        for step in self._sorting.values():
+            self.running.steps.put(step)
+        self._sorting.clear()
+
+    def prepare(self, step: str) -> None:
+        """Give the steps before one what turns make of them, if it needs them."""
+        running = self.running
+        needed = {one.name for one in running.steps.needed([step], running.placed)}
+        if self.holds and "timeline" in needed:
+            timeline = [
+                {**self._timeline[_name(row)], "channel_id": row["channel_id"]}
+                for row in running.rows("channels")
+            ]
+            running.load("timeline", table_of(timeline, _TIMELINE))
+        if self.holds and not self._has_learnt and needed & {"visits", "support"}:
+            self._has_learnt = True
+            self.holds = self._learn()
+            if not self.holds:
+                self.begin_anew()
+                running.forget(but=("names", "readings"))
+
+    def _learn(self) -> bool:
+        """Give the visits of calibration; tell whether they are those of vectors in turn."""
+        running, setting = self.running, self.method.settings[0]
+        ranges, pieces, seen = (
+            {row["channel_id"]: row for row in running.rows(step)}
+            for step in ("bounds", "calibration", "calibrated")
+        )
+        channels = [
+            {
+                **row,
+                "taught_from": piece["time_from"],
+                "taught_to": piece["time_to"],
+                **_range(ranges[id_]),
+            }
+            for row in running.rows("channels")
+            if (piece := pieces.get(id_ := row["channel_id"])) and id_ in seen
+        ]
+        samples = {seen[row["channel_id"]]["calibration_samples"] for row in channels}
+        if len(channels) != len(ranges) or len(samples) != 1:
+            return False
+        vectors = max(min(samples) - setting.span, 0)
+        edges = min(row["taught_from"] for row in channels), max(row["taught_to"] for row in channels)
+        steps = self._steps(self._between(*edges))
+        one = OfSet(steps, self.method, 0)
+        add_delays(one, CALIBRATION, Ways(round=self._round), "readings", has_bits=False)
+        block = block_no(setting, template.node_of(max(vectors, 1)))
+        one.add("rounds/visits", {"block_no": block}, tables={"vectors": f"{CALIBRATION}vectors"})
+        scale = table_of([{**row, "complete": 1} for row in channels], _SCALE)
+        with (
+            running.session.lent(scale) as lent,
+            Running(running.session, steps, {"scale": lent}) as own,
+        ):
+            self._replace("visits", own.query("visits"))
+            running.keep("visits")
+        self._replace("support", filled("support/support"), {"learnable": "visits"})
+        self._replace("missing_vectors", filled("certificate/missing_vectors"), {"vectors": "visits"})
+        expected = {row["channel_id"]: vectors for row in channels if vectors}
+        return are_whole(running, "visits", expected)
+
+    def _asked(self, steps: Pipeline, channels: Sequence[Row], step: str) -> list[Row]:
+        """Return the rows of a step that speaks of channels by their places in a round."""
+        with (
+            self.running.session.lent(table_of(channels, _SCALE)) as lent,
+            Running(self.running.session, steps, {"scale": lent}) as own,
+        ):
+            return own.rows(step)
+
+    def _steps(self, rows: exp.Query) -> Pipeline:
+        """Return the steps to *rounds*, over some readings."""
+        steps = Pipeline(small=frozenset(("turns", "rounds")))
+        steps.add("readings", rows.copy())
+        add(steps, "rounds/turns", {"round": self._round})
+        add(steps, "rounds/rounds", {"before": 0, "after": 0})
+        return steps
+
+    def _replace(self, step: str, query: exp.Query, tables: dict[str, str] | None = None) -> None:
+        self._sorting[step] = self.running.steps.replace(step, query.copy(), tables)
+
+
+def _is_plain(method: Method) -> bool:
+    """Tell whether no segment ends, and calibration is one interval, the same for all channels."""
+    (rule, *others), whole = method.rules, ((LONG_AGO, FAR_AHEAD),)
+    is_one = rule.fraction is None or tuple(rule.allowed) == whole
+    alike = not others and len(method.settings) == 1 and method.is_unbroken(0)
+    return alike and is_one and len(rule.allowed) <= 1
+
+
+def _range(bounds: Row) -> Row:
+    return {"lo": bounds["calibrated_lo"], "hi": bounds["calibrated_hi"]}
+
+
+def _name(row: Row) -> tuple[str, str]:
+    return row["asset"], row["channel"]
+
+
+_TIMELINE = counts("channel_id repeats first_time quota_time")
+_SCALE = columns(
+    (COUNT, "channel_id support_id read_from complete taught_from taught_to"),
+    (WORD, "asset channel"),
+    (SHARE, "lo hi"),
+)
