@@ -16,7 +16,7 @@ import harness
 from gam_db.stored import scoring
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.planning import steps
-from gam_db.stored.scoring import ordered
+from gam_db.stored.scoring import groups, ordered
 from gam_db.study import naming
 from small_plant import source
 from strategies import Row
@@ -64,7 +64,7 @@ def ways(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
     monkeypatch.setattr(naming, "GLANCE", 20)
     monkeypatch.setattr(naming, "EVERY", 8)
     monkeypatch.setattr(scoring, "TRUSTED_FROM", 0)
-    monkeypatch.setattr(scoring, "is_given", noted)
+    monkeypatch.setattr(groups, "is_given", noted)
     return found
 
 
