@@ -6,6 +6,7 @@ was right shows by the marks of the vectors (``sql/rounds/vectors.sql``).
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
 from itertools import accumulate
 from typing import NamedTuple
 
@@ -13,7 +14,7 @@ from sqlglot import exp
 
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
-from gam_db.engines.session import Session
+from gam_db.engines.session import Row, Session
 from gam_db.settings.parameters import Parameters
 from gam_db.study.naming import GLANCE
 from gam_db.study.running import Running
@@ -99,10 +100,14 @@ class Rounds:
         self._round, first = len(turns), turns[0]
         # Where the channels of a round have one instant, it begins and ends with that.
         self._are_sharp = len({row["time"] for row in turns}) == 1
-        self._first = {name: template.text(first[name]) for name in ("asset", "channel")}
-        slices = (row for row in running.rows("slices") if row["slice_no"] is not None)
-        same = (row for row in slices if all(row[name] == first[name] for name in self._first))
-        self._slices = sorted(same, key=lambda row: int(row["slice_no"]))
+        self._named = {name: first[name] for name in ("asset", "channel")}
+
+    @cached_property
+    def _slices(self) -> list[Row]:
+        """The slices of one channel, in order; asked for where there is something to cut."""
+        slices = (row for row in self.running.rows("slices") if row["slice_no"] is not None)
+        same = (row for row in slices if all(row[name] == of for name, of in self._named.items()))
+        return sorted(same, key=lambda row: int(row["slice_no"]))
 
     def keep(self, step: str, listed: str, scale: str, setting: Parameters, read: Range) -> None:
         """Keep a step of one set that is made of vectors; in pieces side by side, if that is worth it.
@@ -158,7 +163,8 @@ class Rounds:
         (first, before) = [(one, before) for one, before in reached if before <= skipped][-1]
         steps = self.running.steps.copied()
         steps.replace("readings", self._between(first["earliest"], reached[-1][0]["latest"]))
-        slots = {**self._first, "skipped": skipped - before, "samples": samples}
+        names = {name: template.text(of) for name, of in self._named.items()}
+        slots = {**names, "skipped": skipped - before, "samples": samples}
         steps.fill("instants", "rounds/instants", slots)
         (found,) = self.running.session.rows(steps.query("instants"))
         instants = found["earliest"], found["latest"]

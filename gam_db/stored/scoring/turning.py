@@ -45,20 +45,25 @@ def is_given(
     if not seem_to_be(running.session, steps, {}, len(group), method.settings):
         return False
     running.keep("support_bits")
+    # The newest rows, which are summed up, are copied first: where one is replaced meanwhile, the next
+    # run finds another sum.
+    since = max(edges[0], edges[1] - 2 * max(row["late_by"] for row in group))
+    newest = reading_steps(between(since))
+    running.put("identified", newest.query("identified", running.placed))
+    seen: list[Row] = []
+    if since == edges[0]:  # that is all of them
+        running.keep("seen")
+        seen = running.rows("seen")
     given, running.steps = running.steps, steps
     try:
-        running.keep("slices")
-        seen = _seen(running.rows("slices"))
+        if not seen:
+            running.keep("slices")
+            seen = _seen(running.rows("slices"))
+            running.load("seen", table_of(seen, _SEEN))
         if _are_whole(seen, len(group), method.settings[0].span):
-            # The newest rows, which are summed up, are copied first: where one is replaced meanwhile,
-            # the next run finds another sum.
-            since = max(edges[0], edges[1] - 2 * max(row["late_by"] for row in group))
-            newest = reading_steps(between(since))
-            running.put("identified", newest.query("identified", running.placed))
             running.load("scale", table_of([{**row, "complete": 1} for row in group], _SCALE))
             read = Range("readings", *edges, 0, seen[0]["rows_read"])
             Rounds(running, between).keep("visited", "rounds", "scale", method.settings[0], read)
-            running.load("seen", table_of(seen, _SEEN))
             expected = sum(row["rows_read"] for row in seen)
             steps.fill("size", "census/size", {"most": expected + 1})
             (size,) = running.session.rows(steps.query("size"))
