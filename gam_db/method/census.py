@@ -119,7 +119,7 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
     add_run_up(one, {"samples": "edge_samples"})
     one.add("census/scale")
     if ways.round is not None:
-        one.add("rounds/rounds", {"before": 0, "after": 0})
+        one.add("rounds/rounds", {"before": 0, "after": 0, "sharp": 0})
     scored = one.named(SCORED)
     if ways.delays is not None:
         add_coded(one, ways.delays)

@@ -98,7 +98,8 @@ class Rounds:
         running.keep("turns")
         turns = sorted(running.rows("turns"), key=lambda row: int(row["place"]))
         self._round, first = len(turns), turns[0]
-        # Where the channels of a round have one instant, it begins and ends with that.
+        # Where the channels of a round have one instant, it begins and ends with that. Of all other
+        # rounds the vectors prove it; those of a piece also of the last round before it.
         self._are_sharp = len({row["time"] for row in turns}) == 1
         self._named = {name: first[name] for name in ("asset", "channel")}
 
@@ -129,7 +130,7 @@ class Rounds:
         queries, kept = [], []
         for piece in pieces:
             steps = running.steps.copied()
-            slots = {"before": piece.before, "after": piece.after}
+            slots = {"before": piece.before, "after": piece.after, "sharp": 1}
             steps.fill("piece", "rounds/rounds", slots, {"scale": scale})
             kept.append(session.keep("piece", steps.query("piece", running.placed)))
             steps.replace(read.rows, self._between(piece.earliest, piece.latest))
@@ -145,18 +146,21 @@ class Rounds:
         ends = sorted({buckets * one // number * stride for one in range(1, number)} - {0})
         if not (self._are_sharp and ends):
             return []
-        edges = [self._edge(read, end, span) for end in ends]
+        context = max(span, 1)  # a piece reads the last round of the one before, whole
+        edges = [self._edge(read, end + span, context) for end in ends]
         starts = [
             (0, 0, read.earliest),
-            *((end, end + span, start) for end, (_, start) in zip(ends, edges, strict=True)),
+            *(
+                (end + span - context, end + span, start)
+                for end, (start, _) in zip(ends, edges, strict=True)
+            ),
         ]
-        stops = [*(stop for stop, _ in edges), read.latest]
+        stops = [*(stop for _, stop in edges), read.latest]
         return [_Piece(*start, stop) for start, stop in zip(starts, stops, strict=True)]
 
-    def _edge(self, read: Range, vectors: int, span: int) -> tuple[int, int]:
-        """Return the instants of the last of so many vectors, and of the next one's oldest sample."""
-        stop, start = read.skipped + vectors + span - 1, read.skipped + vectors
-        skipped, samples = min(start, stop), abs(stop - start) + 1
+    def _edge(self, read: Range, end: int, samples: int) -> tuple[int, int]:
+        """Return the first and last instant of so many samples of a channel, up to a number of them."""
+        skipped = read.skipped + end - samples
         counts = [row["readings"] for row in self._slices]
         known = list(zip(self._slices, accumulate(counts, initial=0), strict=False))
         reached = [(one, before) for one, before in known if before < skipped + samples]
@@ -167,5 +171,4 @@ class Rounds:
         slots = {**names, "skipped": skipped - before, "samples": samples}
         steps.fill("instants", "rounds/instants", slots)
         (found,) = self.running.session.rows(steps.query("instants"))
-        instants = found["earliest"], found["latest"]
-        return instants if start > stop else instants[::-1]
+        return found["earliest"], found["latest"]

@@ -137,7 +137,7 @@ class Turns:
         steps = Pipeline(small=frozenset(("turns", "rounds")))
         steps.add("readings", rows.copy())
         add(steps, "rounds/turns", {"round": self._round})
-        add(steps, "rounds/rounds", {"before": 0, "after": 0})
+        add(steps, "rounds/rounds", {"before": 0, "after": 0, "sharp": 0})
         return steps
 
     def _replace(self, step: str, query: exp.Query, tables: dict[str, str] | None = None) -> None:

@@ -3,7 +3,7 @@
 -- Dialect: duckdb
 -- Reads:  readings, rounds
 -- A row:  one row of the range; position is the number of its round, in_turn = 0 if it is not of the channel whose turn
---         it is, or not of what is read of that.
+--         it is, or not of what is read of that, or not of the instant that its round must have.
 -- Slots:  :round  rows of a round: one of each channel
 --         :code   the expression of support/code.sql, cast to the narrowest integer that holds it
 --         :time_from, :time_to  the first and the last instant that are read of a channel
@@ -20,6 +20,7 @@ FROM (
       WHEN asset = LIST_EXTRACT(rounds.assets, place)
         AND channel = LIST_EXTRACT(rounds.channels, place)
         AND time BETWEEN :time_from AND :time_to
+        AND (place = 1 OR time = time_before OR rounds.are_sharp = 0)
         THEN 1
       ELSE 0
     END AS in_turn,
@@ -29,17 +30,31 @@ FROM (
     LIST_EXTRACT(rounds.los, place) AS lo,
     LIST_EXTRACT(rounds.his, place) AS hi
   FROM (
-    SELECT asset, channel, time, reading, turn_no, row_no - (turn_no - 1) * :round AS place
+    SELECT
+      asset,
+      channel,
+      time,
+      time_before,
+      reading,
+      turn_no,
+      row_no - (turn_no - 1) * :round AS place
     FROM (
       SELECT
         asset,
         channel,
         time,
+        time_before,
         reading,
         row_no,
         CAST(FLOOR((row_no - CAST(5e-1 AS DOUBLE)) / CAST(:round AS DOUBLE)) AS BIGINT) + 1 AS turn_no
       FROM (
-        SELECT asset, channel, time, reading, CAST(ROW_NUMBER() OVER () AS BIGINT) AS row_no
+        SELECT
+          asset,
+          channel,
+          time,
+          LAG(time, 1) OVER () AS time_before,
+          reading,
+          CAST(ROW_NUMBER() OVER () AS BIGINT) AS row_no
         FROM readings
       ) AS numbered
     ) AS counted

@@ -5,9 +5,11 @@
 -- A row:  the only one. Of a channel with other parameters the lists hold no more than its name.
 -- Slots:  :before  rounds before the first one that is read
 --         :after   rounds after which vectors are asked for
+--         :sharp   1 if each round must have one instant, as it must where rounds are cut by time
 SELECT
   CAST(:before AS BIGINT) AS rounds_before,
   CAST(:after AS BIGINT) AS rounds_after,
+  CAST(:sharp AS INTEGER) AS are_sharp,
   LIST(turn.asset ORDER BY turn.place) AS assets,
   LIST(turn.channel ORDER BY turn.place) AS channels,
   LIST(one.channel_id ORDER BY turn.place) AS channel_ids,

@@ -146,6 +146,30 @@ def test_pieces_side_by_side_are_one(case: str, threads: int, parts: list[int]) 
     agrees(found, table, method)
 
 
+def spread(table: list[Row], number: int) -> list[Row]:
+    """The channels of one round have an instant each."""
+    places = range(5 * number, 5 * number + 5)
+    return [
+        (*row[:2], row[2] + place % 5, row[3]) if place in places else row
+        for place, row in enumerate(table)
+    ]
+
+
+@pytest.mark.parametrize("case", ["delays", "one before", "one coordinate"])
+def test_a_round_that_may_be_cut_is_found(case: str, parts: list[int]) -> None:
+    """Wherever it is: rounds are not cut by the time of their first channel."""
+    method = harness.made(*SERVED[case])
+    with DuckSession(threads=4) as session:
+        for number in range(85, LENGTH, 5):
+            for shift in (0, 1):
+                table = spread(taking_turns(), number + shift)
+                found, is_trusting, by_rounds = answers(session, table, method)
+                assert is_trusting
+                assert not by_rounds
+                agrees(found, table, method)
+    assert parts
+
+
 @pytest.mark.parametrize(("apart", "missing"), [(1, ()), (0, (3, 130))])
 def test_what_cannot_be_cut_is_whole(apart: int, missing: Sequence[int], parts: list[int]) -> None:
     """Turns at instants of their own end within a round; what lacks samples is numbered from one end."""

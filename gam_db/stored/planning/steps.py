@@ -168,7 +168,7 @@ def turning_steps(
     slots = {"origin": slicing.origin, "width": slicing.width}
     add(steps, "rounds/seen", slots, name="slices")
     one = OfSet(steps, method, 0)
-    one.add("rounds/rounds", {"before": 0, "after": 0})
+    one.add("rounds/rounds", {"before": 0, "after": 0, "sharp": 0})
     add_delays(one, COMPLETE, Ways(round=channels), "readings", has_bits=True)
     add_trusted_novelty(one, bits)
     add_placed(one, [f"{COMPLETE}novelty"], ENDS, trusting=True)
