@@ -101,8 +101,13 @@ def calibrate(
     made: list[Row] = []
     names = running.placed["names"]
     readings = {(row["asset"], row["channel"]): row["readings"] for row in found}
-    most = state.session.rows_at_once() * (UNSORTED if study.is_ordered else 1)
+    at_once = state.session.rows_at_once()
+    most = at_once * (UNSORTED if study.is_ordered else 1)
     groups = list(whole_pools(due, readings, limit or most))
+    if len(groups) > 1:
+        study.read_in_parts()
+        if not study.is_ordered:
+            groups = list(whole_pools(due, readings, limit or at_once))
     if not study.is_ordered and (len(groups) > 1 or not study.method.kind.is_counter):
         # Five steps read a group's rows. Unless the engine can leave out what they do not need (other
         # groups, or what follows calibration, which it cannot tell by timestamps), they are copied once.

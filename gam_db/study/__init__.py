@@ -129,6 +129,11 @@ class Study:
         """Tell whether channels are to be read as they are stored."""
         return isinstance(self._short_cut, (Streams, Turns)) and self._short_cut.holds
 
+    def read_in_parts(self) -> None:
+        """Give up turns: who asks for some channels at a time would read the rows of all each time."""
+        if isinstance(self._short_cut, Turns):
+            self._short_cut = None
+
     @property
     def is_streamed(self) -> bool:
         """Tell whether vectors were made of channels as they are stored."""

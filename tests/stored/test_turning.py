@@ -18,7 +18,7 @@ from gam_db.stored import scoring
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.planning import steps
 from gam_db.stored.scoring import turning
-from gam_db.study import naming, rounds
+from gam_db.study import naming, rounds, trusting
 from small_plant import source
 from strategies import Row
 from visible import BUCKETS, NOVEL, put, rows_of
@@ -207,3 +207,23 @@ def test_rows_that_come_late_are_read_again(
     compare(connection, rows, METHODS["delays"], taking_turns())
     assert ways[0]
     assert made.check_state().num_rows == 0
+
+
+@pytest.mark.parametrize("limit", [None, 2 * LENGTH])
+def test_what_is_calibrated_in_groups_is_sorted(
+    connection: duckdb.DuckDBPyConnection,
+    ways: list[bool],
+    limit: int | None,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Each group would read the rows of all; and the numbers are the same."""
+    monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
+    heard: list[str] = []
+    source(connection, taking_turns())
+    made = monitor(connection, METHODS["delays"])
+    made.migrate()
+    made.calibrate(limit=limit, on_step=heard.append)
+    assert heard.count("writing") == (1 if limit is None else 2)
+    assert ("timeline" in heard) is (limit is not None)
+    made.score()
+    compare(connection, taking_turns(), METHODS["delays"])
