@@ -14,11 +14,13 @@ import comparisons
 import frozen
 import gam_db
 import harness
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.stored import scoring
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.planning import steps
 from gam_db.stored.scoring import turning
 from gam_db.study import naming, rounds, trusting
+from gam_db.study.running import UNSORTED
 from small_plant import source
 from strategies import Row
 from visible import BUCKETS, NOVEL, put, rows_of
@@ -226,4 +228,41 @@ def test_what_is_calibrated_in_groups_is_sorted(
     assert heard.count("writing") == (1 if limit is None else 2)
     assert ("timeline" in heard) is (limit is not None)
     made.score()
+    compare(connection, taking_turns(), METHODS["delays"])
+
+
+@pytest.mark.parametrize(("changed", "is_whole"), [(list, True), (swapped, False), (lacking, False)])
+def test_more_than_can_be_sorted_is_scored_whole_if_nothing_is(
+    connection: duckdb.DuckDBPyConnection,
+    ways: list[bool],
+    monkeypatch: pytest.MonkeyPatch,
+    changed: Callable[[list[Row]], list[Row]],
+    is_whole: bool,
+) -> None:
+    """Else channel by channel, as many as can be; there each is read by its name, and in order so."""
+    heard: list[str] = []
+    rows = changed(taking_turns())
+    source(connection, rows)
+    made = monitor(connection, METHODS["delays"])
+    made.migrate()
+    made.calibrate()
+    monkeypatch.setattr(DuckSession, "rows_at_once", lambda _: LENGTH)
+    made.score(on_step=heard.append)
+    assert ways[0] is is_whole
+    assert heard.count("writing") == (1 if is_whole else len(NAMES))
+    compare(connection, rows, METHODS["delays"])
+
+
+def test_far_more_is_scored_in_groups(
+    connection: duckdb.DuckDBPyConnection, ways: list[bool], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """So many times what can be sorted is one transaction, and no more."""
+    heard: list[str] = []
+    source(connection, taking_turns())
+    made = monitor(connection, METHODS["delays"])
+    made.migrate()
+    made.calibrate()
+    monkeypatch.setattr(DuckSession, "rows_at_once", lambda _: LENGTH // UNSORTED)
+    made.score(on_step=heard.append)
+    assert heard.count("writing") == len(NAMES)
     compare(connection, taking_turns(), METHODS["delays"])
