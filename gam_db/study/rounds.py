@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from sqlglot import exp
 
+from gam_db.columns import COUNT, SHARE, WORD, columns
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.session import Row, Session
@@ -29,6 +30,13 @@ PIECE = 500_000
 #: Passes over all rows that cost no more than a sort: one for each set of parameters, and one more for
 #: each where samples are missing.
 MOST_PASSES = 3
+
+#: What rounds/rounds.sql asks of each channel.
+SCALE = columns(
+    (COUNT, "channel_id support_id read_from complete taught_from taught_to"),
+    (WORD, "asset channel"),
+    (SHARE, "lo hi"),
+)
 
 
 def seem_to_be(

@@ -161,6 +161,7 @@ class Trust:
         if rounds.seem_to_be(*asked, self.method.settings, self._ways.has_missing):
             self._ways = replace(self._ways, round=names.num_rows)
             self.running.steps = self._made(self._ways)
+            self._rounds = Rounds(self.running, self._between)
 
     def _proves(self) -> bool:
         """Tell whether every sample is in a vector, and none is marked."""
@@ -244,7 +245,7 @@ class Trust:
             start, end = (0, taught) if rows == TAUGHT else (taught - context, readings)
             read = Range(rows, *edges, start, end - start)
             named = self._step(step, number), self._step("rounds", number), scale
-            Rounds(self.running, self._between).keep(*named, self.method.settings[number], read)
+            self._rounds.keep(*named, self.method.settings[number], read)
 
     def _hand_over(self) -> None:
         """Let the steps that look first go on with all that is proven: no instant occurs twice."""

@@ -12,7 +12,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.clock import FAR_AHEAD, LONG_AGO
-from gam_db.columns import COUNT, SHARE, WORD, columns, counts, table_of
+from gam_db.columns import counts, table_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, Step, filled
 from gam_db.engines.session import Row
@@ -112,7 +112,7 @@ class Turns:
         add_delays(one, CALIBRATION, Ways(round=self._round), "readings", has_bits=False)
         block = block_no(setting, template.node_of(max(vectors, 1)))
         one.add("rounds/visits", {"block_no": block}, tables={"vectors": f"{CALIBRATION}vectors"})
-        scale = table_of([{**row, "complete": 1} for row in channels], _SCALE)
+        scale = table_of([{**row, "complete": 1} for row in channels], rounds.SCALE)
         with (
             running.session.lent(scale) as lent,
             Running(running.session, steps, {"scale": lent}) as own,
@@ -127,7 +127,7 @@ class Turns:
     def _asked(self, steps: Pipeline, channels: Sequence[Row], step: str) -> list[Row]:
         """Return the rows of a step that speaks of channels by their places in a round."""
         with (
-            self.running.session.lent(table_of(channels, _SCALE)) as lent,
+            self.running.session.lent(table_of(channels, rounds.SCALE)) as lent,
             Running(self.running.session, steps, {"scale": lent}) as own,
         ):
             return own.rows(step)
@@ -161,8 +161,3 @@ def _name(row: Row) -> tuple[str, str]:
 
 
 _TIMELINE = counts("channel_id repeats first_time quota_time")
-_SCALE = columns(
-    (COUNT, "channel_id support_id read_from complete taught_from taught_to"),
-    (WORD, "asset channel"),
-    (SHARE, "lo hi"),
-)

@@ -20,17 +20,9 @@ from gam_db.method.adding import OfSet, add
 from gam_db.method.alarms import add_counted, band_of
 from gam_db.method.bits import Bits
 from gam_db.method.calibration import add_breaks, add_learnable
-from gam_db.method.census import Slicing, add_trusted_novelty
 from gam_db.method.certificate import add_judgement
-from gam_db.method.delays import COMPLETE, Ways, add_delays
 from gam_db.method.resolved import SMALL_OF_SET
-from gam_db.method.scoring import (
-    add_bucket_counts,
-    add_buckets,
-    add_numbered,
-    add_placed,
-    add_support_bits,
-)
+from gam_db.method.scoring import add_bucket_counts, add_buckets, add_numbered, add_support_bits
 from gam_db.method.slots import code_in
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
@@ -145,33 +137,6 @@ def reading_steps(rows: exp.Query, is_ranged: bool = True) -> Pipeline:
     add(steps, "source/identified", {"read": ranged if is_ranged else exp.true()})
     add(steps, "stored/scoring/calibration")
     add(steps, "stored/scoring/recount")
-    return steps
-
-
-def turning_steps(
-    rows: exp.Query, channels: int, method: Method, slicing: Slicing, bits: Bits
-) -> Pipeline:
-    """Return the steps to *visited* of channels that take turns in the order in which rows are stored.
-
-    Given by the caller are *cohort*, *support_bits*, and *scale*: what rounds/rounds.sql asks of each.
-
-    Args:
-        rows: the step *readings*.
-        channels: how many take turns.
-        method: of the version of all of them.
-        slicing: how times are cut, for *slices*: what is read of each channel.
-        bits: how supports are kept.
-    """
-    steps = Pipeline(small=frozenset(("turns", "slices", "rounds")))
-    steps.add("readings", rows, template.load("source/readings").comment)
-    add(steps, "rounds/turns", {"round": channels})
-    slots = {"origin": slicing.origin, "width": slicing.width}
-    add(steps, "rounds/seen", slots, name="slices")
-    one = OfSet(steps, method, 0)
-    one.add("rounds/rounds", {"before": 0, "after": 0, "sharp": 0})
-    add_delays(one, COMPLETE, Ways(round=channels), "readings", has_bits=True)
-    add_trusted_novelty(one, bits)
-    add_placed(one, [f"{COMPLETE}novelty"], ENDS, trusting=True)
     return steps
 
 

@@ -8,14 +8,21 @@ costs time, never a number.
 from collections.abc import Sequence
 from functools import partial
 
-from gam_db.columns import COUNT, SHARE, WORD, columns, counts, table_of
+from sqlglot import exp
+
+from gam_db.columns import counts, table_of
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.session import Row
 from gam_db.method import Method
+from gam_db.method.adding import OfSet, add
 from gam_db.method.bits import Bits
-from gam_db.method.census import Slicing
+from gam_db.method.census import Slicing, add_trusted_novelty
+from gam_db.method.delays import COMPLETE, Ways, add_delays
+from gam_db.method.scoring import add_placed
 from gam_db.stored.planning.reading import Reader
-from gam_db.stored.planning.steps import reading_steps, turning_steps
-from gam_db.study.rounds import Range, Rounds, seem_to_be
+from gam_db.stored.planning.steps import ENDS, reading_steps
+from gam_db.study.rounds import SCALE, Range, Rounds, seem_to_be
 from gam_db.study.running import Running
 
 
@@ -41,7 +48,7 @@ def is_given(
     if len(stops) > 1 or min(stops) < max(starts):
         return False
     edges, between = (min(starts), max(stops)), partial(reader.readings, assets)
-    steps = turning_steps(between(*edges), len(group), method, Slicing.of(*edges), bits)
+    steps = _steps(between(*edges), len(group), method, Slicing.of(*edges), bits)
     if not seem_to_be(running.session, steps, {}, len(group), method.settings):
         return False
     running.keep("support_bits")
@@ -61,7 +68,7 @@ def is_given(
             seen = _seen(running.rows("slices"))
             running.load("seen", table_of(seen, _SEEN))
         if _are_whole(seen, len(group), method.settings[0].span):
-            running.load("scale", table_of([{**row, "complete": 1} for row in group], _SCALE))
+            running.load("scale", table_of([{**row, "complete": 1} for row in group], SCALE))
             read = Range("readings", *edges, 0, seen[0]["rows_read"])
             Rounds(running, between).keep("visited", "rounds", "scale", method.settings[0], read)
             expected = sum(row["rows_read"] for row in seen)
@@ -73,6 +80,31 @@ def is_given(
         running.steps = given
     running.forget(but=("cohort", "recount", "support_bits"))
     return False
+
+
+def _steps(rows: exp.Query, channels: int, method: Method, slicing: Slicing, bits: Bits) -> Pipeline:
+    """Return the steps to *visited* of channels that take turns in the order in which rows are stored.
+
+    Given by the caller are *cohort*, *support_bits*, and *scale*: what rounds/rounds.sql asks of each.
+
+    Args:
+        rows: the step *readings*.
+        channels: how many take turns.
+        method: of the version of all of them.
+        slicing: how times are cut, for *slices*: what is read of each channel.
+        bits: how supports are kept.
+    """
+    steps = Pipeline(small=frozenset(("turns", "slices", "rounds")))
+    steps.add("readings", rows, template.load("source/readings").comment)
+    add(steps, "rounds/turns", {"round": channels})
+    slots = {"origin": slicing.origin, "width": slicing.width}
+    add(steps, "rounds/seen", slots, name="slices")
+    one = OfSet(steps, method, 0)
+    one.add("rounds/rounds", {"before": 0, "after": 0, "sharp": 0})
+    add_delays(one, COMPLETE, Ways(round=channels), "readings", has_bits=True)
+    add_trusted_novelty(one, bits)
+    add_placed(one, [f"{COMPLETE}novelty"], ENDS, trusting=True)
+    return steps
 
 
 def _seen(slices: Sequence[Row]) -> list[Row]:
@@ -95,8 +127,3 @@ def _are_whole(seen: Sequence[Row], channels: int, span: int) -> bool:
 
 
 _SEEN = counts("channel_id rows_read context_rows missing_samples read_to")
-_SCALE = columns(
-    (COUNT, "channel_id support_id read_from complete taught_from taught_to"),
-    (WORD, "asset channel"),
-    (SHARE, "lo hi"),
-)
