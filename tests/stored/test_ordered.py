@@ -9,29 +9,18 @@ from typing import Any
 import duckdb
 import pytest
 
-import comparisons
-import frozen
-import gam_db
-import harness
+from as_stored import METHODS, RUNS, compare, monitor, scored
 from gam_db.stored import scoring
-from gam_db.stored.monitor import Monitor
 from gam_db.stored.planning import steps
 from gam_db.stored.scoring import groups, ordered
 from gam_db.study import naming
 from small_plant import source
 from strategies import Row
-from visible import BUCKETS, NOVEL, put, rows_of
+from visible import put, rows_of
 
 pytestmark = pytest.mark.thorough
 
-LENGTH, LOOKBACK = 200, 12
-
-#: name -> keyword arguments of Parameters
-METHODS: dict[str, dict[str, Any]] = {
-    "delays": {"m": 3, "tau": 2, "bins": 4, "window": 20, "stride": 5},
-    "neighbours": {"m": 2, "tau": 1, "bins": 4, "window": 20, "stride": 5},
-    "one coordinate": {"m": 1, "bins": 5, "window": 12, "stride": 4},
-}
+LENGTH = 200
 
 
 def channel(asset: str, number: int, step: int = 2) -> list[Row]:
@@ -44,11 +33,6 @@ def channel(asset: str, number: int, step: int = 2) -> list[Row]:
 
 def by_channel() -> list[Row]:
     return [*channel("a", 0), *channel("b", 1, 3), *channel("c", 2)]
-
-
-def monitor(connection: Any, parameters: dict[str, Any], **more: Any) -> Monitor:
-    method = gam_db.Parameters(**parameters), gam_db.Calibration(fraction=0.3)
-    return Monitor(connection, gam_db.Source("telemetry"), *method, lookback=LOOKBACK, **more)
 
 
 @pytest.fixture
@@ -72,37 +56,6 @@ def ways(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
 def connection() -> Iterator[duckdb.DuckDBPyConnection]:
     with duckdb.connect() as connection:
         yield connection
-
-
-def scored(connection: duckdb.DuckDBPyConnection, rows: list[Row], case: str) -> Monitor:
-    """Calibrate and score, and compare with the reference."""
-    source(connection, rows)
-    made = monitor(connection, METHODS[case])
-    made.migrate()
-    made.calibrate()
-    made.score()
-    compare(connection, rows, METHODS[case])
-    return made
-
-
-def compare(
-    connection: duckdb.DuckDBPyConnection,
-    rows: list[Row],
-    parameters: dict[str, Any],
-    first: list[Row] | None = None,
-) -> None:
-    asked = (first or rows, rows, *harness.made(parameters, {"fraction": 0.3}))
-    harness.assert_same(frozen.buckets(*asked), rows_of(connection, BUCKETS), "buckets")
-    harness.assert_same(frozen.novel_cells(*asked), rows_of(connection, NOVEL), "novel cells")
-    comparisons.compared("duckdb", "stored", rows, *asked[2:], asked[0])
-
-
-RUNS = """
-    SELECT asset, from_bucket, read_from, read_to, rows_read, context_rows, context_expected,
-        settled_bucket, settled_time, settled_context, summed_from, read_sum
-    FROM gam_run JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
-    ORDER BY ALL
-"""
 
 
 @pytest.mark.parametrize("case", METHODS)

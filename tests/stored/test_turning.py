@@ -10,39 +10,21 @@ from typing import Any
 import duckdb
 import pytest
 
-import comparisons
-import frozen
-import gam_db
-import harness
+from as_stored import METHODS, RUNS, compare, monitor, scored
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.stored import scoring
-from gam_db.stored.monitor import Monitor
 from gam_db.stored.planning import steps
 from gam_db.stored.scoring import turning
 from gam_db.study import naming, rounds, trusting
 from gam_db.study.running import UNSORTED
 from small_plant import source
 from strategies import Row
-from visible import BUCKETS, NOVEL, put, rows_of
+from visible import put, rows_of
 
 pytestmark = pytest.mark.thorough
 
-LENGTH, LOOKBACK, STEP = 200, 12, 2
+LENGTH, STEP = 200, 2
 NAMES = [("b", "x"), ("a", "y"), ("a", "x"), ("c", "x")]  # the order of their turns
-
-#: name -> keyword arguments of Parameters
-METHODS: dict[str, dict[str, Any]] = {
-    "delays": {"m": 3, "tau": 2, "bins": 4, "window": 20, "stride": 5},
-    "neighbours": {"m": 2, "tau": 1, "bins": 4, "window": 20, "stride": 5},
-    "one coordinate": {"m": 1, "bins": 5, "window": 12, "stride": 4},
-}
-
-RUNS = """
-    SELECT asset, channel, from_bucket, read_from, read_to, rows_read, context_rows, context_expected,
-        settled_bucket, settled_time, settled_context, summed_from, read_sum
-    FROM gam_run JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
-    ORDER BY ALL
-"""
 
 
 def taking_turns(start: int = 0, length: int = LENGTH) -> list[Row]:
@@ -79,40 +61,12 @@ def connection(request: pytest.FixtureRequest) -> Iterator[duckdb.DuckDBPyConnec
         yield connection
 
 
-def monitor(connection: Any, parameters: dict[str, Any], **more: Any) -> Monitor:
-    method = gam_db.Parameters(**parameters), gam_db.Calibration(fraction=0.3)
-    return Monitor(connection, gam_db.Source("telemetry"), *method, lookback=LOOKBACK, **more)
-
-
-def begun(connection: duckdb.DuckDBPyConnection, rows: list[Row], case: str) -> Monitor:
-    """Calibrate and score, and compare with the reference."""
-    source(connection, rows)
-    made = monitor(connection, METHODS[case])
-    made.migrate()
-    made.calibrate()
-    made.score()
-    compare(connection, rows, METHODS[case])
-    return made
-
-
-def compare(
-    connection: duckdb.DuckDBPyConnection,
-    rows: list[Row],
-    parameters: dict[str, Any],
-    first: list[Row] | None = None,
-) -> None:
-    asked = (first or rows, rows, *harness.made(parameters, {"fraction": 0.3}))
-    harness.assert_same(frozen.buckets(*asked), rows_of(connection, BUCKETS), "buckets")
-    harness.assert_same(frozen.novel_cells(*asked), rows_of(connection, NOVEL), "novel cells")
-    comparisons.compared("duckdb", "stored", rows, *asked[2:], asked[0])
-
-
 @pytest.mark.parametrize("case", METHODS)
 def test_channels_that_take_turns_are_scored_by_rounds(
     connection: duckdb.DuckDBPyConnection, ways: list[bool], case: str
 ) -> None:
     """What runs record is the same as where all is sorted; and later runs go on so."""
-    made = begun(connection, taking_turns(), case)
+    made = scored(connection, taking_turns(), case)
     assert ways == [True]
     with duckdb.connect() as other:
         rows = taking_turns()
@@ -171,7 +125,7 @@ def longer(rows: list[Row]) -> list[Row]:
 def test_others_are_left_to_the_steps_that_sort(
     connection: duckdb.DuckDBPyConnection, ways: list[bool], changed: Callable[[list[Row]], list[Row]]
 ) -> None:
-    begun(connection, changed(taking_turns()), "delays")
+    scored(connection, changed(taking_turns()), "delays")
     assert ways == [False]
 
 
@@ -201,7 +155,7 @@ def test_rows_that_come_late_are_read_again(
     connection: duckdb.DuckDBPyConnection, ways: list[bool]
 ) -> None:
     """Within the lookback they are found by their sum, and what they change is sorted."""
-    made = begun(connection, taking_turns(), "delays")
+    made = scored(connection, taking_turns(), "delays")
     late: Row = ("a", "x", STEP * LENGTH - 5, 99.0)
     put(connection, [late, *taking_turns(LENGTH, 30)])
     made.score()
