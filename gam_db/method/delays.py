@@ -147,9 +147,10 @@ def _add_round(one: OfSet, prefix: str, length: int, rows: str) -> Round:
         template.fill("rounds/own", {"listed": exp.column(listed)})
         for listed in ("taught_froms" if is_taught else "read_froms", "taught_tos")
     )
-    slots: dict[str, template.Slot] = {"round": length, "time_from": first}
-    slots["time_to"] = last if is_taught else FAR_AHEAD
-    one.add("rounds/codes", slots, f"{prefix}codes", {"readings": rows})
+    slots: dict[str, template.Slot] = {"time_from": first, "time_to": last if is_taught else FAR_AHEAD}
+    # Of a round that is cut each row must have the instant of the one before.
+    one.add("rounds/places", {"round": length, "rows": 1}, f"{prefix}places", {"readings": rows})
+    one.add("rounds/codes", slots, f"{prefix}codes", {"places": f"{prefix}places"})
     return Round(length, exp.true() if is_taught else _is_complete(prefix))
 
 

@@ -55,7 +55,8 @@ class Turns:
         (readings,), fraction = counted, self.method.rules[0].fraction
         steps = self._steps(running.steps.steps["readings"].query)
         quota = 0 if fraction is None else int(fraction * readings)
-        add(steps, "rounds/timeline", {"round": self._round, "quota": quota})
+        add(steps, "rounds/places", {"round": self._round, "rows": self._round})
+        add(steps, "rounds/timeline", {"quota": quota})
         channels = running.rows("channels")
         looked = {row["channel_id"]: row for row in self._asked(steps, channels, "timeline")}
         self._timeline = {_name(row): {**looked[row["channel_id"]], "repeats": 0} for row in channels}

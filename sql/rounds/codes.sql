@@ -1,11 +1,10 @@
 -- Codes by rounds: the samples of a range of time, coded (Phi, method section 3); as census/codes.sql, where
 -- channels take turns in the order in which rows are stored. For DuckDB; see rounds/vectors.sql.
 -- Dialect: duckdb
--- Reads:  readings, rounds
+-- Reads:  places, rounds
 -- A row:  one row of the range; position is the number of its round, in_turn = 0 if it is not of the channel whose turn
 --         it is, or not of what is read of that, or not of the instant that its round must have.
--- Slots:  :round  rows of a round: one of each channel
---         :code   the expression of support/code.sql, cast to the narrowest integer that holds it
+-- Slots:  :code   the expression of support/code.sql, cast to the narrowest integer that holds it
 --         :time_from, :time_to  the first and the last instant that are read of a channel
 SELECT channel_id, support_id, complete, time, position, rounds_after, in_turn, :code AS code
 FROM (
@@ -14,7 +13,7 @@ FROM (
     LIST_EXTRACT(rounds.support_ids, place) AS support_id,
     LIST_EXTRACT(rounds.completes, place) AS complete,
     time,
-    rounds.rounds_before + turn_no AS position,
+    rounds.rounds_before + position AS position,
     rounds.rounds_after AS rounds_after,
     CASE
       WHEN asset = LIST_EXTRACT(rounds.assets, place)
@@ -29,35 +28,6 @@ FROM (
     END AS value,
     LIST_EXTRACT(rounds.los, place) AS lo,
     LIST_EXTRACT(rounds.his, place) AS hi
-  FROM (
-    SELECT
-      asset,
-      channel,
-      time,
-      time_before,
-      reading,
-      turn_no,
-      row_no - (turn_no - 1) * :round AS place
-    FROM (
-      SELECT
-        asset,
-        channel,
-        time,
-        time_before,
-        reading,
-        row_no,
-        CAST(FLOOR((row_no - CAST(5e-1 AS DOUBLE)) / CAST(:round AS DOUBLE)) AS BIGINT) + 1 AS turn_no
-      FROM (
-        SELECT
-          asset,
-          channel,
-          time,
-          LAG(time, 1) OVER () AS time_before,
-          reading,
-          CAST(ROW_NUMBER() OVER () AS BIGINT) AS row_no
-        FROM readings
-      ) AS numbered
-    ) AS counted
-  ) AS in_rounds
+  FROM places
   CROSS JOIN rounds
 ) AS ranged
