@@ -35,9 +35,10 @@ def add_counted(steps: Pipeline, has_instants: bool = True, bounds: str = "bound
 
     Where calibration may be single instants (``has_instants``), the samples are read for them.
     """
-    steps.small |= {"visits", "block_sizes", "vouched", "own_cells", "chances"}
+    steps.small |= {"visits", "block_sizes", "vouched", "banded", "own_cells", "chances"}
     band = band_of(exp.column("cell_key", table="visit"), exp.column("bins", table="scale"))
-    add(steps, "alarms/vouched", {"band": band}, tables={"bounds": bounds})
+    add(steps, "alarms/vouched", {"band": band, "far": FAR}, tables={"bounds": bounds})
+    add(steps, "alarms/banded", {"band": band}, tables={"bounds": bounds})
     add_stacked(steps, "alarms/buffered", [{"g": g} for g in (NEAR, ORDERED, FAR)])
     add_stacked(steps, "alarms/bands", [{"g": g} for g in (NEAR, FAR)])
     add(steps, "alarms/own_cells")

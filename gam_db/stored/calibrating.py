@@ -28,7 +28,6 @@ from gam_db.stored.schema import checksums
 from gam_db.stored.sources import described
 from gam_db.stored.state import State, kind_of, now
 from gam_db.study import Study
-from gam_db.study.running import UNSORTED
 
 #: The folders of ``sql/`` that decide what the numbers of a version are.
 _METHOD = ("source", "calibration", "embedding", "support", "certificate", "score", "health")
@@ -102,8 +101,7 @@ def calibrate(
     names = running.placed["names"]
     readings = {(row["asset"], row["channel"]): row["readings"] for row in found}
     at_once = state.session.rows_at_once()
-    most = at_once * (UNSORTED if study.is_ordered else 1)
-    groups = list(whole_pools(due, readings, limit or most))
+    groups = list(whole_pools(due, readings, limit or at_once * study.taught_at_once))
     if len(groups) > 1:
         study.read_in_parts()
         if not study.is_ordered:

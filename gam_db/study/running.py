@@ -19,6 +19,10 @@ Listener = Callable[[str], None]
 #: can be sorted at once. What is made of them is one transaction, and lost where it is killed.
 UNSORTED = 10
 
+#: Of the same channels, so many times those readings are calibrated together: the cells of each block
+#: are kept, on a fine grid nearly a row for each vector, and what finds no room goes to the disk.
+TAUGHT = 2
+
 
 def unheard(_: str) -> None:
     """Listen to nothing."""

@@ -195,6 +195,9 @@ class Streams:
         self._give(visits, make, cells, "channel_id", "support_id")
         self._replace(support, filled("support/support"), {"learnable": visits, "bounds": bounds})
         self._replace(missing, filled("certificate/missing_vectors"), {"vectors": visits})
+        of_set = {step: self.method.named(step, number) for step in _OF_VISITS}
+        for step in ("cells", "cell_shares"):
+            self._replace(of_set[step], filled(f"streams/{step}"), of_set)
         wanted = {id_: vectors for id_, vectors in expected.items() if vectors}
         return streamed.are_whole(self.running, visits, wanted)
 
@@ -294,6 +297,8 @@ class Streams:
             self.running.steps.put(step)
         self.running.forget(but=("names", "readings", "channels"))
 
+
+_OF_VISITS = ("visits", "block_sizes", "cells", "blocks", "cell_shares")
 
 _UNSEEN = {"calibration_samples": 0, "context_samples": 0}
 

@@ -10,8 +10,8 @@ SELECT
   opening.pool_block AS first_block,
   closing.pool_block AS last_block,
   seen.visited_blocks AS visited_blocks,
-  seen.first_channel AS first_channel,
-  seen.last_channel AS last_channel,
+  opening.channel_id AS first_channel,
+  closing.channel_id AS last_channel,
   seen.first_time AS first_time,
   seen.last_time AS last_time
 FROM (
@@ -22,8 +22,6 @@ FROM (
     MIN(CAST(visit.channel_id AS BIGINT) * CAST(2147483648 AS BIGINT) + visit.block_no) AS first_place,
     MAX(CAST(visit.channel_id AS BIGINT) * CAST(2147483648 AS BIGINT) + visit.block_no) AS last_place,
     CAST(COUNT(*) AS BIGINT) AS visited_blocks,
-    MIN(visit.channel_id) AS first_channel,
-    MAX(visit.channel_id) AS last_channel,
     MIN(visit.first_time) AS first_time,
     MAX(visit.last_time) AS last_time
   FROM visits AS visit

@@ -110,6 +110,18 @@ def test_bands_and_blocks_count_the_same_vectors(session: DuckSession) -> None:
     assert visible(monitor, counted.format("visits", "band")) == of_bands
 
 
+def test_how_far_away_a_block_may_be(session: DuckSession) -> None:
+    """30 is visited in blocks 0, 8, 16; 20 in 1, 9, 18: block 8 alone has nobody farther than 8."""
+    calm = [[0.0, 40.0, 10.0, 10.0] for _ in range(19)]
+    for block, value in ((0, 30.0), (8, 30.0), (16, 30.0), (1, 20.0), (9, 20.0), (18, 20.0)):
+        calm[block][3] = value
+    monitor = Plant(session, calm=calm).monitor
+    novel = "SELECT block FROM gam_buffered WHERE g = 8 AND novel_buffered > 0"
+    assert visible(monitor, novel) == [{"block": 8}]
+    (of_bands,) = visible(monitor, "SELECT SUM(novel_buffered) AS novel FROM gam_band WHERE g = 8")
+    assert of_bands["novel"] == 1
+
+
 @pytest.mark.full
 def test_a_band_below_and_vectors_that_lack_a_sample(session: DuckSession) -> None:
     plant = Plant(session)

@@ -10,10 +10,12 @@ import duckdb
 import pytest
 
 from as_stored import METHODS, RUNS, compare, monitor, scored
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.stored import scoring
 from gam_db.stored.planning import steps
 from gam_db.stored.scoring import groups, ordered
 from gam_db.study import naming
+from gam_db.study.running import TAUGHT
 from small_plant import source
 from strategies import Row
 from visible import put, rows_of
@@ -147,3 +149,23 @@ def test_rows_that_come_meanwhile_are_noticed(
     made.score()
     assert ways == [False]
     compare(connection, [*by_channel(), late], METHODS["delays"], by_channel())
+
+
+@pytest.mark.parametrize(("room", "expected"), [(len(by_channel()), 1), (LENGTH, 3)])
+def test_more_is_calibrated_in_groups(
+    connection: duckdb.DuckDBPyConnection,
+    ways: list[bool],
+    monkeypatch: pytest.MonkeyPatch,
+    room: int,
+    expected: int,
+) -> None:
+    """So many times what can be sorted is taught together, and no more."""
+    heard: list[str] = []
+    source(connection, by_channel())
+    made = monitor(connection, METHODS["delays"])
+    made.migrate()
+    monkeypatch.setattr(DuckSession, "rows_at_once", lambda _: -(-room // TAUGHT))
+    made.calibrate(on_step=heard.append)
+    assert heard.count("writing") == expected
+    made.score()
+    compare(connection, by_channel(), METHODS["delays"])
