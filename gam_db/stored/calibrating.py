@@ -103,7 +103,7 @@ def calibrate(
     at_once = state.session.rows_at_once()
     groups = list(whole_pools(due, readings, limit or at_once * study.taught_at_once))
     if len(groups) > 1:
-        study.read_in_parts()
+        study.read_in_parts(len(groups))
         if not study.is_ordered:
             groups = list(whole_pools(due, readings, limit or at_once))
     if not study.is_ordered and (len(groups) > 1 or not study.method.kind.is_counter):

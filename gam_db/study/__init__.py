@@ -32,7 +32,7 @@ from gam_db.settings.patterns import grouped
 from gam_db.settings.setting import settings_of
 from gam_db.settings.source import AnySource, is_file, paths_of, under
 from gam_db.study import trusting
-from gam_db.study.running import TAUGHT, UNSORTED, Listener, Running, unheard
+from gam_db.study.running import PARTS_IN_TURN, TAUGHT, UNSORTED, Listener, Running, unheard
 from gam_db.study.streaming import Streams, seems_ordered
 from gam_db.study.trusting import Trust
 from gam_db.study.turning import Turns
@@ -133,16 +133,16 @@ class Study:
     def taught_at_once(self) -> int:
         """Return how many times the readings that can be sorted at once are best calibrated together.
 
-        What calibration makes of vectors has to have room, sorted or not. Turns are in one part or not
-        at all.
+        What calibration makes of vectors has to have room, sorted or not; but turns are better read in
+        few parts.
         """
         if not self.is_ordered:
             return 1
         return TAUGHT if isinstance(self._short_cut, Streams) else UNSORTED
 
-    def read_in_parts(self) -> None:
-        """Give up turns: who asks for some channels at a time would read the rows of all each time."""
-        if isinstance(self._short_cut, Turns):
+    def read_in_parts(self, parts: int) -> None:
+        """Give up turns if there are many parts: who asks for some channels reads the rows of all."""
+        if isinstance(self._short_cut, Turns) and parts > PARTS_IN_TURN:
             self._short_cut = None
 
     @property

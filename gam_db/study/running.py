@@ -23,6 +23,9 @@ UNSORTED = 10
 #: are kept, on a fine grid nearly a row for each vector, and what finds no room goes to the disk.
 TAUGHT = 2
 
+#: In so many parts at most channels in turn are calibrated: each reads the rows of all channels.
+PARTS_IN_TURN = 4
+
 
 def unheard(_: str) -> None:
     """Listen to nothing."""

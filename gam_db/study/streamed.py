@@ -4,19 +4,28 @@ This module owns the queries of ``sql/streams``. Each is composed and written on
 channel as a macro of DuckDB; names, instants and ranges reach it as the literals of the call.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from sqlglot import exp
 
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, filled
 from gam_db.engines.session import Row, Session
+from gam_db.method import Method
 from gam_db.method.bits import Bits
 from gam_db.method.scoring import visited_slots
 from gam_db.method.slots import block_no, coordinates
 from gam_db.method.vectors import is_outside, stream_slots
 from gam_db.settings.parameters import Parameters
 from gam_db.study.running import Running
+
+#: What is read off visits that are there: step -> the file that makes it.
+_OF_VISITS = {
+    "support": "support/support",
+    "missing_vectors": "certificate/missing_vectors",
+    "cells": "streams/cells",
+    "cell_shares": "streams/cell_shares",
+}
 
 #: The slots of one channel.
 Own = Mapping[str, int | float | exp.Expr | None]
@@ -108,6 +117,15 @@ def scored(
     grouped = visited_slots(setting, ends, trusting=True) | {"outside": is_outside(setting)}
     visited = filled("health/visited", grouped)
     return _over(visited, "placed", _over(placed, "streamed", vectors))
+
+
+def read_off_visits(method: Method, number: int) -> Iterator[tuple[str, exp.Query, Mapping[str, str]]]:
+    """Give the steps of one set that are read off visits which are there, and what each reads."""
+    read = ("bounds", "visits", "block_sizes", "cells", "blocks")
+    reads = {step: method.named(step, number) for step in read}
+    reads |= dict.fromkeys(("learnable", "vectors"), reads["visits"])
+    for step, file in _OF_VISITS.items():
+        yield method.named(step, number), filled(file), reads
 
 
 def are_whole(running: Running, visits: str, expected: Mapping[int, int]) -> bool:

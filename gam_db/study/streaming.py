@@ -180,9 +180,8 @@ class Streams:
 
     def _teach(self, cells: Sequence[Own], number: int, expected: Mapping[int, int]) -> bool:
         """Give the cells of calibration of one set; tell whether they are those of vectors in order."""
-        visits, missing, support, bounds = (
-            self.method.named(step, number)
-            for step in ("visits", "missing_vectors", "support", "bounds")
+        visits, support, bounds = (
+            self.method.named(step, number) for step in ("visits", "support", "bounds")
         )
         setting = self.method.settings[number]
         make = partial(streamed.visits, setting=setting, has_blocks=self.has_blocks)
@@ -193,11 +192,8 @@ class Streams:
             self._replace(support, filled("support/support"), {"learnable": taught, "bounds": bounds})
             return not self.running.largest(taught, "doubled")
         self._give(visits, make, cells, "channel_id", "support_id")
-        self._replace(support, filled("support/support"), {"learnable": visits, "bounds": bounds})
-        self._replace(missing, filled("certificate/missing_vectors"), {"vectors": visits})
-        of_set = {step: self.method.named(step, number) for step in _OF_VISITS}
-        for step in ("cells", "cell_shares"):
-            self._replace(of_set[step], filled(f"streams/{step}"), of_set)
+        for made in streamed.read_off_visits(self.method, number):
+            self._replace(*made)
         wanted = {id_: vectors for id_, vectors in expected.items() if vectors}
         return streamed.are_whole(self.running, visits, wanted)
 
@@ -297,8 +293,6 @@ class Streams:
             self.running.steps.put(step)
         self.running.forget(but=("names", "readings", "channels"))
 
-
-_OF_VISITS = ("visits", "block_sizes", "cells", "blocks", "cell_shares")
 
 _UNSEEN = {"calibration_samples": 0, "context_samples": 0}
 

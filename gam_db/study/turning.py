@@ -6,7 +6,7 @@ marks of :mod:`gam_db.study.rounds` as well. What does not hold costs time, neve
 goes on with the steps that sort.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import pyarrow as pa
 from sqlglot import exp
@@ -14,7 +14,7 @@ from sqlglot import exp
 from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.columns import counts, table_of
 from gam_db.composing import template
-from gam_db.composing.pipeline import Pipeline, Step, filled
+from gam_db.composing.pipeline import Pipeline, Step
 from gam_db.engines.session import Row
 from gam_db.method import Method
 from gam_db.method.adding import OfSet, add
@@ -22,7 +22,7 @@ from gam_db.method.delays import CALIBRATION, Ways, add_delays
 from gam_db.method.slots import block_no
 from gam_db.study import rounds
 from gam_db.study.running import Running
-from gam_db.study.streamed import are_whole
+from gam_db.study.streamed import are_whole, read_off_visits
 
 
 class Turns:
@@ -120,8 +120,8 @@ class Turns:
         ):
             self._replace("visits", own.query("visits"))
             running.keep("visits")
-        self._replace("support", filled("support/support"), {"learnable": "visits"})
-        self._replace("missing_vectors", filled("certificate/missing_vectors"), {"vectors": "visits"})
+        for made in read_off_visits(self.method, 0):
+            self._replace(*made)
         expected = {row["channel_id"]: vectors for row in channels if vectors}
         return are_whole(running, "visits", expected)
 
@@ -141,7 +141,7 @@ class Turns:
         add(steps, "rounds/rounds", {"before": 0, "after": 0, "sharp": 0})
         return steps
 
-    def _replace(self, step: str, query: exp.Query, tables: dict[str, str] | None = None) -> None:
+    def _replace(self, step: str, query: exp.Query, tables: Mapping[str, str] | None = None) -> None:
         self._sorting[step] = self.running.steps.replace(step, query.copy(), tables)
 
 

@@ -11,6 +11,7 @@ import duckdb
 import pytest
 
 from as_stored import METHODS, RUNS, compare, monitor, scored
+from gam_db import study
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.stored import scoring
 from gam_db.stored.planning import steps
@@ -165,22 +166,25 @@ def test_rows_that_come_late_are_read_again(
     assert made.check_state().num_rows == 0
 
 
-@pytest.mark.parametrize("limit", [None, 2 * LENGTH])
-def test_what_is_calibrated_in_groups_is_sorted(
+@pytest.mark.parametrize(("limit", "at_most"), [(None, 1), (2 * LENGTH, 2), (2 * LENGTH, 1)])
+def test_what_is_calibrated_in_many_groups_is_sorted(
     connection: duckdb.DuckDBPyConnection,
     ways: list[bool],
     limit: int | None,
+    at_most: int,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Each group would read the rows of all; and the numbers are the same."""
     monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
+    monkeypatch.setattr(study, "PARTS_IN_TURN", at_most)
     heard: list[str] = []
     source(connection, taking_turns())
     made = monitor(connection, METHODS["delays"])
     made.migrate()
     made.calibrate(limit=limit, on_step=heard.append)
-    assert heard.count("writing") == (1 if limit is None else 2)
-    assert ("timeline" in heard) is (limit is not None)
+    parts = 1 if limit is None else 2
+    assert heard.count("writing") == parts
+    assert ("timeline" in heard) is (parts > at_most)
     made.score()
     compare(connection, taking_turns(), METHODS["delays"])
 
