@@ -5,7 +5,7 @@
 SELECT
   cell.support_id AS support_id,
   cell.first_block AS first_block,
-  second.pool_block AS second_block,
+  CASE WHEN second.hit = 1 THEN second.pool_block END AS second_block,
   CAST(
     FLOOR(
       CAST(cell.first_visits AS DOUBLE) / CAST(opening.vectors AS DOUBLE) * opening.units
@@ -15,4 +15,7 @@ SELECT
 FROM cells AS cell
 JOIN blocks AS opening
   ON opening.support_id = cell.support_id AND opening.pool_block = cell.first_block
-LEFT JOIN block_sizes AS second ON second.place = cell.second_place
+LEFT JOIN (
+  SELECT place, pool_block, 1 AS hit
+  FROM block_sizes
+) AS second ON second.place = cell.second_place

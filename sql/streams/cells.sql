@@ -15,13 +15,14 @@ SELECT
   seen.first_time AS first_time,
   seen.last_time AS last_time,
   seen.first_visits AS first_visits,
-  seen.first_places[2] AS second_place
+  seen.second_place AS second_place
 FROM (
   SELECT
     support_id,
     cell_key,
     CAST(SUM(visit.visits) AS BIGINT) AS visits,
-    MIN(CAST(visit.channel_id AS BIGINT) * CAST(2147483648 AS BIGINT) + visit.block_no, 2) AS first_places,
+    MIN(CAST(visit.channel_id AS BIGINT) * CAST(2147483648 AS BIGINT) + visit.block_no, 2)[1] AS first_place,
+    MIN(CAST(visit.channel_id AS BIGINT) * CAST(2147483648 AS BIGINT) + visit.block_no, 2)[2] AS second_place,
     MAX(CAST(visit.channel_id AS BIGINT) * CAST(2147483648 AS BIGINT) + visit.block_no) AS last_place,
     ARG_MIN(visit.visits, CAST(visit.channel_id AS BIGINT) * CAST(2147483648 AS BIGINT) + visit.block_no)
       AS first_visits,
@@ -31,5 +32,5 @@ FROM (
   FROM visits AS visit
   GROUP BY support_id, cell_key
 ) AS seen
-JOIN block_sizes AS opening ON opening.place = seen.first_places[1]
+JOIN block_sizes AS opening ON opening.place = seen.first_place
 JOIN block_sizes AS closing ON closing.place = seen.last_place
