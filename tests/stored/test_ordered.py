@@ -169,3 +169,19 @@ def test_more_is_calibrated_in_groups(
     assert heard.count("writing") == expected
     made.score()
     compare(connection, by_channel(), METHODS["delays"])
+
+
+def test_what_deserves_no_trust_is_scored_in_smaller_groups(
+    connection: duckdb.DuckDBPyConnection, ways: list[bool], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """All channels have an instant twice, and what was found of them together is done again by each."""
+    heard: list[str] = []
+    rows = by_time([*by_channel(), *(channel(asset, 0)[-1] for asset in "ac"), channel("b", 1, 3)[-1]])
+    source(connection, rows)
+    made = monitor(connection, METHODS["delays"])
+    made.migrate()
+    made.calibrate()
+    monkeypatch.setattr(DuckSession, "rows_at_once", lambda _: len(rows))
+    made.score(on_step=heard.append)
+    assert heard.count("writing") == 3
+    compare(connection, rows, METHODS["delays"])

@@ -33,6 +33,10 @@ from gam_db.study.running import UNSORTED, Listener, unheard
 #: With fewer rows, looking for repeated instants first is cheaper than scoring some channels twice.
 TRUSTED_FROM = 200_000
 
+#: Channels that deserve no trust are scored in groups of so many times fewer readings: their samples are
+#: collapsed by instant and sorted once more, which takes more room for each.
+CAREFUL = 2
+
 
 def score(
     state: State,
@@ -126,7 +130,8 @@ class _Run:
                 read = rows_of(group, counts)
                 trusts = read >= TRUSTED_FROM and can_trust(setting_of(group[0]), self.reader.kind)
                 left = self.groups.score(group, cohort, read, True) if trusts else group
-                self.groups.score(left, cohort, read, False)
+                for part in portions(left, counts, wanted.limit or limit // CAREFUL):
+                    self.groups.score(part, cohort, rows_of(part, counts), False)
         self.report.channels = self.groups.channels
         self.report.parked = len(parked)
         self.report.undated = undated(self.session, self.reader)
