@@ -38,7 +38,7 @@ from gam_db.stored.scoring import score
 from gam_db.stored.scoring.report import Report, Wanted
 from gam_db.stored.settings import MonitorSettings
 from gam_db.stored.state import State, kind_of
-from gam_db.stored.status import status
+from gam_db.stored.status import as_html, status
 from gam_db.study import Study
 from gam_db.study.running import Listener, unheard
 
@@ -306,16 +306,9 @@ class Monitor(MonitorSettings):
     def _repr_html_(self) -> str:
         """Return the status as a table for a notebook, or why there is none; all names are escaped."""
         try:
-            rows = self.status()
+            return as_html(self.status())
         except UserError as error:
             return f"<p>{html.escape(str(error))}</p>"
-        names = ("asset", "channel", "status", "hi", "hi_limit", "trend", "verdict", "last_data")
-        head = "".join(f"<th>{name}</th>" for name in names)
-        body = "".join(
-            f"<tr>{''.join(f'<td>{_cell(row[name])}</td>' for name in names)}</tr>"
-            for row in rows.select(names).to_pylist()
-        )
-        return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
     def prune(
         self,
@@ -393,10 +386,3 @@ class Monitor(MonitorSettings):
         """
         kind = kind_of(self._required.monitor(self.name))
         return write(self.state, self.source, kind, self.name, path, wishes, on_step)
-
-
-def _cell(value: Any) -> str:
-    """Return a value for a cell of a table."""
-    if value is None:
-        return ""
-    return html.escape(f"{value:.3g}" if isinstance(value, float) else str(value))

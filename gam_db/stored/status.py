@@ -5,6 +5,7 @@ This module owns the table that ``gam status`` prints. What deserves attention i
 """
 
 import datetime as dt
+import html
 import itertools
 from collections.abc import Sequence
 from typing import Literal
@@ -92,6 +93,17 @@ def status(
         said = finding(row, (row["m"] - 1) * row["tau"], row["window_length"], course)
         found.append({**said, "remarks": [*said["remarks"], *_remarks(row, kind)]})
     return _table(found, kind)
+
+
+def as_html(rows: pa.Table) -> str:
+    """Return the main columns of a status as a table for a notebook; all names are escaped."""
+    names = ("asset", "channel", "status", "hi", "hi_limit", "trend", "verdict", "last_data")
+    head = "".join(f"<th>{name}</th>" for name in names)
+    body = "".join(
+        f"<tr>{''.join(f'<td>{_cell(row[name])}</td>' for name in names)}</tr>"
+        for row in rows.select(names).to_pylist()
+    )
+    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
 
 def proved(state: State, monitor: str = "default") -> Proof | None:
@@ -217,3 +229,10 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
         one.name: pa.array([row[one.name] for row in rows], one.type, from_pandas=True) for one in schema
     }
     return pa.table(found, schema=schema)
+
+
+def _cell(value: object) -> str:
+    """Return a value for a cell of that table."""
+    if value is None:
+        return ""
+    return html.escape(f"{value:.3g}" if isinstance(value, float) else str(value))
