@@ -20,7 +20,10 @@ def add_judgement(one: OfSet, by_halves: bool = False) -> None:
             they are many; else all grids are made of the finest in one statement.
     """
     setting = one.setting
-    for name in ("learnt", "visits", "block_sizes", "cells", "blocks", "cell_shares", "learning"):
+    for name in ("learnt", "visits", "block_sizes"):
+        one.add(f"certificate/{name}")
+    one.add("certificate/cells", {"gathered": [], "carried": []})
+    for name in ("blocks", "first_visits", "cell_shares", "learning"):
         one.add(f"certificate/{name}")
     bins = {k: -(-setting.grid // 2**k) for k in range(setting.grid.bit_length() + 1)}
     rungs = [k for k in bins if k == 0 or bins[k] >= 2]

@@ -23,8 +23,8 @@ from gam_db.study.running import Running
 _OF_VISITS = {
     "support": "support/support",
     "missing_vectors": "certificate/missing_vectors",
-    "cells": "streams/cells",
-    "cell_shares": "streams/cell_shares",
+    "cells": "certificate/cells",
+    "first_visits": "streams/first_visits",
 }
 
 #: The slots of one channel.
@@ -121,11 +121,16 @@ def scored(
 
 def read_off_visits(method: Method, number: int) -> Iterator[tuple[str, exp.Query, Mapping[str, str]]]:
     """Give the steps of one set that are read off visits which are there, and what each reads."""
-    read = ("bounds", "visits", "block_sizes", "cells", "blocks")
-    reads = {step: method.named(step, number) for step in read}
+    reads = {step: method.named(step, number) for step in ("bounds", "visits", "block_sizes", "cells")}
     reads |= dict.fromkeys(("learnable", "vectors"), reads["visits"])
+    besides = {name: template.fill(f"streams/{name}") for name in ("second_place", "opening_visits")}
+    of_cells: dict[str, template.Slot] = {
+        "gathered": [exp.alias_(one, name) for name, one in besides.items()],
+        "carried": [exp.column(name, table="seen") for name in besides],
+    }
     for step, file in _OF_VISITS.items():
-        yield method.named(step, number), filled(file), reads
+        slots = of_cells if step == "cells" else None
+        yield method.named(step, number), filled(file, slots), reads
 
 
 def are_whole(running: Running, visits: str, expected: Mapping[int, int]) -> bool:

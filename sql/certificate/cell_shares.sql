@@ -1,7 +1,6 @@
 -- Cell shares: what each cell adds to the healthy HI of the block that saw it first, as long as no second
--- block has seen it; in the units of blocks. Most cells of a fine grid are seen by one block, and only the
--- others are looked up again.
--- Reads:  cells, visits, block_sizes, blocks
+-- block has seen it; in the units of blocks.
+-- Reads:  first_visits, blocks
 -- A row:  one cell of one support; second_block is NULL where only one block saw it.
 SELECT
   cell.support_id AS support_id,
@@ -9,35 +8,10 @@ SELECT
   cell.second_block AS second_block,
   CAST(
     FLOOR(
-      CAST(cell.first_visits AS DOUBLE) / CAST(opening.vectors AS DOUBLE) * opening.units
+      CAST(cell.visits AS DOUBLE) / CAST(opening.vectors AS DOUBLE) * opening.units
       + CAST(5e-1 AS DOUBLE)
     ) AS BIGINT
   ) AS share_units
-FROM (
-  SELECT
-    support_id,
-    first_block,
-    CAST(NULL AS BIGINT) AS second_block,
-    visits AS first_visits
-  FROM cells
-  WHERE first_block = last_block
-  UNION ALL
-  SELECT
-    shared.support_id AS support_id,
-    shared.first_block AS first_block,
-    MIN(CASE WHEN size.pool_block > shared.first_block THEN size.pool_block END) AS second_block,
-    CAST(SUM(CASE WHEN size.pool_block = shared.first_block THEN visit.visits ELSE 0 END) AS BIGINT)
-      AS first_visits
-  FROM (
-    SELECT support_id, cell_key, first_block
-    FROM cells
-    WHERE first_block < last_block
-  ) AS shared
-  JOIN visits AS visit
-    ON visit.support_id = shared.support_id AND visit.cell_key = shared.cell_key
-  JOIN block_sizes AS size
-    ON size.channel_id = visit.channel_id AND size.block_no = visit.block_no
-  GROUP BY shared.support_id, shared.cell_key, shared.first_block
-) AS cell
+FROM first_visits AS cell
 JOIN blocks AS opening
   ON opening.support_id = cell.support_id AND opening.pool_block = cell.first_block
