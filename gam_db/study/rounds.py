@@ -64,7 +64,7 @@ def seem_to_be(
     steps = steps.copied()
     steps.fill("glance", "rounds/glance", {"rows": GLANCE, "round": channels})
     (glanced,) = session.rows(steps.query("glance", placed))
-    return bool(glanced["misplaced"] == 0)
+    return bool(glanced["misplaced"] == 0 and glanced["channels"] == channels)
 
 
 class Range(NamedTuple):

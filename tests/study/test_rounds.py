@@ -268,6 +268,8 @@ NEARLY: dict[str, Callable[[list[Row]], list[Row]]] = {
         *table[800:805],
         *table[810:],
     ],
+    "one channel after another": lambda table: sorted(table, key=lambda row: row[:2]),
+    "two by two": lambda table: sorted(table, key=lambda row: (row[0], row[2])),
     "shuffled": lambda table: random.Random(3).sample(table, len(table)),
 }
 
