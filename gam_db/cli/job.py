@@ -37,10 +37,10 @@ class Job:
     file: str | None = None
     exact: tuple[str, ...] = ()
 
-    def study(self, session: Session, on_step: Listener) -> Study:
-        """Return what does it."""
+    def study(self, session: Session, on_step: Listener, short_cuts: bool = True) -> Study:
+        """Return what does it; without short cuts for who asks for single vectors of calibration."""
         asked = (self.guess.source, self.parameters, self.calibration)
-        return Study(session, *asked, on_step=on_step, short_cuts=True)
+        return Study(session, *asked, on_step=on_step, short_cuts=short_cuts)
 
     @property
     def settings(self) -> str:

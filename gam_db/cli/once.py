@@ -108,7 +108,7 @@ def run(
     with interruptible(), opened as session:
         with Progress(session, common.quiet) as progress:
             job = job_of(session, settings, relation)
-            study = job.study(session, progress.on_step)
+            study = job.study(session, progress.on_step, short_cuts=others is None)
             if others is None:
                 longest = park_after(settings.monitor.park_after, study.method.kind)
                 found = findings(study, settings.alarms, longest)
