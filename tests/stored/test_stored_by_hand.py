@@ -1,6 +1,6 @@
 """Files of ``sql/stored`` one at a time, over a few rows: what a whole history rarely asks of them."""
 
-import math
+import itertools
 from typing import Any
 
 import pytest
@@ -534,6 +534,7 @@ def test_what_was_read_comes_to_a_sum_of_times_and_codes_twice_as_far_as_rows_ma
     ]
     slots: dict[str, Any] = {
         "code": code_in(4),
+        "mixed": fill("stored/scoring/read_mixed"),
         "mark": fill("stored/scoring/read_mark"),
     }
     found = step(
@@ -589,7 +590,36 @@ def test_calibration_is_counted_one_by_one_where_an_instant_occurs_twice() -> No
 
 def marked(time: int, code: int) -> int:
     """Return the integer of one reading; a remainder has the sign of what is divided, as in SQL."""
-    first, second = 2147483647, 2147483629
-    one = int(math.fmod(math.fmod(time, first) * 31 + code + 1, first))
-    other = int(math.fmod(math.fmod(time, second) * 37 + code + 1, second))
-    return int(math.fmod(one * other, first))
+    one = remainder(remainder(time, 2147483647) * 1103515245 + code + 1, 2147483647)
+    other = remainder(remainder(time, 2147483629) * 1140671485 + code + 1, 2147483629)
+    return 1 + remainder(one * other, 2147483587) ** 2 % 2147483647
+
+
+def remainder(number: int, divisor: int) -> int:
+    return abs(number) % divisor * (1 if number >= 0 else -1)
+
+
+@pytest.mark.parametrize("apart", [1, 10, 1_000_000])
+@pytest.mark.parametrize("since", [-4, 0, 560, 1_764_201_600_000_000])
+def test_codes_that_change_places_between_neighbours_come_to_another_sum(since: int, apart: int) -> None:
+    """All ways in which three codes stand at seven instants, each a channel."""
+    values = list(itertools.product((1.0, 2.0, 8.0), repeat=7))
+    read = [
+        (channel, since + apart * place, value)
+        for channel, standing in enumerate(values)
+        for place, value in enumerate(standing)
+    ]
+    channels = [(channel, since, 10**9, 0.0, 8.0) for channel in range(len(values))]
+    slots: dict[str, Any] = {
+        "code": code_in(4),
+        "mixed": fill("stored/scoring/read_mixed"),
+        "mark": fill("stored/scoring/read_mark"),
+    }
+    found = step(
+        "stored/scoring/read_sums",
+        slots,
+        identified=rows("channel_id time value", *read),
+        cohort=rows("channel_id read_from late_by lo hi", *channels),
+        seen=rows("channel_id read_to", *((channel, since + 6 * apart) for channel, *_ in channels)),
+    )
+    assert len({read_sum for _, _, read_sum in found}) == len(values) == 3**7

@@ -151,13 +151,14 @@ def unmoved_steps(rows: exp.Query, counted: bool) -> Pipeline:
     """
     steps = reading_steps(rows, is_ranged=False)
     code = code_in(exp.column("bins"))
-    add(steps, "stored/scoring/unmoved", {"code": code, "mark": _mark(counted)})
+    add(steps, "stored/scoring/unmoved", {"code": code, **_mark(counted)})
     return steps
 
 
-def _mark(counted: bool) -> exp.Expr:
-    """Return what one reading adds to the sum of what was read."""
-    return template.node_of(1) if counted else template.fill("stored/scoring/read_mark")
+def _mark(counted: bool) -> dict[str, exp.Expr]:
+    """Return the slots that say what one reading adds to the sum of what was read."""
+    mixed = template.node_of(0) if counted else template.fill("stored/scoring/read_mixed")
+    return {"mixed": mixed, "mark": template.fill("stored/scoring/read_mark")}
 
 
 @cache
@@ -185,8 +186,7 @@ def scoring_steps(
     if trusting:
         add(steps, "stored/scoring/repeated_instants")
     if counted or setting.still_after is None:
-        slots = {"code": code_in(setting.bins), "mark": _mark(counted)}
-        add(steps, "stored/scoring/read_sums", slots)
+        add(steps, "stored/scoring/read_sums", {"code": code_in(setting.bins), **_mark(counted)})
     else:
         add(steps, "stored/scoring/no_sums", name="read_sums")
     for name in ("past_counts", "new_counts", "settled"):

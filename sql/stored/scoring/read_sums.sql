@@ -3,36 +3,40 @@
 -- Reads:  identified, cohort, seen
 -- A row:  one channel that has a row in its range.
 -- Slots:  :code  the expression of support/code.sql
---         :mark  what one reading adds: the expression of stored/scoring/read_mark.sql, or 1 where rows are only counted
+--         :mixed the expression of stored/scoring/read_mixed.sql, or 0 where rows are only counted
+--         :mark  what one reading adds: the expression of stored/scoring/read_mark.sql
 SELECT
   channel_id,
-  MIN(coded.summed_from) AS summed_from,
+  MIN(reads.summed_from) AS summed_from,
   CAST(SUM(:mark) AS BIGINT) AS read_sum
 FROM (
-  SELECT channel_id, summed_from, time, :code AS code
+  SELECT channel_id, summed_from, :mixed AS mixed
   FROM (
-    SELECT
-      late.channel_id AS channel_id,
-      late.summed_from AS summed_from,
-      reading.time AS time,
-      reading.value AS value,
-      late.lo AS lo,
-      late.hi AS hi
-    FROM identified AS reading
-    JOIN (
+    SELECT channel_id, summed_from, time, :code AS code
+    FROM (
       SELECT
-        member.channel_id AS channel_id,
-        ranged.read_to AS read_to,
-        member.lo AS lo,
-        member.hi AS hi,
-        CASE
-          WHEN ranged.read_to - 2 * member.late_by > member.read_from THEN ranged.read_to - 2 * member.late_by
-          ELSE member.read_from
-        END AS summed_from
-      FROM cohort AS member
-      JOIN seen AS ranged ON ranged.channel_id = member.channel_id
-    ) AS late ON late.channel_id = reading.channel_id
-    WHERE reading.time BETWEEN late.summed_from AND late.read_to
-  ) AS ranged_readings
-) AS coded
+        late.channel_id AS channel_id,
+        late.summed_from AS summed_from,
+        reading.time AS time,
+        reading.value AS value,
+        late.lo AS lo,
+        late.hi AS hi
+      FROM identified AS reading
+      JOIN (
+        SELECT
+          member.channel_id AS channel_id,
+          ranged.read_to AS read_to,
+          member.lo AS lo,
+          member.hi AS hi,
+          CASE
+            WHEN ranged.read_to - 2 * member.late_by > member.read_from THEN ranged.read_to - 2 * member.late_by
+            ELSE member.read_from
+          END AS summed_from
+        FROM cohort AS member
+        JOIN seen AS ranged ON ranged.channel_id = member.channel_id
+      ) AS late ON late.channel_id = reading.channel_id
+      WHERE reading.time BETWEEN late.summed_from AND late.read_to
+    ) AS ranged_readings
+  ) AS coded
+) AS reads
 GROUP BY channel_id

@@ -3,17 +3,17 @@
 -- Reads:  identified, ranges
 -- A row:  one channel of which a range does.
 -- Slots:  :code  the expression of support/code.sql, of bins that a range has as a column
---         :mark  what one reading adds; see stored/scoring/read_sums.sql
+--         :mixed, :mark  what one reading adds; see stored/scoring/read_sums.sql
 SELECT channel_id, CAST(COUNT(*) AS BIGINT) AS alike
 FROM (
   SELECT
     ranged.channel_id AS channel_id,
     ranged.run_id AS run_id,
     ranged.read_sum AS sum_then,
-    CAST(SUM(marked.mark) AS BIGINT) AS sum_now
+    CAST(SUM(:mark) AS BIGINT) AS sum_now
   FROM ranges AS ranged
   JOIN (
-    SELECT channel_id, time, :mark AS mark
+    SELECT channel_id, time, :mixed AS mixed
     FROM (
       SELECT channel_id, time, :code AS code
       FROM (
@@ -32,8 +32,8 @@ FROM (
         ) AS scale ON scale.channel_id = reading.channel_id
       ) AS read_again
     ) AS coded
-  ) AS marked
-    ON marked.channel_id = ranged.channel_id AND marked.time BETWEEN ranged.summed_from AND ranged.read_to
+  ) AS reads
+    ON reads.channel_id = ranged.channel_id AND reads.time BETWEEN ranged.summed_from AND ranged.read_to
   GROUP BY ranged.channel_id, ranged.run_id, ranged.read_sum
 ) AS summed
 WHERE sum_now = sum_then
