@@ -118,3 +118,15 @@ def test_arrow_types(changed: dict[str, pa.Array]) -> None:
 )
 def test_arrow_types_that_duckdb_cannot_read(values: pa.Array, shown: str) -> None:
     refused(f"cannot read the Arrow table.*{shown}", lambda: support(Source(table(value=values))))
+
+
+def test_names_that_differ_by_case_are_two_machines_where_the_column_takes_them_for_one() -> None:
+    kind = "VARCHAR COLLATE NOCASE"
+    connection = database(f"CREATE TABLE t (asset {kind}, channel {kind}, time BIGINT, value DOUBLE)")
+    rows = [
+        (asset, channel, t, v + t * len(channel))
+        for asset, channel in (("a", "X"), ("A", "x"), ("A", "xx"))
+        for _, _, t, v in ROWS
+    ]
+    connection.executemany("INSERT INTO t VALUES (?, ?, ?, ?)", rows)
+    assert health(Source("t"), engine=connection) == expected(rows)

@@ -1,9 +1,11 @@
 """DuckDB, the embedded default, as an engine; at work it is in session.py."""
 
+from functools import partial
+
 from sqlglot import exp
 
 from gam_db.clock import TimeKind
-from gam_db.engines.base import Engine, Texts, formula
+from gam_db.engines.base import Engine, Texts, compare_by_bytes, formula
 from gam_db.engines.duckdb.reading import instant_of_text, number_of, retyped, seen_formats
 from gam_db.engines.types import Types
 from gam_db.method.bits import Bits
@@ -54,4 +56,5 @@ ENGINE = Engine(
     macros=True,
     bits=Bits(gathered, held),
     in_rounds=True,
+    rewrites=(partial(compare_by_bytes, exp.var("C")),),
 )
