@@ -94,6 +94,9 @@ class Streams:
 
     def begin_anew(self) -> None:
         """Go on with other channels, whose steps are not there yet."""
+        for step in self._sorting.values():  # what was given speaks of the channels before
+            self.running.steps.put(step)
+        self._sorting.clear()
         self._done.clear()
         self._reached = {}
 
@@ -157,7 +160,7 @@ class Streams:
         has_learnt = False
         for number, setting in enumerate(method.settings):
             bounds = self._bounds(number)
-            members = [row for row in channels if row["channel_id"] in bounds.keys() & pieces.keys()]
+            members = [row for row in channels if row["channel_id"] in bounds.keys() & seen.keys()]
             if not members:
                 continue
             exact = [own(row, **_range(bounds[row["channel_id"]])) for row in members]
@@ -282,6 +285,7 @@ class Streams:
     def _give(self, step: str, make: Make, channels: Sequence[Own], *labels: str, **tables: str) -> None:
         """Keep what is asked of each of some channels as a step, in the place of what it was."""
         self._replace(step, self._of_each(step, make, channels, *labels, **tables))
+        self.running.forget(but=self.running.placed.keys() - {step})
         self.running.keep(step)
 
     def _replace(self, step: str, query: exp.Query, tables: Mapping[str, str] | None = None) -> None:

@@ -124,9 +124,9 @@ def test_names_that_differ_by_case_are_two_machines_where_the_column_takes_them_
     kind = "VARCHAR COLLATE NOCASE"
     connection = database(f"CREATE TABLE t (asset {kind}, channel {kind}, time BIGINT, value DOUBLE)")
     rows = [
-        (asset, channel, t, v + t * len(channel))
+        (asset, channel, t, value + t * len(channel))
         for asset, channel in (("a", "X"), ("A", "x"), ("A", "xx"))
-        for _, _, t, v in ROWS
+        for t, value in enumerate(VALUES)
     ]
     connection.executemany("INSERT INTO t VALUES (?, ?, ?, ?)", rows)
     assert health(Source("t"), engine=connection) == expected(rows)

@@ -151,6 +151,14 @@ def test_rows_that_come_meanwhile_are_noticed(
     compare(connection, [*by_channel(), late], METHODS["delays"], by_channel())
 
 
+#: Grids of the same channels that differ from one another.
+DIFFERENT: dict[str, Any] = {
+    **METHODS["delays"],
+    "overrides": [{"asset": "b", "m": 1}, {"asset": "c", "bins": 6}],
+}
+
+
+@pytest.mark.parametrize("method", [METHODS["delays"], DIFFERENT], ids=["one grid", "different grids"])
 @pytest.mark.parametrize(("room", "expected"), [(len(by_channel()), 1), (LENGTH, 3)])
 def test_more_is_calibrated_in_groups(
     connection: duckdb.DuckDBPyConnection,
@@ -158,17 +166,20 @@ def test_more_is_calibrated_in_groups(
     monkeypatch: pytest.MonkeyPatch,
     room: int,
     expected: int,
+    method: dict[str, Any],
 ) -> None:
-    """So many times what can be sorted is taught together, and no more."""
+    """So many times what can be sorted is taught together, and no more; no group knows of another."""
     heard: list[str] = []
     source(connection, by_channel())
-    made = monitor(connection, METHODS["delays"])
+    made = monitor(connection, method)
     made.migrate()
     monkeypatch.setattr(DuckSession, "rows_at_once", lambda _: -(-room // TAUGHT))
     made.calibrate(on_step=heard.append)
     assert heard.count("writing") == expected
+    assert "learnable" not in heard  # nothing is sorted
     made.score()
-    compare(connection, by_channel(), METHODS["delays"])
+    compare(connection, by_channel(), method)
+    assert made.check_state().num_rows == 0
 
 
 def test_what_deserves_no_trust_is_scored_in_smaller_groups(

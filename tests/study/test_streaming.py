@@ -193,6 +193,36 @@ with DuckSession() as session:
     assert done.stdout.split() == ["True", "False"]
 
 
+@pytest.mark.parametrize("asked", [(), HEALTH], ids=["all", "health alone"])
+@pytest.mark.parametrize("late", ["b", "a"])
+def test_members_of_a_pool_may_have_no_sample_in_its_interval(
+    connection: duckdb.DuckDBPyConnection, late: str, asked: Sequence[str]
+) -> None:
+    """The others give them a range and a support."""
+    table = [(*row[:2], row[2] + 1000 * (row[0] == late), row[3]) for row in rows()]
+    stored(connection, table)
+    calibration = {"intervals": [(0, 99)], "pool": "channel"}
+    method = harness.made({"m": 2, "bins": 4, "window": 8, "stride": 4}, calibration)
+    found, by_streams = answers(connection, *method, asked=asked)
+    assert by_streams
+    agrees(found, table, *method)
+
+
+@pytest.mark.parametrize("first", ["timeline", "calibrated", "series", "bounds", "run_up", "visits"])
+def test_single_steps_may_be_asked_for_before_the_others(
+    connection: duckdb.DuckDBPyConnection, first: str
+) -> None:
+    table, method = rows(), harness.made(*SERVED["delays"])
+    stored(connection, table)
+    with DuckSession(connection) as session:
+        study = Study(session, gam_db.Source("telemetry"), *method, short_cuts=True)
+        study.table(first)
+        found = {question: study.table(step).to_pylist() for question, step in harness.STEPS.items()}
+        assert study.is_streamed
+        study.forget()
+    agrees(found, table, *method)
+
+
 @pytest.mark.parametrize("case", UNSERVED)
 def test_what_streams_do_not_serve_is_sorted(connection: duckdb.DuckDBPyConnection, case: str) -> None:
     method = harness.made(*UNSERVED[case])

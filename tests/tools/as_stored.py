@@ -31,7 +31,7 @@ RUNS = """
 
 
 def monitor(connection: Any, parameters: dict[str, Any], **more: Any) -> Monitor:
-    method = gam_db.Parameters(**parameters), gam_db.Calibration(fraction=0.3)
+    method = harness.made(parameters, {"fraction": 0.3})
     return Monitor(connection, gam_db.Source("telemetry"), *method, lookback=LOOKBACK, **more)
 
 
