@@ -121,6 +121,33 @@ def test_a_run_that_reads_nothing_leaves_the_record_as_it_was(
     assert searches == [LOOKBACK]
 
 
+def test_where_nothing_is_new_nothing_is_written_anew(plant: duckdb.DuckDBPyConnection) -> None:
+    """Of one channel, or of all; the next rows go on from what is stored."""
+    every = "SELECT * FROM gam_bucket ORDER BY ALL"
+    newest = """
+        SELECT channel_id, from_bucket, read_to, hides
+        FROM gam_run JOIN gam_version USING (version_id)
+        QUALIFY ROW_NUMBER() OVER (PARTITION BY version_id ORDER BY run_id DESC) = 1
+        ORDER BY ALL
+    """
+    put(plant, readings(FIRST, 200))
+    monitor(plant).score()
+    stored = plant.execute(every).fetchall()
+    monitor(plant).score()
+    assert plant.execute(every).fetchall() == stored
+    assert {row[1:] for row in plant.execute(newest).fetchall()} == {(2**62, None, 0)}
+    put(plant, [row for row in readings(200, 220) if row[0] == "a"])
+    report = monitor(plant).score()
+    read = {(row["asset"], row["channel"]): row["rows_read"] for row in report.channels}
+    assert {channel for channel, rows in read.items() if rows} == {
+        channel for channel in read if channel[0] == "a"
+    }
+    put(plant, [row for row in readings(200, 220) if row[0] != "a"])
+    put(plant, readings(220, LENGTH))
+    monitor(plant).score()
+    assert seen(plant) == small_plant.whole()
+
+
 def test_later_rows_than_the_last_run_allowed_for_are_searched_for(
     plant: duckdb.DuckDBPyConnection, searches: list[int | None]
 ) -> None:

@@ -102,10 +102,10 @@ class _Run:
                 cohorts += back
                 again = {row["version_id"] for group in back for row in group.channels}
                 parked = [row for row in parked if row["version_id"] not in again]
-            cohort, moved = self._apart(cohort)
-            cohorts += moved
             counts = {(row["asset"], row["channel"]): row["readings"] for row in names}
             self.groups.latest |= {(row["asset"], row["channel"]): row["latest"] for row in names}
+            cohort, moved = self._apart(cohort)
+            cohorts += moved
             members = [(row["asset"], row["channel"]) for row in cohort.channels]
             if members:
                 self.report.ranges.append(
@@ -199,7 +199,10 @@ class _Run:
         return rows
 
     def _apart(self, cohort: Cohort) -> tuple[Cohort, list[Cohort]]:
-        """Take out the channels that are to be read again as far as rows may come late."""
+        """Take out the channels that are to be read again as far as rows may come late.
+
+        Of others that have no newer row nothing is read: what is stored of them stays as it is.
+        """
         asked = [
             row
             for row in cohort.channels
@@ -210,6 +213,9 @@ class _Run:
         counted = self.wanted.append_only
         same = unmoved(self.state, self.reader, self.ranges, asked, cohort.assets, counted)
         moved = {row["version_id"] for row in asked if row["channel_id"] not in same}
+        for row in asked:
+            if row["channel_id"] in same:
+                self._leave_if_old(row)
         if not moved:
             return cohort, []
         self.report.moved += len(moved) if counted else 0
@@ -218,6 +224,13 @@ class _Run:
         again = [{**row, "lookback": lookback, "late_by": lookback} for row in usual]
         left = tuple(row for row in cohort.channels if row["version_id"] not in moved)
         return replace(cohort, channels=left), others(again, lookback)
+
+    def _leave_if_old(self, row: Row) -> None:
+        """Read nothing of a channel of which there is nothing newer than its newest run has read."""
+        channel, newest = (row["asset"], row["channel"]), self.ranges[row["version_id"]][0]
+        latest = self.groups.latest.get(channel)
+        if latest is not None and newest["is_newest"] and latest <= newest["read_to"]:
+            self.groups.latest[channel] = None
 
     def _verify(self, cohort: Cohort) -> None:
         """Refuse to score by versions that are no longer what calibration froze."""
