@@ -114,6 +114,9 @@ AnySource = Source | WideSource
 #: engine long to plan, though it keeps the order in which few columns are stored.
 UNPIVOTED_FROM = 50
 
+#: Branches of one union; SQLite takes no more than 500, and so no more columns than the square of these.
+MOST_BRANCHES = 400
+
 
 def declared_kind(source: AnySource) -> TimeKind | None:
     """Return the way of telling time that the user declared, if any."""
@@ -152,6 +155,15 @@ def readings(
         filled = template.fill("source/readings", slots)
         read_from(relation, filled)
         branches.append(filled)  # type: ignore[arg-type]
+    if len(branches) > MOST_BRANCHES:
+        starts = range(0, len(branches), MOST_BRANCHES)
+        parts = [_stacked(branches[start : start + MOST_BRANCHES]) for start in starts]
+        columns = [exp.column(name) for name in parts[0].named_selects]
+        branches = [exp.select(*columns).from_(part.subquery("stacked", copy=False)) for part in parts]
+    return _stacked(branches)
+
+
+def _stacked(branches: Sequence[exp.Query]) -> exp.Query:
     return branches[0] if len(branches) == 1 else exp.union(*branches, distinct=False)
 
 

@@ -105,12 +105,8 @@ class Study:
             ways = dataclasses.replace(ways, has_missing=False)
         self.running.steps = self._steps(bits, slicing, ways)
         self._short_cut: Streams | Trust | Turns | None = None
-        if (
-            is_streamed
-            and bits is not None
-            and (streams := Streams(self.method, self.running, ways.scores, ways.has_blocks)).serve()
-        ):
-            self._short_cut = streams
+        if is_streamed and bits is not None:
+            self._short_cut = Streams(self.method, self.running, ways.scores, ways.has_blocks)
         elif slicing is not None:
             made, careful = partial(self._steps, bits, slicing), partial(self._steps, bits)
             given = self.running, names, ways

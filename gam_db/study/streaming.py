@@ -31,9 +31,9 @@ Make = Callable[[Own], exp.Query]
 
 
 def seems_ordered(method: Method, running: Running, scores: bool) -> bool:
-    """Tell whether channels seem to be stored one after another; if so, *names* is there.
+    """Tell whether channels seem to be stored one after another, and none lacks a sample.
 
-    Where the vectors will not prove the order of all rows, it is proven.
+    If so, *names* is there. Where the vectors will not prove the order of all rows, it is proven.
     """
     session, bits = running.session, running.session.engine.bits
     if bits is None or not _is_plain(method, bits):
@@ -41,7 +41,7 @@ def seems_ordered(method: Method, running: Running, scores: bool) -> bool:
     running.prepare("names")
     is_proven = not _vectors_prove(method, scores)
     names = naming.counted(session, running.steps, running.placed, is_proven)
-    if names is None:
+    if names is None or any(names["missing_readings"].to_pylist()):
         return False
     running.load("names", names)
     return not is_proven or all(names["in_order"].to_pylist())
@@ -86,11 +86,6 @@ class Streams:
     def holds_so_far(self) -> bool:
         """Tell whether a step was given, and nothing spoke against it."""
         return self.holds and bool(self._done)
-
-    def serve(self) -> bool:
-        """Tell whether no channel lacks a sample."""
-        names = self.running.rows("names")
-        return bool(names) and not any(row["missing_readings"] for row in names)
 
     def begin_anew(self) -> None:
         """Go on with other channels, whose steps are not there yet."""

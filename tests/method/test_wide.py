@@ -60,3 +60,33 @@ def test_many_columns_are_read_as_few_are(engine: str, asset: str | None) -> Non
     harness.assert_same(harness.by_reference("health_at_buckets", rows, *method), found)
     harness.assert_same(harness.by_reference("support", rows, *method), told)
     comparisons.compared(engine, "wide", rows, *method)
+
+
+def test_a_union_has_no_more_branches_than_an_engine_takes(
+    engine: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Unions of unions give the same; the last of them may have one branch alone."""
+    monkeypatch.setattr(source, "MOST_BRANCHES", 3)
+    names = NAMES[:7]
+    wide, rows = table(names)
+    method = gam_db.Parameters(m=2, bins=4, window=6), gam_db.Calibration(fraction=0.5)
+    session = engines.session(engine)
+    with session.lent(wide) as lent:
+        asked = gam_db.WideSource(lent.name, asset="machine", time="t", channels=names, where="t > 2")
+        found = gam_db.health_at_buckets(asked, *method, session).to_pylist()
+    harness.assert_same(harness.by_reference("health_at_buckets", rows, *method), found)
+    comparisons.compared(engine, "wide", rows, *method)
+
+
+def test_sqlite_reads_a_source_of_more_columns_than_a_union_has_branches() -> None:
+    names = [f"c{number}" for number in range(501)]
+    wide, _ = table(names)
+    method = gam_db.Parameters(m=2, bins=4, window=6), gam_db.Calibration(fraction=0.5)
+    answers = []
+    for engine in ("sqlite", "duckdb"):
+        session = engines.session(engine)
+        with session.lent(wide) as lent:
+            asked = gam_db.WideSource(lent.name, asset="machine", time="t", channels=names)
+            answers.append(gam_db.support(asked, *method, session).to_pylist())
+    harness.assert_same(*answers)
+    assert len(answers[0]) == 1002

@@ -22,7 +22,7 @@ import harness
 from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.method.bits import Bits
-from gam_db.study import Study, naming, streaming
+from gam_db.study import Study, naming, trusting
 from harness import Answer, Row
 
 pytestmark = pytest.mark.thorough
@@ -304,6 +304,21 @@ def test_a_source_that_is_not_in_order_is_sorted(
     agrees(found, table, *method)
 
 
+def test_a_source_that_lacks_a_sample_is_taken_on_trust(
+    connection: duckdb.DuckDBPyConnection, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
+    table, method = missing(rows()), harness.made(*SERVED["delays"])
+    stored(connection, table)
+    with DuckSession(connection) as session:
+        study = Study(session, gam_db.Source("telemetry"), *method, short_cuts=True)
+        found = study.table(harness.STEPS["health_at_buckets"]).to_pylist()
+        assert study.is_trusting
+        study.forget()
+    expected = harness.by_reference("health_at_buckets", table, *method)
+    harness.assert_same(expected, found)
+
+
 @pytest.mark.parametrize("asked", [(), HEALTH], ids=["all", "health alone"])
 @pytest.mark.parametrize("dirt", [swapped, doubled, in_two_pieces, by_time])
 def test_the_vectors_themselves_show_a_wrong_proof(
@@ -319,7 +334,6 @@ def test_the_vectors_themselves_show_a_wrong_proof(
         return names.append_column("in_order", pa.array([1] * names.num_rows))
 
     monkeypatch.setattr(naming, "counted", grouped)
-    monkeypatch.setattr(streaming.Streams, "serve", lambda streams: True)
     table, method = dirt(rows()), harness.made(*SERVED["delays"])
     stored(connection, table)
     found, is_streamed = answers(connection, *method, asked=asked)
