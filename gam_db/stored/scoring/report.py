@@ -40,7 +40,8 @@ class Report:
 
     Attributes:
         channels: a row per channel that was read: asset, channel, first_bucket, buckets (new or written
-            anew), read_from, read_to (integer time), rows_read, context_rows, context_expected.
+            anew), read_from, read_to (integer time; None where nothing was read, since there is nothing
+            new), rows_read, context_rows, context_expected.
         moved: of a source that is said to grow only: channels in which rows came late or went all the
             same, or of which that is not known, so that they were read again as far as lookback.
         parked: channels that were not read.
