@@ -268,7 +268,7 @@ def test_compacting_survives_what_a_killed_process_left(
     monitor.calibrate()
     arrive(session, exp.to_table(table), readings(FIRST, LENGTH))
     monitor.score()
-    monitor.score()
+    monitor.score(since=FIRST)
     stored = f"SELECT count() AS n FROM {prefix}bucket"
     before = session.driver.fetch(stored)["n"][0].as_py()
     left = f"gam_doomed_{int(time.time())}_00"
