@@ -169,6 +169,7 @@ def _deleted(
         "unfinished_to": begun[1],
         "unplaced_from": now() - _UNPLACED,
         "at_least": 0,  # whatever the next run's lookback, it may rely on what the last one recorded
+        "since": 0,
         **limits,
     }
     steps = Pipeline()

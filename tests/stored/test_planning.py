@@ -16,6 +16,7 @@ from sqlglot import exp
 
 import gam_db
 import small_plant
+from gam_db.clock import LONG_AGO
 from gam_db.composing.pipeline import filled, place
 from gam_db.engines.base import deletion
 from gam_db.stored import scoring
@@ -23,6 +24,8 @@ from gam_db.stored.planning import Row, reading
 from gam_db.stored.planning.reading import near, plan_rows, searched_plan_rows
 from gam_db.stored.planning.steps import plan_steps
 from gam_db.stored.pruning import Retention, prune
+from gam_db.stored.scoring import growing
+from gam_db.stored.scoring.growing import read_ranges
 from gam_db.stored.scoring.report import Wanted
 from small_plant import FIRST, LENGTH, LOOKBACK, monitor, readings, seen, source
 from test_views import scanned
@@ -119,6 +122,38 @@ def test_a_run_that_reads_nothing_leaves_the_record_as_it_was(
     monitor(plant).score()
     assert seen(plant) == small_plant.whole()
     assert searches == [LOOKBACK]
+
+
+def test_runs_of_late_are_enough_or_all_are_looked_at(
+    plant: duckdb.DuckDBPyConnection, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for start in range(FIRST, LENGTH - 20, 5):
+        put(plant, readings(start, start + 5))
+        monitor(plant).score()
+    whole = planned(plant, 0, False)
+    with monitor(plant) as mine:
+        told = read_ranges(mine.state, LOOKBACK, whole)
+        runs = plant.execute("SELECT DISTINCT run_id FROM gam_run ORDER BY run_id").fetchall()
+        for (since,) in [*runs, (runs[-1][0] + 1,)]:
+            for module in (reading, growing):
+                monkeypatch.setattr(module, "recent_run", lambda since=since: since)
+            assert planned(plant, 0, False) == whole
+            assert read_ranges(mine.state, LOOKBACK, whole) == told
+        steps = [plan_steps(1, 0, since) for since in (runs[-1][0], runs[-1][0] + 1)]
+        plans = [mine.session.rows(one.query("plan", mine.state.tables.placed())) for one in steps]
+        assert [{row["restarts"] for row in plan} for plan in plans] == [{1}, {0}]
+        assert {row["read_until"] for row in plans[1]} == {LONG_AGO}
+        for lookback, since, are_known in (
+            (LOOKBACK, runs[-1][0], True),
+            (LOOKBACK, runs[-1][0] + 1, False),
+            (3 * LOOKBACK, 0, True),
+            (3 * LOOKBACK, runs[-1][0], False),  # of which one run alone knows too little
+        ):
+            known = growing._ranges(mine.state, lookback, since)
+            assert set(known) == ({row["version_id"] for row in whole} if are_known else set())
+    put(plant, readings(LENGTH - 20, LENGTH))
+    monitor(plant).score()
+    assert seen(plant) == small_plant.whole()
 
 
 def test_where_nothing_is_new_nothing_is_written_anew(plant: duckdb.DuckDBPyConnection) -> None:

@@ -19,11 +19,14 @@ from gam_db.reading import look
 from gam_db.reading.preparing import prepared
 from gam_db.settings.source import AnySource, parsed_condition, under
 from gam_db.stored.planning import Row
-from gam_db.stored.planning.steps import plan_steps, searched_plan_steps
-from gam_db.stored.state import State
+from gam_db.stored.planning.steps import DAY, plan_steps, searched_plan_steps
+from gam_db.stored.state import State, first_run_at, now
 
 #: Keys that a condition lists; of more it says in which range they are.
 _LISTED = 1000
+
+#: How far back lie the runs that are looked at first, in microseconds: there are more with the years.
+RECENT = 31 * DAY
 
 
 class Reader:
@@ -98,13 +101,21 @@ def plan_rows(
 ) -> list[Row]:
     """Return from where on each version, or one among some, must be read, as its last run recorded.
 
-    Where a run allowed for rows less late than ``lookback``, buckets have to be looked at, and are.
+    That is a run of late, or all of them are looked at. Where it allowed for rows less late than
+    ``lookback``, buckets have to be looked at, and are.
     """
-    rows = _planned(state, plan_steps(monitor_id, lookback))
+    rows = _planned(state, plan_steps(monitor_id, lookback, recent_run()))
+    if not all(row["restarts"] for row in rows):
+        rows = _planned(state, plan_steps(monitor_id, lookback))
     rows = [row for row in rows if among is None or row["version_id"] in among]
     if any(row["read_until"] != LONG_AGO and not row["restarts"] for row in rows):
         rows = searched_plan_rows(state, monitor_id, lookback)
     return [row for row in rows if among is None or row["version_id"] in among]
+
+
+def recent_run() -> int:
+    """Return the first run of late: what came before is looked at only where that is not enough."""
+    return first_run_at(now() - RECENT)
 
 
 def searched_plan_rows(

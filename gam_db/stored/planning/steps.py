@@ -80,7 +80,7 @@ def setting_of(version: Mapping[str, Any]) -> Setting:
     return Setting(**figures, has_start=version["score_from"] is not None)
 
 
-def plan_steps(monitor_id: int, lookback: int) -> Pipeline:
+def plan_steps(monitor_id: int, lookback: int, since: int = 0) -> Pipeline:
     """Return the steps that tell from where on each version must be read; the last is *plan*.
 
     They rely on what runs recorded, and look at no bucket.
@@ -88,11 +88,12 @@ def plan_steps(monitor_id: int, lookback: int) -> Pipeline:
     Args:
         monitor_id: of the monitor.
         lookback: in the unit of time.
+        since: the first run that is looked at; a version without a later one has no restart.
     """
     steps = Pipeline(small=_PLANNED)
     add(steps, "stored/state/active", {"monitor_id": monitor_id})
-    add(steps, "stored/scoring/recorded", {"at_least": lookback}, name="restart")
-    return _planned(steps)
+    add(steps, "stored/scoring/recorded", {"at_least": lookback, "since": since}, name="restart")
+    return _planned(steps, since)
 
 
 def searched_plan_steps(monitor_id: int, lookback: int | None, repair_from: int | None) -> Pipeline:
@@ -112,11 +113,11 @@ def searched_plan_steps(monitor_id: int, lookback: int | None, repair_from: int 
     add(steps, "stored/state/active", {"monitor_id": monitor_id})
     add(steps, "stored/state/newest")
     add(steps, "stored/scoring/restart", slots)
-    return _planned(steps)
+    return _planned(steps, 0)
 
 
-def _planned(steps: Pipeline) -> Pipeline:
-    add(steps, "stored/scoring/last_reads", {"long_ago": LONG_AGO})
+def _planned(steps: Pipeline, since: int) -> Pipeline:
+    add(steps, "stored/scoring/last_reads", {"long_ago": LONG_AGO, "since": since})
     add(steps, "stored/scoring/plan", {"long_ago": LONG_AGO})
     return steps
 

@@ -156,7 +156,7 @@ class _Run:
             self.sums = False
             rows = searched_plan_rows(self.state, monitor_id, lookback, begin)
         if self.sums:
-            self.ranges = read_ranges(self.state, self.wanted.lookback)
+            self.ranges = read_ranges(self.state, self.wanted.lookback, rows)
         # What is settled is so for a run that adds up what it does not read again.
         chosen = [
             {**row, "lookback": 0, "late_by": self.wanted.lookback}

@@ -6,21 +6,38 @@ Why that is enough is said in docs/decisions.md.
 from collections import Counter
 from collections.abc import Mapping, Sequence
 
+from gam_db.clock import LONG_AGO
 from gam_db.columns import COUNT, SHARE, columns, table_of
+from gam_db.composing import template
 from gam_db.stored.planning import Row, by
-from gam_db.stored.planning.reading import Reader, cohort_of
+from gam_db.stored.planning.reading import Reader, cohort_of, recent_run
 from gam_db.stored.planning.steps import unmoved_steps
 from gam_db.stored.state import State
 
 _RANGES = columns((COUNT, "channel_id run_id summed_from read_to read_sum bins"), (SHARE, "lo hi"))
 
 
-def read_ranges(state: State, lookback: int) -> dict[int, list[Row]]:
+def read_ranges(state: State, lookback: int, rows: Sequence[Row]) -> dict[int, list[Row]]:
     """Return what runs have summed of each version within ``lookback`` of the newest time, newest first.
 
     Versions are missing of which not all of that time is known.
+
+    Args:
+        state: the state tables.
+        lookback: in the unit of time.
+        rows: of the plan; runs of late are enough if they tell all of these.
     """
-    found = by("version_id", state.rows("stored/scoring/last_ranges", {"lookback": lookback}))
+    summed = {
+        row["version_id"] for row in rows if row["still_after"] is None and row["read_until"] != LONG_AGO
+    }
+    known = _ranges(state, lookback, recent_run())
+    return known if summed <= known.keys() else _ranges(state, lookback, 0)
+
+
+def _ranges(state: State, lookback: int, since: int) -> dict[int, list[Row]]:
+    """Return them of the runs from one on."""
+    slots: dict[str, template.Slot] = {"lookback": lookback, "since": since}
+    found = by("version_id", state.rows("stored/scoring/last_ranges", slots))
     known = {}
     for version_id, ranges in found.items():
         needed: list[Row] = []

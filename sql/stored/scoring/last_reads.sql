@@ -3,6 +3,7 @@
 -- Reads:  stored_finished_run, active
 -- A row:  one version that was ever read.
 -- Slots:  :long_ago  an instant before all others
+--         :since     the first run that is looked at
 SELECT
   read.version_id AS version_id,
   MAX(read.read_until) AS read_until,
@@ -17,8 +18,9 @@ FROM (
     MAX(CASE WHEN run.calibration_readings IS NOT NULL THEN run.run_id ELSE -1 END) AS counting_id
   FROM stored_finished_run AS run
   JOIN active AS frozen ON frozen.version_id = run.version_id
+  WHERE run.run_id >= :since
   GROUP BY run.version_id
 ) AS read
 JOIN stored_finished_run AS each_run ON each_run.version_id = read.version_id
-WHERE each_run.run_id = read.newest_id OR each_run.run_id = read.counting_id
+WHERE each_run.run_id >= :since AND (each_run.run_id = read.newest_id OR each_run.run_id = read.counting_id)
 GROUP BY read.version_id
