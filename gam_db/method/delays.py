@@ -63,6 +63,7 @@ class Ways:
         asked: the last steps that will be asked for, where that is known; others may be, at a price.
         round: rows of a round, where channels are taken to take turns in the order in which rows are
             stored, each once in every round; None where they are not.
+        shared: whether supports have numbers of their own without pools, as frozen ones do.
     """
 
     delays: str | None = None
@@ -71,6 +72,7 @@ class Ways:
     has_missing: bool = True
     asked: frozenset[str] = frozenset()
     round: int | None = None
+    shared: bool = False
 
     @property
     def scores(self) -> bool:
@@ -131,11 +133,11 @@ def add_delays(one: OfSet, prefix: str, ways: Ways, rows: str, has_bits: bool) -
         round_ = _add_round(one, prefix, ways.round, rows)
     if has_bits:
         known["cell_key"] = small_key(one.setting)
-    if one.method.pools:
+    if one.method.pools or ways.shared:
         pooled = ("support_id",)
         add_short_vectors(one, prefix, known, trusting=True, carried=pooled, round_=round_)
         return
-    # Without pools each channel has its own support, whose number need not be sorted along.
+    # Without pools each channel has its own support, whose number is the channel's and not sorted along.
     own = exp.alias_(exp.column("channel_id"), "support_id")
     add_short_vectors(one, prefix, known, trusting=True, told=[own], round_=round_)
 

@@ -12,6 +12,7 @@ import pytest
 
 import comparisons
 import frozen
+import gam_db
 import harness
 import small_plant
 from gam_db.stored import scoring
@@ -19,6 +20,7 @@ from gam_db.stored.monitor import Monitor
 from gam_db.stored.scoring.growing import unmoved
 from gam_db.stored.scoring.report import Report
 from small_plant import FIRST, LENGTH, readings, seen, source
+from strategies import Row
 from visible import BUCKETS, NOVEL, put, rows_of
 
 LOOKBACK, STRIDE, CONTEXT = 40, 5, 3
@@ -194,3 +196,30 @@ def test_a_row_that_comes_while_a_run_is_at_work_is_not_lost(
     monitor(plant, append_only=False).score()
     assert monitor(plant, append_only=False).check_state().num_rows == 0
     finished(plant)
+
+
+@pytest.mark.parametrize("between", [{"full": True}, {"since": 50}, {"until": 69}, {}])
+def test_what_a_run_without_a_sum_read_is_read_again(between: dict[str, Any]) -> None:
+    """A run that is not told that the source grows keeps none where samples stand still."""
+    rows: list[Row] = [("a", "x", time, float(time % 3)) for time in range(70)]
+    method = (
+        gam_db.Parameters(m=1, bins=4, window=4, stride=2, still_after=5),
+        gam_db.Calibration(fraction=0.5),
+    )
+    with duckdb.connect() as connection:
+
+        def grows(append_only: bool) -> gam_db.Monitor:
+            asked = gam_db.Source("telemetry"), *method
+            return gam_db.Monitor(connection, *asked, lookback=20, append_only=append_only)
+
+        source(connection, rows[:60])
+        grows(True).migrate()
+        grows(True).calibrate()
+        grows(True).score()
+        put(connection, [row for row in rows[60:] if row[2] != 62])
+        grows(False).score(**between)
+        put(connection, [rows[62]])
+        grows(True).score()
+        stored = rows_of(connection, BUCKETS)
+        grows(True).score(full=True)
+        assert rows_of(connection, BUCKETS) == stored

@@ -60,6 +60,25 @@ def connection() -> Iterator[duckdb.DuckDBPyConnection]:
         yield connection
 
 
+@pytest.mark.parametrize("pool", ["channel", None])
+def test_a_support_need_not_have_the_number_of_its_channel(
+    connection: duckdb.DuckDBPyConnection, ways: list[bool], pool: str | None
+) -> None:
+    """It has not in a pool, nor after a second calibration."""
+    source(connection, by_channel())
+    old = monitor(connection, METHODS["neighbours"], pool)
+    old.migrate()
+    old.calibrate()
+    old.score()
+    compare(connection, by_channel(), METHODS["neighbours"], pool=pool)
+    made = monitor(connection, METHODS["delays"], pool)
+    made.calibrate()
+    made.score()
+    assert ways == [True, True]
+    connection.execute("DELETE FROM gam_version WHERE version_no = 1")
+    compare(connection, by_channel(), METHODS["delays"], pool=pool)
+
+
 @pytest.mark.parametrize("case", METHODS)
 def test_channels_in_order_are_scored_as_they_are_stored(
     connection: duckdb.DuckDBPyConnection, ways: list[bool], case: str

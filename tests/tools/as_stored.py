@@ -30,8 +30,10 @@ RUNS = """
 """
 
 
-def monitor(connection: Any, parameters: dict[str, Any], **more: Any) -> Monitor:
-    method = harness.made(parameters, {"fraction": 0.3})
+def monitor(
+    connection: Any, parameters: dict[str, Any], pool: str | None = None, **more: Any
+) -> Monitor:
+    method = harness.made(parameters, {"fraction": 0.3, "pool": pool})
     return Monitor(connection, gam_db.Source("telemetry"), *method, lookback=LOOKBACK, **more)
 
 
@@ -51,8 +53,9 @@ def compare(
     rows: list[Row],
     parameters: dict[str, Any],
     first: list[Row] | None = None,
+    pool: str | None = None,
 ) -> None:
-    asked = (first or rows, rows, *harness.made(parameters, {"fraction": 0.3}))
+    asked = (first or rows, rows, *harness.made(parameters, {"fraction": 0.3, "pool": pool}))
     harness.assert_same(frozen.buckets(*asked), rows_of(connection, BUCKETS), "buckets")
     harness.assert_same(frozen.novel_cells(*asked), rows_of(connection, NOVEL), "novel cells")
     comparisons.compared("duckdb", "stored", rows, *asked[2:], asked[0])

@@ -229,7 +229,7 @@ class _Run:
         """Read nothing of a channel of which there is nothing newer than its newest run has read."""
         channel, newest = (row["asset"], row["channel"]), self.ranges[row["version_id"]][0]
         latest = self.groups.latest.get(channel)
-        if latest is not None and newest["is_newest"] and latest <= newest["read_to"]:
+        if latest is not None and latest <= newest["read_to"]:
             self.groups.latest[channel] = None
 
     def _verify(self, cohort: Cohort) -> None:
