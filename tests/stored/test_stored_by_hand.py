@@ -40,9 +40,8 @@ def test_the_newest_run_says_when_a_version_was_read_and_any_how_far() -> None:
         (3, 5, 10, 10, 10),
     )
     active = rows("version_id", (1,), (2,))
-    found = step(
-        "stored/scoring/last_reads", {"long_ago": BEFORE_ALL}, stored_finished_run=runs, active=active
-    )
+    slots = {"long_ago": BEFORE_ALL, "since": 0}
+    found = step("stored/scoring/last_reads", slots, stored_finished_run=runs, active=active)
     assert found == [(1, 90, 200, 100), (2, BEFORE_ALL, 5, BEFORE_ALL)]
 
 
