@@ -63,7 +63,6 @@ class Ways:
         asked: the last steps that will be asked for, where that is known; others may be, at a price.
         round: rows of a round, where channels are taken to take turns in the order in which rows are
             stored, each once in every round; None where they are not.
-        shared: whether supports have numbers of their own without pools, as frozen ones do.
     """
 
     delays: str | None = None
@@ -72,7 +71,6 @@ class Ways:
     has_missing: bool = True
     asked: frozenset[str] = frozenset()
     round: int | None = None
-    shared: bool = False
 
     @property
     def scores(self) -> bool:
@@ -133,7 +131,8 @@ def add_delays(one: OfSet, prefix: str, ways: Ways, rows: str, has_bits: bool) -
         round_ = _add_round(one, prefix, ways.round, rows)
     if has_bits:
         known["cell_key"] = small_key(one.setting)
-    if one.method.pools or ways.shared:
+    # Rounds list the supports' numbers, which of frozen ones are not those of their channels.
+    if one.method.pools or ways.round is not None:
         pooled = ("support_id",)
         add_short_vectors(one, prefix, known, trusting=True, carried=pooled, round_=round_)
         return

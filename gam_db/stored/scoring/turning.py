@@ -101,7 +101,7 @@ def _steps(rows: exp.Query, channels: int, method: Method, slicing: Slicing, bit
     add(steps, "rounds/seen", slots, name="slices")
     one = OfSet(steps, method, 0)
     one.add("rounds/rounds", {"before": 0, "after": 0, "sharp": 0})
-    add_delays(one, COMPLETE, Ways(round=channels, shared=True), "readings", has_bits=True)
+    add_delays(one, COMPLETE, Ways(round=channels), "readings", has_bits=True)
     add_trusted_novelty(one, bits)
     add_placed(one, [f"{COMPLETE}novelty"], ENDS, trusting=True)
     return steps
