@@ -45,6 +45,13 @@ def test_the_newest_run_says_when_a_version_was_read_and_any_how_far() -> None:
     assert found == [(1, 90, 200, 100), (2, BEFORE_ALL, 5, BEFORE_ALL)]
 
 
+#: The slots of what was read, added up.
+SUMMED: dict[str, Any] = {
+    "code": code_in(4),
+    "mixed": fill("stored/scoring/read_mixed"),
+    "mark": fill("stored/scoring/read_mark"),
+}
+
 BUCKET = "bucket_no first_time last_time context_time samples novel out_of_range"
 
 
@@ -531,14 +538,9 @@ def test_what_was_read_comes_to_a_sum_of_times_and_codes_twice_as_far_as_rows_ma
         for channel in times
         for time, value in zip(times[channel], values[channel], strict=True)
     ]
-    slots: dict[str, Any] = {
-        "code": code_in(4),
-        "mixed": fill("stored/scoring/read_mixed"),
-        "mark": fill("stored/scoring/read_mark"),
-    }
     found = step(
         "stored/scoring/read_sums",
-        slots,
+        SUMMED,
         identified=rows("channel_id time value", *read),
         cohort=cohort,
         seen=seen,
@@ -609,14 +611,9 @@ def test_codes_that_change_places_between_neighbours_come_to_another_sum(since: 
         for place, value in enumerate(standing)
     ]
     channels = [(channel, since, 10**9, 0.0, 8.0) for channel in range(len(values))]
-    slots: dict[str, Any] = {
-        "code": code_in(4),
-        "mixed": fill("stored/scoring/read_mixed"),
-        "mark": fill("stored/scoring/read_mark"),
-    }
     found = step(
         "stored/scoring/read_sums",
-        slots,
+        SUMMED,
         identified=rows("channel_id time value", *read),
         cohort=rows("channel_id read_from late_by lo hi", *channels),
         seen=rows("channel_id read_to", *((channel, since + 6 * apart) for channel, *_ in channels)),

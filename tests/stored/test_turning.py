@@ -10,7 +10,7 @@ from typing import Any
 import duckdb
 import pytest
 
-from as_stored import METHODS, RUNS, compare, monitor, scored
+from as_stored import METHODS, RUNS, compare, monitor, scored, twice_calibrated
 from gam_db import study
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.stored import scoring
@@ -66,19 +66,8 @@ def connection(request: pytest.FixtureRequest) -> Iterator[duckdb.DuckDBPyConnec
 def test_a_support_need_not_have_the_number_of_its_channel(
     connection: duckdb.DuckDBPyConnection, ways: list[bool], pool: str | None
 ) -> None:
-    """It has not in a pool, nor after a second calibration."""
-    source(connection, taking_turns())
-    old = monitor(connection, METHODS["neighbours"], pool)
-    old.migrate()
-    old.calibrate()
-    old.score()
-    compare(connection, taking_turns(), METHODS["neighbours"], pool=pool)
-    made = monitor(connection, METHODS["delays"], pool)
-    made.calibrate()
-    made.score()
+    twice_calibrated(connection, taking_turns(), pool)
     assert ways == [True, True]
-    connection.execute("DELETE FROM gam_version WHERE version_no = 1")
-    compare(connection, taking_turns(), METHODS["delays"], pool=pool)
 
 
 @pytest.mark.parametrize("case", METHODS)

@@ -48,6 +48,19 @@ def scored(connection: duckdb.DuckDBPyConnection, rows: list[Row], case: str) ->
     return made
 
 
+def twice_calibrated(connection: duckdb.DuckDBPyConnection, rows: list[Row], pool: str | None) -> None:
+    """Calibrate and score two times; the second supports, and those of a pool, have other numbers."""
+    source(connection, rows)
+    monitor(connection, METHODS["delays"]).migrate()
+    for case in ("neighbours", "delays"):
+        made = monitor(connection, METHODS[case], pool)
+        made.calibrate()
+        made.score()
+        older = "version_no < (SELECT MAX(version_no) FROM gam_version)"
+        connection.execute(f"DELETE FROM gam_version WHERE {older}")
+        compare(connection, rows, METHODS[case], pool=pool)
+
+
 def compare(
     connection: duckdb.DuckDBPyConnection,
     rows: list[Row],
