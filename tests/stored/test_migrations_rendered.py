@@ -134,7 +134,7 @@ def test_instants_in_views_are_the_engines(tmp_path: Path) -> None:
     )
     (tmp_path / "0001_health.sql").write_text(view)
     (migration,) = migration_files.read(tmp_path)
-    run = f"(1, 1, {'0, ' * 11}1767225599999999, 0{', NULL' * 6})"
+    run = f"(1, 1, {'0, ' * 11}1767225599999999, 0{', NULL' * 7})"
     for name in NAMES:
         engine = engine_named(name)
         script = [engine.text(statement) for statement in migration.statements(engine, STATE)]

@@ -619,3 +619,64 @@ def test_codes_that_change_places_between_neighbours_come_to_another_sum(since: 
         seen=rows("channel_id read_to", *((channel, since + 6 * apart) for channel, *_ in channels)),
     )
     assert len({read_sum for _, _, read_sum in found}) == len(values) == 3**7
+
+
+def test_a_run_writes_from_the_first_bucket_that_is_not_stored_so() -> None:
+    """Channels: 1 as before, 2 other figures, 3 other cells, 4 more, 5 fewer, 6 none, 7 stands still."""
+    kept = f"channel_id {BUCKET.replace(' novel', ' still novel')}"
+    made = [(channel, 3, 10, 19, 15, 10, 1, 0) for channel in (1, 2, 3, 4, 7)]
+    made += [(channel, 4, 20, 29, 25, 10, 1, 0) for channel in (1, 2, 3, 4, 7)]
+    before = [(*row[:6], None, *row[6:]) for row in made if row[:2] != (4, 4)]
+    before[before.index((2, 4, 20, 29, 25, 10, None, 1, 0))] = (2, 4, 20, 29, 25, 11, None, 1, 0)
+    before += [(5, 3, 10, 19, 15, 10, None, 1, 0)]
+    cell = "channel_id bucket_no cell_key visits first_time last_time"
+    cells = [(channel, 0, 8, 1, 12, 12) for channel in (1, 2, 3)]
+    former = [(channel, 3, *row) for channel, _, *row in cells[:2]] + [(3, 3, 9, 1, 12, 12)]
+    found = step(
+        "stored/scoring/changed",
+        cohort=rows("channel_id version_id first_bucket", *((n, n + 10, 3) for n in range(1, 8))),
+        new_buckets=rows(f"channel_id {BUCKET}", *made),
+        still_counts=rows("channel_id bucket_no still", (7, 4, 2)),
+        novel_cells=rows(cell, *cells),
+        former_buckets=rows(kept, *before),
+        former_novel=rows(cell, *former),
+    )
+    firsts = {1: 5, 2: 4, 3: 3, 4: 4, 5: 3, 6: 3, 7: 4}
+    assert sorted(found) == [(n, n + 10, first) for n, first in firsts.items()]
+
+
+def test_what_is_stored_of_new_buckets_is_what_is_seen_of_them() -> None:
+    figures = BUCKET.removeprefix("bucket_no ")
+    bucket = rows(
+        f"version_id run_id bucket_no {figures}",
+        *((5, run, n, 1, 2, 3, 4, 5, 6) for run, n in ((1, 2), (1, 3), (2, 4))),
+    )
+    written = rows(
+        "version_id run_id bucket_no still", (5, 1, 2, 0), (5, 1, 3, 7), (5, 1, 4, 9), (5, 2, 4, 8)
+    )
+    cohort = rows("channel_id version_id first_bucket", (1, 5, 3))
+    slots = {"near": ALWAYS}
+    found = step(
+        "stored/scoring/former_buckets",
+        slots,
+        cohort=cohort,
+        stored_visible_bucket=bucket,
+        stored_bucket=written,
+    )
+    assert found == [(1, 3, 1, 2, 3, 4, 7, 5, 6), (1, 4, 1, 2, 3, 4, 8, 5, 6)]
+    cells = rows(
+        "version_id bucket_no cell_key visits first_time last_time",
+        *((5, n, 9, 1, 2, 3) for n in (2, 3, 4)),
+    )
+    found = step("stored/scoring/former_novel", slots, cohort=cohort, stored_visible_novel=cells)
+    assert found == [(1, 3, 9, 1, 2, 3), (1, 4, 9, 1, 2, 3)]
+
+
+def test_of_what_was_made_the_rest_is_not_written() -> None:
+    made = [(1, 5, n, 1, 2, 3, 4, 5, 6) for n in (2, 3, 4)]
+    found = step(
+        "stored/scoring/written",
+        new_buckets=rows(f"channel_id version_id {BUCKET}", *made),
+        changed=rows("channel_id version_id first_bucket", (1, 5, 3)),
+    )
+    assert found == made[1:]

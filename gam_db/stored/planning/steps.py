@@ -36,6 +36,9 @@ DAY = 86_400_000_000
 #: What a run appends, in this order: the rows of *run* are its commit.
 PUBLISHED = ("bucket_rows", "novel_rows", "run_rows")
 
+#: From which bucket on a run writes, and what; and what stands for these where that is all it has made.
+WRITTEN = {"changed": "cohort", "written": "new_buckets"}
+
 #: Steps of a run that are kept: what is read once, and what has few rows.
 KEPT = frozenset(
     (
@@ -169,17 +172,20 @@ def scoring_steps(
     trusting: bool = False,
     bits: Bits | None = None,
     counted: bool = False,
+    compared: bool = False,
 ) -> Pipeline:
     """Return the steps from *identified* to the rows that are appended.
 
     Looking whether an instant occurs twice takes a pass over all times. A ``trusting`` run takes it that
     none does, and finds out on the way: *repeated_instants* holds the channels that deserved no trust,
     whose rows must not be appended. With ``bits`` supports are kept so, and cells are looked up in them.
-    What was read is ``counted``, or summed up (stored/scoring/read_sums.sql).
+    What was read is ``counted``, or summed up (stored/scoring/read_sums.sql). Buckets are ``compared``
+    with what is stored of them, and those before the first that differs not written.
 
     Given by the caller are the state tables, *identified*, *past_buckets*, *recount*, *stamp* (run_id,
     started, committed, deletes_hidden), and *cohort*: the channels, from where on each is read and
-    scored, the number of its first bucket, and its lookback.
+    scored, the number of its first bucket, and its lookback; to compare, *former_buckets* and
+    *former_novel*, else what stands for :data:`WRITTEN`.
     """
     steps = _frozen()
     add_counting(steps, setting, kind, trusting=trusting, bits=bits)
@@ -192,6 +198,10 @@ def scoring_steps(
         add(steps, "stored/scoring/no_sums", name="read_sums")
     for name in ("past_counts", "new_counts", "settled"):
         add(steps, f"stored/scoring/{name}")
+    if compared:
+        for name in WRITTEN:
+            add(steps, f"stored/scoring/{name}")
+        steps.small |= set(WRITTEN)
     for part in PUBLISHED:
         add(steps, f"stored/scoring/{part}")
     return steps

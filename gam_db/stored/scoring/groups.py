@@ -26,6 +26,7 @@ from gam_db.stored.planning.reading import (
 )
 from gam_db.stored.planning.steps import (
     PUBLISHED,
+    WRITTEN,
     can_trust,
     method_of,
     reading_steps,
@@ -42,8 +43,11 @@ from gam_db.study.running import Listener, Running
 #: Supports are kept as bits where they take no more of them than so many times the rows to be scored.
 BITS_OF_A_ROW = 512
 
-#: Steps of a run that its judgements are made of.
-_JUDGED = ("cohort", "stamp", "new_buckets")
+#: What judgements are made of: what a run writes.
+_JUDGED = {"cohort": "changed", "new_buckets": "written", "stamp": "stamp"}
+
+#: What is stored of the buckets that a run makes.
+_FORMER = ("former_buckets", "former_novel")
 
 
 class Groups:
@@ -110,7 +114,10 @@ class Groups:
             return []
         setting = setting_of(group[0])
         bits = self._bits(group, read)
-        steps = scoring_steps(setting, self.reader.kind, trusting, bits, self.wanted.append_only)
+        # A lookback is that of channels of which rows came late, or may have: not all of it has changed.
+        compared = any(row["lookback"] > 0 and row["restarts"] for row in group)
+        asked = setting, self.reader.kind, trusting, bits, self.wanted.append_only, compared
+        steps = scoring_steps(*asked)
         with Running(self.session, steps, self.state.tables.placed(), self.on_step) as running:
             # A part of a cohort is found by name, or each part would read the rows of all.
             assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
@@ -125,7 +132,7 @@ class Groups:
             left_out = {row["channel_id"] for row in repeating}
             group = [row for row in group if row["channel_id"] not in left_out]
             if group:
-                self._count(running, group)
+                self._count(running, group, compared)
                 self._publish(running, group)
         return repeating
 
@@ -166,10 +173,17 @@ class Groups:
             running.load("cohort", self._cohort(rest))
         return [row for row in group if row["channel_id"] in found]
 
-    def _count(self, running: Running, group: Sequence[Row]) -> None:
+    def _count(self, running: Running, group: Sequence[Row], compared: bool) -> None:
         """Third stage: make the rows that are to be published, on from the buckets that stay."""
         running.put("past_buckets", self._past(group, running))
         self._check_past(group, running)
+        running.keep("new_buckets")
+        for step in _FORMER if compared else ():
+            former = filled(f"stored/scoring/{step}", {"near": near(group)})
+            place(former, running.placed)
+            running.put(step, former)
+        if not compared:
+            running.placed |= {step: running.placed[made] for step, made in WRITTEN.items()}
         for part in PUBLISHED:
             running.prepare(part)
 
@@ -192,7 +206,7 @@ class Groups:
         with publication(self.state, monitor_id, group, self.planned, run_id) as compare_again:
             for part in PUBLISHED:
                 if part == PUBLISHED[-1]:
-                    given = {name: running.placed[name] for name in _JUDGED}
+                    given = {name: running.placed[step] for name, step in _JUDGED.items()}
                     judged = judge(self.state, group, given)
                     compare_again()
                 self.state.append(part.removesuffix("_rows"), running.query(part))

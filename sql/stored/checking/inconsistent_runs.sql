@@ -1,5 +1,6 @@
 -- Inconsistent runs: what must hold between the records of runs and the buckets, whatever the source. A run begins
--- after the bucket that it found settled, reads from that one's context, and says which bucket is settled now.
+-- after the bucket that it found settled, reads from that one's context, and says which bucket is settled now. What it
+-- has made it writes from the first bucket that has changed on.
 -- It was planned from the finished run before it, or from a later one that pruning took. What a later run
 -- wrote anew, or pruning took, says nothing any more.
 -- Reads:  checked, stored_finished_run, stored_run, stored_visible_bucket
@@ -39,9 +40,10 @@ FROM (
           WHEN ending.hit = 1 AND run.read_from < ending.oldest_context THEN 0
           ELSE 1
         END
-      WHEN run.from_bucket = 0 AND run.context_expected IS NOT NULL THEN 1
-      WHEN run.from_bucket = 0 AND run.read_from <> version.run_up_from THEN 1
-      WHEN run.from_bucket > 0 AND run.context_expected IS NULL AND run.read_from > :long_ago THEN 1
+      WHEN run.from_bucket < run.made_from THEN 1
+      WHEN run.made_from = 0 AND run.context_expected IS NOT NULL THEN 1
+      WHEN run.made_from = 0 AND run.read_from <> version.run_up_from THEN 1
+      WHEN run.made_from > 0 AND run.context_expected IS NULL AND run.read_from > :long_ago THEN 1
       WHEN calm.hit = 1 AND (version.still_after IS NULL OR calm.standing_from > run.read_to) THEN 1
       WHEN run.context_expected <> version.context_rows THEN 1
       WHEN run.settled_bucket < run.last_staying THEN 1
@@ -55,22 +57,17 @@ FROM (
         AND (settled.last_time <> run.settled_time OR settled.context_time <> run.settled_context)
         THEN 1
       WHEN run.rows_read < run.context_rows OR run.context_rows < 0 THEN 1
-      WHEN own.hit = 1
-        THEN CASE
-          WHEN own.last_time > run.read_to THEN 1
-          WHEN run.run_id = run.reading_id
-            AND own.settled_bucket <> run.settled_bucket
-            AND (
-              own.settled_bucket >= version.first_bucket OR run.settled_bucket >= version.first_bucket
-            )
-            THEN 1
-          WHEN own.samples > run.rows_read - run.context_rows THEN 1
+      WHEN own.last_time > run.read_to THEN 1
+      WHEN own.samples > run.rows_read - run.context_rows THEN 1
+      WHEN run.run_id < run.reading_id THEN 0
+      WHEN run.settled_bucket > run.last_staying
+        AND CASE
+          WHEN settled.hit = 1 THEN CASE WHEN settled.last_time < ending.newest_time - run.lookback THEN 0 ELSE 1 END
+          WHEN run.settled_bucket >= version.first_bucket THEN 1
           ELSE 0
-        END
-      WHEN run.run_id = run.reading_id
-        AND run.settled_bucket <> run.last_staying
-        AND run.from_bucket >= version.first_bucket
+        END = 1
         THEN 1
+      WHEN following.hit = 1 AND following.last_time < ending.newest_time - run.lookback THEN 1
       ELSE 0
     END AS is_inconsistent
   FROM (
@@ -78,7 +75,9 @@ FROM (
       version_id,
       run_id,
       from_bucket,
-      from_bucket - 1 AS last_staying,
+      made_from,
+      made_from - 1 AS last_staying,
+      lookback,
       read_from,
       read_to,
       rows_read,
@@ -96,7 +95,29 @@ FROM (
       MIN(CASE WHEN read_to IS NOT NULL THEN read_from ELSE 4611686018427387904 END) OVER (
         PARTITION BY version_id ORDER BY run_id DESC ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING
       ) AS read_since
-    FROM stored_finished_run
+    FROM (
+      SELECT
+        finished.version_id AS version_id,
+        finished.run_id AS run_id,
+        finished.from_bucket AS from_bucket,
+        CASE WHEN making.made_from IS NULL THEN finished.from_bucket ELSE making.made_from END AS made_from,
+        finished.lookback AS lookback,
+        finished.read_from AS read_from,
+        finished.read_to AS read_to,
+        finished.rows_read AS rows_read,
+        finished.context_rows AS context_rows,
+        finished.context_expected AS context_expected,
+        finished.settled_bucket AS settled_bucket,
+        finished.settled_time AS settled_time,
+        finished.settled_context AS settled_context,
+        finished.planned_from AS planned_from
+      FROM stored_finished_run AS finished
+      JOIN (
+        SELECT version_id, run_id, MAX(recorded.made_from) AS made_from
+        FROM stored_run AS recorded
+        GROUP BY version_id, run_id
+      ) AS making ON making.version_id = finished.version_id AND making.run_id = finished.run_id
+    ) AS kept
   ) AS run
   JOIN checked AS version ON version.version_id = run.version_id
   LEFT JOIN (
@@ -112,36 +133,22 @@ FROM (
     FROM stored_visible_bucket
   ) AS resumed ON resumed.version_id = run.version_id AND resumed.context_time = run.read_from
   LEFT JOIN (
-    SELECT version_id, MIN(context_time) AS oldest_context, 1 AS hit
+    SELECT version_id, MIN(context_time) AS oldest_context, MAX(last_time) AS newest_time, 1 AS hit
     FROM stored_visible_bucket
     GROUP BY version_id
   ) AS ending ON ending.version_id = run.version_id
   LEFT JOIN (
+    SELECT version_id, bucket_no, last_time, 1 AS hit
+    FROM stored_visible_bucket
+  ) AS following ON following.version_id = run.version_id AND following.bucket_no = run.settled_bucket + 1
+  LEFT JOIN (
     SELECT
-      written.version_id AS version_id,
-      written.run_id AS run_id,
+      version_id,
+      run_id,
       MAX(written.last_time) AS last_time,
-      CAST(SUM(written.samples) AS BIGINT) AS samples,
-      MAX(
-        CASE
-          WHEN written.last_time < written.newest_time - maker.lookback THEN written.bucket_no
-          ELSE maker.from_bucket - 1
-        END
-      ) AS settled_bucket,
-      1 AS hit
-    FROM (
-      SELECT
-        version_id,
-        run_id,
-        bucket_no,
-        last_time,
-        samples,
-        MAX(last_time) OVER (PARTITION BY version_id, run_id) AS newest_time
-      FROM stored_visible_bucket
-    ) AS written
-    JOIN stored_finished_run AS maker
-      ON maker.version_id = written.version_id AND maker.run_id = written.run_id
-    GROUP BY written.version_id, written.run_id
+      CAST(SUM(written.samples) AS BIGINT) AS samples
+    FROM stored_visible_bucket AS written
+    GROUP BY version_id, run_id
   ) AS own ON own.version_id = run.version_id AND own.run_id = run.run_id
   LEFT JOIN (
     SELECT version_id, run_id, MAX(read.still_since) AS standing_from, 1 AS hit

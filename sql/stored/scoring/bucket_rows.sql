@@ -1,5 +1,5 @@
 -- Bucket rows: what a run appends to the stored buckets, with the two integers of Eq. 2.
--- Reads:  new_buckets, bucket_counts, still_counts, stamp
+-- Reads:  written, bucket_counts, still_counts, stamp
 -- A row:  one bucket; still is NULL where no sample counts as still.
 SELECT
   made.version_id AS version_id,
@@ -13,7 +13,7 @@ SELECT
   made.novel AS novel,
   made.out_of_range AS out_of_range,
   counted.novel_in_window AS novel_in_window
-FROM new_buckets AS made
+FROM written AS made
 JOIN bucket_counts AS counted
   ON counted.channel_id = made.channel_id AND counted.bucket_no = made.bucket_no
 LEFT JOIN (

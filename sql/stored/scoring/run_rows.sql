@@ -1,5 +1,5 @@
 -- Run rows: what commits a run, one row per version; appended last of all.
--- Reads:  cohort, seen, recount, settled, stillness, read_sums, stamp
+-- Reads:  cohort, changed, seen, recount, settled, stillness, read_sums, stamp
 -- A row:  one version that was looked at. One without any row in its range, not even its context, hides
 --         nothing: from_bucket is beyond all buckets, and what was settled is what an earlier run says. Where
 --         no new bucket is settled, it is the one that stayed, after which this run began. hides = 0 where no row of an
@@ -7,7 +7,7 @@
 SELECT
   stamp.run_id AS run_id,
   member.version_id AS version_id,
-  CASE WHEN ranged.hit = 1 THEN member.first_bucket ELSE 4611686018427387904 END AS from_bucket,
+  CASE WHEN ranged.hit = 1 THEN part.first_bucket ELSE 4611686018427387904 END AS from_bucket,
   member.read_from AS read_from,
   CASE WHEN ranged.hit = 1 THEN ranged.read_to END AS read_to,
   CASE WHEN ranged.hit = 1 THEN ranged.rows_read ELSE 0 END AS rows_read,
@@ -41,8 +41,10 @@ SELECT
   CASE WHEN calm.hit = 1 THEN calm.still_since END AS still_since,
   CASE WHEN summed.hit = 1 THEN summed.summed_from END AS summed_from,
   CASE WHEN summed.hit = 1 THEN summed.read_sum END AS read_sum,
-  CASE WHEN CASE WHEN ranged.hit = 1 THEN stamp.deletes_hidden ELSE 1 END = 1 THEN CAST(0 AS BIGINT) END AS hides
+  CASE WHEN CASE WHEN ranged.hit = 1 THEN stamp.deletes_hidden ELSE 1 END = 1 THEN CAST(0 AS BIGINT) END AS hides,
+  CASE WHEN ranged.hit = 1 THEN member.first_bucket END AS made_from
 FROM cohort AS member
+JOIN changed AS part ON part.channel_id = member.channel_id
 CROSS JOIN stamp
 LEFT JOIN (
   SELECT channel_id, read_to, rows_read, context_rows, 1 AS hit

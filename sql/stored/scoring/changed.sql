@@ -1,0 +1,89 @@
+-- Changed: from which bucket on a run writes what it has made: the first that is not stored just so, its novel cells
+-- among it; else the one after the last. What is stored from there on is no more.
+-- Reads:  cohort, new_buckets, still_counts, novel_cells, former_buckets, former_novel
+-- A row:  one channel.
+SELECT
+  member.channel_id AS channel_id,
+  member.version_id AS version_id,
+  CASE WHEN found.hit = 1 THEN found.first_bucket ELSE member.first_bucket END AS first_bucket
+FROM cohort AS member
+LEFT JOIN (
+  SELECT
+    channel_id,
+    COALESCE(
+      MIN(CASE WHEN made_rows <> former_rows THEN bucket_no END),
+      MAX(bucket_no) + 1
+    ) AS first_bucket,
+    1 AS hit
+  FROM (
+    SELECT
+      channel_id,
+      bucket_no,
+      CAST(SUM(is_made) AS BIGINT) AS made_rows,
+      CAST(SUM(1 - is_made) AS BIGINT) AS former_rows
+    FROM (
+      SELECT
+        made.channel_id AS channel_id,
+        made.bucket_no AS bucket_no,
+        made.first_time AS first_time,
+        made.last_time AS last_time,
+        made.context_time AS context_time,
+        made.samples AS samples,
+        CASE WHEN calm.hit = 1 THEN calm.still END AS still,
+        made.novel AS novel,
+        made.out_of_range AS out_of_range,
+        1 AS is_made
+      FROM new_buckets AS made
+      LEFT JOIN (
+        SELECT channel_id, bucket_no, still, 1 AS hit
+        FROM still_counts
+      ) AS calm ON calm.channel_id = made.channel_id AND calm.bucket_no = made.bucket_no
+      UNION ALL
+      SELECT
+        channel_id,
+        bucket_no,
+        first_time,
+        last_time,
+        context_time,
+        samples,
+        still,
+        novel,
+        out_of_range,
+        0 AS is_made
+      FROM former_buckets
+    ) AS counted
+    GROUP BY
+      channel_id,
+      bucket_no,
+      first_time,
+      last_time,
+      context_time,
+      samples,
+      still,
+      novel,
+      out_of_range
+    UNION ALL
+    SELECT
+      channel_id,
+      bucket_no,
+      CAST(SUM(is_made) AS BIGINT) AS made_rows,
+      CAST(SUM(1 - is_made) AS BIGINT) AS former_rows
+    FROM (
+      SELECT
+        strange.channel_id AS channel_id,
+        strange.bucket_no + member.first_bucket AS bucket_no,
+        strange.cell_key AS cell_key,
+        strange.visits AS visits,
+        strange.first_time AS first_time,
+        strange.last_time AS last_time,
+        1 AS is_made
+      FROM novel_cells AS strange
+      JOIN cohort AS member ON member.channel_id = strange.channel_id
+      UNION ALL
+      SELECT channel_id, bucket_no, cell_key, visits, first_time, last_time, 0 AS is_made
+      FROM former_novel
+    ) AS visited_cells
+    GROUP BY channel_id, bucket_no, cell_key, visits, first_time, last_time
+  ) AS matched
+  GROUP BY channel_id
+) AS found ON found.channel_id = member.channel_id

@@ -1,0 +1,22 @@
+-- Former buckets: what is stored of those that a run makes anew.
+-- Reads:  stored_visible_bucket, stored_bucket, cohort
+-- A row:  one bucket.
+-- Slots:  :near  a condition on bucket that holds for all of them
+SELECT
+  member.channel_id AS channel_id,
+  bucket.bucket_no AS bucket_no,
+  bucket.first_time AS first_time,
+  bucket.last_time AS last_time,
+  bucket.context_time AS context_time,
+  bucket.samples AS samples,
+  written.still AS still,
+  bucket.novel AS novel,
+  bucket.out_of_range AS out_of_range
+FROM stored_visible_bucket AS bucket
+JOIN stored_bucket AS written
+  ON written.version_id = bucket.version_id
+  AND written.bucket_no = bucket.bucket_no
+  AND written.run_id = bucket.run_id
+JOIN cohort AS member ON member.version_id = bucket.version_id
+WHERE bucket.bucket_no >= member.first_bucket
+  AND :near
