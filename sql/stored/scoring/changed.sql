@@ -1,5 +1,6 @@
 -- Changed: from which bucket on a run writes what it has made: the first that is not stored just so, its novel cells
--- among it; else the one after the last. What is stored from there on is no more.
+-- among it; else the one after the last. What is stored from there on is no more. Of a bucket with as many novel
+-- vectors as before no cell is missing where each is there again.
 -- Reads:  cohort, new_buckets, still_counts, novel_cells, former_buckets, former_novel
 -- A row:  one channel.
 SELECT
@@ -64,26 +65,22 @@ LEFT JOIN (
       out_of_range
     UNION ALL
     SELECT
-      channel_id,
-      bucket_no,
-      CAST(SUM(is_made) AS BIGINT) AS made_rows,
-      CAST(SUM(1 - is_made) AS BIGINT) AS former_rows
-    FROM (
-      SELECT
-        strange.channel_id AS channel_id,
-        strange.bucket_no + member.first_bucket AS bucket_no,
-        strange.cell_key AS cell_key,
-        strange.visits AS visits,
-        strange.first_time AS first_time,
-        strange.last_time AS last_time,
-        1 AS is_made
-      FROM novel_cells AS strange
-      JOIN cohort AS member ON member.channel_id = strange.channel_id
-      UNION ALL
-      SELECT channel_id, bucket_no, cell_key, visits, first_time, last_time, 0 AS is_made
+      strange.channel_id AS channel_id,
+      strange.bucket_no + member.first_bucket AS bucket_no,
+      1 AS made_rows,
+      CASE WHEN same.hit = 1 THEN 1 ELSE 0 END AS former_rows
+    FROM novel_cells AS strange
+    JOIN cohort AS member ON member.channel_id = strange.channel_id
+    LEFT JOIN (
+      SELECT channel_id, bucket_no, cell_key, visits, first_time, last_time, 1 AS hit
       FROM former_novel
-    ) AS visited_cells
-    GROUP BY channel_id, bucket_no, cell_key, visits, first_time, last_time
+    ) AS same
+      ON same.channel_id = strange.channel_id
+      AND same.bucket_no = strange.bucket_no + member.first_bucket
+      AND same.cell_key = strange.cell_key
+      AND same.visits = strange.visits
+      AND same.first_time = strange.first_time
+      AND same.last_time = strange.last_time
   ) AS matched
   GROUP BY channel_id
 ) AS found ON found.channel_id = member.channel_id
