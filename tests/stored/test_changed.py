@@ -54,7 +54,8 @@ def last_run(connection: duckdb.DuckDBPyConnection, asset: str) -> tuple[int, in
 def finished(connection: duckdb.DuckDBPyConnection) -> None:
     """Compare with one run over everything, before and after the last rows come."""
     assert monitor(connection).check_state().num_rows == 0
-    put(connection, readings(LENGTH - 20, LENGTH))
+    (end,) = connection.execute("SELECT MAX(time) + 1 FROM telemetry").fetchall()[0]
+    put(connection, readings(end, LENGTH))
     monitor(connection).score()
     assert monitor(connection).check_state().num_rows == 0
     before = seen(connection)
@@ -101,6 +102,9 @@ def test_a_run_that_finds_everything_as_it_was_hides_nothing(plant: duckdb.DuckD
     assert rows_of(plant, "FROM gam_visible_bucket") == before
     monitor(plant).score()
     assert last_run(plant, "b")[1] is None, "what was read again is summed up: it is not read once more"
+    put(plant, readings(LENGTH - 20, LENGTH - 10))
+    (run,) = (row for row in monitor(plant).score().channels if row["asset"] == "b")
+    assert run["rows_read"] < LOOKBACK
     finished(plant)
 
 

@@ -159,7 +159,7 @@ class _Run:
             self.ranges = read_ranges(self.state, self.wanted.lookback, rows)
         # What is settled is so for a run that adds up what it does not read again.
         chosen = [
-            {**row, "lookback": 0, "late_by": self.wanted.lookback}
+            {**row, "lookback": 0, "late_by": self.wanted.lookback, "is_reread": False}
             for row in rows
             if self.wanted.chosen(row["asset"], row["channel"])
         ]
@@ -206,7 +206,7 @@ class _Run:
         asked = [
             row
             for row in cohort.channels
-            if self.sums and row["lookback"] < row["late_by"] and row["read_until"] != LONG_AGO
+            if self.sums and not row["is_reread"] and row["read_until"] != LONG_AGO
         ]
         if any(row["version_id"] in self.ranges for row in asked):
             self.on_step("adding up what was read")
@@ -221,9 +221,14 @@ class _Run:
         self.report.moved += len(moved) if counted else 0
         lookback = self.wanted.lookback
         usual = plan_rows(self.state, self.monitor["monitor_id"], lookback, moved)
-        again = [{**row, "lookback": lookback, "late_by": lookback} for row in usual]
+        known = {"late_by": lookback, "is_reread": True}
+        again = [{**row, **known, "lookback": 0 if self._is_summed(row) else lookback} for row in usual]
         left = tuple(row for row in cohort.channels if row["version_id"] not in moved)
         return replace(cohort, channels=left), others(again, lookback)
+
+    def _is_summed(self, row: Row) -> bool:
+        """Tell whether what is read of a version is summed up, so that it is settled at once."""
+        return self.wanted.append_only or row["still_after"] is None
 
     def _leave_if_old(self, row: Row) -> None:
         """Read nothing of a channel of which there is nothing newer than its newest run has read."""

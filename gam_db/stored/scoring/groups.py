@@ -114,8 +114,8 @@ class Groups:
             return []
         setting = setting_of(group[0])
         bits = self._bits(group, read)
-        # A lookback is that of channels of which rows came late, or may have: not all of it has changed.
-        compared = any(row["lookback"] > 0 and row["restarts"] for row in group)
+        # Where rows came late, or may have, not all that is read again has changed.
+        compared = any(row["is_reread"] and row["restarts"] for row in group)
         asked = setting, self.reader.kind, trusting, bits, self.wanted.append_only, compared
         steps = scoring_steps(*asked)
         with Running(self.session, steps, self.state.tables.placed(), self.on_step) as running:
