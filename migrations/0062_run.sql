@@ -6,3 +6,5 @@ COMMENT ON COLUMN stored_run.made_from
   IS 'First bucket that it made of what it read; those before from_bucket are as they were. NULL: it wrote all of them';
 COMMENT ON COLUMN stored_run.context_rows
   IS 'Samples it read up to the end of the bucket before made_from';
+COMMENT ON COLUMN stored_run.lookback
+  IS 'How late a row may come, as this run took it, in the unit of time; -1 where the next run adds up what this one read';

@@ -136,3 +136,33 @@ def test_who_asks_for_all_of_it_gets_all_of_it_written(plant: duckdb.DuckDBPyCon
     monitor(plant).score(full=True)
     first, made, written, last = last_run(plant, "b")
     assert (first, made, written) == (0, 0, list(range(last + 1)))
+
+
+@pytest.mark.parametrize("end", range(200, 205))
+def test_what_changes_after_the_sum_and_before_the_reading_is_found(end: int) -> None:
+    """It is among the samples that a run begins with, and not in the buckets that stay."""
+    with duckdb.connect() as connection:
+        source(connection, readings(0, FIRST))
+        mine = small_plant.monitor(connection)
+        mine.lookback = 6
+        mine.migrate()
+        mine.calibrate()
+        put(connection, readings(FIRST, end))
+        mine.score()
+        ((last,),) = connection.execute("SELECT MAX(last_time) FROM gam_visible_bucket").fetchall()
+        put(connection, readings(end, end + 2))
+        told: list[str] = []
+
+        def come(step: str) -> None:
+            if told and told[-1] == "adding up what was read":
+                connection.execute("UPDATE telemetry SET value = 77 WHERE time = ?", [last])
+            told.append(step)
+
+        mine.score(on_step=come)
+        assert "adding up what was read" in told
+        mine.score()
+        put(connection, readings(end + 2, end + 4))
+        mine.score()
+        before = seen(connection)
+        mine.score(full=True)
+        assert seen(connection) == before

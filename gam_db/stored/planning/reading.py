@@ -96,20 +96,25 @@ class Reader:
         return self._engine.readings(source, self._relation, self.kind)
 
 
+#: The lookback of a run whose reads are summed up: what comes late shows there, so all is settled.
+SUMMED = -1
+
+
 def plan_rows(
     state: State, monitor_id: int, lookback: int, among: Container[int] | None = None
 ) -> list[Row]:
     """Return from where on each version, or one among some, must be read, as its last run recorded.
 
     That is a run of late, or all of them are looked at. Where it allowed for rows less late than
-    ``lookback``, buckets have to be looked at, and are.
+    ``lookback``, buckets have to be looked at, and are. That is :data:`SUMMED` where what was read is
+    added up first.
     """
     rows = _planned(state, plan_steps(monitor_id, lookback, recent_run()))
     if not all(row["restarts"] for row in rows):
         rows = _planned(state, plan_steps(monitor_id, lookback))
     rows = [row for row in rows if among is None or row["version_id"] in among]
     if any(row["read_until"] != LONG_AGO and not row["restarts"] for row in rows):
-        rows = searched_plan_rows(state, monitor_id, lookback)
+        rows = searched_plan_rows(state, monitor_id, max(lookback, 0))
     return [row for row in rows if among is None or row["version_id"] in among]
 
 

@@ -14,6 +14,7 @@ from gam_db.stored.alarms.explaining import explain
 from gam_db.stored.checking.proving import verify, verify_daily
 from gam_db.stored.planning import Cohort, Row, others, planned, portions, resumed
 from gam_db.stored.planning.reading import (
+    SUMMED,
     Reader,
     cohort_of,
     last_times,
@@ -148,7 +149,7 @@ class _Run:
         lookback = None if self.wanted.full else self.wanted.lookback
         begin, until = self.wanted.repair_from, self.wanted.until
         self.sums = bool(lookback) and begin is None
-        rows = [] if lookback is None else plan_rows(self.state, monitor_id, 0)
+        rows = [] if lookback is None else plan_rows(self.state, monitor_id, SUMMED if lookback else 0)
         if until is not None and any(row["first_scored"] > until for row in rows):
             # What lies after the end does not stay.
             begin = until + 1 if begin is None else min(begin, until + 1)
@@ -157,9 +158,9 @@ class _Run:
             rows = searched_plan_rows(self.state, monitor_id, lookback, begin)
         if self.sums:
             self.ranges = read_ranges(self.state, self.wanted.lookback, rows)
-        # What is settled is so for a run that adds up what it does not read again.
+        known = {"late_by": self.wanted.lookback, "is_reread": False}
         chosen = [
-            {**row, "lookback": 0, "late_by": self.wanted.lookback, "is_reread": False}
+            {**row, **known, "lookback": SUMMED if self._is_summed(row) else 0}
             for row in rows
             if self.wanted.chosen(row["asset"], row["channel"])
         ]
@@ -222,13 +223,15 @@ class _Run:
         lookback = self.wanted.lookback
         usual = plan_rows(self.state, self.monitor["monitor_id"], lookback, moved)
         known = {"late_by": lookback, "is_reread": True}
-        again = [{**row, **known, "lookback": 0 if self._is_summed(row) else lookback} for row in usual]
+        again = [
+            {**row, **known, "lookback": SUMMED if self._is_summed(row) else lookback} for row in usual
+        ]
         left = tuple(row for row in cohort.channels if row["version_id"] not in moved)
         return replace(cohort, channels=left), others(again, lookback)
 
     def _is_summed(self, row: Row) -> bool:
-        """Tell whether what is read of a version is summed up, so that it is settled at once."""
-        return self.wanted.append_only or row["still_after"] is None
+        """Tell whether what is read of a version is added up by the next run."""
+        return bool(self.wanted.lookback) and (self.wanted.append_only or row["still_after"] is None)
 
     def _leave_if_old(self, row: Row) -> None:
         """Read nothing of a channel of which there is nothing newer than its newest run has read."""

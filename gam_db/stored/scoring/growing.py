@@ -43,7 +43,7 @@ def _ranges(state: State, lookback: int, since: int) -> dict[int, list[Row]]:
         needed: list[Row] = []
         for row in sorted(ranges, key=lambda row: -row["run_id"]):
             # What the newest run read may be known in part only, or not at all: it may have kept no sum.
-            if row["read_to"] < needed[-1]["summed_from"] if needed else not row["is_newest"]:
+            if row["read_to"] + 1 < needed[-1]["summed_from"] if needed else not row["is_newest"]:
                 break
             needed.append(row)
             if row["begins"] or row["summed_from"] <= row["newest_time"] - lookback:

@@ -1,5 +1,6 @@
 -- Read sums: what was read of each channel, as far as rows may still come late, in one integer; twice as far, so that
--- it shows where one came too late.
+-- it shows where one came too late. A run answers for what it has scored, and not for the samples before that: a row that
+-- came among them just before they were read is missing in what is stored, and in the sum of the run that wrote that.
 -- Reads:  identified, cohort, seen
 -- A row:  one channel that has a row in its range.
 -- Slots:  :code  the expression of support/code.sql
@@ -29,7 +30,10 @@ FROM (
           member.lo AS lo,
           member.hi AS hi,
           CASE
-            WHEN ranged.read_to - 2 * member.late_by > member.read_from THEN ranged.read_to - 2 * member.late_by
+            WHEN ranged.read_to - 2 * member.late_by > member.read_from
+              AND ranged.read_to - 2 * member.late_by > member.first_scored
+              THEN ranged.read_to - 2 * member.late_by
+            WHEN member.first_bucket > 0 THEN member.first_scored
             ELSE member.read_from
           END AS summed_from
         FROM cohort AS member
