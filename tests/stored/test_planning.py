@@ -19,6 +19,7 @@ import small_plant
 from gam_db.clock import LONG_AGO
 from gam_db.composing.pipeline import filled, place
 from gam_db.engines.base import deletion
+from gam_db.errors import ParameterError
 from gam_db.stored import scoring
 from gam_db.stored.planning import Row, reading
 from gam_db.stored.planning.reading import SUMMED, near, plan_rows, searched_plan_rows
@@ -153,7 +154,7 @@ def test_runs_of_late_are_enough_or_all_are_looked_at(
         assert [{row["restarts"] for row in plan} for plan in plans] == [{1}, {0}]
         assert {row["read_until"] for row in plans[1]} == {LONG_AGO}
         for lookback, since, are_known in (
-            (LOOKBACK, runs[-1][0], True),
+            (LOOKBACK, runs[-3][0], True),
             (LOOKBACK, runs[-1][0] + 1, False),
             (3 * LOOKBACK, 0, True),
             (3 * LOOKBACK, runs[-1][0], False),  # of which one run alone knows too little
@@ -332,3 +333,17 @@ def test_what_was_scored_after_an_end_is_hidden_until_the_next_run(
     assert mine.check_state().num_rows == 0
     mine.score()
     assert seen(plant) == before
+
+
+def test_an_end_before_all_that_is_read_is_refused(plant: duckdb.DuckDBPyConnection) -> None:
+    """Nothing is read of such a channel then, so nothing of it would be hidden."""
+    mine = monitor(plant)
+    mine.score()
+    before = seen(plant)
+    ((begin,),) = plant.execute("SELECT MIN(read_from) FROM gam_run").fetchall()
+    for full in (False, True):
+        with pytest.raises(ParameterError, match=rf"end at {begin - 1}: .* a x \(and of 3 more\)"):
+            mine.score(until=begin - 1, full=full)
+    assert seen(plant) == before
+    mine.score(until=begin)
+    assert seen(plant)[0] == []

@@ -71,7 +71,8 @@ def happen(monitor: Monitor, chance: random.Random, rows: list[Row]) -> None:
         with contextlib.suppress(UserError):  # where nothing is stored that late
             monitor.score(since=chance.randrange(60))
     elif event == "until":
-        monitor.score(until=chance.randrange(20, 60))
+        with contextlib.suppress(UserError):  # before all that is read of a channel
+            monitor.score(until=chance.randrange(20, 60))
     elif event == "some":
         monitor.score(asset=rows[-1][0])
 

@@ -164,10 +164,14 @@ class _Run:
             for row in rows
             if self.wanted.chosen(row["asset"], row["channel"])
         ]
-        if self.wanted.repair_from is not None:
+        if self.wanted.repair_from is not None or until is not None:
             ends = last_times(self.state, monitor_id)
-            stored = [ends[row["version_id"]] for row in chosen if row["version_id"] in ends]
-            self._check_begin(self.wanted.repair_from, max(stored, default=None))
+            there = [row for row in chosen if row["version_id"] in ends]
+            if self.wanted.repair_from is not None:
+                newest = max((ends[row["version_id"]] for row in there), default=None)
+                self._check_begin(self.wanted.repair_from, newest)
+            if until is not None:
+                self._check_end(until, [row for row in there if row["read_from"] > until])
         return chosen
 
     def _check_begin(self, begin: int, newest: int | None) -> None:
@@ -183,6 +187,19 @@ class _Run:
                 f"{refused}: the newest stored bucket ends at {shown_instant(newest, kind)}; leave "
                 "it out to score what is new."
             )
+
+    def _check_end(self, end: int, later: list[Row]) -> None:
+        """Refuse to score up to an instant before all that is read of a channel."""
+        if not later:
+            return
+        kind, first = self.reader.kind, min(later, key=lambda row: (row["asset"], row["channel"]))
+        others = f" (and of {len(later) - 1:,} more)" if len(later) > 1 else ""
+        begin = shown_instant(first["read_from"], kind)
+        raise ParameterError(
+            f"Scoring cannot end at {shown_instant(end, kind)}: of the channel {first['asset']} "
+            f"{first['channel']}{others} nothing is read before {begin}, so what is stored of it would "
+            "stay. Give a later end, or choose other channels by their names."
+        )
 
     def _known(self) -> list[Row]:
         slots: dict[str, template.Slot] = {"monitor_id": self.monitor["monitor_id"]}
