@@ -527,12 +527,20 @@ def test_a_version_is_checked_with_what_the_newest_records_say_of_it() -> None:
 
 
 def test_what_was_read_comes_to_a_sum_of_times_and_codes_twice_as_far_as_rows_may_come_late() -> None:
-    """One integer for each row, as Python makes it; of the second channel all is summed."""
-    seen = rows("channel_id read_to", (1, 90), (2, 9))
-    cohort = rows("channel_id read_from late_by lo hi", (1, -60, 25, 0.0, 8.0), (2, -8, 25, 0.0, 8.0))
-    times = {1: (-60, 39, 40, 90), 2: (-8, 9)}
-    values = {1: (1.0, 2.0, -1.0, 9.0), 2: (8.0, None)}
-    codes = {1: (3, 4, 1, 6), 2: (5, 0)}
+    """One integer for each row, as Python makes it.
+
+    Of the second channel all is summed, of the third all but what it began with.
+    """
+    seen = rows("channel_id read_to", (1, 90), (2, 9), (3, 9))
+    cohort = rows(
+        "channel_id first_bucket read_from first_scored late_by lo hi",
+        (1, 5, -60, -50, 25, 0.0, 8.0),
+        (2, 0, -8, 2, 25, 0.0, 8.0),
+        (3, 1, -8, 2, 25, 0.0, 8.0),
+    )
+    times = {1: (-60, 39, 40, 90), 2: (-8, 9), 3: (1, 2, 9)}
+    values = {1: (1.0, 2.0, -1.0, 9.0), 2: (8.0, None), 3: (1.0, 2.0, -1.0)}
+    codes = {1: (3, 4, 1, 6), 2: (5, 0), 3: (3, 4, 1)}
     read = [
         (channel, time, value)
         for channel in times
@@ -551,9 +559,9 @@ def test_what_was_read_comes_to_a_sum_of_times_and_codes_twice_as_far_as_rows_ma
             for time, code in zip(times[channel], codes[channel], strict=True)
             if time >= since
         )
-        for channel, since in ((1, 40), (2, -8))
+        for channel, since in ((1, 40), (2, -8), (3, 2))
     }
-    assert found == [(1, 40, sums[1]), (2, -8, sums[2])]
+    assert found == [(1, 40, sums[1]), (2, -8, sums[2]), (3, 2, sums[3])]
     assert len({marked(time, code) for time in range(50) for code in range(9)}) == 450
 
 
@@ -610,12 +618,12 @@ def test_codes_that_change_places_between_neighbours_come_to_another_sum(since: 
         for channel, standing in enumerate(values)
         for place, value in enumerate(standing)
     ]
-    channels = [(channel, since, 10**9, 0.0, 8.0) for channel in range(len(values))]
+    channels = [(channel, 0, since, since, 10**9, 0.0, 8.0) for channel in range(len(values))]
     found = step(
         "stored/scoring/read_sums",
         SUMMED,
         identified=rows("channel_id time value", *read),
-        cohort=rows("channel_id read_from late_by lo hi", *channels),
+        cohort=rows("channel_id first_bucket read_from first_scored late_by lo hi", *channels),
         seen=rows("channel_id read_to", *((channel, since + 6 * apart) for channel, *_ in channels)),
     )
     assert len({read_sum for _, _, read_sum in found}) == len(values) == 3**7

@@ -1,5 +1,7 @@
 """The steps of the stored form pass the lint once their slots are filled and every kind is known."""
 
+from functools import partial
+
 import pytest
 from sqlglot import exp
 
@@ -51,6 +53,14 @@ def given() -> dict[str, sql_lint.Columns]:
         field.name: TYPES[{"int64": "BIGINT", "double": "DOUBLE", "string": "VARCHAR"}[str(field.type)]]
         for field in cohort.schema
     }
+    buckets = (
+        "channel_id version_id bucket_no first_time last_time context_time samples novel out_of_range"
+    )
+    known["written"] = dict.fromkeys(buckets.split(), Kind.INTEGER)
+    known["changed"] = known["cohort"]
+    known["former_buckets"] = {**known["written"], "still": Kind.INTEGER}
+    cells = "channel_id bucket_no cell_key visits first_time last_time"
+    known["former_novel"] = dict.fromkeys(cells.split(), Kind.INTEGER)
     known["stamp"] = dict.fromkeys(("run_id", "started", "committed", "deletes_hidden"), Kind.INTEGER)
     telemetry = {"time": Kind.INTEGER, "value": Kind.DOUBLE}
     known["telemetry"] = telemetry | dict.fromkeys(TEXTS, Kind.OTHER)
@@ -75,7 +85,7 @@ def test_filled_steps_break_no_rule(setting: Setting) -> None:
     for kind in (TimeKind.COUNTER, TimeKind.TIMESTAMP):
         known = given()
         assert broken(reading_steps(rows), known) == []
-        for steps in (scoring_steps, comparing_steps):
+        for steps in (scoring_steps, comparing_steps, partial(scoring_steps, compared=True)):
             assert broken(steps(setting, kind), dict(known)) == []
         # The last bits of logarithms are allowed for, as in the certificate itself; outlook takes the
         # larger of two figures, so that they decide nothing.

@@ -57,17 +57,14 @@ FROM (
         AND (settled.last_time <> run.settled_time OR settled.context_time <> run.settled_context)
         THEN 1
       WHEN run.rows_read < run.context_rows OR run.context_rows < 0 THEN 1
-      WHEN own.last_time > run.read_to THEN 1
-      WHEN own.samples > run.rows_read - run.context_rows THEN 1
+      WHEN own.hit = 1 AND (own.last_time > run.read_to OR own.samples > run.rows_read - run.context_rows) THEN 1
       WHEN run.run_id < run.reading_id THEN 0
       WHEN run.settled_bucket > run.last_staying
-        AND CASE
-          WHEN settled.hit = 1 THEN CASE WHEN settled.last_time < ending.newest_time - run.lookback THEN 0 ELSE 1 END
-          WHEN run.settled_bucket >= version.first_bucket THEN 1
-          ELSE 0
-        END = 1
+        AND run.settled_bucket >= version.first_bucket
+        AND CASE WHEN settled.hit = 1 THEN 1 ELSE 0 END = 0
         THEN 1
-      WHEN following.hit = 1 AND following.last_time < ending.newest_time - run.lookback THEN 1
+      WHEN settled.hit = 1 AND run.settled_bucket > run.last_staying AND settled.behind <= run.lookback THEN 1
+      WHEN following.hit = 1 AND following.behind > run.lookback THEN 1
       ELSE 0
     END AS is_inconsistent
   FROM (
@@ -84,6 +81,7 @@ FROM (
       context_rows,
       context_expected,
       settled_bucket,
+      settled_bucket + 1 AS next_bucket,
       settled_time,
       settled_context,
       planned_from,
@@ -125,7 +123,14 @@ FROM (
     FROM stored_visible_bucket
   ) AS stayed ON stayed.version_id = run.version_id AND stayed.bucket_no = run.last_staying
   LEFT JOIN (
-    SELECT version_id, bucket_no, run_id, last_time, context_time, 1 AS hit
+    SELECT
+      version_id,
+      bucket_no,
+      run_id,
+      last_time,
+      context_time,
+      MAX(last_time) OVER (PARTITION BY version_id) - last_time AS behind,
+      1 AS hit
     FROM stored_visible_bucket
   ) AS settled ON settled.version_id = run.version_id AND settled.bucket_no = run.settled_bucket
   LEFT JOIN (
@@ -133,20 +138,25 @@ FROM (
     FROM stored_visible_bucket
   ) AS resumed ON resumed.version_id = run.version_id AND resumed.context_time = run.read_from
   LEFT JOIN (
-    SELECT version_id, MIN(context_time) AS oldest_context, MAX(last_time) AS newest_time, 1 AS hit
+    SELECT version_id, MIN(context_time) AS oldest_context, 1 AS hit
     FROM stored_visible_bucket
     GROUP BY version_id
   ) AS ending ON ending.version_id = run.version_id
   LEFT JOIN (
-    SELECT version_id, bucket_no, last_time, 1 AS hit
+    SELECT
+      version_id,
+      bucket_no,
+      MAX(last_time) OVER (PARTITION BY version_id) - last_time AS behind,
+      1 AS hit
     FROM stored_visible_bucket
-  ) AS following ON following.version_id = run.version_id AND following.bucket_no = run.settled_bucket + 1
+  ) AS following ON following.version_id = run.version_id AND following.bucket_no = run.next_bucket
   LEFT JOIN (
     SELECT
       version_id,
       run_id,
       MAX(written.last_time) AS last_time,
-      CAST(SUM(written.samples) AS BIGINT) AS samples
+      CAST(SUM(written.samples) AS BIGINT) AS samples,
+      1 AS hit
     FROM stored_visible_bucket AS written
     GROUP BY version_id, run_id
   ) AS own ON own.version_id = run.version_id AND own.run_id = run.run_id

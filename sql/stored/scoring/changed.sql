@@ -65,22 +65,31 @@ LEFT JOIN (
       out_of_range
     UNION ALL
     SELECT
-      strange.channel_id AS channel_id,
-      strange.bucket_no + member.first_bucket AS bucket_no,
+      cell.channel_id AS channel_id,
+      cell.bucket_no AS bucket_no,
       1 AS made_rows,
       CASE WHEN same.hit = 1 THEN 1 ELSE 0 END AS former_rows
-    FROM novel_cells AS strange
-    JOIN cohort AS member ON member.channel_id = strange.channel_id
+    FROM (
+      SELECT
+        strange.channel_id AS channel_id,
+        strange.bucket_no + member.first_bucket AS bucket_no,
+        strange.cell_key AS cell_key,
+        strange.visits AS visits,
+        strange.first_time AS first_time,
+        strange.last_time AS last_time
+      FROM novel_cells AS strange
+      JOIN cohort AS member ON member.channel_id = strange.channel_id
+    ) AS cell
     LEFT JOIN (
       SELECT channel_id, bucket_no, cell_key, visits, first_time, last_time, 1 AS hit
       FROM former_novel
     ) AS same
-      ON same.channel_id = strange.channel_id
-      AND same.bucket_no = strange.bucket_no + member.first_bucket
-      AND same.cell_key = strange.cell_key
-      AND same.visits = strange.visits
-      AND same.first_time = strange.first_time
-      AND same.last_time = strange.last_time
+      ON same.channel_id = cell.channel_id
+      AND same.bucket_no = cell.bucket_no
+      AND same.cell_key = cell.cell_key
+      AND same.visits = cell.visits
+      AND same.first_time = cell.first_time
+      AND same.last_time = cell.last_time
   ) AS matched
   GROUP BY channel_id
 ) AS found ON found.channel_id = member.channel_id
