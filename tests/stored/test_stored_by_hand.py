@@ -540,7 +540,7 @@ def test_what_was_read_comes_to_a_sum_of_times_and_codes_twice_as_far_as_rows_ma
     )
     times = {1: (-60, 39, 40, 90), 2: (-8, 9), 3: (1, 2, 9)}
     values = {1: (1.0, 2.0, -1.0, 9.0), 2: (8.0, None), 3: (1.0, 2.0, -1.0)}
-    codes = {1: (3, 4, 1, 6), 2: (5, 0), 3: (3, 4, 1)}
+    codes = {1: (2, 3, 1, 6), 2: (5, 0), 3: (2, 3, 1)}
     read = [
         (channel, time, value)
         for channel in times
