@@ -32,16 +32,16 @@ KEPT = {"rowids": ("coded", "runs"), "arrays": ()}
 #: *edge_samples* and its codes are read off it.
 STORED = {"rowids": ("spoken", "lined", "pieces"), "arrays": ("stored",)}
 
-#: The steps that take their place for a source that is taken to be stored in order, and their files.
-_AS_STORED = {"lined": "laid", "pieces": "laid_pieces"}
+#: The steps that take their place for a source that is taken to be stored in order, and their files, of
+#: the bodies that glance at it; *pieces* then shows by ``misplaced`` whether it is.
+AS_STORED = {"rowids": {"lined": "laid", "pieces": "laid_pieces"}}
 
-#: The step that shows by its column ``doubled`` whether an instant occurs twice, and of a source that is
-#: taken to be stored in order by ``misplaced`` whether it is, body by body.
-IN_ORDER = {"rowids": "pieces"}
+#: The step that shows by its column ``doubled`` of which names an instant occurs twice, body by body.
+IN_ORDER = {"rowids": "pieces", "arrays": "stored"}
 
-#: The steps with a column ``doubled`` that prove a body right where it is 0 everywhere, as it must be in
-#: the ones that supports and buckets are made of (:attr:`Ways.taught`, :attr:`Ways.counted`).
-PROOFS = {None: (), "rowids": ("runs",), "arrays": ("stored",)}
+#: The steps with a column ``doubled`` that prove a body right for a channel where it is 0 everywhere,
+#: as it must be in what supports and buckets are made of (:attr:`Ways.taught`, :attr:`Ways.counted`).
+PROOFS = {None: (), "rowids": ("runs",), "arrays": ()}
 
 #: What is made of scored vectors and of the support alone.
 _HEALTH = frozenset(("bucket_health", "novel_cells"))
@@ -95,9 +95,10 @@ class Ways:
 
 def add_stored(steps: Pipeline, ways: Ways) -> None:
     """Add what a body keeps of the samples of a source, and their counts by slice."""
-    files = _AS_STORED if ways.as_stored else {name: name for name in STORED[ways.delays or ""]}
+    body = ways.delays or ""
+    files = AS_STORED[body] if ways.as_stored else {name: name for name in STORED[body]}
     for name, file in {**files, "slices": "slices"}.items():
-        add(steps, f"{ways.delays}/{file}", name=name)
+        add(steps, f"{body}/{file}", name=name)
 
 
 def add_coded(one: OfSet, body: str) -> None:

@@ -3,7 +3,7 @@
 This module owns when a step becomes a table and when that table goes.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Container, Iterable, Mapping
 from pathlib import Path
 from typing import Any, Self
 
@@ -109,6 +109,12 @@ class Running:
         if step in self._kept:
             self.session.forget(self._kept[step])
         self._kept[step] = self.placed[step] = self.session.load(rows)
+
+    def rename(self, prefix: str, but: Container[str]) -> None:
+        """Let the tables that are kept be those of steps with a prefix, but some."""
+        for step in [step for step in self._kept if step not in but]:
+            self._kept[f"{prefix}{step}"] = self.placed[f"{prefix}{step}"] = self._kept.pop(step)
+            del self.placed[step]
 
     def forget(self, but: Iterable[str] = ()) -> None:
         """Drop the tables that were kept, but those of some steps."""

@@ -2,10 +2,11 @@
 
 This module owns when that is done (:mod:`gam_db.method.census` has the steps), and what proves it: each
 vector of calibration and each scored one is marked where it has the instant of the sample before it,
-and between them they hold every sample. One mark, and the study begins anew with the steps that look
-first; so it does for what is asked before there is a proof. Single vectors are theirs as well: after a
-proof they go on from what there is. Channels that seem to take turns are tried so first; one mark, and
-vectors are sorted.
+and between them they hold every sample. Channels with a mark are done again
+(:mod:`gam_db.study.repeating`); where they hold half of all readings, the study begins anew with the
+steps that look first. So it does for what is asked before there is a proof. Single vectors are theirs as
+well: after a proof they go on from what there is. Channels that seem to take turns are tried so first;
+one mark, and vectors are sorted.
 """
 
 from collections.abc import Callable, Collection
@@ -15,12 +16,12 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.clock import FAR_AHEAD
-from gam_db.columns import counts, table_of
+from gam_db.columns import table_of
 from gam_db.composing.pipeline import Pipeline
 from gam_db.method import Method
 from gam_db.method.census import EDGES, OPENING, SCORED, TAUGHT, UNCUT, Slicing, serves
-from gam_db.method.delays import IN_ORDER, PROOFS, Ways
-from gam_db.study import rounds
+from gam_db.method.delays import AS_STORED, PROOFS, Ways
+from gam_db.study import repeating, rounds
 from gam_db.study.naming import GLANCE
 from gam_db.study.rounds import Range, Rounds
 from gam_db.study.running import Running
@@ -54,8 +55,7 @@ def begun(
         if size["readings"] < TRUSTED_FROM:
             return None, ways
         if not engine.holds_delays or size["readings"] <= most:
-            kept = _kept(running, replace(own, delays=engine.delays), opening)
-            return (None, ways) if kept is None else (UNCUT, kept)
+            return UNCUT, _kept(running, replace(own, delays=engine.delays), opening)
     running.keep("extent")
     (extent,) = running.rows("extent")
     edges = extent["earliest"], extent["latest"]
@@ -66,31 +66,18 @@ def begun(
     return slicing, own
 
 
-def _kept(
-    running: Running, ways: Ways, opening: Callable[[Slicing | None, Ways], Pipeline]
-) -> Ways | None:
-    """Begin with a body that keeps the source in order, and sorts it if need be.
-
-    Returns:
-        The ways; None where an instant is seen to occur twice, and steps that look first are begun with.
-    """
-    proof = IN_ORDER.get(ways.delays or "")
-    if proof is None:
-        running.steps = opening(UNCUT, ways)
-        return ways
-    running.steps.fill("glance", f"{ways.delays}/glance", {"rows": GLANCE})
-    (glanced,) = running.rows("glance")
-    ways = replace(ways, as_stored=glanced["misplaced"] == 0)
+def _kept(running: Running, ways: Ways, opening: Callable[[Slicing | None, Ways], Pipeline]) -> Ways:
+    """Begin with a body that keeps the source in order, and sorts it if need be; return the ways."""
+    if ways.delays in AS_STORED:
+        running.steps.fill("glance", f"{ways.delays}/glance", {"rows": GLANCE})
+        (glanced,) = running.rows("glance")
+        ways = replace(ways, as_stored=glanced["misplaced"] == 0)
     running.steps = opening(UNCUT, ways)
-    if ways.as_stored and running.largest(proof, "misplaced"):
+    if ways.as_stored and running.largest("pieces", "misplaced"):
         running.forget(but=("readings",))
         ways = replace(ways, as_stored=False)
         running.steps = opening(UNCUT, ways)
-    if not running.largest(proof, "doubled"):
-        return ways
-    running.forget(but=("readings",))
-    running.steps = opening(None, ways)
-    return None
+    return ways
 
 
 def _are_odd(edges: Collection[int | None]) -> bool:
@@ -124,7 +111,7 @@ class Trust:
         self.method, self.running, self._ways, self._made = method, running, ways, made
         self._careful, self._between = careful, between
         self._sets = range(len(method.settings))
-        self.holds, self._is_proven = True, False
+        self.holds, self._is_proven, self._repeating = True, False, set[int]()
         self._take_turns(names)
         declared = [rule.allowed[0][0] for rule in method.rules if rule.declared_end is not None]
         first, last = (names[edge].drop_null().to_pylist() for edge in ("earliest", "latest"))
@@ -164,40 +151,58 @@ class Trust:
             self._rounds = Rounds(self.running, self._between)
 
     def _proves(self) -> bool:
-        """Tell whether every sample is in a vector, and none is marked."""
-        if self._ways.round is not None:
-            if self._holds_with():
-                return True
+        """Tell whether every sample is in a vector, and do channels again of which one is marked."""
+        found = self._found()
+        if found != set() and self._ways.round is not None:
+            # Rows that are not in turn are marked as well.
             self._ways = replace(self._ways, round=None)
             self.running.forget(but=("names", "readings", *OPENING))
             self.running.steps = self._made(self._ways)
-        return self._holds_with()
+            found = self._found()
+        if found:
+            self._repeating = found
+            members = repeating.members_of(self.running.rows("channels"), found)
+            repeating.do_again(self.running, self.method, self._careful(), members)
+        return found is not None
 
-    def _holds_with(self) -> bool:
-        """Tell the same of the ways in which vectors are made."""
+    def _found(self) -> set[int] | None:
+        """Return the channels with a mark, None where they are too many or a sample is in no vector."""
+        running, ways = self.running, self._ways
+        found = repeating.found_before(running, ways)
+        if self._are_many(found):
+            return None
         self._bound(EDGES, "edges", "first_time", "last_time")
         healthy = self._bound(TAUGHT, "calibration", "time_from", "time_to")
         for number in self._sets:
             bounds, *marked = (
-                self._step(step, number)
-                for step in ("bounds", *PROOFS[self._ways.delays], self._ways.taught)
+                self._step(step, number) for step in ("bounds", *PROOFS[ways.delays], ways.taught)
             )
-            self.running.keep(bounds)
-            if self.running.table(bounds)["calibrated_lo"].null_count:
-                return False
-            self._keep_rounds(self._ways.taught, number, TAUGHT, healthy)
-            if any(self.running.largest(step, "doubled") for step in marked):
-                return False
-        if self._ways.by_sets and self._has_large_support():
-            self.running.steps = self._made(replace(self._ways, by_sets=False))
+            running.keep(bounds)
+            if running.table(bounds)["calibrated_lo"].null_count:
+                return None
+            self._keep_rounds(ways.taught, number, TAUGHT, healthy)
+            found |= repeating.found_by(running, marked)
+            if self._are_many(found):
+                return None
+        if ways.by_sets and self._has_large_support():
+            running.steps = self._made(replace(ways, by_sets=False))
         for number in self._sets:
             run_up, final, scored = (
-                self._step(step, number) for step in ("run_up", self._ways.counted, SCORED)
+                self._step(step, number) for step in ("run_up", ways.counted, SCORED)
             )
             self._keep_rounds(final, number, scored, self._bound(scored, run_up, "read_from"))
-            if self.running.largest(final, "doubled"):
-                return False
-        return True
+            found |= repeating.found_by(running, [final])
+            if self._are_many(found):
+                return None
+        return found
+
+    def _are_many(self, found: set[int]) -> bool:
+        """Tell whether channels hold half of all readings; one that is taken to be in turn is enough."""
+        if self._ways.round is not None or not found:
+            return bool(found)
+        channels = self.running.rows("channels")
+        held = sum(row["readings"] for row in repeating.members_of(channels, found))
+        return bool(2 * held > sum(row["readings"] for row in channels))
 
     def _step(self, step: str, number: int) -> str:
         """Return what a step is called, which may be one of a set."""
@@ -248,13 +253,22 @@ class Trust:
             self._rounds.keep(*named, self.method.settings[number], read)
 
     def _hand_over(self) -> None:
-        """Let the steps that look first go on with all that is proven: no instant occurs twice."""
+        """Let the steps that look first go on with all that is proven: where an instant occurs twice."""
         series = self.running.session.rows(self.running.query("series"))
+        for number in self._sets:
+            for step in ("bounds", "run_up", "support"):
+                self.running.keep(self.method.named(step, number))
         self.holds = False
         self.running.steps = self._careful()
         self.running.forget(but=self.running.steps.steps)
-        timeline = [{"repeats": 0, **{name: row[name] for name in _OF_SERIES}} for row in series]
-        self.running.load("timeline", table_of(timeline, _TIMELINE))
+        timeline = [
+            {
+                "repeats": int(row["channel_id"] in self._repeating),
+                **{name: row[name] for name in _OF_SERIES},
+            }
+            for row in series
+        ]
+        self.running.load("timeline", table_of(timeline, repeating.TIMELINE))
 
     def _give_up(self) -> None:
         self.holds = False
@@ -263,4 +277,3 @@ class Trust:
 
 
 _OF_SERIES = ("channel_id", "first_time", "quota_time")
-_TIMELINE = counts("repeats channel_id first_time quota_time")

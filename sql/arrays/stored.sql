@@ -1,6 +1,6 @@
 -- Stored, in arrays: all samples of the source, in order, a channel in a row; read once, for the census and for the
 -- vectors. For ClickHouse, where windows and joins of rows cost most of all. Proof, in the same statement: doubled
--- = 1 where an instant occurs twice, and then all is done again by windows.
+-- = 1 where an instant of a channel occurs twice, which is then done again by windows.
 -- Dialect: clickhouse
 -- Reads:  readings
 -- A row:  one (asset, channel) pair, kept: the times and values of its samples. What is not a number between -1e300

@@ -1,6 +1,6 @@
 -- Pieces: where slices lie among the lined readings. A piece begins with a name, every so many rows as make a
 -- thousand pieces of large sources, and where a row has the name and instant of the one that it follows: then
--- doubled = 1, and nothing of this body is used. For SQLite.
+-- doubled = 1, and its channel is done again by windows. For SQLite.
 -- Dialect: sqlite
 -- Reads:  lined, spoken
 -- A row:  one piece, in order: its name, its first row and its last.

@@ -57,7 +57,15 @@ LONGEST = 600.0
 #: Files of tests in the order in which they run, those of single files of SQL first; after a bracket,
 #: only those of a file whose names hold a word.
 _BY_HAND = ("test_method_by_hand", "test_stored_by_hand", "test_report_by_hand")
-_METHOD = ("test_spec", "test_agreement", "test_streaming", "test_trusting", "test_rounds", "test_wide")
+_METHOD = (
+    "test_spec",
+    "test_agreement",
+    "test_streaming",
+    "test_trusting",
+    "test_repeating",
+    "test_rounds",
+    "test_wide",
+)
 _STORED = (
     *("test_falsified", "test_several_monitors", "test_checksums", "test_learnt", "test_pruning"),
     "test_outside_the_contract",
@@ -74,6 +82,7 @@ _ABOUT = {
     "source/unpivoted": "test_wide",
     "source/misfits": "test_files",
     "source/*_term": "test_written",
+    **{f"census/{name}": "test_repeating" for name in ("proven", "repeat*")},
     "census/*": "test_trusting",
     "rowids/*": "test_trusting",
     "arrays/s*": "test_clickhouse[piece or widest",
@@ -89,10 +98,7 @@ _ABOUT = {
     "stored/scoring/channels": "test_outside_the_contract",
     **{f"stored/*/{name}": "test_clocks_and_replays" for name in ("plan", "seen")},
     **{f"stored/*/{name}": "test_incremental[still" for name in ("still*", "no_stillness")},
-    **{
-        f"stored/*/{name}": "test_incremental[short"
-        for name in ("repeated_instants", "trusted_timeline", "restart")
-    },
+    **{f"stored/*/{name}": "test_incremental[short" for name in ("trusted_timeline", "restart")},
     "stored/scoring/run_up": "test_incremental[pauses",
     "stored/*/re[lp]e*": "test_check_state",
     "stored/state/withdrawal": "test_clickhouse_writers",

@@ -810,6 +810,23 @@ def keep_once() -> None:
         Study(session, source, gam_db.Parameters(), CALIBRATIONS[0], short_cuts=True).forget()
 
 
+def repeat_once() -> None:
+    """Do a channel again of which an instant occurs twice."""
+    session = engines.session("sqlite")
+    table = pa.table({"time": [1, 2, 2, 1, 2, 3, 4], "asset": [*"aaabbbb"], "value": [2.5] * 7})
+    with session.lent(table) as lent, pytest.MonkeyPatch.context() as patched:
+        patched.setattr(trusting, "TRUSTED_FROM", 1)
+        given = (
+            Source(lent.name, channel=None),
+            gam_db.Parameters(),
+            gam_db.Calibration(fraction=0.5),
+        )
+        study = Study(session, *given, short_cuts=True)
+        study.table("bucket_health")
+        assert study.is_trusting
+        study.forget()
+
+
 def test_every_file_is_used() -> None:
     """A file that no form loads would be checked, shipped and read for nothing."""
     with loading() as loaded:
@@ -837,6 +854,7 @@ def test_every_file_is_used() -> None:
         stream_once()
         turn_once()
         keep_once()
+        repeat_once()
         gam_db.check(gam_db.Source(pa.table({"time": [1], "value": [2.5], "more": ["3"]}), None, None))
         gam_db.check(gam_db.Source(pa.table({"time": ["2026-01-01"], "value": [2.5]}), None, None))
         for times, unit in (([1], "s"), ([1], "ns"), ([1.5], "s"), ([Decimal("1.5")], "s")):

@@ -33,7 +33,7 @@ LAYERS = [
     ["reading.guess", "reading.preparing"],
     ["study.streamed"],
     ["study.naming"],
-    ["study.rounds"],
+    ["study.repeating", "study.rounds"],
     ["study.streaming", "study.trusting", "study.turning"],
     ["study"],
     ["alarms", "checking", "health", "selection"],

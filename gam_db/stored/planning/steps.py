@@ -191,7 +191,8 @@ def scoring_steps(
     add_counting(steps, setting, kind, trusting=trusting, bits=bits)
     _add_stillness(steps, setting)
     if trusting:
-        add(steps, "stored/scoring/repeated_instants")
+        asked: dict[str, template.Slot] = {"names": [exp.column("channel_id")]}
+        add(steps, "census/repeated_instants", asked, tables={"marked": "visited"})
     if counted or setting.still_after is None:
         add(steps, "stored/scoring/read_sums", {"code": code_in(setting.bins), **_mark(counted)})
     else:

@@ -1,0 +1,243 @@
+"""Channels in which an instant occurs twice are done again, and no others, as the reference has them.
+
+Which ones it were is asked for in each case, so that no case passes by the steps that look first.
+"""
+
+import math
+import random
+from collections.abc import Sequence
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import comparisons
+import engines
+import gam_db
+import harness
+import strategies
+from gam_db.engines.session import Session
+from gam_db.study import Study, trusting
+from harness import Answer, Row
+
+pytestmark = pytest.mark.thorough
+
+#: Samples of a channel; the quota of the calibration below is the 64th.
+LENGTH, QUOTA = 160, 64
+
+Method = tuple[gam_db.Parameters, gam_db.Calibration]
+
+
+def method_of(parameters: dict[str, Any] | None = None, **calibration: Any) -> Method:
+    own = {"m": 3, "tau": 2, "bins": 4, "window": 20, "stride": 5, **(parameters or {})}
+    return harness.made(own, calibration or {"fraction": 0.4})
+
+
+@pytest.fixture(autouse=True)
+def short(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Trust short sources, too."""
+    monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
+
+
+def rows(lacking: Sequence[str] = ("ax",)) -> list[Row]:
+    """Channels by time, of which some lack samples."""
+    return [
+        (asset, channel, 2 * time + number, sample(asset + channel, number, time, lacking))
+        for time in range(LENGTH)
+        for number, asset in enumerate("abc")
+        for channel in "xy"
+    ]
+
+
+def sample(name: str, number: int, time: int, lacking: Sequence[str]) -> float | None:
+    if name in lacking and time % 23 in (5, 6):
+        return None
+    return float(time % (5 + number) if time < 100 or time % 7 else time % 11) - 0.25
+
+
+def again(table: list[Row], name: str, place: int, value: float | None = 7.5) -> list[Row]:
+    """The same with a second reading of the sample of a channel that has a place in it."""
+    number = [n for n, row in enumerate(table) if "".join(row[:2]) == name][place]
+    return [*table[:number], (*table[number][:3], value), *table[number:]]
+
+
+def done_again(study: Study) -> set[str]:
+    """Return the channels that were done again."""
+    if "again_channels" not in study.steps.steps:
+        return set()
+    return {row["asset"] + row["channel"] for row in study.rows("again_channels")}
+
+
+def in_order(found: Answer) -> Answer:
+    return sorted(found, key=lambda row: [(value is not None, value) for value in row.values()])
+
+
+def novel_cells(session: Session, relation: str, method: Method) -> Answer:
+    """The novel cells by the steps that look first."""
+    study = Study(session, gam_db.Source(relation), *method)
+    found = study.table("novel_cells").to_pylist()
+    study.forget()
+    return in_order(found)
+
+
+#: What is asked for before single vectors, which go on from it.
+ORDER = ("bucket_health", "support_summary", "novel_cells", "certificate")
+
+
+def answers(
+    engine: str,
+    table: list[Row],
+    method: Method,
+    asked: Sequence[str] = (),
+    order: Sequence[str] = ORDER,
+) -> tuple[set[str], bool]:
+    """Compare what a study answers, in some order; return what was done again, and whether on trust."""
+    session, expected = engines.session(engine), harness.all_by_reference(table, *method)
+    questions = {step: question for question, step in harness.STEPS.items()}
+    with session.lent(harness.arrow(table)) as lent:
+        source, cells = gam_db.Source(lent.name), novel_cells(session, lent.name, method)
+        study = Study(session, source, *method, short_cuts=True, asked=asked)
+        for step in order:
+            found = study.table(step).to_pylist()
+            if step in questions:
+                harness.assert_same(expected[questions[step]], found, step)
+            else:
+                assert in_order(found) == cells
+        names, is_trusting = done_again(study), study.is_trusting
+        singles = study.table("health_indicator").to_pylist()
+        harness.assert_same(expected["health_indicator"], singles, "health_indicator")
+        study.forget()
+    comparisons.compared(engine, "repeating", table, *method)
+    return names, is_trusting
+
+
+#: name -> the source, the method, and what is to be done again
+CASES: dict[str, tuple[list[Row], Method, set[str]]] = {
+    "in calibration": (again(rows(), "by", 30), method_of(), {"by"}),
+    "the first of all": (again(rows(), "ax", 0), method_of(), {"ax"}),
+    "before the first vector": (again(rows(), "by", 2), method_of(), {"by"}),
+    "in the run-up": (again(rows(), "cx", QUOTA - 3), method_of(), {"cx"}),
+    "at the quota": (again(rows(), "by", QUOTA - 1), method_of(), {"by"}),
+    "right after it": (again(rows(), "by", QUOTA), method_of(), {"by"}),
+    "while scoring": (again(rows(), "cy", 120), method_of(), {"cy"}),
+    "the last of all": (again(rows(), "cy", LENGTH - 1), method_of(), {"cy"}),
+    "after the last bucket": (again(rows(), "ay", LENGTH - 2, 0.75), method_of(), {"ay"}),
+    "alike": (again(rows(), "by", 110, sample("by", 1, 110, ())), method_of(), {"by"}),
+    "far away": (again(rows(), "by", 20, -1e6), method_of(), {"by"}),
+    "with NULL beside": (again(rows(), "by", 90, None), method_of(), {"by"}),
+    "with NaN beside": (again(rows(), "by", 40, math.nan), method_of(), {"by"}),
+    "beside a missing one": (again(rows(), "ax", 28, 3.5), method_of(), {"ax"}),
+    "missing twice": (again(rows(), "ax", 28, None), method_of(), {"ax"}),
+    "of a channel that lacks samples": (again(rows(), "ax", 100), method_of(), {"ax"}),
+    "none lacks samples": (again(rows(()), "ay", 100), method_of(), {"ay"}),
+    "in two channels": (again(again(rows(), "ax", 30), "cy", 120), method_of(), {"ax", "cy"}),
+    "three times": (again(again(rows(), "ax", 30), "ax", 30, -3.0), method_of(), {"ax"}),
+    "one coordinate": (again(rows(), "bx", 99), method_of({"m": 1}), {"bx"}),
+    "large keys": (again(rows(), "bx", 99), method_of({"m": 9, "tau": 1, "bins": 100}), {"bx"}),
+    "a duration": (again(rows(), "bx", 45), method_of(duration=90), {"bx"}),
+    "an interval": (again(rows(), "bx", 45), method_of(intervals=[(-5, 99)]), {"bx"}),
+    "all of it": (again(rows(), "bx", 45), method_of(fraction=1.0), {"bx"}),
+    "in a pool": (again(rows(), "by", 30), method_of(fraction=0.4, pool=[["a", "b"]]), {"ay", "by"}),
+    "in a pool, while scoring": (
+        again(rows(), "ax", 100),
+        method_of(fraction=0.4, pool=[["a", "b"]]),
+        {"ax", "bx"},
+    ),
+    "without calibration of its own": (
+        again(rows(), "by", 30),
+        method_of(fraction=0.4, pool=[["a", "b"]], overrides={"b": None}),
+        {"ay", "by"},
+    ),
+    "of one of two sets": (
+        again(rows(), "by", 70),
+        method_of({"overrides": [{"channel": "y", "m": 1, "bins": 6}]}),
+        {"by"},
+    ),
+    "of each of two sets": (
+        again(again(rows(), "by", 20), "cx", 130),
+        method_of({"overrides": [{"channel": "y", "m": 2, "bins": 6}]}),
+        {"by", "cx"},
+    ),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_only_its_channel_is_done_again(engine: str, case: str) -> None:
+    table, method, expected = CASES[case]
+    assert answers(engine, table, method) == (expected, True)
+
+
+@pytest.mark.parametrize("stored", ["by channel", "shuffled"])
+@pytest.mark.parametrize("case", ["at the quota", "in two channels", "in a pool", "of each of two sets"])
+def test_however_rows_lie(engine: str, case: str, stored: str) -> None:
+    table, method, expected = CASES[case]
+    lain = sorted(table, key=lambda row: row[:3])
+    if stored == "shuffled":
+        lain = random.Random(5).sample(table, len(table))
+    assert answers(engine, lain, method) == (expected, True)
+
+
+#: What may be asked for first, where it is said that health alone will be, and what after it.
+ORDERS: dict[str, Sequence[str]] = {
+    "as it was said": ("bucket_health",),
+    "novel cells after it": ("bucket_health", "novel_cells", "support_summary"),
+    "the certificate after it": ("bucket_health", "certificate", "novel_cells"),
+    "the summary after it": ("bucket_health", "support_summary", "certificate"),
+}
+
+
+@pytest.mark.parametrize("order", ORDERS)
+@pytest.mark.parametrize("case", ["in calibration", "while scoring", "in a pool", "of each of two sets"])
+def test_what_else_is_asked_for_is_answered(engine: str, case: str, order: str) -> None:
+    table, method, expected = CASES[case]
+    told = {"asked": ["bucket_health"], "order": ORDERS[order]}
+    assert answers(engine, table, method, **told) == (expected, True)
+
+
+@pytest.mark.parametrize("first", ["support_summary", "certificate", "health_indicator"])
+def test_what_proves_nothing_is_looked_at(engine: str, first: str) -> None:
+    """Asked for before anything is scored."""
+    table, method, _ = CASES["while scoring"]
+    names, is_trusting = answers(engine, table, method, order=(first, *ORDER))
+    assert (names, is_trusting) == (set(), False)
+
+
+@pytest.mark.parametrize("case", ["in calibration", "while scoring"])
+def test_where_half_of_all_is_done_again_the_study_begins_anew(engine: str, case: str) -> None:
+    table, method, _ = CASES[case]
+    for name in ("ax", "ay", "bx", "cx"):
+        table = again(table, name, 30 if case == "in calibration" else 100)
+    assert answers(engine, table, method) == (set(), False)
+
+
+def test_no_other_is_looked_at(engine: str) -> None:
+    """No step reads the times of all channels to find what occurs twice."""
+    table, method, _ = CASES["while scoring"]
+    heard, session = list[str](), engines.session(engine)
+    with session.lent(harness.arrow(table)) as lent:
+        source = gam_db.Source(lent.name)
+        study = Study(session, source, *method, on_step=heard.append, short_cuts=True)
+        study.table("bucket_health")
+        study.table("support_summary")
+        times = study.table("again_samples")["time"].to_pylist()
+        study.forget()
+    assert not {"timeline", "collapsed", "samples"} & set(heard)
+    assert len(times) == LENGTH
+
+
+@settings(max_examples=max(1, settings().max_examples // 8))
+@given(st.data())
+def test_random_sources_give_the_integers_of_the_reference(data: st.DataObject) -> None:
+    table, parameters, calibration = data.draw(strategies.cases())
+    chance = random.Random(data.draw(st.integers(0, 2**32 - 1)))
+    first = {row[:3]: row for row in table}
+    table = chance.sample(list(first.values()), len(first))
+    for row in chance.sample(table, min(len(table), data.draw(st.integers(0, 3)))):
+        value = chance.choice([row[3], None, math.nan, 0.5, -2.0, 1e300])
+        table.insert(chance.randrange(len(table) + 1), (*row[:3], value))
+    asked, order = data.draw(st.sampled_from([((), ORDER), (("bucket_health",), ORDER)]))
+    for engine in ("duckdb", "sqlite"):
+        with pytest.MonkeyPatch.context() as patched:
+            patched.setattr(trusting, "TRUSTED_FROM", 1)
+            answers(engine, table, harness.made(parameters, calibration), asked, order)
