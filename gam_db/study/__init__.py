@@ -31,7 +31,7 @@ from gam_db.settings.parameters import AUTO, RUNGS, Override, Parameters
 from gam_db.settings.patterns import grouped
 from gam_db.settings.setting import settings_of
 from gam_db.settings.source import AnySource, is_file, paths_of, under
-from gam_db.study import trusting
+from gam_db.study import trusting, turning
 from gam_db.study.running import PARTS_IN_TURN, TAUGHT, UNSORTED, Listener, Running, unheard
 from gam_db.study.streaming import Streams, seems_ordered
 from gam_db.study.trusting import Trust
@@ -111,7 +111,7 @@ class Study:
             made, careful = partial(self._steps, bits, slicing), partial(self._steps, bits)
             given = self.running, names, ways
             self._short_cut = Trust(self.method, *given, made, careful, self._readings)
-        elif short_cuts and sum(names["readings"].to_pylist()) >= trusting.TRUSTED_FROM:
+        elif short_cuts and sum(names["readings"].to_pylist()) >= turning.TURNED_FROM:
             turns = Turns(self.method, self.running, self._readings)
             self._short_cut = turns if turns.serve(names) else None
 

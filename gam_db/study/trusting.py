@@ -28,14 +28,15 @@ from gam_db.study.running import Running
 
 __all__ = ["Trust", "begun", "serves"]
 
-#: Readings of a source from which on its steps are worth theirs.
-TRUSTED_FROM = 100_000
+#: Readings of a source from which on its steps are worth theirs where vectors are made by windows. Where
+#: samples are kept in order, they always are.
+TRUSTED_FROM = 30_000
 
 
 def begun(
     running: Running, ways: Ways, opening: Callable[[Slicing | None, Ways], Pipeline]
 ) -> tuple[Slicing | None, Ways]:
-    """Begin with the steps that trust, unless rows are few or times are odd.
+    """Begin with the steps that trust, unless rows are few, times are odd or nothing will be scored.
 
     Args:
         running: the steps that are asked first.
@@ -46,16 +47,12 @@ def begun(
         How the times of the source are cut, None where it is not trusted; and what is done in the way of
         the engine and of this source.
     """
-    session, engine = running.session, running.session.engine
+    if ways.asked and not ways.scores:
+        return None, ways  # nothing of it would be proven
+    engine = running.session.engine
     own = replace(ways, by_sets=engine.by_sets)
-    if engine.delays is not None:
-        most = session.rows_at_once() if engine.holds_delays else TRUSTED_FROM
-        running.steps.fill("size", "census/size", {"most": most + 1})
-        (size,) = running.rows("size")
-        if size["readings"] < TRUSTED_FROM:
-            return None, ways
-        if not engine.holds_delays or size["readings"] <= most:
-            return UNCUT, _kept(running, replace(own, delays=engine.delays), opening)
+    if engine.delays is not None and _has_room(running):
+        return UNCUT, _kept(running, replace(own, delays=engine.delays), opening)
     running.keep("extent")
     (extent,) = running.rows("extent")
     edges = extent["earliest"], extent["latest"]
@@ -64,6 +61,16 @@ def begun(
     slicing = Slicing.of(*edges)
     running.steps = opening(slicing, own)
     return slicing, own
+
+
+def _has_room(running: Running) -> bool:
+    """Tell whether the samples of the source have room, for a body that holds them."""
+    if not running.session.engine.holds_delays:
+        return True
+    most = running.session.rows_at_once()
+    running.steps.fill("size", "census/size", {"most": most + 1})
+    (size,) = running.rows("size")
+    return bool(size["readings"] <= most)
 
 
 def _kept(running: Running, ways: Ways, opening: Callable[[Slicing | None, Ways], Pipeline]) -> Ways:

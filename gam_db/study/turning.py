@@ -24,6 +24,9 @@ from gam_db.study import rounds
 from gam_db.study.running import Running
 from gam_db.study.streamed import are_whole, read_off_visits
 
+#: Readings of a source from which on a look at their order is worth its time.
+TURNED_FROM = 100_000
+
 
 class Turns:
     """The turns of channels, of a study that looks before it trusts.

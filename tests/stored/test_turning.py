@@ -16,7 +16,8 @@ from gam_db.engines.duckdb.session import DuckSession
 from gam_db.stored import scoring
 from gam_db.stored.planning import steps
 from gam_db.stored.scoring import turning
-from gam_db.study import naming, rounds, trusting
+from gam_db.study import naming, rounds
+from gam_db.study import turning as in_turn
 from gam_db.study.running import UNSORTED
 from small_plant import source
 from strategies import Row
@@ -183,7 +184,7 @@ def test_what_is_calibrated_in_many_groups_is_sorted(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Each group would read the rows of all; and the numbers are the same."""
-    monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
+    monkeypatch.setattr(in_turn, "TURNED_FROM", 1)
     monkeypatch.setattr(study, "PARTS_IN_TURN", at_most)
     heard: list[str] = []
     source(connection, taking_turns())

@@ -20,7 +20,7 @@ import harness
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.settings.source import UNPIVOTED_FROM
-from gam_db.study import Study, rounds, streamed, trusting
+from gam_db.study import Study, rounds, streamed, trusting, turning
 from harness import Row
 
 pytestmark = pytest.mark.thorough
@@ -55,6 +55,7 @@ SERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
     """Trust short sources, too, and cut them into small pieces."""
     monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
+    monkeypatch.setattr(turning, "TURNED_FROM", 1)
     monkeypatch.setattr(rounds, "PIECE", 100)
     monkeypatch.setattr(rounds, "MOST_PASSES", 4)
 

@@ -217,11 +217,34 @@ def test_slices_reach_from_the_first_instant_to_the_last() -> None:
     assert census.SLICES - 4 < max(slices) < census.SLICES  # a width is rounded up
 
 
-def test_few_rows_are_not_worth_it(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_few_rows_are_not_worth_windows(engine: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What an engine keeps in order is worth it."""
     monkeypatch.setattr(trusting, "TRUSTED_FROM", len(rows()) + 1)
-    method = harness.made(*SERVED["delays"])
-    _, is_trusting = answers(engines.session("duckdb"), rows(), method)
-    assert not is_trusting
+    method, session = harness.made(*SERVED["delays"]), engines.session(engine)
+    _, is_trusting = answers(session, rows(), method)
+    assert is_trusting == (session.engine.delays is not None)
+
+
+def test_what_has_no_room_is_not_held(engine: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Then vectors are made by windows."""
+    method, session = harness.made(*SERVED["delays"]), engines.session(engine)
+    monkeypatch.setattr(type(session), "rows_at_once", lambda _: len(rows()) - 1)
+    with session.lent(harness.arrow(rows())) as lent:
+        study = study_of(session, lent.name, method)
+        assert "stored" not in study.running.placed
+        study.forget()
+    found, is_trusting = answers(session, rows(), method)
+    assert is_trusting
+    agrees(engine, found, rows(), method)
+
+
+@pytest.mark.parametrize("asked", ["health_indicator", "support_summary", "certificate"])
+def test_what_proves_nothing_is_not_begun(engine: str, asked: str) -> None:
+    session, method = engines.session(engine), harness.made(*SERVED["delays"])
+    with session.lent(harness.arrow(rows())) as lent:
+        study = Study(session, gam_db.Source(lent.name), *method, short_cuts=True, asked=[asked])
+        assert "slices" not in study.running.placed
+        study.forget()
 
 
 def apart(table: list[Row]) -> list[Row]:
