@@ -1,5 +1,6 @@
--- Edge samples, of arrays: the samples of the edges, in order; as census/edge_samples.sql. Those of a channel lie
--- beside one another, and their place is known. For ClickHouse.
+-- Edge samples, of arrays: the samples of the edges, in order; as census/edge_samples.sql. For ClickHouse, where
+-- those of a channel lie beside one another, and their place is known: nothing is sorted. Proof: stored, whose arrays
+-- are in order.
 -- Dialect: clickhouse
 -- Reads:  stored, channels, edges
 -- A row:  one sample; place counts the samples of its channel up to it.

@@ -1,5 +1,6 @@
--- Slices, of arrays: what each channel holds, piece by piece; as census/slices.sql, cut by the number of samples:
--- a piece has as many as there are pieces. For ClickHouse.
+-- Slices, of arrays: what each channel holds, piece by piece; as census/slices.sql, cut by the number of samples: a
+-- piece has as many as there are pieces. For ClickHouse, which has the samples in arrays already, and need not group
+-- rows again. Proof: stored, whose arrays hold every sample once, in order.
 -- Dialect: clickhouse
 -- Reads:  stored
 -- A row:  one piece of one (asset, channel) pair; rows without a time are counted in the first one.

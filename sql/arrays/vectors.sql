@@ -1,6 +1,6 @@
 -- Vectors in arrays: v(t) (Eq. 1) of samples that lie in one array per channel and are coded there (Phi, method
--- section 3): a delay is the same array from another place on. For ClickHouse. Proof: stored, whose arrays are in
--- order.
+-- section 3). For ClickHouse, where windows cost most of all: a delay is the same array from another place on. Proof:
+-- stored, whose arrays are in order.
 -- Dialect: clickhouse
 -- Reads:  stored, scale
 -- A row:  one vector, at the time of its newest sample; cell_key is NULL where a sample is missing; position

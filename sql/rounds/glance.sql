@@ -1,5 +1,6 @@
--- Glance, by rounds: how many of the first rows have other names than the row a round before, and how many names
--- they have; to guess whether channels take turns, each once in every round.
+-- Glance, by rounds: how many of the first rows have other names than the row a round before, and how many names they
+-- have; to guess whether channels take turns, each once in every round. For DuckDB, which keeps the order of rows.
+-- Proof: none is needed of a guess; the vectors show whether it was right (rounds/vectors.sql).
 -- Reads:  readings
 -- A row:  the only one.
 -- Slots:  :rows   that are looked at

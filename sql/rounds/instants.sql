@@ -1,5 +1,6 @@
 -- Instants: those of the first and the last of some samples of one channel, counted by time; where the rounds of a
--- source are cut into pieces, which are worked on side by side.
+-- source are cut into pieces. For DuckDB, which works on pieces side by side, and on rows in stored order one after
+-- another. Proof: each round of a piece must have one instant (are_sharp, rounds/codes.sql).
 -- Reads:  readings
 -- A row:  the only one.
 -- Slots:  :asset, :channel

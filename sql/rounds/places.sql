@@ -1,4 +1,6 @@
--- Places: which round each row is in, and which place it has there, in the order in which rows are stored.
+-- Places: which round each row is in, and which place it has there. For DuckDB, which numbers rows in the order in
+-- which they are stored, and sorts nothing. Proof: in_turn (rounds/codes.sql): the row has the names of the channel
+-- at its place.
 -- Reads:  readings
 -- A row:  one row of the source; position is the number of its round, time_before the time of an earlier row.
 -- Slots:  :round  rows of a round: one of each channel

@@ -1,5 +1,6 @@
--- Rounds: all that must be known of channels to code their samples (census/scale.sql), as lists by their places in
--- a round: a row is found in them by its number, without a join, which hands on small pieces of rows late.
+-- Rounds: all that must be known of channels to code their samples (census/scale.sql), as lists by their places in a
+-- round. For DuckDB: a row finds its channel in them by its number, without a join, which hands on small pieces of
+-- rows late. Proof: in_turn (rounds/codes.sql).
 -- Dialect: duckdb
 -- Reads:  turns, scale
 -- A row:  the only one. Of a channel with other parameters the lists hold no more than its name.

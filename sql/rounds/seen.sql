@@ -1,5 +1,6 @@
 -- Seen, straight from the source, slice by slice of time: what a run reads of channels of which it is taken that no
--- instant occurs twice; see stored/scoring/seen.sql and census/slices.sql.
+-- instant occurs twice; as stored/scoring/seen.sql and census/slices.sql. For DuckDB, whose source is read as it is
+-- stored and not copied first. Proof: the vectors have no mark, and the rows are as many when they are counted again.
 -- Reads:  readings, cohort
 -- A row:  one channel in one slice that has a row of it in its range.
 -- Slots:  :origin  the earliest time of all

@@ -1,6 +1,7 @@
 -- Timeline by rounds: when each channel's samples begin and its calibration quota is reached, of channels that take
--- turns in the order in which rows are stored; see source/timeline.sql. For DuckDB. Proof: misplaced = 0, that is,
--- each row has the names of the channel at its place in the round, and is later than the row a round before.
+-- turns in the order in which rows are stored; as source/timeline.sql. For DuckDB, which numbers a channel's samples
+-- by rounds and sorts nothing. Proof: misplaced = 0, that is, each row has the names of the channel at its place in
+-- the round, and is later than the row a round before.
 -- Dialect: duckdb
 -- Reads:  places, rounds
 -- A row:  one channel.

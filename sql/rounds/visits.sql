@@ -1,5 +1,7 @@
--- Visits by rounds: how often each block of calibration visited each cell; see certificate/visits.sql. Proof: all
--- visits of a channel add up to its vectors, which block numbers are made of.
+-- Visits by rounds: how often each block of calibration visited each cell; as certificate/visits.sql. For DuckDB, by
+-- rounds/vectors.sql: a vector's place in calibration is the number of its round, so that nothing is sorted. Proof:
+-- all visits of a channel add up to its vectors, which block numbers are made of, and no row has doubled = 1
+-- (streams/visited_vectors.sql).
 -- Reads:  vectors
 -- A row:  one cell in one block of one channel; doubled = 1 if a row of it is not where it should be.
 -- Slots:  :span      (m-1) * tau, the samples between oldest and newest

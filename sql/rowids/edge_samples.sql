@@ -1,5 +1,6 @@
--- Edge samples, by row: the samples of the edges, in order; as census/edge_samples.sql. Those of a channel are the
--- last of its rows, since rows without a time come first, and their place is known. For SQLite.
+-- Edge samples, by row: the samples of the edges, in order; as census/edge_samples.sql. For SQLite, where those of a
+-- channel are the last of its rows, since rows without a time come first, and their place is known: nothing is
+-- sorted. Proof: pieces, whose rows are in order.
 -- Dialect: sqlite
 -- Reads:  edges, pieces, channels, lined
 -- A row:  one sample; place counts the samples of its channel up to it.

@@ -1,5 +1,6 @@
--- Glance, by row: how many of the first rows come before the row that they follow, by name and time; to guess
--- whether the source is stored in order. For SQLite, which numbers rows as it reads them.
+-- Glance, by row: how many of the first rows come before the row that they follow, by name and time; to guess whether
+-- the source is stored in order. For SQLite, which numbers rows as it reads them. Proof: none is needed of a guess;
+-- laid_pieces shows whether it was right.
 -- Dialect: sqlite
 -- Reads:  readings
 -- A row:  the only one.

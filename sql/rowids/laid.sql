@@ -1,5 +1,5 @@
--- Laid: all readings as they are stored, with their names: what stands for lined where the first rows are in order,
--- so that no name is looked for and nothing sorted. For SQLite. Proof: laid_pieces.
+-- Laid: all readings as they are stored, with their names: what stands for lined where the first rows are in order.
+-- For SQLite, so that no name is looked for and nothing sorted. Proof: laid_pieces, by misplaced.
 -- Dialect: sqlite
 -- Reads:  readings
 -- A row:  one reading. What is not a number between -1e300 and 1e300 is missing.

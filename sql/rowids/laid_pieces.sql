@@ -1,5 +1,6 @@
--- Pieces of what is laid: as rowids/pieces.sql, where rows have their names. A piece begins, too, where a row comes
--- before the one that it follows: then misplaced = 1, and readings are sorted after all. For SQLite.
+-- Pieces of what is laid: as rowids/pieces.sql, where rows have their names. For SQLite, where rows that lie in order
+-- need no sort. Proof: it is one: a piece begins, too, where a row comes before the one that it follows; then
+-- misplaced = 1, and readings are sorted after all.
 -- Dialect: sqlite
 -- Reads:  lined
 -- A row:  one piece, in order: its name, its first row and its last.

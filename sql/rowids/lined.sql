@@ -1,5 +1,5 @@
 -- Lined: all readings, one after another by name and time: the only time that they are sorted. For SQLite, which
--- sorts for every grouping too: what lies in order is counted where it lies.
+-- sorts for every grouping too: what lies in order is counted where it lies. Proof: none is needed; it sorts.
 -- Dialect: sqlite
 -- Reads:  readings, spoken
 -- A row:  one reading. What is not a number between -1e300 and 1e300 is missing.

@@ -1,6 +1,7 @@
 -- Pieces: where slices lie among the lined readings. A piece begins with a name, every so many rows as make a
--- thousand pieces of large sources, and where a row has the name and instant of the one that it follows: then
--- doubled = 1, and its channel is done again by windows. For SQLite.
+-- thousand pieces of large sources, and where a row has the name and instant of the one that it follows. For SQLite,
+-- which need not sort for groups that are parts of a table in order. Proof: doubled = 1 where an instant occurs
+-- twice, and its channel is done again by windows.
 -- Dialect: sqlite
 -- Reads:  lined, spoken
 -- A row:  one piece, in order: its name, its first row and its last.

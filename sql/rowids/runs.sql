@@ -1,6 +1,7 @@
--- Runs: where each channel lies among the coded samples, by what was counted before. For SQLite. Proof: the rows
--- at both ends of each part are looked at; doubled = 1 where one is not where it should be, and all is done again
--- by windows. Between them they lie as pieces has them, one after another in time.
+-- Runs: where each channel lies among the coded samples, by what was counted before. For SQLite, where a channel is
+-- read by the numbers of its rows. Proof: the rows at both ends of each part are looked at; doubled = 1 where one is
+-- not where it should be, and all is done again by windows. Between them they lie as pieces has them, one after
+-- another in time.
 -- Dialect: sqlite
 -- Reads:  scale, coded
 -- A row:  one channel: its rows, the last one of calibration, and the first one that the scored vectors read.

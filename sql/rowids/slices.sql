@@ -1,6 +1,6 @@
 -- Slices: what the source holds, by name and piece; as census/slices.sql, where readings are lined up: in a piece
 -- rows without a time come first, and the others in order of time. For SQLite, which need not sort for groups that
--- are the rows of another table.
+-- are the rows of another table. Proof: pieces, which hold every row once, and whose rows are in order.
 -- Dialect: sqlite
 -- Reads:  pieces, lined
 -- A row:  one (asset, channel) pair in one slice.

@@ -1,5 +1,6 @@
--- Spoken: the names that the source speaks of, in order, so that the number of a row (rowid) stands for both of
--- them where samples are sorted. For SQLite. DISTINCT alone sorts nothing; with the order beside it, it would.
+-- Spoken: the names that the source speaks of, in order, so that the number of a row (rowid) stands for both of them
+-- where samples are sorted. For SQLite: DISTINCT alone sorts nothing; with the order beside it, it would. Proof: none
+-- is needed; it reads all rows.
 -- Dialect: sqlite
 -- Reads:  readings
 -- A row:  one (asset, channel) pair, a missing name included.

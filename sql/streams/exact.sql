@@ -1,4 +1,6 @@
--- Exact: whether the range of one channel, written as text, is the one that was calibrated, to the last bit.
+-- Exact: whether the range of one channel, written as text, is the one that was calibrated, to the last bit. For
+-- DuckDB, which is given ranges as literals (streams/vectors.sql). Proof: it is one itself; where it is 0, all is
+-- done again by embedding/vectors.sql.
 -- Reads:  bounds
 -- A row:  the channel; 0 where it has no range.
 -- Slots:  :channel_id, :lo, :hi

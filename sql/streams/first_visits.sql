@@ -1,4 +1,6 @@
--- First visits, of cells that know which block came second; see certificate/first_visits.sql. For DuckDB.
+-- First visits, of cells that know which block came second; as certificate/first_visits.sql. For DuckDB, which finds
+-- that while it groups visits (streams/second_place.sql): they are not looked at again. Proof: a place is one block
+-- (block_sizes), and a cell has one row of visits for each.
 -- Reads:  cells, block_sizes
 -- A row:  one cell of one support; second_block is NULL where only one block saw it.
 SELECT

@@ -1,5 +1,6 @@
--- Names, one channel: what the source has of it; see source/names.sql. Channels that are counted one by one need no
--- grouping of all rows by two texts.
+-- Names, one channel: what the source has of it; as source/names.sql. For DuckDB, which leaves out most rows of other
+-- channels where they lie apart: counted one by one, they need no grouping of all rows by two texts. Proof: all
+-- channels together have as many rows as the source.
 -- Reads:  readings
 -- A row:  the channel.
 -- Slots:  :asset, :channel

@@ -1,5 +1,6 @@
--- Run-up of one channel, in stored order: from where on it is read so that the first scored vector finds its oldest
--- sample, if there is one before it; see score/run_up.sql.
+-- Run-up of one channel: from where on it is read so that the first scored vector finds its oldest sample, if there
+-- is one before it; as score/run_up.sql. For DuckDB, which keeps the few latest rows and leaves out most rows of
+-- other channels where they lie apart. Proof: none is needed, whatever the order of rows.
 -- Reads:  readings
 -- A row:  the channel.
 -- Slots:  :asset, :channel, :first_scored

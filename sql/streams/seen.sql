@@ -1,4 +1,6 @@
--- Seen, one channel, in stored order: what is read of it; see stored/scoring/seen.sql.
+-- Seen, one channel: what is read of it; as stored/scoring/seen.sql. For DuckDB, which leaves out most rows of other
+-- channels where they lie apart. Proof: it is asked before the vectors are made and after, and both times says the
+-- same.
 -- Reads:  readings
 -- A row:  the channel, if it has a row in its range.
 -- Slots:  :asset, :channel

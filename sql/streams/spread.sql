@@ -1,5 +1,6 @@
--- Spread: the names in some rows of the source, evenly spread, to guess which there are and whether the rows of
--- each lie together. That none is missing shows when the rows of each are counted (streams/names.sql).
+-- Spread: the names in some rows of the source, evenly spread, to guess which there are and whether the rows of each
+-- lie together. For DuckDB, which numbers rows as they are stored. Proof: none is needed of a guess; that no name is
+-- missing shows when the rows of each are counted (streams/names.sql).
 -- Reads:  readings
 -- A row:  one (asset, channel) pair of them; rows_in_all is the same in each.
 -- Slots:  :every  of so many rows, a power of two, the last one is looked at

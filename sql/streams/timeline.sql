@@ -1,6 +1,6 @@
--- Timeline of one channel, in stored order: the instant of its quota-th sample, and from where on it is read so
--- that the next one finds its oldest sample. That the order was kept shows afterwards: as many samples must lie
--- up to the one, and from the other on (streams/calibrated.sql).
+-- Timeline of one channel, in stored order: the instant of its quota-th sample, and from where on it is read so that
+-- the next one finds its oldest sample. For DuckDB, which reads up to that row and sorts nothing. Proof: as many
+-- samples must lie up to the one, and from the other on (streams/calibrated.sql).
 -- Reads:  readings
 -- A row:  the channel; the instants are NULL where no sample is asked for.
 -- Slots:  :asset, :channel

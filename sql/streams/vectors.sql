@@ -1,8 +1,8 @@
--- Vectors in stored order: v(t) (Eq. 1) of one channel, whose rows come by time as they are stored, so that
--- nothing is sorted or joined: LAG without an order follows the rows. For DuckDB. Proof: the step ordered
--- found the channel in one piece and growing, and out_of_order = 1 marks here what is not later than the row
--- before; one such mark, and all is done again by embedding/vectors.sql. Codes and keys are whole numbers below
--- 2^25 here and added up as DOUBLE, which holds each of them and which DuckDB does not watch for overflow.
+-- Vectors in stored order: v(t) (Eq. 1) of one channel, whose rows come by time as they are stored. For DuckDB, whose
+-- LAG without an order follows the rows, so that nothing is sorted or joined. Proof: out_of_order = 1 marks what is
+-- not later than the row before; one such mark, and all is done again by embedding/vectors.sql. Rows that are in no
+-- vector are proven in order by streams/in_order.sql. Codes and keys are whole numbers below 2^25 here and added up
+-- as DOUBLE, which holds each of them and which DuckDB does not watch for overflow.
 -- Reads:  readings
 -- A row:  one sample; from position span + 1 on the vector whose newest one it is, before that without a cell.
 -- Slots:  :asset, :channel  the names of the channel

@@ -1,5 +1,7 @@
--- Visits, in stored order: how often each block of the calibration of one channel visited each cell; see
--- certificate/visits.sql. Proof: all visits of a channel add up to its vectors, which block numbers are made of.
+-- Visits, in stored order: how often each block of the calibration of one channel visited each cell; as
+-- certificate/visits.sql. For DuckDB, by streams/vectors.sql: a vector's place in calibration is the number of its
+-- row, so that nothing is sorted. Proof: all visits of a channel add up to its vectors, which block numbers are made
+-- of, and no row has doubled = 1 (streams/visited_vectors.sql).
 -- Reads:  streamed, the samples of the channel's calibration.
 -- A row:  one cell in one block, or NULL; doubled = 1 if one of its vectors, or a sample without a vector, is not
 --         later than the sample before.
