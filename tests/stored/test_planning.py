@@ -23,7 +23,7 @@ from gam_db.errors import ParameterError
 from gam_db.stored import scoring
 from gam_db.stored.planning import Row, reading
 from gam_db.stored.planning.reading import SUMMED, near, plan_rows, searched_plan_rows
-from gam_db.stored.planning.steps import plan_steps
+from gam_db.stored.planning.steps import plan_steps, unmoved_steps
 from gam_db.stored.pruning import Retention, prune
 from gam_db.stored.scoring import growing
 from gam_db.stored.scoring.growing import read_ranges
@@ -317,6 +317,24 @@ def test_sqlite_finds_what_is_stored_by_its_key() -> None:
                 plan = [row[3] for row in connection.execute(text)]
                 assert any("gam_bucket_key (version_id=? AND bucket_no>?)" in step for step in plan)
                 assert not [step for step in plan if step in ("SCAN written", "SCAN gam_bucket")]
+
+
+def test_sqlite_adds_up_what_was_read_in_one_pass() -> None:
+    """Not in one for each channel, all of whose rows it would read each time."""
+    with closing(sqlite3.connect(":memory:")) as connection, gam_db.connect(connection) as session:
+        connection.execute("CREATE TABLE telemetry (asset TEXT, channel TEXT, time BIGINT, value REAL)")
+        connection.execute("CREATE TABLE cohort (channel_id, asset, channel, read_from, read_until)")
+        connection.execute(
+            "CREATE TABLE ranges (channel_id, run_id, summed_from, read_to, read_sum, bins, lo, hi)"
+        )
+        rows = exp.select("asset", "channel", "time", exp.column("value").as_("reading"))
+        steps = unmoved_steps(rows.from_("telemetry"), False)
+        asked = steps.query("unmoved", {name: exp.to_table(name) for name in ("cohort", "ranges")})
+        text = f"EXPLAIN QUERY PLAN {session.engine.text(asked)}"
+        plan = [row[3] for row in connection.execute(text)]
+        walked = [step for step in plan if step.startswith("SCAN")]
+        assert "SCAN telemetry" in walked
+        assert "SCAN scale" not in walked
 
 
 def test_what_was_scored_after_an_end_is_hidden_until_the_next_run(

@@ -1,5 +1,5 @@
 -- Unmoved: how many of its ranges add up to what they did when they were read, so that in them nothing came late, went
--- or changed.
+-- or changed. CROSS JOIN keeps SQLite to this order: it would else read the whole source once for each channel.
 -- Reads:  identified, ranges
 -- A row:  one channel of which a range does.
 -- Slots:  :code  the expression of support/code.sql, of bins that a range has as a column
@@ -25,11 +25,12 @@ FROM (
           scale.hi AS hi,
           scale.bins AS bins
         FROM identified AS reading
-        JOIN (
+        CROSS JOIN (
           SELECT channel_id, MIN(asked.lo) AS lo, MIN(asked.hi) AS hi, MIN(asked.bins) AS bins
           FROM ranges AS asked
           GROUP BY channel_id
-        ) AS scale ON scale.channel_id = reading.channel_id
+        ) AS scale
+        WHERE scale.channel_id = reading.channel_id
       ) AS read_again
     ) AS coded
   ) AS reads
