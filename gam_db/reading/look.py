@@ -49,11 +49,11 @@ def kind_of(source: AnySource, columns: dict[str, str], session: Session) -> Tim
     """Return how the source tells time, from the type of its time column.
 
     Raises:
-        SourceError: it is not what the user declared.
+        SourceError: it tells none as it is stored, or it is not what the user declared.
     """
     kind = session.engine.types.time_kind(columns[source.time])
     if kind is None:
-        raise SourceError(f"The column {source.time!r} does not tell time.")
+        raise _tells_no_time(source.time, columns[source.time])
     declared = declared_kind(source)
     if declared is not None and declared.is_counter != kind.is_counter:
         raise SourceError(
@@ -117,12 +117,8 @@ def _check_type(role: str, column: str, type_name: str, session: Session, time_u
                 "Leave it out."
             )
         if types.time_kind(type_name) is None and not is_read and not (counts and time_unit):
-            raise SourceError(
-                f"The time column {column!r} is of type {type_name}; it must be a timestamp or an "
-                "integer counter. "
-                + ("Say --time-unit (s, ms, us, ns) if it counts from 1970. " if counts else "")
-                + "Cast it in a view (text: CAST(... AS TIMESTAMP); seconds with a "
-                "fraction: CAST(FLOOR(seconds * 1000000) AS BIGINT))."
+            raise _tells_no_time(
+                column, type_name, "Say --time-unit (s, ms, us, ns) if it counts from 1970. " * counts
             )
     elif role in ("asset", "channel"):
         if not types.is_name(type_name):
@@ -134,3 +130,11 @@ def _check_type(role: str, column: str, type_name: str, session: Session, time_u
             f"The {'value' if role == 'value' else 'channel'} column {column!r} is of type "
             f"{type_name}; readings must be numbers. Cast it in a view if that is what it holds."
         )
+
+
+def _tells_no_time(column: str, type_name: str, hint: str = "") -> SourceError:
+    return SourceError(
+        f"The time column {column!r} is of type {type_name}; it must be a timestamp or an integer "
+        f"counter. {hint}Cast it in a view (text: CAST(... AS TIMESTAMP); seconds with a fraction: "
+        "CAST(FLOOR(seconds * 1000000) AS BIGINT))."
+    )

@@ -40,6 +40,21 @@ def test_columns_of_a_database_table_are_looked_at(tmp_path: Path) -> None:
     assert rows == [("r1", "j1", 320)]
 
 
+def test_a_column_that_a_script_cannot_read_as_time_is_refused_with_a_remedy(tmp_path: Path) -> None:
+    """`gam run` reads it."""
+    path = tmp_path / "plant.parquet"
+    with duckdb.connect() as connection:
+        connection.sql(
+            "SELECT 'a' AS asset, 'x' AS channel, strftime(to_timestamp(i), '%Y-%m-%dT%H:%M:%S') AS ts, "
+            "sin(i) AS value FROM range(400) t(i)"
+        ).write_parquet(str(path))
+    found = invoke(str(path))
+    assert found.exit_code == 1
+    said = " ".join(found.stderr.split())
+    assert "The time column 'ts' is of type VARCHAR; it must be a timestamp" in said
+    assert "CAST(... AS TIMESTAMP)" in said
+
+
 def test_a_schema_takes_all_that_is_made() -> None:
     with duckdb.connect() as connection:
         connection.execute('CREATE SCHEMA "the plant"')
