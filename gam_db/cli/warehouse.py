@@ -18,7 +18,7 @@ from gam_db.export.models import ADAPTERS
 from gam_db.export.script import render
 from gam_db.reading import look
 from gam_db.reading.guess import SourceSettings, guess
-from gam_db.settings.source import AnySource, Source, WideSource, is_file
+from gam_db.settings.source import AnySource, Source, WideSource, as_folder, is_file
 from gam_db.stored.schema.tables import StateTables
 
 Form = Literal["exact", "view"]
@@ -39,10 +39,14 @@ def compile(
 ) -> None:
     """Print the complete SQL script that computes the health indicator of SOURCE on an engine.
 
-    SOURCE is a table of that engine. Its columns are looked at where gam can see them (a file, or a
-    table of --database); elsewhere they are called asset, channel, time and value unless named.
+    SOURCE is a table of that engine. Its columns are looked at where gam can see them (a file, a folder
+    of files, or a table of --database); elsewhere they are called asset, channel, time and value unless
+    named.
     """
     parameters, calibration = settings.method()
+    if settings.source.database is None and engine_named(engine).reads_files:
+        source = dataclasses.replace(settings.source, relation=as_folder(settings.source.relation))
+        settings = dataclasses.replace(settings, source=source)
     script = render(form, engine, described(settings), parameters, calibration, prefix, schema)
     if out is None:
         print(script, end="")

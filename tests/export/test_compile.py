@@ -40,6 +40,23 @@ def test_columns_of_a_database_table_are_looked_at(tmp_path: Path) -> None:
     assert rows == [("r1", "j1", 320)]
 
 
+def test_a_folder_is_read_by_the_engine_that_reads_files(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """For another engine its name is that of a table."""
+    monkeypatch.chdir(tmp_path)
+    Path("plant").mkdir()
+    readings = "'x' AS channel, i AS time, sin(i) AS value FROM range(400) t(i)"
+    with duckdb.connect() as connection:
+        for asset in "ab":
+            rows = connection.sql(f"SELECT '{asset}' AS asset, {readings}")
+            rows.write_parquet(f"plant/{asset}.parquet")
+        connection.execute(invoke("plant", "--window", "50").stdout)
+        found = connection.sql("SELECT DISTINCT asset FROM gam_live_health ORDER BY asset").fetchall()
+    assert found == [("a",), ("b",)]
+    assert 'FROM "public"."plant"' in invoke("plant", "--engine", "postgres").stdout
+
+
 def test_a_column_that_a_script_cannot_read_as_time_is_refused_with_a_remedy(tmp_path: Path) -> None:
     """`gam run` reads it."""
     path = tmp_path / "plant.parquet"
