@@ -1,12 +1,14 @@
 """``gam calibrate``: the healthy part of every channel, learnt and frozen in a database."""
 
+import contextlib
 import dataclasses
 import os
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from gam_db.address import is_url
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
@@ -14,8 +16,9 @@ from gam_db.cli.job import Job, job_of
 from gam_db.cli.monitors import channels_of, heading, place
 from gam_db.cli.options import flag
 from gam_db.cli.progress import working
+from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
-from gam_db.errors import ConfigurationError, printable
+from gam_db.errors import ConfigurationError, EngineError, printable
 from gam_db.findings import Row, need_attention, share, shortcomings
 from gam_db.reading.guess import SourceSettings, folder_or_table
 from gam_db.settings.source import AnySource, WideSource, is_file, shown_relation, slashed
@@ -40,16 +43,19 @@ def calibrate(
     """
     tables, relation = settings.monitor.tables, settings.source.relation
     is_folder = isinstance(relation, str) and Path(relation).is_dir()
-    session = options.opened(settings, common.threads, must_exist=not (is_folder or is_file(relation)))
-    with working(session, common.quiet) as on_step:
-        named = dataclasses.replace(settings.source, relation=folder_or_table(relation, session))
-        settings = dataclasses.replace(settings, source=named)
-        is_new = not migrations.status(session, tables).applied
-        job = _job(session, settings, is_new)
-        asked = (job.guess.source, job.parameters, job.calibration, settings.alarms)
-        with Monitor(session, *asked, **vars(settings.monitor)) as monitor:
-            applied = monitor.migrate() if is_new else []
-            rows = monitor.calibrate(again, on_step=on_step).to_pylist()
+    with _none_left_empty(settings.source.database):
+        session = options.opened(
+            settings, common.threads, must_exist=not (is_folder or is_file(relation))
+        )
+        with working(session, common.quiet) as on_step:
+            named = dataclasses.replace(settings.source, relation=folder_or_table(relation, session))
+            settings = dataclasses.replace(settings, source=named)
+            is_new = not migrations.status(session, tables).applied
+            job = _job(session, settings, is_new)
+            asked = (job.guess.source, job.parameters, job.calibration, settings.alarms)
+            with Monitor(session, *asked, **vars(settings.monitor)) as monitor:
+                applied = monitor.migrate() if is_new else []
+                rows = monitor.calibrate(again, on_step=on_step).to_pylist()
     urgent = bool(rows) and need_attention(rows)
 
     def show(out: page.Out) -> None:
@@ -68,6 +74,22 @@ def calibrate(
         "needs_attention": urgent,
     }
     page.tell(figures, show, common, urgent=urgent)
+
+
+@contextlib.contextmanager
+def _none_left_empty(address: str | None) -> Iterator[None]:
+    """Remove the file of a database that was made for work which failed before it made a table."""
+    path = None if address is None or is_url(address) or Path(address).exists() else Path(address)
+    try:
+        yield
+    except BaseException:
+        if path is not None and path.exists():
+            is_used = True
+            with contextlib.suppress(EngineError), connect(str(path), writable=False) as session:
+                is_used = bool(session.driver.tables())
+            if not is_used:
+                path.unlink()
+        raise
 
 
 def _job(session: Session, settings: Settings, is_new: bool) -> Job:

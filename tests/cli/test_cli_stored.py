@@ -391,6 +391,32 @@ def test_a_database_that_is_not_there_is_not_made_to_be_read() -> None:
     assert os.listdir() == []
 
 
+def test_a_calibration_that_cannot_begin_leaves_no_database_file() -> None:
+    source = saved(800)
+    for words in (("none.parquet",), (source, "--value", "readings"), (source, "--bins", "0")):
+        result = gam("calibrate", *words, *STATE)
+        assert result.exit_code == 1, result.output
+        assert os.listdir() == [source]
+
+
+def test_a_calibration_that_fails_leaves_a_database_file_that_was_there_or_has_tables(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    with duckdb.connect("plant.duckdb"):
+        pass
+    assert gam("calibrate", "none.parquet", *STATE).exit_code == 1
+    assert os.listdir() == ["plant.duckdb"]
+    os.remove("plant.duckdb")
+
+    def refused(*_: Any, **__: Any) -> None:
+        raise gam_db.errors.SourceError("Something went wrong.")
+
+    monkeypatch.setattr("gam_db.cli.calibrate.Monitor.calibrate", refused)
+    result = gam("calibrate", saved(800), *STATE, "--schema", "north")
+    assert "Something went wrong." in result.stderr
+    assert sorted(os.listdir()) == ["plant.duckdb", "plant.parquet"]
+
+
 def test_a_monitor_tells_its_status_and_its_health() -> None:
     saved(1200)
     parameters = gam_db.Parameters(m=2, window=50, stride=10, bins=10)
