@@ -93,7 +93,7 @@ class Session:
         for node in table_names(relation):  # type: ignore[arg-type]
             if self._is_among(node, known):
                 return self._asked(functools.partial(self.driver.located, node))
-        raise SourceError(self._unknown(shown, nearest(shown, sorted({name[-1] for name in known}))))
+        raise SourceError(self._unknown(shown, nearest(shown, _of_others({name[-1] for name in known}))))
 
     @contextlib.contextmanager
     def lent(self, table: pa.Table) -> Iterator[exp.Table]:
@@ -333,3 +333,10 @@ def check_columns(table: pa.Table) -> None:
                 "apart; rename one of them."
             )
         seen[name.casefold()] = name
+
+
+def _of_others(names: set[str]) -> list[str]:
+    """Return names without those of the state of monitors: nobody means one of them for a source."""
+    of_runs = [name.removesuffix("finished_run") for name in names if name.endswith("finished_run")]
+    ours = tuple(prefix for prefix in of_runs if prefix and f"{prefix}migration" in names)
+    return sorted(name for name in names if not name.startswith(ours))
