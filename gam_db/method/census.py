@@ -40,9 +40,15 @@ from gam_db.method.scoring import (
 from gam_db.method.source import add_channels, add_intervals, add_rules
 from gam_db.method.vectors import add_short_vectors
 
-#: Slices of the time range. With 30,000 channels that is a million rows; the samples of a slice or two
-#: are read again, which of evenly spaced ones are few.
+#: Slices of the time range at most: the samples of a slice or two are read again, which of evenly spaced
+#: ones are few, and still more slices save nothing that can be measured.
 SLICES = 32
+
+#: Rows of the census at most, be there ever so many channels.
+MOST_ROWS = 1_000_000
+
+#: Readings of a slice of one channel at least: a group of few costs more than it saves to read.
+IN_SLICE = 32
 
 #: Its own steps that are kept, up to what *names* are read off, and in all.
 OPENING = frozenset(("slices", *(step for steps in STORED.values() for step in steps)))
@@ -63,9 +69,14 @@ class Slicing:
     width: int
 
     @classmethod
-    def of(cls, earliest: int, latest: int) -> "Slicing":
-        """Return the slices of a range of time."""
-        return cls(earliest, (latest - earliest) // SLICES + 1)
+    def of(cls, earliest: int, latest: int, slices: int = SLICES) -> "Slicing":
+        """Return so many slices of a range of time."""
+        return cls(earliest, (latest - earliest) // slices + 1)
+
+
+def slices_for(readings: int, channels: int) -> int:
+    """Return how many slices serve so many channels that have so many readings in all."""
+    return max(1, min(SLICES, MOST_ROWS // channels, readings // (IN_SLICE * channels)))
 
 
 #: Of a source that a body keeps, which cuts it by the number of samples.

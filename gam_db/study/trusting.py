@@ -19,7 +19,7 @@ from gam_db.clock import FAR_AHEAD
 from gam_db.columns import table_of
 from gam_db.composing.pipeline import Pipeline
 from gam_db.method import Method
-from gam_db.method.census import EDGES, OPENING, SCORED, TAUGHT, UNCUT, Slicing, serves
+from gam_db.method.census import EDGES, OPENING, SCORED, TAUGHT, UNCUT, Slicing, serves, slices_for
 from gam_db.method.delays import AS_STORED, PROOFS, Ways
 from gam_db.study import repeating, rounds
 from gam_db.study.naming import GLANCE
@@ -31,6 +31,9 @@ __all__ = ["Trust", "begun", "serves"]
 #: Readings of a source from which on its steps are worth theirs where vectors are made by windows. Where
 #: samples are kept in order, they always are.
 TRUSTED_FROM = 30_000
+
+#: Rows at the beginning of a source by which its channels are guessed.
+GLANCED = 100_000
 
 
 def begun(
@@ -58,9 +61,22 @@ def begun(
     edges = extent["earliest"], extent["latest"]
     if extent["readings"] < TRUSTED_FROM or _are_odd(edges):
         return None, ways
-    slicing = Slicing.of(*edges)
+    slicing = Slicing.of(*edges, slices_for(extent["readings"], _channels(running, extent["readings"])))
     running.steps = opening(slicing, own)
     return slicing, own
+
+
+def _channels(running: Running, readings: int) -> int:
+    """Guess how many channels there are, by the first rows: to count them costs a pass by names.
+
+    Half of the rows have the names of all of them where channels take turns and all were seen, or where
+    they lie one after another and are long. Else the source goes on as it begins.
+    """
+    rows = min(readings, GLANCED)
+    running.steps.fill("glanced", "census/glanced", {"rows": rows, "half": (rows + 1) // 2})
+    (glanced,) = running.rows("glanced")
+    names: int = glanced["names"]
+    return names if names == glanced["names_of_half"] else names * readings // rows
 
 
 def _has_room(running: Running) -> bool:

@@ -62,8 +62,9 @@ UNSERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
 
 @pytest.fixture(autouse=True)
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Trust short sources, too."""
+    """Trust short sources, too, and cut them into as many slices as long ones."""
     monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
+    monkeypatch.setattr(census, "IN_SLICE", 1)
 
 
 def rows() -> list[Row]:
@@ -217,6 +218,34 @@ def test_slices_reach_from_the_first_instant_to_the_last() -> None:
     assert census.SLICES - 4 < max(slices) < census.SLICES  # a width is rounded up
 
 
+def cut_into(table: list[Row], glanced_at: int) -> int:
+    """Return into how many slices a source is cut of which so many rows are glanced at."""
+    session = engines.session("duckdb")
+    with pytest.MonkeyPatch.context() as patched, session.lent(harness.arrow(table)) as lent:
+        patched.setattr(trusting, "TRUSTED_FROM", 1)
+        patched.setattr(trusting, "GLANCED", glanced_at)
+        study = study_of(session, lent.name, harness.made(*SERVED["delays"]))
+        slices = study.running.table("slices")["slice_no"].to_pylist()
+        study.forget()
+    return len({*slices})
+
+
+@pytest.mark.parametrize("order", ["by time", "by channel"])
+@pytest.mark.parametrize("glanced_at", [5 * LENGTH // 2, 6 * LENGTH])
+def test_slices_are_fewer_where_channels_are_many(
+    monkeypatch: pytest.MonkeyPatch, order: str, glanced_at: int
+) -> None:
+    """However rows lie, and be all of them glanced at or some."""
+    table = rows() if order == "by time" else by_channel(rows())
+    assert len(table) == 6 * LENGTH
+    monkeypatch.setattr(census, "IN_SLICE", LENGTH // 10)
+    assert 8 <= cut_into(table, glanced_at) <= 10
+    monkeypatch.setattr(census, "MOST_ROWS", 6 * 4)
+    assert 3 <= cut_into(table, glanced_at) <= 4
+    monkeypatch.setattr(census, "MOST_ROWS", 5)
+    assert cut_into(table, glanced_at) == 1
+
+
 def test_few_rows_are_not_worth_windows(engine: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """What an engine keeps in order is worth it."""
     monkeypatch.setattr(trusting, "TRUSTED_FROM", len(rows()) + 1)
@@ -262,6 +291,7 @@ def test_random_sources_give_the_integers_of_the_reference(data: st.DataObject) 
     method = harness.made(parameters, calibration)
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(trusting, "TRUSTED_FROM", 1)
+        patched.setattr(census, "IN_SLICE", 1)
         patched.setattr(census, "SLICES", data.draw(st.sampled_from([1, 3, 32])))
         found, _ = answers(engines.session("duckdb"), table, method)
     agrees("duckdb", found, table, method)
