@@ -71,7 +71,7 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
                 "bucket": f"{key + 100}, 0, 1, 0, 1, 0, 1, 1, 0, NULL, NULL",
                 "novel": f"{key + 100}, 0, 1, 1, 1, 1, 1",
                 "run": f"1, {key + 100}, 0, 0, 0, 0, 0, NULL, NULL, 0, NULL, NULL, NULL, 0, 0, 0, "
-                "NULL, NULL, NULL, NULL, NULL",
+                "NULL, NULL, NULL, NULL, NULL, NULL",
                 "checksum": f"{key + 100}, 1, 2, 3, 0, 1, 0.05, 'h', 'h', 1, 2",
                 "horizon": f"{key + 100}, 0, 1",
                 "proof": f"{monitor}, {key}, 'state', 2, 2, 2, 0",
