@@ -127,7 +127,8 @@ OMITTED = {
     "test_each_body_finds_what_occurs_twice": ("spark", "clickhouse"),
     "test_what_has_no_room_is_not_held": ("spark",),
     "test_only_its_channel_is_done_again": tuple(
-        f"spark-{case}"
+        f"{engine}-{case}"
+        for engine in ("spark", "clickhouse", "mariadb")
         for case in (
             *(
                 "in the",
@@ -144,11 +145,12 @@ OMITTED = {
             ),
             *("beside", "missing", "of", "none", "three", "one", "large", "a d", "an", "all"),
         )
+        if engine == "spark" or case not in ("in t", "of", "one", "large", "a d", "none")
     ),
     "test_however_rows_lie": ("spark",),
-    "test_what_else_is_asked_for_is_answered": ("spark",),
-    "test_what_proves_nothing_is_looked_at": ("spark",),
-    "test_where_half_of_all_is_done_again_the_study_begins_anew": ("spark",),
+    "test_what_else_is_asked_for_is_answered": ("spark", "clickhouse", "mariadb"),
+    "test_what_proves_nothing_is_looked_at": ("spark", "clickhouse", "mariadb"),
+    "test_where_half_of_all_is_done_again_the_study_begins_anew": ("spark", "clickhouse", "mariadb"),
     "test_no_other_is_looked_at": ("spark",),
     "test_the_onset_is_the_first_bucket_of_the_run_that_lasts": ("spark", "clickhouse", "mariadb"),
     "test_what_is_in_the_file_is_what_the_tables_say": ("spark", "clickhouse"),
