@@ -109,7 +109,8 @@ def add_census(steps: Pipeline, method: Method, slicing: Slicing, ways: Ways) ->
     add(steps, "census/series")
     add_intervals(steps)
     add(steps, "census/calibrated")
-    _add_readings(steps, TAUGHT)
+    if ways.delays is None:
+        _add_readings(steps, TAUGHT)
     add(steps, "source/identified", {"read": exp.true()})
     if ways.round is not None:
         add(steps, "rounds/turns", {"round": ways.round})
