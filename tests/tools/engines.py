@@ -126,6 +126,7 @@ OMITTED = {
     "test_however_rows_lie_the_body_of_the_engine_serves": ("spark", "clickhouse"),
     "test_each_body_finds_what_occurs_twice": ("spark", "clickhouse"),
     "test_what_has_no_room_is_not_held": ("spark",),
+    "test_few_rows_are_not_worth_windows": ("spark",),
     "test_only_its_channel_is_done_again": tuple(
         f"{engine}-{case}"
         for engine in ("spark", "clickhouse", "mariadb")
@@ -144,11 +145,12 @@ OMITTED = {
                 "with",
             ),
             *("beside", "missing", "of", "none", "three", "one", "large", "a d", "an", "all"),
+            "in a pool,",
         )
         if engine == "spark" or case not in ("in t", "of", "one", "large", "a d", "none")
     ),
     "test_however_rows_lie": ("spark",),
-    "test_what_else_is_asked_for_is_answered": ("spark", "clickhouse", "mariadb"),
+    "test_what_else_is_asked_for_is_answered": ("spark", "clickhouse", "mariadb", "postgres"),
     "test_what_proves_nothing_is_looked_at": ("spark", "clickhouse", "mariadb"),
     "test_where_half_of_all_is_done_again_the_study_begins_anew": ("spark", "clickhouse", "mariadb"),
     "test_no_other_is_looked_at": ("spark",),
