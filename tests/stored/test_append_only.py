@@ -10,10 +10,7 @@ from typing import Any
 import duckdb
 import pytest
 
-import comparisons
-import frozen
 import gam_db
-import harness
 import small_plant
 from gam_db.stored import scoring
 from gam_db.stored.monitor import Monitor
@@ -21,7 +18,7 @@ from gam_db.stored.scoring.growing import unmoved
 from gam_db.stored.scoring.report import Report
 from small_plant import FIRST, LENGTH, readings, seen, source
 from strategies import Row
-from visible import BUCKETS, NOVEL, put, rows_of
+from visible import BUCKETS, put, rows_of
 
 LOOKBACK, STRIDE, CONTEXT = 40, 5, 3
 
@@ -63,12 +60,7 @@ def finished(connection: duckdb.DuckDBPyConnection) -> None:
     put(connection, readings(end, LENGTH))
     monitor(connection).score()
     assert seen(connection) == small_plant.whole()
-    made = {"m": 2, "tau": 3, "bins": 4, "window": 20, "stride": 5}
-    method = harness.made(made, {"fraction": 0.7})
-    asked = (readings(0, FIRST), readings(0, LENGTH), *method)
-    harness.assert_same(frozen.buckets(*asked), rows_of(connection, BUCKETS), "buckets")
-    harness.assert_same(frozen.novel_cells(*asked), rows_of(connection, NOVEL), "novel cells")
-    comparisons.compared("duckdb", "stored", asked[1], *method, asked[0])
+    small_plant.as_by_reference(connection)
     assert monitor(connection).check_state().num_rows == 0
 
 

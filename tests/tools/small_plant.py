@@ -4,7 +4,10 @@ from typing import Any
 
 import duckdb
 
+import comparisons
+import frozen
 import gam_db
+import harness
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.schema.tables import TABLES
 from strategies import Row
@@ -49,6 +52,16 @@ def stored(connection: duckdb.DuckDBPyConnection) -> dict[str, list[tuple[Any, .
 
 def seen(connection: duckdb.DuckDBPyConnection) -> list[Any]:
     return [rows_of(connection, BUCKETS), rows_of(connection, NOVEL)]
+
+
+def as_by_reference(connection: duckdb.DuckDBPyConnection) -> None:
+    """Compare what is seen with what NumPy makes of all rows that are there."""
+    rows = connection.execute("SELECT asset, channel, time, value FROM telemetry").fetchall()
+    method = harness.made({"m": 2, "tau": 3, "bins": 4, "window": 20, "stride": 5}, {"fraction": 0.7})
+    asked = (readings(0, FIRST), rows, *method)
+    harness.assert_same(frozen.buckets(*asked), rows_of(connection, BUCKETS), "buckets")
+    harness.assert_same(frozen.novel_cells(*asked), rows_of(connection, NOVEL), "novel cells")
+    comparisons.compared("duckdb", "stored", rows, *method, asked[0])
 
 
 def whole() -> list[Any]:
