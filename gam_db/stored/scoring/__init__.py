@@ -164,14 +164,13 @@ class _Run:
             for row in rows
             if self.wanted.chosen(row["asset"], row["channel"])
         ]
-        if self.wanted.repair_from is not None or until is not None:
+        later = [] if until is None else [row for row in chosen if row["read_from"] > until]
+        if self.wanted.repair_from is not None or later:
             ends = last_times(self.state, monitor_id)
-            there = [row for row in chosen if row["version_id"] in ends]
             if self.wanted.repair_from is not None:
-                newest = max((ends[row["version_id"]] for row in there), default=None)
-                self._check_begin(self.wanted.repair_from, newest)
-            if until is not None:
-                self._check_end(until, [row for row in there if row["read_from"] > until])
+                stored = [ends[row["version_id"]] for row in chosen if row["version_id"] in ends]
+                self._check_begin(self.wanted.repair_from, max(stored, default=None))
+            self._check_end([row for row in later if row["version_id"] in ends])
         return chosen
 
     def _check_begin(self, begin: int, newest: int | None) -> None:
@@ -188,9 +187,10 @@ class _Run:
                 "it out to score what is new."
             )
 
-    def _check_end(self, end: int, later: list[Row]) -> None:
-        """Refuse to score up to an instant before all that is read of a channel."""
-        if not later:
+    def _check_end(self, later: list[Row]) -> None:
+        """Refuse to score up to an instant before all that is read of a channel that was scored."""
+        end = self.wanted.until
+        if end is None or not later:
             return
         kind, first = self.reader.kind, min(later, key=lambda row: (row["asset"], row["channel"]))
         others = f" (and of {len(later) - 1:,} more)" if len(later) > 1 else ""
