@@ -68,14 +68,13 @@ def test_buckets_that_differ_are_counted_by_day_on_the_side_that_has_more() -> N
     found = step(
         "stored/checking/compared",
         {"day": 100},
-        stored_visible_bucket=rows(
-            f"version_id run_id novel_in_window {BUCKET}", *((7, 1, 0, *bucket) for bucket in kept)
+        former_buckets=rows(
+            f"channel_id still novel_in_window {BUCKET}", *((3, None, 0, *bucket) for bucket in kept)
         ),
-        stored_bucket=rows("version_id run_id bucket_no still", *((7, 1, one[0], None) for one in kept)),
         new_buckets=rows(f"channel_id {BUCKET}", *((3, *bucket) for bucket in made)),
         bucket_counts=rows("channel_id bucket_no novel_in_window", *((3, one[0], 0) for one in made)),
         still_counts=rows("channel_id bucket_no still", (3, 9, 1)),
-        cohort=rows("channel_id version_id oldest_bucket settled read_until", (3, 7, 0, 4, 199)),
+        cohort=rows("channel_id oldest_bucket settled read_until", (3, 0, 4, 199)),
     )
     assert found == [(3, 0, 20, 21, 1, 50), (3, 1, 20, 10, 2, 100)]
 
@@ -87,14 +86,10 @@ def test_novel_cells_that_differ_are_those_of_either_side() -> None:
     made = [(1, 11, 1, 55, 55), (2, 12, 2, 80, 81), (2, 13, 1, 82, 82), (3, 14, 1, 120, 120)]
     found = step(
         "stored/checking/compared_novel",
-        stored_visible_novel=rows(
-            f"version_id {cell}", *((7, *one) for one in kept), (8, 0, 5, 1, 30, 30)
-        ),
+        former_novel=rows(f"channel_id {cell}", *((3, *one) for one in kept), (4, 0, 5, 1, 30, 30)),
         novel_cells=rows(f"channel_id {cell}", *((3, *one) for one in made)),
         new_buckets=rows("channel_id bucket_no first_time", (3, 1, 45), (3, 2, 75), (4, 0, 33)),
-        cohort=rows(
-            "channel_id version_id novel_from settled read_until", (3, 7, 0, 4, 99), (4, 8, 0, 4, 99)
-        ),
+        cohort=rows("channel_id novel_from settled read_until", (3, 0, 4, 99), (4, 0, 4, 99)),
     )
     assert found == [(3, 3, 45), (4, 1, 30)]
 
@@ -656,8 +651,8 @@ def test_a_run_writes_from_the_first_bucket_that_is_not_stored_so() -> None:
 def test_what_is_stored_of_new_buckets_is_what_is_seen_of_them() -> None:
     figures = BUCKET.removeprefix("bucket_no ")
     bucket = rows(
-        f"version_id run_id bucket_no {figures}",
-        *((5, run, n, 1, 2, 3, 4, 5, 6) for run, n in ((1, 2), (1, 3), (2, 4))),
+        f"version_id run_id bucket_no {figures} novel_in_window",
+        *((5, run, n, 1, 2, 3, 4, 5, 6, 9) for run, n in ((1, 2), (1, 3), (2, 4))),
     )
     written = rows(
         "version_id run_id bucket_no still", (5, 1, 2, 0), (5, 1, 3, 7), (5, 1, 4, 9), (5, 2, 4, 8)
@@ -671,7 +666,7 @@ def test_what_is_stored_of_new_buckets_is_what_is_seen_of_them() -> None:
         stored_visible_bucket=bucket,
         stored_bucket=written,
     )
-    assert found == [(1, 3, 1, 2, 3, 4, 7, 5, 6), (1, 4, 1, 2, 3, 4, 8, 5, 6)]
+    assert found == [(1, 3, 1, 2, 3, 4, 7, 5, 6, 9), (1, 4, 1, 2, 3, 4, 8, 5, 6, 9)]
     cells = rows(
         "version_id bucket_no cell_key visits first_time last_time",
         *((5, n, 9, 1, 2, 3) for n in (2, 3, 4)),

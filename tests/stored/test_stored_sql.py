@@ -58,7 +58,8 @@ def given() -> dict[str, sql_lint.Columns]:
     )
     known["written"] = dict.fromkeys(buckets.split(), Kind.INTEGER)
     known["changed"] = known["cohort"]
-    known["former_buckets"] = {**known["written"], "still": Kind.INTEGER}
+    kept = dict.fromkeys(("still", "novel_in_window"), Kind.INTEGER)
+    known["former_buckets"] = {**known["written"], **kept}
     cells = "channel_id bucket_no cell_key visits first_time last_time"
     known["former_novel"] = dict.fromkeys(cells.split(), Kind.INTEGER)
     known["stamp"] = dict.fromkeys(("run_id", "started", "committed", "deletes_hidden"), Kind.INTEGER)

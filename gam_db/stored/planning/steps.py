@@ -39,6 +39,9 @@ PUBLISHED = ("bucket_rows", "novel_rows", "run_rows")
 #: From which bucket on a run writes, and what; and what stands for these where that is all it has made.
 WRITTEN = {"changed": "cohort", "written": "new_buckets"}
 
+#: What is stored of the buckets that are made anew.
+FORMER = ("former_buckets", "former_novel")
+
 #: Steps of a run that are kept: what is read once, and what has few rows.
 KEPT = frozenset(
     (
@@ -254,6 +257,8 @@ def comparing_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     add_counting(steps, setting, kind, has_past=False)
     _add_stillness(steps, setting)
     add(steps, "stored/checking/reread")
+    for name in FORMER:
+        add(steps, f"stored/scoring/{name}", {"near": exp.true()})
     add(steps, "stored/checking/compared", {"day": FAR_AHEAD if kind.is_counter else DAY})
     add(steps, "stored/checking/compared_novel")
     return steps

@@ -25,6 +25,7 @@ from gam_db.stored.planning.reading import (
     near,
 )
 from gam_db.stored.planning.steps import (
+    FORMER,
     PUBLISHED,
     WRITTEN,
     can_trust,
@@ -45,9 +46,6 @@ BITS_OF_A_ROW = 512
 
 #: What judgements are made of: what a run writes.
 _JUDGED = {"cohort": "changed", "new_buckets": "written", "stamp": "stamp"}
-
-#: What is stored of the buckets that a run makes.
-_FORMER = ("former_buckets", "former_novel")
 
 
 class Groups:
@@ -178,7 +176,7 @@ class Groups:
         running.put("past_buckets", self._past(group, running))
         self._check_past(group, running)
         running.keep("new_buckets")
-        for step in _FORMER if compared else ():
+        for step in FORMER if compared else ():
             former = filled(f"stored/scoring/{step}", {"near": near(group)})
             place(former, running.placed)
             running.put(step, former)

@@ -1,6 +1,6 @@
 -- Compared: the buckets that can be, as they are stored and as the source gives them now. A row that came too
 -- late, was corrected or went changes the bucket that holds it, or moves all that follow.
--- Reads:  new_buckets, bucket_counts, still_counts, stored_visible_bucket, stored_bucket, cohort
+-- Reads:  new_buckets, bucket_counts, still_counts, former_buckets, cohort
 -- A row:  one channel and day (of the last vector of a bucket) on which they differ; since is the beginning of
 --         the first bucket that does.
 -- Slots:  :day  a day, in the unit of time
@@ -39,24 +39,20 @@ FROM (
       CAST(SUM(1 - is_stored) AS BIGINT) AS source_rows
     FROM (
       SELECT
-        member.channel_id AS channel_id,
-        bucket.bucket_no AS bucket_no,
-        bucket.first_time AS first_time,
-        bucket.last_time AS last_time,
-        bucket.context_time AS context_time,
-        bucket.samples AS samples,
-        written.still AS still,
-        bucket.novel AS novel,
-        bucket.out_of_range AS out_of_range,
-        bucket.novel_in_window AS novel_in_window,
+        former.channel_id AS channel_id,
+        former.bucket_no AS bucket_no,
+        former.first_time AS first_time,
+        former.last_time AS last_time,
+        former.context_time AS context_time,
+        former.samples AS samples,
+        former.still AS still,
+        former.novel AS novel,
+        former.out_of_range AS out_of_range,
+        former.novel_in_window AS novel_in_window,
         1 AS is_stored
-      FROM stored_visible_bucket AS bucket
-      JOIN stored_bucket AS written
-        ON written.version_id = bucket.version_id
-        AND written.bucket_no = bucket.bucket_no
-        AND written.run_id = bucket.run_id
-      JOIN cohort AS member ON member.version_id = bucket.version_id
-      WHERE bucket.bucket_no BETWEEN member.oldest_bucket AND member.settled - 1
+      FROM former_buckets AS former
+      JOIN cohort AS member ON member.channel_id = former.channel_id
+      WHERE former.bucket_no BETWEEN member.oldest_bucket AND member.settled - 1
       UNION ALL
       SELECT
         made.channel_id AS channel_id,

@@ -1,5 +1,5 @@
 -- Compared novel: the novel cells of the same buckets as in compared, stored and as the source gives them now.
--- Reads:  novel_cells, new_buckets, stored_visible_novel, cohort
+-- Reads:  novel_cells, new_buckets, former_novel, cohort
 -- A row:  one channel of which a cell differs; since is the beginning of the first such bucket.
 SELECT
   missed.channel_id AS channel_id,
@@ -31,15 +31,15 @@ FROM (
         CAST(COUNT(*) AS BIGINT) AS both_rows
       FROM (
         SELECT
-          member.channel_id AS channel_id,
+          cell.channel_id AS channel_id,
           cell.bucket_no AS bucket_no,
           cell.cell_key AS cell_key,
           cell.visits AS visits,
           cell.first_time AS first_time,
           cell.last_time AS last_time,
           1 AS is_stored
-        FROM stored_visible_novel AS cell
-        JOIN cohort AS member ON member.version_id = cell.version_id
+        FROM former_novel AS cell
+        JOIN cohort AS member ON member.channel_id = cell.channel_id
         WHERE cell.bucket_no BETWEEN member.novel_from AND member.settled - 1
         UNION ALL
         SELECT

@@ -1,4 +1,4 @@
--- Former buckets: what is stored of those that a run makes anew.
+-- Former buckets: what is stored of those that a run, or the check of the state, makes anew.
 -- Reads:  stored_visible_bucket, stored_bucket, cohort
 -- A row:  one bucket.
 -- Slots:  :near  a condition on bucket that holds for all of them
@@ -11,7 +11,8 @@ SELECT
   bucket.samples AS samples,
   written.still AS still,
   bucket.novel AS novel,
-  bucket.out_of_range AS out_of_range
+  bucket.out_of_range AS out_of_range,
+  bucket.novel_in_window AS novel_in_window
 FROM stored_visible_bucket AS bucket
 JOIN stored_bucket AS written
   ON written.version_id = bucket.version_id

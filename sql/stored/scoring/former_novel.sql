@@ -1,4 +1,4 @@
--- Former novel: what is stored of the novel cells of buckets that a run makes anew.
+-- Former novel: what is stored of the novel cells of buckets that a run, or the check of the state, makes anew.
 -- Reads:  stored_visible_novel, cohort
 -- A row:  one cell outside the support in one bucket.
 -- Slots:  :near  a condition on bucket that holds for all of them
