@@ -14,6 +14,7 @@ from typing import Any
 import pyarrow as pa
 from sqlglot import exp
 
+from gam_db.clock import TimeKind
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.base import Engine
@@ -39,6 +40,9 @@ from gam_db.study.turning import Turns
 
 #: Studies whose filled and composed steps are kept; each has a few thousand nodes of trees.
 LATELY = 16
+
+#: Ranges of time that a study asks for.
+RANGES = 3
 
 
 class Study:
@@ -217,10 +221,8 @@ class Study:
 
     def _readings(self, earliest: int, latest: int) -> exp.Query:
         """Return the step *readings* for a range of time, with bounds that an index can serve."""
-        _, source, relation, engine = self._asked
-        time, kind = template.column(source.time), self.method.kind
-        conditions = engine.in_range(kind, time, earliest, latest)
-        return engine.readings(under(source, *conditions), relation, kind)
+        method, source, relation, engine = self._asked
+        return _ranged(source, relation, engine, method.kind, earliest, latest).copy()
 
 
 @contextlib.contextmanager
@@ -296,6 +298,15 @@ def _opened(
 ) -> Pipeline:
     """Return the steps that are asked first, likewise; arguments as for :func:`_filled`."""
     return opening_pipeline(engine.readings(source, relation, method.kind), slicing, ways)
+
+
+@lru_cache(maxsize=RANGES * LATELY)
+def _ranged(
+    source: AnySource, relation: exp.Expr, engine: Engine, kind: TimeKind, earliest: int, latest: int
+) -> exp.Query:
+    """Return the step *readings* for a range of time; arguments as for :func:`_filled`."""
+    conditions = engine.in_range(kind, template.column(source.time), earliest, latest)
+    return engine.readings(under(source, *conditions), relation, kind)
 
 
 @lru_cache(maxsize=LATELY)

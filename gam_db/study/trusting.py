@@ -28,10 +28,6 @@ from gam_db.study.running import Running
 
 __all__ = ["Trust", "begun", "serves"]
 
-#: Readings of a source from which on its steps are worth theirs where vectors are made by windows. Where
-#: samples are kept in order, they always are.
-TRUSTED_FROM = 30_000
-
 #: Rows at the beginning of a source by which its channels are guessed.
 GLANCED = 100_000
 
@@ -39,7 +35,7 @@ GLANCED = 100_000
 def begun(
     running: Running, ways: Ways, opening: Callable[[Slicing | None, Ways], Pipeline]
 ) -> tuple[Slicing | None, Ways]:
-    """Begin with the steps that trust, unless rows are few, times are odd or nothing will be scored.
+    """Begin with the steps that trust, unless times are odd or nothing will be scored.
 
     Args:
         running: the steps that are asked first.
@@ -59,7 +55,7 @@ def begun(
     running.keep("extent")
     (extent,) = running.rows("extent")
     edges = extent["earliest"], extent["latest"]
-    if extent["readings"] < TRUSTED_FROM or _are_odd(edges):
+    if _are_odd(edges):
         return None, ways
     slicing = Slicing.of(*edges, slices_for(extent["readings"], _channels(running, extent["readings"])))
     running.steps = opening(slicing, own)

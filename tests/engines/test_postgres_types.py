@@ -16,7 +16,7 @@ from gam_db.clock import TimeKind
 from gam_db.engines.postgres import ENGINE
 from gam_db.errors import SourceError
 from gam_db.settings.source import Source
-from gam_db.study import Study, trusting
+from gam_db.study import Study
 from small_plant import readings
 from small_postgres import administrator, database, source
 
@@ -83,11 +83,8 @@ def test_every_microsecond_is_its_integer(connection: Any, kind: str) -> None:
     assert connection.execute(infinite).fetchall() == [(None,), (None,)]
 
 
-def test_the_time_of_a_timestamp_is_computed_once_a_row(
-    connection: Any, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_time_of_a_timestamp_is_computed_once_a_row(connection: Any) -> None:
     """Slices name it three times; without a fence each name of it is the formula."""
-    monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
     connection.execute(
         "CREATE TABLE telemetry AS SELECT 'a' AS asset, 'x' AS channel, "
         "timestamptz '2026-11-26' + n * interval '1 second' AS time, n % 7 AS value "

@@ -35,7 +35,6 @@ from gam_db.selection.lags import add_delays, add_samples
 from gam_db.selection.neighbours import add_dimensions, add_embedding
 from gam_db.selection.search import Search
 from gam_db.settings.source import Source, WideSource, readings
-from gam_db.stored import scoring
 from gam_db.stored.alarms import told as alarms
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.planning.steps import Setting, scoring_steps
@@ -43,7 +42,7 @@ from gam_db.stored.schema.migration_files import definitions
 from gam_db.stored.schema.migrations import rendered
 from gam_db.stored.schema.tables import StateTables
 from gam_db.stored.scoring.publishing import withdraw
-from gam_db.study import Study, naming, rounds, trusting
+from gam_db.study import Study, naming, rounds
 from harness import arrow
 from sql_lint import Kind
 from strategies import Row
@@ -775,9 +774,7 @@ def stream_once() -> None:
         monitor = Monitor(session, source, gam_db.Parameters(), CALIBRATIONS[0])
         monitor.migrate()
         monitor.calibrate()
-        with pytest.MonkeyPatch.context() as patched:
-            patched.setattr(scoring, "TRUSTED_FROM", 0)
-            monitor.score()
+        monitor.score()
 
 
 def turn_once() -> None:
@@ -804,8 +801,7 @@ def turn_once() -> None:
 def keep_once() -> None:
     """Keep a source in order that seems to be stored so."""
     session, table = engines.session("sqlite"), pa.table({"time": [1, 2, 3], "value": [2.5] * 3})
-    with session.lent(table) as lent, pytest.MonkeyPatch.context() as patched:
-        patched.setattr(trusting, "TRUSTED_FROM", 1)
+    with session.lent(table) as lent:
         source = Source(lent.name, None, None)
         Study(session, source, gam_db.Parameters(), CALIBRATIONS[0], short_cuts=True).forget()
 
@@ -814,8 +810,7 @@ def repeat_once() -> None:
     """Do a channel again of which an instant occurs twice."""
     session = engines.session("sqlite")
     table = pa.table({"time": [1, 2, 2, 1, 2, 3, 4], "asset": [*"aaabbbb"], "value": [2.5] * 7})
-    with session.lent(table) as lent, pytest.MonkeyPatch.context() as patched:
-        patched.setattr(trusting, "TRUSTED_FROM", 1)
+    with session.lent(table) as lent:
         given = (
             Source(lent.name, channel=None),
             gam_db.Parameters(),

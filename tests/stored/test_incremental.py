@@ -14,7 +14,6 @@ import frozen
 import gam_db
 import harness
 from batches import CHANNELS, KINDS, History, history
-from gam_db.stored import scoring
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.schema.tables import TABLES
 from visible import BUCKETS, NOVEL, STANDING, STILL, CrashError, crashing, put, rows_of
@@ -74,11 +73,7 @@ def test_any_history_ends_in_the_tables_of_one_full_run(
     empty(connection)
     source = gam_db.Source("telemetry")
     reach: dict[str, Any] = {"lookback": told.lookback, "park_after": told.park_after}
-    with (
-        pytest.MonkeyPatch.context() as patched,
-        Monitor(connection, source, parameters, calibration, **reach) as monitor,
-    ):
-        patched.setattr(scoring, "TRUSTED_FROM", told.trusted_from)
+    with Monitor(connection, source, parameters, calibration, **reach) as monitor:
         play(connection, monitor, told)
     asked = (told.first, told.final, parameters, calibration)
     harness.assert_same(frozen.buckets(*asked), rows_of(connection, BUCKETS), "buckets")

@@ -26,7 +26,7 @@ from gam_db.export import Package
 from gam_db.findings import findings
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.schema.migration_files import definitions
-from gam_db.study import Study, naming, trusting
+from gam_db.study import Study, naming
 from sets import amounts
 from visible import visible
 
@@ -219,7 +219,6 @@ def test_a_run_says_what_a_monitor_does(
 
 
 def test_a_run_says_the_same_whatever_short_cuts_it_takes(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
     monkeypatch.setattr(naming, "STREAMED_FROM", 2)
     monkeypatch.setattr(naming, "GLANCE", 5)
     monkeypatch.setattr(naming, "EVERY", 8)

@@ -19,7 +19,6 @@ import scripts
 from batches import KINDS, History, history
 from gam_db.engines.session import Session
 from gam_db.errors import ConflictError, ParameterError
-from gam_db.stored import scoring
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.planning.steps import DAY
 from sets import amounts
@@ -60,7 +59,6 @@ class Course:
 
     def play(self) -> None:
         """Let it happen."""
-        self.patched.setattr(scoring, "TRUSTED_FROM", self.told.trusted_from)
         self.monitor().migrate()
         self.monitor().calibrate(limit=self.told.limit)
         for batch in self.told.batches:

@@ -11,7 +11,6 @@ import pytest
 
 from as_stored import METHODS, RUNS, compare, monitor, scored, twice_calibrated
 from gam_db.engines.duckdb.session import DuckSession
-from gam_db.stored import scoring
 from gam_db.stored.planning import steps
 from gam_db.stored.scoring import groups, ordered
 from gam_db.study import naming
@@ -49,7 +48,6 @@ def ways(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
     monkeypatch.setattr(naming, "STREAMED_FROM", 2)
     monkeypatch.setattr(naming, "GLANCE", 20)
     monkeypatch.setattr(naming, "EVERY", 8)
-    monkeypatch.setattr(scoring, "TRUSTED_FROM", 0)
     monkeypatch.setattr(groups, "is_given", noted)
     return found
 

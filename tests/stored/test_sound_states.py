@@ -13,7 +13,6 @@ import gam_db
 import harness
 from batches import KINDS, history
 from gam_db.errors import UserError
-from gam_db.stored import scoring
 from gam_db.stored.checking import Checked
 from gam_db.stored.monitor import Monitor
 from strategies import Row
@@ -32,8 +31,7 @@ def lived(kind: str, seed: int) -> tuple[int, Checked, list[dict[str, Any]]]:
     told, chance = history(kind, seed), random.Random(seed)
     parameters, calibration = harness.made(told.parameters, told.calibration)
     reach: dict[str, Any] = {"lookback": told.lookback, "park_after": told.park_after}
-    with duckdb.connect() as connection, pytest.MonkeyPatch.context() as patched:
-        patched.setattr(scoring, "TRUSTED_FROM", told.trusted_from)
+    with duckdb.connect() as connection:
         connection.execute(
             "CREATE TABLE telemetry (asset VARCHAR, channel VARCHAR, time BIGINT, value DOUBLE)"
         )

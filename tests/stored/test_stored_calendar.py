@@ -16,7 +16,6 @@ import harness
 import scripts
 from gam_db.clock import TimeKind
 from gam_db.engines.session import Session
-from gam_db.stored import scoring
 from gam_db.stored.monitor import Monitor
 from harness import Row
 from visible import BUCKETS, NOVEL, visible
@@ -69,8 +68,7 @@ def told(session: Session, of_type: str) -> exp.Expr:
     )
 
 
-def test_it_ends_in_the_tables_of_a_counter(engine: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(scoring, "TRUSTED_FROM", 0)
+def test_it_ends_in_the_tables_of_a_counter(engine: str) -> None:
     for of_type in TYPES[engine]:
         monitor = scored(engines.session(engine), of_type)
         first, final = readings(0, 120), readings(0, 260)

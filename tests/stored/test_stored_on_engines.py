@@ -16,7 +16,6 @@ import harness
 import scripts
 from batches import KINDS, History, history
 from gam_db.engines.session import Session
-from gam_db.stored import scoring
 from gam_db.stored.monitor import Monitor
 from visible import BUCKETS, NOVEL, STANDING, STILL, CrashError, crashing, visible
 
@@ -57,9 +56,7 @@ def test_any_history_ends_in_the_tables_of_one_full_run(engine: str) -> None:
         prefix = engines.fresh_name("state")
         source = gam_db.Source(table.name)
         monitor = Monitor(session, source, parameters, calibration, prefix=prefix, **reach)
-        with pytest.MonkeyPatch.context() as patched:
-            patched.setattr(scoring, "TRUSTED_FROM", told.trusted_from)
-            play(session, table, monitor, told)
+        play(session, table, monitor, told)
         asked = (told.first, told.final, parameters, calibration)
         buckets, novel = frozen.buckets(*asked), frozen.novel_cells(*asked)
         harness.assert_same(buckets, visible(monitor, BUCKETS), "buckets")

@@ -13,7 +13,6 @@ import pytest
 from as_stored import METHODS, RUNS, compare, monitor, scored, twice_calibrated
 from gam_db import study
 from gam_db.engines.duckdb.session import DuckSession
-from gam_db.stored import scoring
 from gam_db.stored.planning import steps
 from gam_db.stored.scoring import turning
 from gam_db.study import naming, rounds
@@ -51,7 +50,6 @@ def ways(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
     monkeypatch.setattr(naming, "STREAMED_FROM", 2)
     monkeypatch.setattr(rounds, "GLANCE", 20)
     monkeypatch.setattr(rounds, "PIECE", 50)
-    monkeypatch.setattr(scoring, "TRUSTED_FROM", 0)
     monkeypatch.setattr(turning, "is_given", noted)
     return found
 

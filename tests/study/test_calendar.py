@@ -18,7 +18,7 @@ import harness
 import strategies
 from calendar_cases import Calendar
 from gam_db.engines.session import Session
-from gam_db.study import Study, naming, trusting
+from gam_db.study import Study, naming
 from harness import Row
 
 pytestmark = pytest.mark.thorough
@@ -47,7 +47,6 @@ BEGINS = {
 @pytest.fixture(autouse=True)
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
     """Take short sources for large ones."""
-    monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
     monkeypatch.setattr(naming, "STREAMED_FROM", 2)
     monkeypatch.setattr(naming, "GLANCE", 100)
     monkeypatch.setattr(naming, "EVERY", 8)

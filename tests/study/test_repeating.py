@@ -18,7 +18,7 @@ import gam_db
 import harness
 import strategies
 from gam_db.engines.session import Session
-from gam_db.study import Study, trusting
+from gam_db.study import Study
 from harness import Answer, Row
 
 pytestmark = pytest.mark.thorough
@@ -32,12 +32,6 @@ Method = tuple[gam_db.Parameters, gam_db.Calibration]
 def method_of(parameters: dict[str, Any] | None = None, **calibration: Any) -> Method:
     own = {"m": 3, "tau": 2, "bins": 4, "window": 20, "stride": 5, **(parameters or {})}
     return harness.made(own, calibration or {"fraction": 0.4})
-
-
-@pytest.fixture(autouse=True)
-def short(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Trust short sources, too."""
-    monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
 
 
 def rows(lacking: Sequence[str] = ("ax",)) -> list[Row]:
@@ -238,6 +232,4 @@ def test_random_sources_give_the_integers_of_the_reference(data: st.DataObject) 
         table.insert(chance.randrange(len(table) + 1), (*row[:3], value))
     asked, order = data.draw(st.sampled_from([((), ORDER), (("bucket_health",), ORDER)]))
     for engine in ("duckdb", "sqlite"):
-        with pytest.MonkeyPatch.context() as patched:
-            patched.setattr(trusting, "TRUSTED_FROM", 1)
-            answers(engine, table, harness.made(parameters, calibration), asked, order)
+        answers(engine, table, harness.made(parameters, calibration), asked, order)

@@ -20,7 +20,7 @@ import harness
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.settings.source import UNPIVOTED_FROM
-from gam_db.study import Study, rounds, streamed, trusting, turning
+from gam_db.study import Study, rounds, streamed, turning
 from harness import Row
 
 pytestmark = pytest.mark.thorough
@@ -53,8 +53,7 @@ SERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
 
 @pytest.fixture(autouse=True)
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Trust short sources, too, and cut them into small pieces."""
-    monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
+    """Turn short sources, too, and cut them into small pieces."""
     monkeypatch.setattr(turning, "TURNED_FROM", 1)
     monkeypatch.setattr(rounds, "PIECE", 100)
     monkeypatch.setattr(rounds, "MOST_PASSES", 4)
@@ -368,7 +367,6 @@ def test_whatever_is_changed_the_integers_are_those_of_the_reference(
             table[place] = (*row[:2], row[2] + 5, row[3])
     method = harness.made(*SERVED[case])
     with pytest.MonkeyPatch.context() as patched:
-        patched.setattr(trusting, "TRUSTED_FROM", 1)
         patched.setattr(rounds, "PIECE", 100)
         patched.setattr(rounds, "GLANCE", 6)
         with DuckSession(threads=threads) as session:

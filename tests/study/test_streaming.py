@@ -22,7 +22,7 @@ import harness
 from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.method.bits import Bits
-from gam_db.study import Study, naming, trusting
+from gam_db.study import Study, naming
 from harness import Answer, Row
 
 pytestmark = pytest.mark.thorough
@@ -108,7 +108,8 @@ def answers(
         study = Study(session, source, parameters, calibration, short_cuts=True, asked=asked)
         for step in asked:
             study.table(step)
-        assert ("taught" in "".join(study.running.placed)) == bool(asked and study.is_streamed)
+        is_short = study.is_streamed or study.is_trusting
+        assert ("taught" in "".join(study.running.placed)) == bool(asked and is_short)
         found = {question: study.table(step).to_pylist() for question, step in harness.STEPS.items()}
         novel = study.table("novel_cells").num_rows
         study.forget()
@@ -304,10 +305,7 @@ def test_a_source_that_is_not_in_order_is_sorted(
     agrees(found, table, *method)
 
 
-def test_a_source_that_lacks_a_sample_is_taken_on_trust(
-    connection: duckdb.DuckDBPyConnection, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
+def test_a_source_that_lacks_a_sample_is_taken_on_trust(connection: duckdb.DuckDBPyConnection) -> None:
     table, method = missing(rows()), harness.made(*SERVED["delays"])
     stored(connection, table)
     with DuckSession(connection) as session:

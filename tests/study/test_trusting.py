@@ -62,8 +62,7 @@ UNSERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
 
 @pytest.fixture(autouse=True)
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Trust short sources, too, and cut them into as many slices as long ones."""
-    monkeypatch.setattr(trusting, "TRUSTED_FROM", 1)
+    """Cut short sources into as many slices as long ones."""
     monkeypatch.setattr(census, "IN_SLICE", 1)
 
 
@@ -222,7 +221,6 @@ def cut_into(table: list[Row], glanced_at: int) -> int:
     """Return into how many slices a source is cut of which so many rows are glanced at."""
     session = engines.session("duckdb")
     with pytest.MonkeyPatch.context() as patched, session.lent(harness.arrow(table)) as lent:
-        patched.setattr(trusting, "TRUSTED_FROM", 1)
         patched.setattr(trusting, "GLANCED", glanced_at)
         study = study_of(session, lent.name, harness.made(*SERVED["delays"]))
         slices = study.running.table("slices")["slice_no"].to_pylist()
@@ -244,14 +242,6 @@ def test_slices_are_fewer_where_channels_are_many(
     assert 3 <= cut_into(table, glanced_at) <= 4
     monkeypatch.setattr(census, "MOST_ROWS", 5)
     assert cut_into(table, glanced_at) == 1
-
-
-def test_few_rows_are_not_worth_windows(engine: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """What an engine keeps in order is worth it."""
-    monkeypatch.setattr(trusting, "TRUSTED_FROM", len(rows()) + 1)
-    method, session = harness.made(*SERVED["delays"]), engines.session(engine)
-    _, is_trusting = answers(session, rows(), method)
-    assert is_trusting == (session.engine.delays is not None)
 
 
 def test_what_has_no_room_is_not_held(engine: str, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -290,7 +280,6 @@ def test_random_sources_give_the_integers_of_the_reference(data: st.DataObject) 
         table = apart(table)
     method = harness.made(parameters, calibration)
     with pytest.MonkeyPatch.context() as patched:
-        patched.setattr(trusting, "TRUSTED_FROM", 1)
         patched.setattr(census, "IN_SLICE", 1)
         patched.setattr(census, "SLICES", data.draw(st.sampled_from([1, 3, 32])))
         found, _ = answers(engines.session("duckdb"), table, method)

@@ -59,7 +59,6 @@ class History:
         lookback: how late a row may be.
         park_after: see :class:`gam_db.Monitor`.
         limit: most readings that a run works on at once.
-        trusted_from: rows from which on a run takes on trust that no instant occurs twice.
         is_pruned: whether old buckets go in between; else, in a mixed history, rows come too late, and
             a repair follows.
         final: all rows, each once.
@@ -72,7 +71,6 @@ class History:
     lookback: int
     park_after: int | bool
     limit: int
-    trusted_from: int
     final: list[Row]
     is_pruned: bool = False
     append_only: bool = False
@@ -100,7 +98,6 @@ def history(kind: str, seed: int, channels: int = CHANNELS, mixed: bool = False)
         lookback,
         chance.choice([False, False, 5]),
         chance.choice([15 * channels, 10**6, 10**6]),
-        chance.choice([0, 10**6, 10**6]),
         rows,
     )
     made.is_pruned = mixed and chance.random() < 0.4

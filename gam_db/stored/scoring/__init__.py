@@ -31,9 +31,6 @@ from gam_db.stored.state import State, kind_of, now
 from gam_db.study.naming import counted
 from gam_db.study.running import UNSORTED, Listener, unheard
 
-#: With fewer rows, looking for repeated instants first is cheaper than scoring some channels twice.
-TRUSTED_FROM = 200_000
-
 #: Channels that deserve no trust are scored in groups of so many times fewer readings: their samples are
 #: collapsed by instant and sorted once more, which takes more room for each.
 CAREFUL = 2
@@ -129,7 +126,7 @@ class _Run:
             rest = [row for row in cohort.channels if row["version_id"] not in scored]
             for group in portions(rest, counts, limit):
                 read = rows_of(group, counts)
-                trusts = read >= TRUSTED_FROM and can_trust(setting_of(group[0]), self.reader.kind)
+                trusts = can_trust(setting_of(group[0]), self.reader.kind)
                 left = self.groups.score(group, cohort, read, True) if trusts else group
                 for part in portions(left, counts, wanted.limit or limit // CAREFUL):
                     self.groups.score(part, cohort, rows_of(part, counts), False)
