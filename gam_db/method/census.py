@@ -39,6 +39,7 @@ from gam_db.method.scoring import (
 )
 from gam_db.method.source import add_channels, add_intervals, add_rules
 from gam_db.method.vectors import add_short_vectors
+from gam_db.settings.calibration import Rule
 
 #: Slices of the time range at most: the samples of a slice or two are read again, which of evenly spaced
 #: ones are few, and still more slices save nothing that can be measured.
@@ -84,12 +85,26 @@ UNCUT = Slicing(0, 1)
 
 
 def serves(method: Method) -> bool:
-    """Tell whether no segment ends, and calibration is the first samples or one declared interval."""
-    whole = ((LONG_AGO, FAR_AHEAD),)
-    return all(method.is_short(number) for number in range(len(method.settings))) and all(
-        tuple(rule.allowed) == whole if rule.declared_end is None else len(rule.allowed) == 1
+    """Tell whether no segment ends and no sample counts as still."""
+    return all(method.is_unbroken(number) for number in range(len(method.settings)))
+
+
+def is_cut(method: Method, earliest: int) -> bool:
+    """Tell whether other samples than those of calibration may come before scoring begins.
+
+    Args:
+        method: one that is served.
+        earliest: the first instant of the source.
+    """
+    return any(
+        rule.score_from is not None
+        or (
+            tuple(rule.allowed) != ((LONG_AGO, FAR_AHEAD),)
+            if rule.declared_end is None
+            else len(rule.allowed) != 1 or rule.allowed[0][0] > earliest
+        )
         for rule in method.rules
-        if rule.allowed
+        if rule != Rule()
     )
 
 
@@ -99,6 +114,7 @@ def add_census(steps: Pipeline, method: Method, slicing: Slicing, ways: Ways) ->
     add_rules(steps, method)
     add_channels(steps, method)
     reach = max(1, *(setting.span for setting in method.settings))
+    add(steps, "census/cuts")
     add(steps, "census/edges", {"reach": reach})
     if ways.delays is not None:
         add(steps, f"{ways.delays}/edge_samples")
@@ -109,7 +125,7 @@ def add_census(steps: Pipeline, method: Method, slicing: Slicing, ways: Ways) ->
     add(steps, "census/series")
     add_intervals(steps)
     add(steps, "census/calibrated")
-    if ways.delays is None:
+    if ways.delays is None or ways.is_cut:
         _add_readings(steps, TAUGHT)
     add(steps, "source/identified", {"read": exp.true()})
     if ways.round is not None:
@@ -138,7 +154,7 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
     else:
         _add_readings(one.steps, scored)
     add_delays(one, CALIBRATION, ways, TAUGHT, bits is not None)
-    add_learnt(one, exp.true(), "doubled")
+    add_learnt(one, exp.column("calibration_vector").eq(1) if ways.is_cut else exp.true(), "doubled")
     if ways.taught == "taught":
         one.add("census/taught")
     one.add("support/support", tables={"learnable": ways.taught})

@@ -61,6 +61,8 @@ class Ways:
         as_stored: whether the source is taken to be stored in order of name and time.
         has_missing: whether a channel lacks a sample; if none does, nothing is made for such.
         asked: the last steps that will be asked for, where that is known; others may be, at a price.
+        is_cut: whether samples that are none of calibration may come before scoring begins; vectors of
+            calibration are then made by windows.
         round: rows of a round, where channels are taken to take turns in the order in which rows are
             stored, each once in every round; None where they are not.
     """
@@ -70,6 +72,7 @@ class Ways:
     as_stored: bool = False
     has_missing: bool = True
     asked: frozenset[str] = frozenset()
+    is_cut: bool = False
     round: int | None = None
 
     @property
@@ -119,15 +122,17 @@ def add_delays(one: OfSet, prefix: str, ways: Ways, rows: str, has_bits: bool) -
     """
     # Of a channel without a missing sample every coordinate is there.
     known: dict[str, template.Slot] = {"known": exp.true()} if prefix == COMPLETE else {}
+    marked = ways.is_cut and prefix == CALIBRATION
     body = ways.delays
-    if body is not None:
+    if body is not None and not marked:
         query = _BODIES[body](one, prefix, known)
         tables = {name: one.named(name) for name in ("scale", *KEPT[body])}
         one.steps.add(one.named(f"{prefix}vectors"), query, "", tables)
         return
     round_ = None
-    if ways.round is None:
-        one.add("census/codes", {"read": _read(prefix)}, f"{prefix}codes", {"readings": rows})
+    if ways.round is None or marked:
+        file = "census/marked_codes" if marked else "census/codes"
+        one.add(file, {"read": _read(prefix)}, f"{prefix}codes", {"readings": rows})
     else:
         round_ = _add_round(one, prefix, ways.round, rows)
     if has_bits:
@@ -135,11 +140,11 @@ def add_delays(one: OfSet, prefix: str, ways: Ways, rows: str, has_bits: bool) -
     # Rounds list the supports' numbers, which of frozen ones are not those of their channels.
     if one.method.pools or ways.round is not None:
         pooled = ("support_id",)
-        add_short_vectors(one, prefix, known, trusting=True, carried=pooled, round_=round_)
+        add_short_vectors(one, prefix, known, True, carried=pooled, round_=round_, marked=marked)
         return
     # Without pools each channel has its own support, whose number is the channel's and not sorted along.
     own = exp.alias_(exp.column("channel_id"), "support_id")
-    add_short_vectors(one, prefix, known, trusting=True, told=[own], round_=round_)
+    add_short_vectors(one, prefix, known, True, told=[own], marked=marked)
 
 
 def _add_round(one: OfSet, prefix: str, length: int, rows: str) -> Round:
@@ -191,7 +196,7 @@ def _in_arrays(one: OfSet, prefix: str, known: Mapping[str, template.Slot]) -> e
         "time_from": exp.column("taught_from" if is_taught else "read_from"),
         "time_to": exp.column("taught_to") if is_taught else FAR_AHEAD,
         "delayed": delayed,
-        "read": exp.column("taught_from").is_(exp.null()).not_() if is_taught else _is_complete(prefix),
+        "read": exp.true() if is_taught else _is_complete(prefix),
     }
     return filled("arrays/vectors", one.slots("arrays/vectors", slots))
 

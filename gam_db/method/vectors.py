@@ -38,9 +38,8 @@ def add_vectors(one: OfSet, prefix: str, read: exp.Expr, carried: Sequence[str] 
         before, codes = codes, f"{prefix}moving_codes"
         one.add("embedding/moving_codes", name=codes, tables={"codes": before})
     over = {f"calibrating_{k}": _before("calibrating", k * setting.tau) for k in range(1, setting.m)}
-    over["oldest_time"] = _before("time", setting.span)
+    over |= _over_calibration(setting)
     over["segment_from"] = _newest(exp.column("breaking").eq(1))
-    over["last_uncalibrated"] = _newest(exp.column("calibrating").eq(0))
     if carried:
         over["still_so_far"] = template.fill("embedding/still_so_far")
     delayed = [exp.alias_(exp.column("calibrating"), "calibrating_0"), *_named(over)]
@@ -60,6 +59,7 @@ def add_short_vectors(
     carried: Sequence[str] = (),
     told: Sequence[exp.Expr] = (),
     round_: Round | None = None,
+    marked: bool = False,
 ) -> None:
     """Add the vectors of one set (Eq. 1) over the codes of the same prefix, where no segment ends.
 
@@ -69,7 +69,8 @@ def add_short_vectors(
 
     Where it is taken on trust that no instant occurs twice, ``doubled`` = 1 marks each sample that shows
     the contrary, be it the newest one of a vector or not. Where channels take turns as rows are stored,
-    a sample is a ``round_`` behind the one before, and ``doubled`` marks what is not so, too.
+    a sample is a ``round_`` behind the one before, and ``doubled`` marks what is not so, too. Over codes
+    that are ``marked`` where calibration is cut, ``calibration_vector`` = 1 where all samples are of it.
     """
     setting = one.setting
     whole = template.fill("embedding/whole", {"span": setting.span})
@@ -77,6 +78,10 @@ def add_short_vectors(
     delayed = list(travelling)
     travelling += told
     rows = None if round_ is None else round_.rows
+    if marked:
+        delayed += _named(_over_calibration(setting))
+        taught = _flag(template.fill("embedding/in_calibration"))
+        travelling.append(exp.alias_(taught, "calibration_vector"))
     if trusting:
         # Where the next vector begins with the sample before this one, its time is known already.
         previous = exp.column("context_time" if setting.span == 2 else "previous_time")
@@ -159,6 +164,14 @@ def _before(column: str, delay: int, rows: int | None = None) -> exp.Expr:
     """Return the value of a column that many samples before: so many ``rows`` as stored for each."""
     path = "embedding/delayed" if rows is None else "streams/delayed"
     return template.fill(path, {"column": exp.column(column), "delay": delay * (rows or 1)})
+
+
+def _over_calibration(setting: Parameters) -> dict[str, exp.Expr]:
+    """Return what tells of a vector whether all of its samples are of calibration."""
+    return {
+        "oldest_time": _before("time", setting.span),
+        "last_uncalibrated": _newest(exp.column("calibrating").eq(0)),
+    }
 
 
 def _newest(is_such: exp.Expr) -> exp.Expr:

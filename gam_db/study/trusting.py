@@ -18,8 +18,19 @@ from sqlglot import exp
 from gam_db.clock import FAR_AHEAD
 from gam_db.columns import table_of
 from gam_db.composing.pipeline import Pipeline
+from gam_db.engines.session import Row
 from gam_db.method import Method
-from gam_db.method.census import EDGES, OPENING, SCORED, TAUGHT, UNCUT, Slicing, serves, slices_for
+from gam_db.method.census import (
+    EDGES,
+    OPENING,
+    SCORED,
+    TAUGHT,
+    UNCUT,
+    Slicing,
+    is_cut,
+    serves,
+    slices_for,
+)
 from gam_db.method.delays import AS_STORED, PROOFS, Ways
 from gam_db.study import repeating, rounds
 from gam_db.study.naming import GLANCE
@@ -131,11 +142,14 @@ class Trust:
         self._careful, self._between = careful, between
         self._sets = range(len(method.settings))
         self.holds, self._is_proven, self._repeating = True, False, set[int]()
-        self._take_turns(names)
-        declared = [rule.allowed[0][0] for rule in method.rules if rule.declared_end is not None]
         first, last = (names[edge].drop_null().to_pylist() for edge in ("earliest", "latest"))
-        if _are_odd([*first, *last]) or any(min(first) < start for start in declared):
+        if _are_odd([*first, *last]):
             self._give_up()
+            return
+        if is_cut(method, min(first)):
+            self._ways = replace(self._ways, is_cut=True)
+            running.steps = made(self._ways)
+        self._take_turns(names)
 
     @property
     def holds_so_far(self) -> bool:
@@ -190,8 +204,13 @@ class Trust:
         found = repeating.found_before(running, ways)
         if self._are_many(found):
             return None
-        self._bound(EDGES, "edges", "first_time", "last_time")
-        healthy = self._bound(TAUGHT, "calibration", "time_from", "time_to")
+        edges = [row for row in self._kept_rows("edges") if row["is_edge"]]
+        self._bound(EDGES, edges, "first_time", "last_time")
+        limits = [{**row, "unscored_end": row["first_scored"] - 1} for row in self._kept_rows("limits")]
+        ends = ((row["calibration_end"], row["unscored_end"]) for row in limits)
+        if any(taught is not None and taught > unscored for taught, unscored in ends):
+            return None  # what is scored holds samples of calibration
+        healthy = self._bound(TAUGHT, limits, "calibration_from", "unscored_end")
         for number in self._sets:
             bounds, *marked = (
                 self._step(step, number) for step in ("bounds", *PROOFS[ways.delays], ways.taught)
@@ -199,7 +218,8 @@ class Trust:
             running.keep(bounds)
             if running.table(bounds)["calibrated_lo"].null_count:
                 return None
-            self._keep_rounds(ways.taught, number, TAUGHT, healthy)
+            if not ways.is_cut:
+                self._keep_rounds(ways.taught, number, TAUGHT, healthy)
             found |= repeating.found_by(running, marked)
             if self._are_many(found):
                 return None
@@ -209,7 +229,8 @@ class Trust:
             run_up, final, scored = (
                 self._step(step, number) for step in ("run_up", ways.counted, SCORED)
             )
-            self._keep_rounds(final, number, scored, self._bound(scored, run_up, "read_from"))
+            read = self._bound(scored, self._kept_rows(run_up), "read_from")
+            self._keep_rounds(final, number, scored, read)
             found |= repeating.found_by(running, [final])
             if self._are_many(found):
                 return None
@@ -242,13 +263,16 @@ class Trust:
                 return True
         return False
 
-    def _bound(self, rows: str, step: str, low: str, high: str | None = None) -> tuple[int, int] | None:
-        """Let a step of readings be bounded by the least and greatest time of another one."""
-        if rows not in self.running.steps.steps:
-            return None
+    def _kept_rows(self, step: str) -> list[Row]:
+        """Keep a step, and return its rows."""
         self.running.keep(step)
-        said = [row for row in self.running.rows(step) if row.get("is_edge", 1)]
-        if not said:
+        return self.running.rows(step)
+
+    def _bound(
+        self, rows: str, said: Collection[Row], low: str, high: str | None = None
+    ) -> tuple[int, int] | None:
+        """Let a step of readings be bounded by the least and greatest time that rows say."""
+        if rows not in self.running.steps.steps or not said:
             return None
         latest = FAR_AHEAD if high is None else max(row[high] for row in said)
         edges = min(row[low] for row in said), latest
@@ -261,7 +285,7 @@ class Trust:
         if self._ways.round is None or edges is None:
             return
         self.running.keep(scale)
-        counted = ("readings", "calibration_samples", "context_rows")
+        counted = ("readings", "samples_before", "context_rows")
         counts = {tuple(row[name] for name in counted) for row in self.running.rows(scale)}
         # Vectors of channels with missing samples are numbered one by one, from the first to the last.
         if len(counts) == 1 and (rows == TAUGHT or not self._ways.has_missing):

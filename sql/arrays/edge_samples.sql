@@ -8,23 +8,25 @@ SELECT
   channel_id,
   time,
   CASE WHEN NOT isNaN(reading) THEN reading END AS value,
-  samples_before + place AS place
+  CAST(counted AS BIGINT) AS place
 FROM (
   SELECT
     part.channel_id AS channel_id,
-    part.samples_before AS samples_before,
-    arraySlice(stored.times, part.samples_before + 1, part.samples) AS time,
-    arraySlice(stored.samples, part.samples_before + 1, part.samples) AS reading
+    arrayFlatten(arrayMap((before, number) -> arraySlice(stored.times, before + 1, number), befores, numbers))
+      AS time,
+    arrayFlatten(arrayMap((before, number) -> arraySlice(stored.samples, before + 1, number), befores, numbers))
+      AS reading,
+    arrayFlatten(arrayMap((before, number) -> range(before + 1, before + 1 + number), befores, numbers)) AS counted
   FROM stored
   JOIN channels AS named ON named.asset = stored.asset AND named.channel = stored.channel
   JOIN (
     SELECT
       channel_id,
-      assumeNotNull(MIN(edge.samples_before)) AS samples_before,
-      assumeNotNull(SUM(edge.samples)) AS samples
+      groupArray(assumeNotNull(edge.samples_before)) AS befores,
+      groupArray(assumeNotNull(edge.samples)) AS numbers
     FROM edges AS edge
     WHERE edge.is_edge = 1
     GROUP BY channel_id
   ) AS part ON part.channel_id = named.channel_id
 ) AS cut
-ARRAY JOIN time, reading, arrayEnumerate(time) AS place
+ARRAY JOIN time, reading, counted

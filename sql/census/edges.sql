@@ -1,30 +1,33 @@
 -- Edges: the slices of each channel in order, and which of them must be read sample by sample: those that may
--- hold one of the last samples of calibration (method, section 4). All others lie within it or after it.
--- Reads:  slices, channels, rules
+-- hold one of the last samples of calibration, or of the last ones before scoring, and those in which a part of
+-- calibration begins or ends (method, section 4). All others lie within calibration or outside of it.
+-- Reads:  slices, channels, rules, cuts
 -- A row:  one slice of one channel; is_edge = 1 if it must be read. quota is the number of its calibration
 --         samples where that is a fraction.
--- Slots:  :reach  samples up to the last one of calibration that are asked for, at least 1
+-- Slots:  :reach  samples up to the last one before scoring that are asked for, at least 1
 SELECT
-  channel_id,
-  first_time,
-  last_time,
-  samples,
-  lowest,
-  highest,
-  samples_before,
-  quota,
+  reached.channel_id AS channel_id,
+  reached.first_time AS first_time,
+  reached.last_time AS last_time,
+  reached.samples AS samples,
+  reached.lowest AS lowest,
+  reached.highest AS highest,
+  reached.samples_before AS samples_before,
+  reached.quota AS quota,
   CASE
-    WHEN quota IS NOT NULL
-      THEN CASE
-        WHEN samples_before < quota AND samples_before + samples > quota - :reach THEN 1
-        ELSE 0
-      END
-    WHEN first_time <= calibration_end AND samples_before + samples > samples_inside - :reach THEN 1
+    WHEN cut.hit = 1 THEN 1
+    WHEN reached.first_time <= reached.calibration_end
+      AND reached.last_time > reached.calibration_end THEN 1
+    WHEN reached.samples_before < reached.quota
+      AND reached.samples_before + reached.samples > reached.quota - :reach THEN 1
+    WHEN reached.first_time <= reached.unscored_end
+      AND reached.samples_before + reached.samples > reached.samples_inside - :reach THEN 1
     ELSE 0
   END AS is_edge
 FROM (
   SELECT
     channel_id,
+    slice_no,
     first_time,
     last_time,
     samples,
@@ -33,35 +36,56 @@ FROM (
     samples_before,
     quota,
     calibration_end,
+    unscored_end,
     CAST(
-      SUM(CASE WHEN last_time <= calibration_end THEN samples ELSE 0 END) OVER (
+      SUM(CASE WHEN last_time <= unscored_end THEN samples ELSE 0 END) OVER (
         PARTITION BY channel_id
       ) AS BIGINT
     ) AS samples_inside
   FROM (
     SELECT
-      named.channel_id AS channel_id,
-      part.earliest AS first_time,
-      part.latest AS last_time,
-      part.readings AS samples,
-      part.lowest AS lowest,
-      part.highest AS highest,
-      CAST(
-        SUM(part.readings) OVER (
-          PARTITION BY named.channel_id
-          ORDER BY part.slice_no
-          ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
-        ) AS BIGINT
-      ) - part.readings AS samples_before,
-      CAST(FLOOR(given.fraction * CAST(named.readings AS DOUBLE)) AS BIGINT) AS quota,
-      CASE
-        WHEN given.duration IS NOT NULL
-          THEN MIN(part.earliest) OVER (PARTITION BY named.channel_id) + given.duration
-        ELSE given.declared_end
-      END AS calibration_end
-    FROM slices AS part
-    JOIN channels AS named ON named.asset = part.asset AND named.channel = part.channel
-    JOIN rules AS given ON given.calibration_no = named.calibration_no
-    WHERE part.readings > 0
-  ) AS ranked
+      channel_id,
+      slice_no,
+      first_time,
+      last_time,
+      samples,
+      lowest,
+      highest,
+      samples_before,
+      quota,
+      calibration_end,
+      CASE WHEN score_from IS NULL THEN calibration_end ELSE score_from - 1 END AS unscored_end
+    FROM (
+      SELECT
+        named.channel_id AS channel_id,
+        part.slice_no AS slice_no,
+        part.earliest AS first_time,
+        part.latest AS last_time,
+        part.readings AS samples,
+        part.lowest AS lowest,
+        part.highest AS highest,
+        CAST(
+          SUM(part.readings) OVER (
+            PARTITION BY named.channel_id
+            ORDER BY part.slice_no
+            ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
+          ) AS BIGINT
+        ) - part.readings AS samples_before,
+        CAST(FLOOR(given.fraction * CAST(named.readings AS DOUBLE)) AS BIGINT) AS quota,
+        CASE
+          WHEN given.duration IS NOT NULL
+            THEN MIN(part.earliest) OVER (PARTITION BY named.channel_id) + given.duration
+          ELSE given.declared_end
+        END AS calibration_end,
+        given.score_from AS score_from
+      FROM slices AS part
+      JOIN channels AS named ON named.asset = part.asset AND named.channel = part.channel
+      JOIN rules AS given ON given.calibration_no = named.calibration_no
+      WHERE part.readings > 0
+    ) AS ranked
+  ) AS limited
 ) AS reached
+LEFT JOIN (
+  SELECT channel_id, slice_no, 1 AS hit
+  FROM cuts
+) AS cut ON cut.channel_id = reached.channel_id AND cut.slice_no = reached.slice_no

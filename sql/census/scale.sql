@@ -1,7 +1,7 @@
 -- Scale: all that must be known of a channel to code its samples, so that readings are joined by name once.
--- Reads:  channels, bounds, run_up, calibration
--- A row:  one channel with a range. taught_from and taught_to are NULL where it has no calibration of its
---         own; complete = 1 if no sample is missing.
+-- Reads:  channels, limits, run_up, edge_samples
+-- A row:  one channel with a range. From taught_from to taught_to lie all its samples before it is scored, those of
+--         calibration and any others; complete = 1 if no sample is missing.
 SELECT
   named.channel_id AS channel_id,
   named.support_id AS support_id,
@@ -13,14 +13,17 @@ SELECT
   reached.complete AS complete,
   reached.read_from AS read_from,
   reached.context_rows AS context_rows,
-  CASE WHEN piece.hit = 1 THEN piece.time_from END AS taught_from,
-  CASE WHEN piece.hit = 1 THEN piece.time_to END AS taught_to,
-  edge.calibration_samples AS calibration_samples,
-  edge.first_scored AS first_scored
+  edge.calibration_from AS taught_from,
+  edge.first_scored - 1 AS taught_to,
+  edge.first_scored AS first_scored,
+  CASE WHEN earlier.hit = 1 THEN earlier.samples ELSE 0 END AS samples_before
 FROM run_up AS reached
-JOIN bounds AS edge ON edge.channel_id = reached.channel_id
+JOIN limits AS edge ON edge.channel_id = reached.channel_id
 JOIN channels AS named ON named.channel_id = reached.channel_id
 LEFT JOIN (
-  SELECT channel_id, time_from, time_to, 1 AS hit
-  FROM calibration
-) AS piece ON piece.channel_id = reached.channel_id
+  SELECT sampled.channel_id AS channel_id, MAX(sampled.place) AS samples, 1 AS hit
+  FROM edge_samples AS sampled
+  JOIN limits AS edge ON edge.channel_id = sampled.channel_id
+  WHERE sampled.time < edge.first_scored
+  GROUP BY sampled.channel_id
+) AS earlier ON earlier.channel_id = reached.channel_id

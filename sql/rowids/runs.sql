@@ -28,7 +28,7 @@ FROM (
     first_scored,
     context_rows,
     rows_before + 1 AS first_row,
-    rows_before + calibration_samples AS taught_row,
+    rows_before + samples_before AS taught_row,
     rows_before + readings AS last_row
   FROM (
     SELECT
@@ -37,7 +37,7 @@ FROM (
       complete,
       first_scored,
       context_rows,
-      calibration_samples,
+      samples_before,
       readings,
       CAST(
         SUM(readings) OVER (

@@ -545,9 +545,9 @@ PIPELINES: list[tuple[gam_db.Parameters, gam_db.Calibration, Source | WideSource
 ]
 
 
-def trusting_steps(source: Source | WideSource) -> list[tuple[str, exp.Query]]:
+def trusting_steps(source: Source | WideSource, is_cut: bool = False) -> list[tuple[str, exp.Query]]:
     """The same of the form that takes it on trust that no instant occurs twice."""
-    return trusting_in(Ways(asked=frozenset(["bucket_health"])), source)
+    return trusting_in(Ways(asked=frozenset(["bucket_health"]), is_cut=is_cut), source)
 
 
 def trusting_in(ways: Ways, source: Source | WideSource = SOURCES[0]) -> list[tuple[str, exp.Query]]:
@@ -629,7 +629,8 @@ def found_in(made: list[tuple[str, exp.Query]]) -> set[tuple[str, str, str]]:
 def test_filled_queries_break_no_rule(number: int) -> None:
     """As the files, with slots filled and every kind known: what Python puts in is checked, too."""
     found = found_in(steps(*PIPELINES[number]))
-    found |= found_in(trusting_steps(PIPELINES[number][2]))
+    for is_cut in (False, True):
+        found |= found_in(trusting_steps(PIPELINES[number][2], is_cut))
     assert {place for place in found if place[:2] not in EXEMPT} == set()
     assert {place[:2] for place in found} == EXEMPT, "an exemption that nothing needs any more goes"
 
@@ -830,7 +831,8 @@ def test_every_file_is_used() -> None:
         for body in (None, *STORED):
             filled_steps(opening_pipeline(exp.select("*"), Slicing.of(0, 9), Ways(body)))
         for body in (None, *KEPT):
-            trusting_in(Ways(body, by_sets=True, asked=frozenset(["bucket_health"])))
+            for is_cut in (False, True):
+                trusting_in(Ways(body, True, asked=frozenset(["bucket_health"]), is_cut=is_cut))
         ENGINE.readings(
             WideSource("telemetry", channels=["value"] * 99), exp.to_table("t"), TimeKind.COUNTER
         )

@@ -50,12 +50,52 @@ SERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     ),
 }
 
+#: name -> the same, where samples that are none of calibration come before scoring begins
+CUT: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
+    "a late start": ({"m": 3, "tau": 2, "bins": 4, "window": 8}, {"duration": 60, "score_from": 201}),
+    "exclusions": (
+        {"m": 3, "tau": 3, "bins": 4, "window": 8},
+        {"fraction": 0.3, "exclude": [(9, 30), (41, 41), (60, 61)]},
+    ),
+    "an exclusion of the end": (
+        {"m": 2, "bins": 4, "window": 8},
+        {"fraction": 0.4, "exclude": [(80, 400)]},
+    ),
+    "late intervals": (
+        {"m": 2, "tau": 3, "bins": 4, "window": 9},
+        {"intervals": [(31, 60), (61, 90), (120, 121), (150, 170)]},
+    ),
+    "a late interval": ({"m": 2, "bins": 4, "window": 8}, {"intervals": [(40, 99)]}),
+    "sets, a pool, rules and starts": (
+        {
+            "m": 3,
+            "bins": 4,
+            "window": 8,
+            "stride": 2,
+            "overrides": [{"channel": "y", "m": 1, "bins": 6}],
+        },
+        {
+            "fraction": 0.3,
+            "pool": "channel",
+            "overrides": {
+                "b": {"duration": 70, "exclude": [(20, 33), (90, 110)]},
+                "c": {"intervals": [(5, 60), (80, 99)], "score_from": 140},
+            },
+        },
+    ),
+}
+
 #: name -> the same, of a kind that is left to the steps that look
 UNSERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "gaps": ({"m": 2, "bins": 4, "window": 8, "max_gap": 5}, {"fraction": 0.3}),
-    "a given start": ({"m": 2, "bins": 4, "window": 8}, {"fraction": 0.3, "score_from": 50}),
-    "exclusions": ({"m": 2, "bins": 4, "window": 8}, {"fraction": 0.3, "exclude": [(9, 30)]}),
-    "a late interval": ({"m": 2, "bins": 4, "window": 8}, {"intervals": [(40, 99)]}),
+    "a start within calibration": (
+        {"m": 2, "bins": 4, "window": 8},
+        {"fraction": 0.3, "score_from": 50},
+    ),
+    "a start before all": (
+        {"m": 1, "bins": 4, "window": 8},
+        {"intervals": [(20, 90)], "score_from": -7},
+    ),
     "one without calibration": ({"m": 2, "bins": 4, "window": 8}, {"overrides": {"b": None}}),
 }
 
@@ -118,9 +158,9 @@ def agrees(engine: str, found: dict[str, Answer], table: list[Row], method: tupl
     comparisons.compared(engine, "trusting", table, *method)
 
 
-@pytest.mark.parametrize("case", SERVED)
+@pytest.mark.parametrize("case", [*SERVED, *CUT])
 def test_the_census_gives_the_integers_of_the_reference(engine: str, case: str) -> None:
-    method = harness.made(*SERVED[case])
+    method = harness.made(*(SERVED | CUT)[case])
     found, is_trusting = answers(engines.session(engine), rows(), method)
     assert is_trusting
     agrees(engine, found, rows(), method)
@@ -163,6 +203,17 @@ def test_wherever_an_instant_occurs_twice_it_is_found(number: int) -> None:
     table = doubled(rows(), number)
     found, is_trusting = answers(engines.session("duckdb"), table, method)
     assert is_trusting
+    agrees("duckdb", found, table, method)
+
+
+@pytest.mark.parametrize("case", CUT)
+@pytest.mark.parametrize("number", range(5, 6 * LENGTH, 97))
+def test_what_is_not_of_calibration_is_proven_as_well(case: str, number: int) -> None:
+    """Also what lies within an exclusion, before a declared interval, or before scoring begins."""
+    method = harness.made(*CUT[case])
+    table = doubled(rows(), number)
+    found, is_trusting = answers(engines.session("duckdb"), table, method)
+    assert is_trusting == ("pool" not in CUT[case][1])  # a pool is done again, here half of all
     agrees("duckdb", found, table, method)
 
 
