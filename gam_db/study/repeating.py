@@ -96,7 +96,7 @@ def do_again(running: Running, method: Method, careful: Pipeline, repeating: Seq
             steps.replace(name, _parted(steps, f"{_PROVEN}{name}", f"{_AGAIN}{parted[name]}"))
     steps.small -= parted.keys()
     running.steps = steps
-    running.rename(_PROVEN, _COMMON)
+    running.rename({step: f"{_PROVEN}{step}" for step in running.kept(_COMMON)})
     members = {row["channel_id"] for row in repeating}
     staying = [row for row in running.rows("channels") if row["channel_id"] not in members]
     earliest = {_name(row): row["earliest"] for row in running.rows("names")}

@@ -114,9 +114,9 @@ class Rounds:
     @cached_property
     def _slices(self) -> list[Row]:
         """The slices of one channel, in order; asked for where there is something to cut."""
-        slices = (row for row in self.running.rows("slices") if row["slice_no"] is not None)
+        slices = (row for row in self.running.rows("slices") if row["earliest"] is not None)
         same = (row for row in slices if all(row[name] == of for name, of in self._named.items()))
-        return sorted(same, key=lambda row: int(row["slice_no"]))
+        return sorted(same, key=lambda row: int(row["earliest"]))
 
     def keep(self, step: str, listed: str, scale: str, setting: Parameters, read: Range) -> None:
         """Keep a step of one set that is made of vectors; in pieces side by side, if that is worth it.

@@ -3,7 +3,7 @@
 This module owns when a step becomes a table and when that table goes.
 """
 
-from collections.abc import Callable, Container, Iterable, Mapping
+from collections.abc import Callable, Container, Mapping
 from pathlib import Path
 from typing import Any, Self
 
@@ -110,14 +110,22 @@ class Running:
             self.session.forget(self._kept[step])
         self._kept[step] = self.placed[step] = self.session.load(rows)
 
-    def rename(self, prefix: str, but: Container[str]) -> None:
-        """Let the tables that are kept be those of steps with a prefix, but some."""
-        for step in [step for step in self._kept if step not in but]:
-            self._kept[f"{prefix}{step}"] = self.placed[f"{prefix}{step}"] = self._kept.pop(step)
+    def drop(self, step: str) -> None:
+        """Drop the table of a step, which is made anew when it is asked for."""
+        self.session.forget(self._kept.pop(step))
+        del self.placed[step]
+
+    def rename(self, renamed: Mapping[str, str]) -> None:
+        """Let tables that are kept be those of other steps."""
+        for step, other in renamed.items():
+            self._kept[other] = self.placed[other] = self._kept.pop(step)
             del self.placed[step]
 
-    def forget(self, but: Iterable[str] = ()) -> None:
+    def kept(self, but: Container[str] = ()) -> list[str]:
+        """Return the steps that are kept, but some."""
+        return [step for step in self._kept if step not in but]
+
+    def forget(self, but: Container[str] = ()) -> None:
         """Drop the tables that were kept, but those of some steps."""
-        for step in [step for step in self._kept if step not in but]:
-            self.session.forget(self._kept.pop(step))
-            del self.placed[step]
+        for step in self.kept(but):
+            self.drop(step)

@@ -2,7 +2,7 @@
 -- of calibration and others.
 -- Reads:  slices, channels, declared
 -- A row:  one slice of one channel.
-SELECT DISTINCT named.channel_id AS channel_id, part.slice_no AS slice_no
+SELECT DISTINCT named.channel_id AS channel_id, part.earliest AS first_time
 FROM slices AS part
 JOIN channels AS named ON named.asset = part.asset AND named.channel = part.channel
 JOIN declared AS piece ON piece.calibration_no = named.calibration_no

@@ -27,7 +27,6 @@ SELECT
 FROM (
   SELECT
     channel_id,
-    slice_no,
     first_time,
     last_time,
     samples,
@@ -45,7 +44,6 @@ FROM (
   FROM (
     SELECT
       channel_id,
-      slice_no,
       first_time,
       last_time,
       samples,
@@ -58,7 +56,6 @@ FROM (
     FROM (
       SELECT
         named.channel_id AS channel_id,
-        part.slice_no AS slice_no,
         part.earliest AS first_time,
         part.latest AS last_time,
         part.readings AS samples,
@@ -67,7 +64,7 @@ FROM (
         CAST(
           SUM(part.readings) OVER (
             PARTITION BY named.channel_id
-            ORDER BY part.slice_no
+            ORDER BY part.earliest
             ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
           ) AS BIGINT
         ) - part.readings AS samples_before,
@@ -86,6 +83,6 @@ FROM (
   ) AS limited
 ) AS reached
 LEFT JOIN (
-  SELECT channel_id, slice_no, 1 AS hit
+  SELECT channel_id, first_time, 1 AS hit
   FROM cuts
-) AS cut ON cut.channel_id = reached.channel_id AND cut.slice_no = reached.slice_no
+) AS cut ON cut.channel_id = reached.channel_id AND cut.first_time = reached.first_time

@@ -799,6 +799,17 @@ def turn_once() -> None:
         monitor.score()
 
 
+def refine_once() -> None:
+    """Cut slices finer, where a row of long ago lets all others lie in one."""
+    table = pa.table({"time": [0, *range(10**9, 10**9 + 999)], "value": [2.5] * 1000})
+    with DuckSession() as session, session.lent(table) as lent:
+        source = Source(lent.name, None, None)
+        study = Study(session, source, gam_db.Parameters(), CALIBRATIONS[0], short_cuts=True)
+        study.table("bucket_health")
+        assert study.is_trusting
+        study.forget()
+
+
 def keep_once() -> None:
     """Keep a source in order that seems to be stored so."""
     session, table = engines.session("sqlite"), pa.table({"time": [1, 2, 3], "value": [2.5] * 3})
@@ -850,6 +861,7 @@ def test_every_file_is_used() -> None:
         alarm_once()
         stream_once()
         turn_once()
+        refine_once()
         keep_once()
         repeat_once()
         gam_db.check(gam_db.Source(pa.table({"time": [1], "value": [2.5], "more": ["3"]}), None, None))

@@ -268,6 +268,35 @@ def test_slices_reach_from_the_first_instant_to_the_last() -> None:
     assert census.SLICES - 4 < max(slices) < census.SLICES  # a width is rounded up
 
 
+#: name -> as above, and from when on which machine has samples, besides one of long ago
+SKEWED: dict[str, tuple[dict[str, Any], dict[str, Any], dict[str, int]]] = {
+    "all begin together": ({"m": 3, "tau": 2, "bins": 4, "window": 20}, {"fraction": 0.4}, {}),
+    "one begins before, and is taught by others": (
+        {"m": 2, "bins": 4, "window": 8, "stride": 2},
+        {"fraction": 0.3, "exclude": [(90, 100)], "pool": "channel", "overrides": {"b": None}},
+        {"a": 61, "c": 75},
+    ),
+}
+
+
+@pytest.mark.parametrize("case", SKEWED)
+def test_slices_that_hold_nearly_all_are_cut_finer(engine: str, case: str) -> None:
+    """Where samples are not kept in order; their slices are cut by number."""
+    parameters, calibration, starts = SKEWED[case]
+    method, session = harness.made(parameters, calibration), engines.session(engine)
+    table = [row for row in rows() if row[2] >= starts.get(row[0], 0)]
+    table += [("c", "y", -(10**9), 1.5), ("a", "x", 10**9, 1.5)]
+    with session.lent(harness.arrow(table)) as lent:
+        study = study_of(session, lent.name, method)
+        study.table("bucket_health")
+        edges = [row for row in study.running.rows("edges") if row["is_edge"]]
+        assert study.is_trusting
+        study.forget()
+    assert 0 < sum(row["samples"] for row in edges) < len(table) / 3
+    found, _ = answers(session, table, method)
+    agrees(engine, found, table, method)
+
+
 def cut_into(table: list[Row], glanced_at: int) -> int:
     """Return into how many slices a source is cut of which so many rows are glanced at."""
     session = engines.session("duckdb")
