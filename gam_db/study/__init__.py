@@ -95,7 +95,8 @@ class Study:
         self.running = Running(session, self._opening(), on_step=on_step)
         slicing, ways = None, Ways(asked=frozenset(asked))
         is_streamed = short_cuts and seems_ordered(self.method, self.running, ways.scores)
-        if short_cuts and on_trust and not is_streamed and trusting.serves(self.method):
+        may_trust = short_cuts and on_trust and trusting.serves(self.method)
+        if may_trust and not is_streamed:
             slicing, ways = trusting.begun(self.running, ways, self._opening)
         self.running.keep("names")
         names = session.fetch(self.steps.query("names", self.running.placed))
@@ -109,12 +110,11 @@ class Study:
             ways = dataclasses.replace(ways, has_missing=False)
         self.running.steps = self._steps(bits, slicing, ways)
         self._short_cut: Streams | Trust | Turns | None = None
+        self._after_all = partial(self._trust_after_all, bits, ways, names) if may_trust else None
         if is_streamed and bits is not None:
             self._short_cut = Streams(self.method, self.running, ways.scores, ways.has_blocks)
         elif slicing is not None:
-            made, careful = partial(self._steps, bits, slicing), partial(self._steps, bits)
-            given = self.running, names, ways
-            self._short_cut = Trust(self.method, *given, made, careful, self._readings)
+            self._short_cut = self._trust(bits, slicing, ways, names)
         elif short_cuts and sum(names["readings"].to_pylist()) >= turning.TURNED_FROM:
             turns = Turns(self.method, self.running, self._readings)
             self._short_cut = turns if turns.serve(names) else None
@@ -218,6 +218,21 @@ class Study:
     def _prepare(self, step: str) -> None:
         if self._short_cut is not None:
             self._short_cut.prepare(step)
+        has_failed = isinstance(self._short_cut, Streams) and not self._short_cut.holds
+        if has_failed and self._after_all is not None:
+            self._short_cut = self._after_all()
+            self._prepare(step)
+
+    def _trust_after_all(self, bits: Bits | None, ways: Ways, names: pa.Table) -> Trust | None:
+        """Take on trust that no instant occurs twice, where channels are not stored in order."""
+        self.running.steps = self._opening()
+        slicing, ways = trusting.begun(self.running, ways, self._opening)
+        self.running.steps = self._steps(bits, slicing, ways)
+        return None if slicing is None else self._trust(bits, slicing, ways, names)
+
+    def _trust(self, bits: Bits | None, slicing: Slicing, ways: Ways, names: pa.Table) -> Trust:
+        made, careful = partial(self._steps, bits, slicing), partial(self._steps, bits)
+        return Trust(self.method, self.running, names, ways, made, careful, self._readings)
 
     def _readings(self, earliest: int, latest: int) -> exp.Query:
         """Return the step *readings* for a range of time, with bounds that an index can serve."""
