@@ -45,7 +45,7 @@ STILL_LASTING = 5_000_000
 _SMALL = frozenset(
     (
         *("step_counts", "pauses", "movements", "longest_stills"),
-        *("quanta", "block_sums", "correlations", "cycles", "stood"),
+        *("granules", "quarters", "quanta", "block_sums", "correlations", "cycles", "stood"),
     )
 )
 
@@ -67,12 +67,16 @@ def add_look(steps: Pipeline, method: Method, instant_of: TimeNode) -> None:
     }
     add(steps, "check/stood", stands)
     add(steps, "check/head_samples", {"longest_sample": LONGEST_SAMPLE})
-    add(steps, "check/distinct_values", {"looked_at": VALUES_LOOKED_AT // 4})
+    place = exp.column("place", table="early")
+    reached = ((place < scale * _BLOCKS, scale) for scale in SCALES[:-1])
+    add(steps, "check/granules", {"size": template.case(reached, SCALES[-1])})
+    add(steps, "check/quarters", {"looked_at": VALUES_LOOKED_AT // 4})
+    add(steps, "check/distinct_values")
     add(steps, "check/quanta")
     shortest = (_SHORTEST_LAG, *[_SHORTEST_LAG_OF_BLOCKS] * (len(SCALES) - 1))
     rungs = [{"scale": scale, "shortest": lag} for scale, lag in zip(SCALES, shortest, strict=True)]
     add_stacked(steps, "check/scales", rungs)
-    add(steps, "check/block_sums", {"blocks": _BLOCKS})
+    add(steps, "check/block_sums")
     add(steps, "check/lag_sums", {"longest_lag": LONGEST_LAG})
     add(steps, "check/correlations")
     add(steps, "check/peaks")

@@ -4,6 +4,7 @@
 -- Slots:  :longest_sample  the samples of a channel that are looked at
 SELECT
   placed.channel_id AS channel_id,
+  placed.time AS time,
   placed.value AS value,
   placed.lowest AS lowest,
   placed.highest AS highest,
@@ -15,6 +16,7 @@ SELECT
 FROM (
   SELECT
     early.channel_id AS channel_id,
+    early.time AS time,
     early.value AS value,
     early.lowest AS lowest,
     early.highest AS highest,
@@ -26,6 +28,7 @@ FROM (
   FROM (
     SELECT
       sampled.channel_id AS channel_id,
+      sampled.time AS time,
       sampled.value AS value,
       extent.lowest AS lowest,
       extent.highest AS highest,

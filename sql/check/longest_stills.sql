@@ -1,32 +1,24 @@
 -- Longest stills: the longest stretch of samples of one and the same value. Only channels in which a value
--- stays at all pay for this.
+-- stays at all pay for this, and beyond the order of their samples only samples that stayed.
 -- Reads:  samples, movements
 -- A row:  one channel in which two samples in a row are equal.
 SELECT
-  stretched.channel_id AS channel_id,
-  MAX(CASE WHEN stretched.still = 1 THEN stretched.position - stretched.still_from + 1 END)
-    AS longest_still
+  stretch.channel_id AS channel_id,
+  MAX(stretch.samples) AS longest_still
 FROM (
   SELECT
-    compared.channel_id AS channel_id,
-    compared.position AS position,
-    compared.still AS still,
-    MAX(CASE WHEN compared.still = 0 THEN compared.position END) OVER (
-      PARTITION BY compared.channel_id
-      ORDER BY compared.position
-      ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
-    ) AS still_from
+    stayed.channel_id AS channel_id,
+    CAST(COUNT(*) AS BIGINT) + 1 AS samples
   FROM (
     SELECT
       beside.channel_id AS channel_id,
-      beside.position AS position,
-      CASE
-        WHEN beside.position > 1 AND beside.value = beside.previous_value THEN 1
-        ELSE 0
-      END AS still
+      beside.position - CAST(
+        ROW_NUMBER() OVER (PARTITION BY beside.channel_id ORDER BY beside.time) AS BIGINT
+      ) AS moves
     FROM (
       SELECT
         sampled.channel_id AS channel_id,
+        sampled.time AS time,
         sampled.value AS value,
         CAST(
           ROW_NUMBER() OVER (PARTITION BY sampled.channel_id ORDER BY sampled.time) AS BIGINT
@@ -37,6 +29,8 @@ FROM (
       JOIN movements AS movement ON movement.channel_id = sampled.channel_id
       WHERE movement.stills > 0
     ) AS beside
-  ) AS compared
-) AS stretched
-GROUP BY stretched.channel_id
+    WHERE beside.position > 1 AND beside.value = beside.previous_value
+  ) AS stayed
+  GROUP BY stayed.channel_id, stayed.moves
+) AS stretch
+GROUP BY stretch.channel_id

@@ -1,6 +1,6 @@
 -- Stood: how much of calibration counts as still (alarms, section 1), by still_after as it is set, else by what would
--- be proposed. Only channels in which a value stays at all pay for this.
--- Reads:  samples, channels, calibration, movements, pauses
+-- be proposed. Only channels in which a value stays at all pay for this, up to the end of their calibration.
+-- Reads:  samples, channels, limits, calibration, movements, pauses
 -- A row:  one channel in which two samples in a row are equal; calibration_still counts samples, still_runs the runs of
 --         equal ones that become still there, longest_run the samples of the longest of them up to its last one there.
 -- Slots:  :still_after  as it is set for the channel, NULL where it is not
@@ -51,6 +51,7 @@ FROM (
         SELECT
           settled.channel_id AS channel_id,
           settled.max_gap AS max_gap,
+          settled.calibration_end AS calibration_end,
           CASE
             WHEN settled.still_after IS NOT NULL THEN settled.still_after
             WHEN settled.lasting > CAST(:least AS BIGINT) THEN settled.lasting
@@ -59,6 +60,7 @@ FROM (
         FROM (
           SELECT
             known.channel_id AS channel_id,
+            edge.calibration_end AS calibration_end,
             CAST(:still_after AS BIGINT) AS still_after,
             CAST(:max_gap AS BIGINT) AS max_gap,
             CAST(
@@ -68,9 +70,11 @@ FROM (
           FROM channels AS known
           JOIN movements AS movement ON movement.channel_id = known.channel_id
           JOIN pauses AS spaced ON spaced.channel_id = known.channel_id
+          JOIN limits AS edge ON edge.channel_id = known.channel_id
           WHERE movement.stills > 0
         ) AS settled
       ) AS named ON named.channel_id = sampled.channel_id
+      WHERE sampled.time <= named.calibration_end
     ) AS beside
   ) AS stretched
 ) AS counted
