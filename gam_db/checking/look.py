@@ -148,8 +148,13 @@ def look_at(
     on_step: Listener = lambda _: None,
 ) -> Look:
     """Look at a source; arguments and errors as in :class:`~gam_db.study.Study`."""
-    study = Study(session, source, parameters.finest(), calibration, on_step, strict=False)
+    asked = session, source, parameters.finest(), calibration
+    study = Study(*asked, on_step, strict=False, counting=True)
     add_look(study.steps, study.method, study.instant_of)
+    repeating = {row["channel_id"] for row in study.rows("movements") if row["repeats"]}
+    if repeating:
+        study.look_first(repeating)
+        add_look(study.steps, study.method, study.instant_of)
     summary = study.table(SUMMARY)
     table = summary.drop_columns(["settings_no"])
     rows = summary.drop_columns(["first_time", "last_time"]).to_pylist()

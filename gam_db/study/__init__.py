@@ -33,6 +33,7 @@ from gam_db.settings.patterns import grouped
 from gam_db.settings.setting import settings_of
 from gam_db.settings.source import AnySource, is_file, paths_of, under
 from gam_db.study import trusting, turning
+from gam_db.study.counting import Counts
 from gam_db.study.running import PARTS_IN_TURN, TAUGHT, UNSORTED, Listener, Running, unheard
 from gam_db.study.streaming import Streams, seems_ordered
 from gam_db.study.trusting import Trust
@@ -62,6 +63,8 @@ class Study:
             proves nothing of what comes after it.
         asked: the last steps that will be asked for, where that is known: what serves no other is made
             so that it costs least. Others may be asked for, at a price.
+        counting: take it on trust likewise, for who asks for steps of whole channels alone, and looks
+            himself whether it was right (:mod:`gam_db.study.counting`); no other short cuts.
 
     Raises:
         UserError: anything of the source, the parameters or the calibration that cannot be used.
@@ -78,6 +81,7 @@ class Study:
         short_cuts: bool = False,
         on_trust: bool = True,
         asked: Collection[str] = (),
+        counting: bool = False,
     ) -> None:
         self.session, self._named = session, source.relation
         self._is_lent = not isinstance(source.relation, (str, Path, tuple, list))
@@ -93,10 +97,10 @@ class Study:
         unread = dataclasses.replace(read.rows, relation=None)  # the node counts
         self._asked = (self.method, unread, read.relation, session.engine)
         self.running = Running(session, self._opening(), on_step=on_step)
-        slicing, ways = None, Ways(asked=frozenset(asked))
+        slicing, ways = None, Ways(asked=frozenset(asked), has_sets=not counting)
         is_streamed = short_cuts and seems_ordered(self.method, self.running, ways.scores)
         may_trust = short_cuts and on_trust and trusting.serves(self.method)
-        if may_trust and not is_streamed:
+        if (may_trust and not is_streamed) or counting:
             slicing, ways = trusting.begun(self.running, ways, self._opening)
         self.running.keep("names")
         names = session.fetch(self.steps.query("names", self.running.placed))
@@ -109,10 +113,12 @@ class Study:
         if not any(names["missing_readings"].to_pylist()):
             ways = dataclasses.replace(ways, has_missing=False)
         self.running.steps = self._steps(bits, slicing, ways)
-        self._short_cut: Streams | Trust | Turns | None = None
+        self._short_cut: Streams | Trust | Counts | Turns | None = None
         self._after_all = partial(self._trust_after_all, bits, ways, names) if may_trust else None
         if is_streamed and bits is not None:
             self._short_cut = Streams(self.method, self.running, ways.scores, ways.has_blocks)
+        elif slicing is not None and counting:
+            self._short_cut = Counts(self.running, partial(self._steps, bits), self._readings)
         elif slicing is not None:
             self._short_cut = self._trust(bits, slicing, ways, names)
         elif short_cuts and sum(names["readings"].to_pylist()) >= turning.TURNED_FROM:
@@ -154,6 +160,16 @@ class Study:
     def is_trusting(self) -> bool:
         """Tell whether it was taken on trust, and proven since, that no instant occurs twice."""
         return isinstance(self._short_cut, Trust) and self._short_cut.holds_so_far
+
+    def look_first(self, repeating: Collection[int]) -> None:
+        """Begin anew with the steps that look first, of a study that counted: instants occur twice.
+
+        Args:
+            repeating: the numbers of the channels in which they do.
+        """
+        if isinstance(self._short_cut, Counts):
+            self._short_cut.look_first(repeating)
+            self._short_cut = None
 
     def table(self, step: str) -> pa.Table:
         """Return the rows of a step; the small steps before it are kept for the next call."""

@@ -65,7 +65,7 @@ def begun(
         return None, ways  # nothing of it would be proven
     engine = running.session.engine
     own = replace(ways, by_sets=engine.by_sets)
-    if engine.delays is not None and _has_room(running):
+    if ways.has_sets and engine.delays is not None and _has_room(running):
         return UNCUT, _kept(running, replace(own, delays=engine.delays), opening)
     running.keep("extent")
     (extent,) = running.rows("extent")

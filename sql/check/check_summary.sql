@@ -12,7 +12,7 @@ SELECT
   CASE WHEN known.hit = 1 THEN known.settings_no END AS settings_no,
   CASE WHEN known.hit = 1 THEN known.samples END AS samples,
   CASE WHEN known.hit = 1 THEN named.readings - known.samples END AS repeated,
-  CASE WHEN known.hit = 1 THEN known.conflicts END AS conflicts,
+  CASE WHEN known.hit = 1 THEN CAST(known.conflicts AS BIGINT) END AS conflicts,
   CASE WHEN known.hit = 1 THEN known.missing END AS missing,
   CASE WHEN known.hit = 1 THEN known.first_time END AS first_tick,
   CASE WHEN known.hit = 1 THEN known.last_time END AS last_tick,

@@ -1,9 +1,11 @@
 -- Movements: how the value of each channel moves from sample to sample, and its range.
 -- Reads:  step_counts
--- A row:  one channel; lowest and highest are NULL where every sample is missing.
+-- A row:  one channel; lowest and highest are NULL where every sample is missing. repeats counts samples that have the
+--         instant of the one before, where it was taken on trust that none has.
 SELECT
   counted.channel_id AS channel_id,
   CAST(SUM(counted.occurrences) AS BIGINT) AS samples,
+  CAST(SUM(CASE WHEN counted.step = 0 THEN counted.occurrences ELSE 0 END) AS BIGINT) - 1 AS repeats,
   CAST(SUM(counted.missing) AS BIGINT) AS missing,
   CAST(SUM(counted.rises) AS BIGINT) AS rises,
   CAST(SUM(counted.falls) AS BIGINT) AS falls,

@@ -1,7 +1,8 @@
 -- Step counts: every length of step in time with how often it occurs, and how the value moved over these
 -- steps. A machine that samples regularly has few; all figures of time and movement follow from them.
 -- Reads:  ordered_samples
--- A row:  one length of step of one channel; 0 is the first sample, which has no step before it.
+-- A row:  one length of step of one channel; 0 is the first sample, which has no step before it, and each that has the
+--         instant of the one before.
 -- Slots:  :longest_sample  the samples of a channel that the dear looks are limited to
 SELECT
   moved.channel_id AS channel_id,

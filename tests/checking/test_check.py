@@ -7,6 +7,7 @@ import numpy as np
 import pyarrow as pa
 import pytest
 from hypothesis import given, settings
+from hypothesis import strategies as st
 
 import comparisons
 import frozen
@@ -14,11 +15,14 @@ import gam_db
 import harness
 import look_reference
 import reference
-from gam_db import Source, WideSource
+from gam_db import Calibration, Parameters, Source, WideSource
+from gam_db.checking import look_at
 from gam_db.checking.words import roundest, setting, spoken
 from gam_db.clock import TimeKind, length
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import SourceError
-from looks import SECOND, figures, said, table, wave
+from gam_db.method import census
+from looks import SECOND, figures, said, single, table, wave
 from strategies import Case, cases
 
 OF_CALIBRATION = ("calibration_samples", "calibration_lowest", "calibration_highest")
@@ -26,14 +30,21 @@ STILL = ("still_after", "calibration_still", "still_runs", "longest_run")
 TIMES = ("first_time", "last_time")
 
 
+@pytest.fixture(autouse=True)
+def short(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Cut short sources into as many slices as long ones."""
+    monkeypatch.setattr(census, "IN_SLICE", 1)
+
+
 # Figures
 
 
 @settings(max_examples=settings().max_examples // 4)
-@given(cases())
-def test_figures_are_those_of_numpy(case: Case) -> None:
+@given(cases(), st.booleans())
+def test_figures_are_those_of_numpy(case: Case, repeats: bool) -> None:
     """The calibration's samples are compared with those that the method counts."""
     rows, parameters, calibration = case
+    rows = rows if repeats else single(rows)
     made = harness.made(parameters, calibration)
     found = gam_db.check(Source(harness.arrow(rows)), *made).drop_columns(["notes"])
     assert found["first_time"].equals(found["first_tick"])
@@ -71,6 +82,19 @@ def test_long_series_agree_too(length: int, period: int) -> None:
     harness.assert_same(expected, plain)
     assert expected[0]["cycle_length"] is not None
     assert abs(expected[0]["cycle_length"] - period) <= max(0.03 * period, 0.5)
+
+
+@pytest.mark.parametrize("repeats", [False, True])
+def test_no_step_looks_at_times_alone(repeats: bool) -> None:
+    """An instant that occurs twice shows where samples are in order; then they are put so once more."""
+    times = [*range(300), *[150] * repeats]
+    seen: list[str] = []
+    with DuckSession() as session:
+        source = Source(table([*wave(300), *[9.0] * repeats], times=times))
+        (row,) = look_at(session, source, Parameters(), Calibration(), seen.append).channels
+    assert (row["samples"], row["repeated"], row["conflicts"]) == (300, repeats, repeats)
+    assert "timeline" not in seen
+    assert seen.count("step_counts") == 1 + repeats
 
 
 def test_the_head_of_a_channel_is_bounded() -> None:

@@ -34,7 +34,7 @@ LAYERS = [
     ["study.streamed"],
     ["study.naming"],
     ["study.repeating", "study.rounds"],
-    ["study.streaming", "study.trusting", "study.turning"],
+    ["study.counting", "study.streaming", "study.trusting", "study.turning"],
     ["study"],
     ["alarms", "checking", "health", "selection"],
     ["alarms.backtesting", "findings", "sklearn"],

@@ -10,6 +10,7 @@ import gam_db
 from gam_db import Calibration, Parameters, Source, WideSource
 from gam_db.checking import Note, look_at, notes, propose
 from gam_db.engines.duckdb.session import DuckSession
+from strategies import Row
 
 SHORT = Parameters(window=25)
 HALF = Calibration(0.5)
@@ -44,6 +45,11 @@ def figures(source: Any, **asked: Any) -> dict[str, Any]:
     source = source if isinstance(source, (Source, WideSource)) else Source(source)
     (row,) = gam_db.check(source, **asked).to_pylist()
     return row  # type: ignore[no-any-return]
+
+
+def single(rows: list[Row]) -> list[Row]:
+    """Leave out what an instant has beyond its first row."""
+    return list({row[:3]: row for row in reversed(rows)}.values())
 
 
 def wave(length: int, period: int = 5) -> Any:
