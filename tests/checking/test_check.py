@@ -1,6 +1,8 @@
 """The look before calibration: its figures against NumPy, odd sources, and its words."""
 
 import dataclasses
+import sqlite3
+from contextlib import closing
 from typing import Any
 
 import numpy as np
@@ -17,11 +19,13 @@ import look_reference
 import reference
 from gam_db import Calibration, Parameters, Source, WideSource
 from gam_db.checking import look_at
+from gam_db.checking.look import add_look
 from gam_db.checking.words import roundest, setting, spoken
 from gam_db.clock import TimeKind, length
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import SourceError
 from gam_db.method import census
+from gam_db.study import Study
 from looks import SECOND, figures, said, single, table, wave
 from strategies import Case, cases
 
@@ -95,6 +99,25 @@ def test_no_step_looks_at_times_alone(repeats: bool) -> None:
     assert (row["samples"], row["repeated"], row["conflicts"]) == (300, repeats, repeats)
     assert "timeline" not in seen
     assert seen.count("step_counts") == 1 + repeats
+
+
+def test_sqlite_reads_samples_once_for_each_look() -> None:
+    """Not once for each row of a grouping that they are joined with."""
+    with closing(sqlite3.connect(":memory:")) as connection, gam_db.connect(connection) as session:
+        connection.execute("CREATE TABLE telemetry (asset TEXT, channel TEXT, time BIGINT, value REAL)")
+        rows = [("a", channel, time, time // 3 % 7) for time in range(300) for channel in "xyz"]
+        connection.executemany("INSERT INTO telemetry VALUES (?, ?, ?, ?)", rows)
+        asked = session, Source("telemetry"), Parameters(), Calibration()
+        study = Study(*asked, strict=False, counting=True)
+        add_look(study.steps, study.method, study.instant_of)
+        for step in ("step_counts", "longest_stills", "stood", "granules", "quanta"):
+            text = f"EXPLAIN QUERY PLAN {session.engine.text(study.query(step))}"
+            plan = [(parent, said) for _, parent, _, said in connection.execute(text)]
+            ((at, within),) = [
+                (place, parent) for place, (parent, said) in enumerate(plan) if said == "SCAN telemetry"
+            ]
+            around = [said for parent, said in plan[:at] if parent == within]
+            assert not [said for said in around if said.startswith("SCAN")], step
 
 
 def test_the_head_of_a_channel_is_bounded() -> None:
