@@ -16,7 +16,7 @@ from sqlglot import exp
 
 from gam_db.clock import TimeKind
 from gam_db.composing import template
-from gam_db.composing.pipeline import Pipeline
+from gam_db.composing.pipeline import Pipeline, union_of
 from gam_db.engines.base import Engine
 from gam_db.engines.connecting import borrowed
 from gam_db.engines.session import Row, Session
@@ -253,6 +253,9 @@ class Study:
     def _readings(self, earliest: int, latest: int) -> exp.Query:
         """Return the step *readings* for a range of time, with bounds that an index can serve."""
         method, source, relation, engine = self._asked
+        if "readings" in self.running.placed:  # of a text file, which is not to be parsed again
+            within = engine.in_range(TimeKind.COUNTER, exp.column("time"), earliest, latest)
+            return union_of(self.steps, ["readings"]).where(*within, copy=False)
         return _ranged(source, relation, engine, method.kind, earliest, latest).copy()
 
 

@@ -13,6 +13,9 @@ from pyarrow import csv, parquet
 
 import gam_db
 from gam_db import Parameters, Source, UserError
+from gam_db.method.census import EDGES, SCORED, TAUGHT
+from gam_db.reading.guess import sourced
+from gam_db.study import Study
 
 ROWS = 400
 TABLE = pa.table(
@@ -25,6 +28,7 @@ TABLE = pa.table(
 )
 NAMED = Source(TABLE, "Machine", "Signal", "ts", "Reading")
 SMALL = Parameters(m=2, bins=5, window=20)
+ASKED = ["bucket_health"]
 
 
 class Frame:
@@ -92,6 +96,18 @@ def test_a_source_may_be_given_by_what_it_reads(what: str, folder: Path) -> None
     assert gam_db.support(given(folder), SMALL)["channel"].to_pylist() == ["torque"]
     assert gam_db.certificate(given(folder), SMALL).num_rows > 1
     assert gam_db.check(given(folder), SMALL)["samples"].to_pylist() == [ROWS]
+
+
+def test_a_text_file_is_parsed_once(folder: Path) -> None:
+    """Ranges of time are read off the rows that are kept of it; of Parquet they are read anew."""
+    for what, reads in (("text", {"readings"}), ("path", set())):
+        with gam_db.connect() as session:
+            source = sourced(GIVEN[what](folder), session)
+            study = Study(session, source, SMALL, gam_db.Calibration(), short_cuts=True, asked=ASKED)
+            assert study.table("bucket_health").num_rows > 0
+            assert study.is_trusting
+            for step in (EDGES, TAUGHT, SCORED):
+                assert study.steps.steps[step].reads == reads
 
 
 def test_a_choice_is_made_of_what_is_given(folder: Path) -> None:
