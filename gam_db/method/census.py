@@ -85,8 +85,12 @@ UNCUT = Slicing(0, 1)
 
 
 def serves(method: Method) -> bool:
-    """Tell whether no segment ends and no sample counts as still."""
-    return all(method.is_unbroken(number) for number in range(len(method.settings)))
+    """Tell whether no segment ends, no sample counts as still, and no declared calibration is scored."""
+    is_unbroken = all(method.is_unbroken(number) for number in range(len(method.settings)))
+    return is_unbroken and all(
+        rule.score_from is None or rule.declared_end is None or rule.score_from > rule.declared_end
+        for rule in method.rules
+    )
 
 
 def is_cut(method: Method, earliest: int) -> bool:
