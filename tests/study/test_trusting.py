@@ -207,7 +207,7 @@ def test_wherever_an_instant_occurs_twice_it_is_found(number: int) -> None:
 
 
 @pytest.mark.parametrize("case", CUT)
-@pytest.mark.parametrize("number", range(5, 6 * LENGTH, 97))
+@pytest.mark.parametrize("number", range(5, 6 * LENGTH, 193))
 def test_what_is_not_of_calibration_is_proven_as_well(case: str, number: int) -> None:
     """Also what lies within an exclusion, before a declared interval, or before scoring begins."""
     method = harness.made(*CUT[case])
