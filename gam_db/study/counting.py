@@ -12,6 +12,7 @@ from sqlglot import exp
 from gam_db.columns import table_of
 from gam_db.composing.pipeline import Pipeline
 from gam_db.method.census import EDGES
+from gam_db.study.narrowing import narrow
 from gam_db.study.repeating import TIMELINE
 from gam_db.study.running import Running
 
@@ -40,11 +41,7 @@ class Counts:
         if self._is_bounded or EDGES not in {one.name for one in steps.needed([step])}:
             return
         self._is_bounded = True
-        self.running.keep("edges")
-        edges = [row for row in self.running.rows("edges") if row["is_edge"]]
-        if edges:
-            times = min(row["first_time"] for row in edges), max(row["last_time"] for row in edges)
-            steps.replace(EDGES, self._between(*times))
+        narrow(self.running, self._between)
 
     def look_first(self, repeating: Collection[int]) -> None:
         """Let the steps that look first go on with what is proven: where an instant occurs twice."""

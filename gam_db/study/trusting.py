@@ -21,7 +21,6 @@ from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.session import Row
 from gam_db.method import Method
 from gam_db.method.census import (
-    EDGES,
     OPENING,
     SCORED,
     TAUGHT,
@@ -34,14 +33,11 @@ from gam_db.method.census import (
 from gam_db.method.delays import AS_STORED, PROOFS, Ways
 from gam_db.study import repeating, rounds
 from gam_db.study.naming import GLANCE
+from gam_db.study.narrowing import narrow
 from gam_db.study.rounds import Range, Rounds
 from gam_db.study.running import Running
 
 __all__ = ["Trust", "begun", "serves"]
-
-#: Slices that hold so many times what they would of evenly spaced samples are cut finer: that is a pass
-#: over their rows, where to read them is a sort.
-SKEWED = 4
 
 #: Rows at the beginning of a source by which its channels are guessed.
 GLANCED = 100_000
@@ -150,7 +146,6 @@ class Trust:
         if _are_odd([*first, *last]):
             self._give_up()
             return
-        self._extent = max(last) - min(first)
         if is_cut(method, min(first)):
             self._ways = replace(self._ways, is_cut=True)
             running.steps = made(self._ways)
@@ -209,7 +204,7 @@ class Trust:
         found = repeating.found_before(running, ways)
         if self._are_many(found):
             return None
-        self._bound(EDGES, self._edges(), "first_time", "last_time")
+        narrow(running, self._between)
         limits = [{**row, "unscored_end": row["first_scored"] - 1} for row in self._kept_rows("limits")]
         ends = ((row["calibration_end"], row["unscored_end"]) for row in limits)
         if any(taught is not None and taught > unscored for taught, unscored in ends):
@@ -267,40 +262,6 @@ class Trust:
                 return True
         return False
 
-    def _edges(self) -> list[Row]:
-        """Return the slices that must be read sample by sample, cut finer where they hold too much.
-
-        So they do where times are skewed: one row of long ago, and all others lie in one slice.
-        """
-        readings = {row["channel_id"]: row["readings"] for row in self.running.rows("channels")}
-        slices, before = slices_for(sum(readings.values()), len(readings)), self._extent
-        while True:
-            rows = self._kept_rows("edges")
-            edges = [row for row in rows if row["is_edge"]]
-            even = sum(readings[row["channel_id"]] for row in edges) / slices
-            if self._ways.delays is not None or sum(row["samples"] for row in edges) <= SKEWED * even:
-                return edges
-            first, last = _hull(edges)
-            # Those of other channels begin and end elsewhere.
-            met = [row for row in rows if row["last_time"] >= first and row["first_time"] <= last]
-            first, last = _hull(met)
-            if 2 * (last - first) > before:
-                return edges
-            before = last - first
-            self._refine(Slicing.of(first, last, slices), first, last)
-
-    def _refine(self, slicing: Slicing, first: int, last: int) -> None:
-        """Cut the slices of a range of time finer."""
-        running, steps = self.running, self.running.steps.copied()
-        steps.add("ranged", self._between(first, last))
-        cut = {"origin": slicing.origin, "width": slicing.width}
-        steps.fill("finer", "census/slices", cut, {"readings": "ranged"})
-        steps.fill("refined", "census/refined", {"first": first, "last": last})
-        running.put("refined", steps.query("refined", running.placed))
-        running.drop("slices")
-        running.drop("edges")
-        running.rename({"refined": "slices"})
-
     def _kept_rows(self, step: str) -> list[Row]:
         """Keep a step, and return its rows."""
         self.running.keep(step)
@@ -355,12 +316,6 @@ class Trust:
         self.holds = False
         self.running.forget(but=("names", "readings"))
         self.running.steps = self._careful()
-
-
-def _hull(slices: Collection[Row]) -> tuple[int, int]:
-    """Return the first and the last instant of slices."""
-    starts, ends = zip(*((row["first_time"], row["last_time"]) for row in slices), strict=True)
-    return min(starts), max(ends)
 
 
 _OF_SERIES = ("channel_id", "first_time", "quota_time")

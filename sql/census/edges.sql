@@ -35,52 +35,39 @@ FROM (
     samples_before,
     quota,
     calibration_end,
-    unscored_end,
+    COALESCE(score_from - 1, calibration_end) AS unscored_end,
     CAST(
-      SUM(CASE WHEN last_time <= unscored_end THEN samples ELSE 0 END) OVER (
+      SUM(CASE WHEN last_time <= COALESCE(score_from - 1, calibration_end) THEN samples ELSE 0 END) OVER (
         PARTITION BY channel_id
       ) AS BIGINT
     ) AS samples_inside
   FROM (
     SELECT
-      channel_id,
-      first_time,
-      last_time,
-      samples,
-      lowest,
-      highest,
-      samples_before,
-      quota,
-      calibration_end,
-      CASE WHEN score_from IS NULL THEN calibration_end ELSE score_from - 1 END AS unscored_end
-    FROM (
-      SELECT
-        named.channel_id AS channel_id,
-        part.earliest AS first_time,
-        part.latest AS last_time,
-        part.readings AS samples,
-        part.lowest AS lowest,
-        part.highest AS highest,
-        CAST(
-          SUM(part.readings) OVER (
-            PARTITION BY named.channel_id
-            ORDER BY part.earliest
-            ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
-          ) AS BIGINT
-        ) - part.readings AS samples_before,
-        CAST(FLOOR(given.fraction * CAST(named.readings AS DOUBLE)) AS BIGINT) AS quota,
-        CASE
-          WHEN given.duration IS NOT NULL
-            THEN MIN(part.earliest) OVER (PARTITION BY named.channel_id) + given.duration
-          ELSE given.declared_end
-        END AS calibration_end,
-        given.score_from AS score_from
-      FROM slices AS part
-      JOIN channels AS named ON named.asset = part.asset AND named.channel = part.channel
-      JOIN rules AS given ON given.calibration_no = named.calibration_no
-      WHERE part.readings > 0
-    ) AS ranked
-  ) AS limited
+      named.channel_id AS channel_id,
+      part.earliest AS first_time,
+      part.latest AS last_time,
+      part.readings AS samples,
+      part.lowest AS lowest,
+      part.highest AS highest,
+      CAST(
+        SUM(part.readings) OVER (
+          PARTITION BY named.channel_id
+          ORDER BY part.earliest
+          ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
+        ) AS BIGINT
+      ) - part.readings AS samples_before,
+      CAST(FLOOR(given.fraction * CAST(named.readings AS DOUBLE)) AS BIGINT) AS quota,
+      CASE
+        WHEN given.duration IS NOT NULL
+          THEN MIN(part.earliest) OVER (PARTITION BY named.channel_id) + given.duration
+        ELSE given.declared_end
+      END AS calibration_end,
+      given.score_from AS score_from
+    FROM slices AS part
+    JOIN channels AS named ON named.asset = part.asset AND named.channel = part.channel
+    JOIN rules AS given ON given.calibration_no = named.calibration_no
+    WHERE part.readings > 0
+  ) AS ranked
 ) AS reached
 LEFT JOIN (
   SELECT channel_id, first_time, 1 AS hit

@@ -297,6 +297,23 @@ def test_slices_that_hold_nearly_all_are_cut_finer(engine: str, case: str) -> No
     agrees(engine, found, table, method)
 
 
+def test_rows_of_one_instant_are_not_cut() -> None:
+    """A clock that stood still: no slice is narrower than an instant."""
+    table: list[Row] = [("a", "x", time, float(time % 5)) for time in range(40)]
+    table += [("a", "x", 1000, float(number % 3)) for number in range(900)]
+    method = harness.made({"m": 2, "bins": 4, "window": 4}, {"fraction": 0.5})
+    begun: list[str] = []
+    session = engines.session("duckdb")
+    with session.lent(harness.arrow(table)) as lent:
+        source = gam_db.Source(lent.name)
+        study = Study(session, source, *method, on_step=begun.append, short_cuts=True)
+        found = study.table("bucket_health").to_pylist()
+        study.forget()
+    assert "edges" in begun
+    assert "refined" not in begun
+    harness.assert_same(harness.by_reference("health_at_buckets", table, *method), found)
+
+
 def cut_into(table: list[Row], glanced_at: int) -> int:
     """Return into how many slices a source is cut of which so many rows are glanced at."""
     session = engines.session("duckdb")
