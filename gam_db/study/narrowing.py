@@ -4,10 +4,11 @@ This module owns the range of time in which the edges lie, and that slices are c
 too much.
 """
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable
 
 from sqlglot import exp
 
+from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.engines.session import Row
 from gam_db.method.census import EDGES, Slicing, slices_for
 from gam_db.study.running import Running
@@ -20,47 +21,53 @@ SKEWED = 4
 def narrow(running: Running, between: Callable[[int, int], exp.Query]) -> None:
     """Let the readings of the edges be those between their first and their last instant.
 
+    Slices are cut finer as long as that halves the range of those that hold too much, as where one row
+    of long ago lets all others lie in one slice.
+
     Args:
         running: steps that trust, at work; nothing is to be done where they keep samples in order.
         between: makes the step *readings* for a range of time.
     """
     steps = running.steps
-    if EDGES in steps.steps and (edges := _found(running, between)):
-        steps.replace(EDGES, between(*_hull(edges)))
-
-
-def _found(running: Running, between: Callable[[int, int], exp.Query]) -> list[Row]:
-    """Return the slices that must be read, cut finer as long as that halves the range in which they lie.
-
-    They hold too much where times are skewed: one row of long ago, and all others lie in one slice.
-    """
-    readings = {row["channel_id"]: row["readings"] for row in running.rows("channels")}
-    slices, extent = slices_for(sum(readings.values()), max(len(readings), 1)), None
-    while True:
-        running.keep("edges")
-        rows = running.rows("edges")
-        edges = [row for row in rows if row["is_edge"]]
-        even = sum(readings[row["channel_id"]] for row in edges) / slices
-        if sum(row["samples"] for row in edges) <= SKEWED * even:
-            return edges
-        first, last = _hull(edges)
-        # Those of other channels begin and end elsewhere.
-        met = [row for row in rows if row["last_time"] >= first and row["first_time"] <= last]
-        first, last = _hull(met)
+    if EDGES not in steps.steps:
+        return
+    readings = [row["readings"] for row in running.rows("channels")]
+    slices = slices_for(sum(readings), max(len(readings), 1))
+    extent: int | None = None
+    while (edge := _asked(running, "edge_range"))["samples"] is not None:
+        first, last = edge["first_time"], edge["last_time"]
+        steps.replace(EDGES, between(first, last))
+        if edge["samples"] * slices <= SKEWED * edge["readings"]:
+            return
         if extent is None:
-            begin, end = _hull(rows)
-            extent = end - begin
-        if not 0 < 2 * (last - first) < extent:
-            return edges
-        extent = last - first
-        _refine(running, between, Slicing.of(first, last, slices), first, last)
+            extent = _length(_asked(running, "met_range", first=LONG_AGO, last=FAR_AHEAD))
+        # Slices of other channels begin and end elsewhere.
+        met = _asked(running, "met_range", first=first, last=last)
+        if not 0 < 2 * _length(met) < extent:
+            return
+        extent = _length(met)
+        _refine(running, met["first_time"], met["last_time"], slices, between)
+
+
+def _length(range_: Row) -> int:
+    length: int = range_["last_time"] - range_["first_time"]
+    return length
+
+
+def _asked(running: Running, what: str, **range_: int) -> Row:
+    """Return the only row of a file that reads the edges."""
+    running.keep("edges")
+    steps = running.steps.copied()
+    steps.fill(what, f"census/{what}", range_)
+    (row,) = running.session.rows(steps.query(what, running.placed))
+    return row
 
 
 def _refine(
-    running: Running, between: Callable[[int, int], exp.Query], slicing: Slicing, first: int, last: int
+    running: Running, first: int, last: int, slices: int, between: Callable[[int, int], exp.Query]
 ) -> None:
-    """Cut the slices of a range of time finer."""
-    steps = running.steps.copied()
+    """Cut the slices of a range of time into so many."""
+    steps, slicing = running.steps.copied(), Slicing.of(first, last, slices)
     steps.add("ranged", between(first, last))
     cut = {"origin": slicing.origin, "width": slicing.width}
     steps.fill("finer", "census/slices", cut, {"readings": "ranged"})
@@ -69,9 +76,3 @@ def _refine(
     running.drop("slices")
     running.drop("edges")
     running.rename({"refined": "slices"})
-
-
-def _hull(slices: Collection[Row]) -> tuple[int, int]:
-    """Return the first and the last instant of slices."""
-    starts, ends = zip(*((row["first_time"], row["last_time"]) for row in slices), strict=True)
-    return min(starts), max(ends)

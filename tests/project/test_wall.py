@@ -33,7 +33,7 @@ LAYERS = [
     ["reading.guess", "reading.preparing"],
     ["study.streamed"],
     ["study.naming"],
-    ["study.repeating", "study.rounds"],
+    ["study.narrowing", "study.repeating", "study.rounds"],
     ["study.counting", "study.streaming", "study.trusting", "study.turning"],
     ["study"],
     ["alarms", "checking", "health", "selection"],
