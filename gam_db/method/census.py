@@ -85,9 +85,9 @@ UNCUT = Slicing(0, 1)
 
 
 def serves(method: Method) -> bool:
-    """Tell whether no segment ends, no sample counts as still, and no declared calibration is scored."""
-    is_unbroken = all(method.is_unbroken(number) for number in range(len(method.settings)))
-    return is_unbroken and all(
+    """Tell whether no sample counts as still, and no declared calibration is scored."""
+    is_moving = all(setting.still_after is None for setting in method.settings)
+    return is_moving and all(
         rule.score_from is None or rule.declared_end is None or rule.score_from > rule.declared_end
         for rule in method.rules
     )
@@ -149,7 +149,10 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
     """Add support, buckets and certificate of one set, after :func:`add_census`."""
     one.add("support/bounds")
     add_run_up(one, {"samples": "edge_samples"})
-    one.add("census/scale")
+    # Where segments end, vectors are numbered one by one, as where samples are missing.
+    is_broken = one.method.gaps[one.number] is not None
+    complete = exp.Literal.number(0) if is_broken else exp.column("complete", table="reached")
+    one.add("census/scale", {"complete": complete})
     if ways.round is not None:
         one.add("rounds/rounds", {"before": 0, "after": 0, "sharp": 0})
     scored = one.named(SCORED)
@@ -163,10 +166,12 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
         one.add("census/taught")
     one.add("support/support", tables={"learnable": ways.taught})
     add_support_bits(one, bits)
-    add_delays(one, COMPLETE, ways, scored, bits is not None)
-    add_trusted_novelty(one, bits, ways.by_sets)
-    parts = [f"{COMPLETE}novelty"]
-    if ways.has_missing:
+    parts = []
+    if not is_broken:
+        add_delays(one, COMPLETE, ways, scored, bits is not None)
+        add_trusted_novelty(one, bits, ways.by_sets)
+        parts.append(f"{COMPLETE}novelty")
+    if is_broken or ways.has_missing:
         add_delays(one, INCOMPLETE, ways, scored, bits is not None)
         add_incomplete(one, ["doubled"], bits, ways.by_sets)
         parts.append(f"{INCOMPLETE}numbered")

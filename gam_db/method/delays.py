@@ -63,6 +63,7 @@ class Ways:
         asked: the last steps that will be asked for, where that is known; others may be, at a price.
         is_cut: whether samples that are none of calibration may come before scoring begins; vectors of
             calibration are then made by windows.
+        has_gaps: whether segments may end; only vectors that are made by windows know of them.
         has_sets: whether anything of sets of parameters will be asked for, or of whole channels alone.
         round: rows of a round, where channels are taken to take turns in the order in which rows are
             stored, each once in every round; None where they are not.
@@ -74,6 +75,7 @@ class Ways:
     has_missing: bool = True
     asked: frozenset[str] = frozenset()
     is_cut: bool = False
+    has_gaps: bool = False
     has_sets: bool = True
     round: int | None = None
 

@@ -12,6 +12,10 @@ from gam_db.method.adding import OfSet
 from gam_db.method.slots import cell_key, code_in, coordinates, outside, place_in
 from gam_db.settings.parameters import Parameters
 
+#: So many samples are looked at anew for each one at no cost: DuckDB takes twice as long to carry what was
+#: found along. Of more samples that is what all engines do well.
+SHORT = 16
+
 
 class Round(NamedTuple):
     """Channels that take turns as rows are stored.
@@ -38,8 +42,8 @@ def add_vectors(one: OfSet, prefix: str, read: exp.Expr, carried: Sequence[str] 
         before, codes = codes, f"{prefix}moving_codes"
         one.add("embedding/moving_codes", name=codes, tables={"codes": before})
     over = {f"calibrating_{k}": _before("calibrating", k * setting.tau) for k in range(1, setting.m)}
-    over |= _over_calibration(setting)
-    over["segment_from"] = _newest(exp.column("breaking").eq(1))
+    told_by, whole = _segment(setting)
+    over |= _over_calibration(setting) | told_by
     if carried:
         over["still_so_far"] = template.fill("embedding/still_so_far")
     delayed = [exp.alias_(exp.column("calibrating"), "calibrating_0"), *_named(over)]
@@ -47,7 +51,6 @@ def add_vectors(one: OfSet, prefix: str, read: exp.Expr, carried: Sequence[str] 
     straddling = exp.or_(*(template.fill("embedding/straddling", {"calibrating": of}) for of in touched))
     said = {"straddling": straddling, "calibration_vector": template.fill("embedding/in_calibration")}
     travelling = [*_named({name: _flag(of) for name, of in said.items()}), *map(exp.column, carried)]
-    whole = template.fill("embedding/in_segment", {"span": setting.span})
     _add(one, prefix, codes, delayed, travelling, whole)
 
 
@@ -61,7 +64,7 @@ def add_short_vectors(
     round_: Round | None = None,
     marked: bool = False,
 ) -> None:
-    """Add the vectors of one set (Eq. 1) over the codes of the same prefix, where no segment ends.
+    """Add the vectors of one set (Eq. 1) over the codes of the same prefix.
 
     Columns of the codes that are ``carried`` travel with the vectors; what else is ``told`` of one
     follows from its own. ``known`` gives slots otherwise than usual, where it is known that all
@@ -72,14 +75,23 @@ def add_short_vectors(
     a sample is a ``round_`` behind the one before, and ``doubled`` marks what is not so, too. Over codes
     that are ``marked`` where calibration is cut, ``calibration_vector`` = 1 where all samples are of it.
     """
-    setting = one.setting
+    setting, codes = one.setting, f"{prefix}codes"
     whole = template.fill("embedding/whole", {"span": setting.span})
     travelling: list[exp.Expr] = [exp.column(name) for name in carried]
-    delayed = list(travelling)
+    over: dict[str, exp.Expr] = {}
+    if marked:
+        over |= _over_calibration(setting)
+    if one.method.gaps[one.number] is not None:
+        along = [*carried, *(["calibrating"] if marked else [])]
+        before, codes = codes, f"{prefix}breaking_codes"
+        columns: dict[str, template.Slot] = {"carried": [exp.column(name) for name in along]}
+        one.add("embedding/breaking_codes", columns, codes, {"codes": before})
+        told_by, whole = _segment(setting)
+        over |= told_by
+    delayed = [*travelling, *_named(over)]
     travelling += told
     rows = None if round_ is None else round_.rows
     if marked:
-        delayed += _named(_over_calibration(setting))
         taught = _flag(template.fill("embedding/in_calibration"))
         travelling.append(exp.alias_(taught, "calibration_vector"))
     if trusting:
@@ -91,7 +103,7 @@ def add_short_vectors(
         doubled = template.fill(mark, {"previous_time": previous})
         travelling.append(exp.alias_(_flag(doubled), "doubled"))
         whole = exp.or_(whole, doubled)
-    _add(one, prefix, f"{prefix}codes", delayed, travelling, whole, known, round_)
+    _add(one, prefix, codes, delayed, travelling, whole, known, round_)
 
 
 def _add(
@@ -172,6 +184,20 @@ def _over_calibration(setting: Parameters) -> dict[str, exp.Expr]:
         "oldest_time": _before("time", setting.span),
         "last_uncalibrated": _newest(exp.column("calibrating").eq(0)),
     }
+
+
+def _segment(setting: Parameters) -> tuple[dict[str, exp.Expr], exp.Expr]:
+    """Return what tells of a vector whether all of its samples are in one segment, and the condition."""
+    slots = {"span": setting.span}
+    if setting.span == 0:
+        return {}, template.fill("embedding/whole", slots)
+    if setting.span <= SHORT:
+        is_such = exp.column("breaking")
+        lately = template.fill("embedding/lately", {"is_such": is_such, "before": setting.span - 1})
+        return {"breaks": lately}, template.fill("embedding/unbroken", slots)
+    newest = {"segment_from": _newest(exp.column("breaking").eq(1))}
+    over = {"oldest_time": _before("time", setting.span), **newest}
+    return over, template.fill("embedding/in_segment", slots)
 
 
 def _newest(is_such: exp.Expr) -> exp.Expr:

@@ -1,7 +1,8 @@
 -- Scale: all that must be known of a channel to code its samples, so that readings are joined by name once.
 -- Reads:  channels, limits, run_up, edge_samples
 -- A row:  one channel with a range. From taught_from to taught_to lie all its samples before it is scored, those of
---         calibration and any others; complete = 1 if no sample is missing.
+--         calibration and any others; complete = 1 if every vector counts.
+-- Slots:  :complete  1 if no sample is missing, and no segment ends
 SELECT
   named.channel_id AS channel_id,
   named.support_id AS support_id,
@@ -10,7 +11,7 @@ SELECT
   named.readings AS readings,
   reached.lo AS lo,
   reached.hi AS hi,
-  reached.complete AS complete,
+  :complete AS complete,
   reached.read_from AS read_from,
   reached.context_rows AS context_rows,
   edge.calibration_from AS taught_from,

@@ -1,0 +1,104 @@
+"""Sources whose segments end, with instants taken for single: the integers of the reference."""
+
+from typing import Any
+
+import pytest
+
+import comparisons
+import engines
+import gam_db
+import harness
+from gam_db.engines.session import Session
+from gam_db.method import census, vectors
+from gam_db.study import Study
+from harness import Answer, Row
+
+pytestmark = pytest.mark.thorough
+
+LENGTH = 150
+
+#: Samples after which each asset stands still for a while: in calibration, at its end, in what is scored,
+#: again before a vector is whole, and never.
+PAUSES = {"a": (20, 22, 23, 59, 60, 61, 100, 131), "b": (45, 90), "c": (1, 148), "d": ()}
+
+#: name -> keyword arguments of Parameters and of Calibration
+CASES: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
+    "delays": (
+        {"m": 3, "tau": 2, "bins": 4, "window": 20, "stride": 5, "max_gap": 3},
+        {"fraction": 0.4},
+    ),
+    "as long as a frame": (
+        {"m": 3, "tau": vectors.SHORT // 2, "bins": 3, "window": 6, "max_gap": 2},
+        {"fraction": 0.5},
+    ),
+    "longer than that": (
+        {"m": 2, "tau": vectors.SHORT + 1, "bins": 3, "window": 6, "max_gap": 2},
+        {"fraction": 0.5},
+    ),
+    "one coordinate": ({"m": 1, "bins": 5, "window": 12, "stride": 4, "max_gap": 2}, {"duration": 90}),
+    "sets of which one has no end, and calibration that is cut": (
+        {
+            "m": 2,
+            "bins": 4,
+            "window": 8,
+            "max_gap": 1_000,
+            "overrides": [{"channel": "y", "m": 3, "max_gap": 3}],
+        },
+        {
+            "fraction": 0.4,
+            "exclude": [(9, 30), (41, 41)],
+            "overrides": {"b": {"duration": 70, "score_from": 120}},
+        },
+    ),
+}
+
+#: The rows that have a second reading, at the same instant: of calibration, and the last one.
+AGAIN = {"as long as a frame": (31,), "one coordinate": (-1,)}
+
+
+@pytest.fixture(autouse=True)
+def short(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Cut short sources into as many slices as long ones."""
+    monkeypatch.setattr(census, "IN_SLICE", 1)
+
+
+def rows() -> list[Row]:
+    """Channels by time that repeat a pattern, and later on less so; some samples of one are missing."""
+    found = []
+    for place in range(LENGTH):
+        for number, (asset, pauses) in enumerate(PAUSES.items()):
+            time = 2 * place + 7 * sum(place >= pause for pause in pauses)
+            found += [(asset, channel, time, sample(asset + channel, number, place)) for channel in "xy"]
+    return sorted(found, key=lambda row: (row[2], row[0]))
+
+
+def sample(name: str, number: int, place: int) -> float | None:
+    if name == "bx" and place % 23 in (5, 6):
+        return None
+    return float(place % (5 + number) if place < 90 or place % 7 else place % 11) - 0.25
+
+
+def answers(
+    session: Session, table: list[Row], method: tuple[Any, Any]
+) -> tuple[dict[str, Answer], bool]:
+    """Return what a study answers of all that it can be asked for, and whether on trust."""
+    with session.lent(harness.arrow(table)) as lent:
+        study = Study(session, gam_db.Source(lent.name), *method, short_cuts=True)
+        questions = ("health_at_buckets", "support", "certificate")
+        found = {name: study.table(harness.STEPS[name]).to_pylist() for name in questions}
+        is_trusting = study.is_trusting
+        found["health_indicator"] = study.table("health_indicator").to_pylist()
+        study.forget()
+    return found, is_trusting
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_segments_end_on_trust_as_in_the_reference(engine: str, case: str) -> None:
+    method = harness.made(*CASES[case])
+    table = [*rows(), *((*rows()[number][:3], 7.5) for number in AGAIN.get(case, ()))]
+    found, is_trusting = answers(engines.session(engine), table, method)
+    assert is_trusting
+    expected = harness.all_by_reference(table, *method)
+    for question in harness.STEPS:
+        harness.assert_same(expected[question], found[question], question)
+    comparisons.compared(engine, "segments", table, *method)
