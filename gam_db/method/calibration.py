@@ -1,4 +1,4 @@
-"""Bounds, segments, calibration vectors and support of one set (Eq. 1 and Eq. 3; section 3 and 4)."""
+"""Bounds, calibration vectors and support of one set (Eq. 1 and Eq. 3; section 3 and 4)."""
 
 from sqlglot import exp
 
@@ -10,8 +10,8 @@ from gam_db.method.vectors import add_short_vectors, add_vectors
 def add_calibration(one: OfSet) -> None:
     """Add bounds, calibration vectors and support of one set (section 3, Eq. 1 and Eq. 3)."""
     one.add("support/bounds")
-    add_breaks(one)
-    if one.method.is_unbroken(one.number) and all(len(rule.allowed) <= 1 for rule in one.method.rules):
+    is_one = all(len(rule.allowed) <= 1 for rule in one.method.rules)
+    if is_one and one.setting.still_after is None:
         one.add("calibration/calibration_codes")
         add_short_vectors(one, "calibration_")
         add_learnt(one, exp.true())
@@ -32,9 +32,3 @@ def add_learnt(one: OfSet, taught: exp.Expr, proof: str | None = None) -> None:
     carried, needed = ([exp.column(proof)], exp.column(proof).eq(1)) if proof else ([], exp.false())
     slots: dict[str, template.Slot] = {"taught": taught, "carried": carried, "needed": needed}
     one.add("calibration/learnable", slots, tables={"vectors": "calibration_vectors"})
-
-
-def add_breaks(one: OfSet) -> None:
-    """Add where segments begin, for one set."""
-    is_unbroken = one.method.gaps[one.number] is None
-    one.add("source/unbroken" if is_unbroken else "source/breaks", name="breaks")

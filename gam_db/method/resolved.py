@@ -17,7 +17,7 @@ SMALL = frozenset(
 )
 SMALL_OF_SET = frozenset(
     (
-        *("breaks", "bounds", "support", "support_bits", "visits", "block_sizes", "cells", "blocks"),
+        *("bounds", "support", "support_bits", "visits", "block_sizes", "cells", "blocks"),
         *("cell_shares", "learning", "levels", "ladder", "spread", "finest", "outlook"),
         *("missing_vectors", "run_up", "visited", "tallied", "buckets"),
     )
@@ -80,8 +80,9 @@ class Method:
         return step if len(self.settings) == 1 else f"{step}_{number}"
 
     def is_short(self, number: int) -> bool:
-        """Tell whether no segment ends in one set, and all is scored that comes after calibration."""
-        return self.is_unbroken(number) and all(rule.score_from is None for rule in self.rules)
+        """Tell whether no sample of one set counts as still, and all after calibration is scored."""
+        is_moving = self.settings[number].still_after is None
+        return is_moving and all(rule.score_from is None for rule in self.rules)
 
     def is_unbroken(self, number: int) -> bool:
         """Tell whether no segment ends and no sample counts as still in one set."""

@@ -75,9 +75,10 @@ def add_buckets(
 ) -> None:
     """Add Eq. 4 of one set in full buckets, and the novel cells of each.
 
-    Where no segment ends and every channel is scored from the end of its calibration on, vectors of half
-    the columns give the same buckets; else *numbered* is read. A ``trusting`` run, of the former alone,
-    takes it that no instant occurs twice; *visited* then has ``doubled``, the proof to the contrary.
+    Where no sample counts as still and every channel is scored from the end of its calibration on,
+    vectors of half the columns give the same buckets; else *numbered* is read. A ``trusting`` run, of
+    the former alone, takes it that no instant occurs twice; *visited* then has ``doubled``, the proof to
+    the contrary.
 
     Args:
         one: the set.
@@ -89,10 +90,14 @@ def add_buckets(
     ends = ends or {}
     marks = ("doubled",) if trusting else ()
     if one.method.is_short(one.number):
-        _add_complete_scoring(one, marks, bits)
-        _add_short_vectors(one, INCOMPLETE, bool(marks))
+        parts = ["incomplete_numbered"]
+        # Where segments end, vectors are numbered one by one, as where samples are missing.
+        is_whole = one.method.gaps[one.number] is None
+        if is_whole:
+            _add_complete_scoring(one, marks, bits)
+            parts = ["complete_novelty", *parts]
+        _add_short_vectors(one, INCOMPLETE, bool(marks), None if is_whole else exp.true())
         add_incomplete(one, marks, bits)
-        parts = ["complete_novelty", "incomplete_numbered"]
     else:
         parts = ["numbered"]
     add_placed(one, parts, ends, trusting)
@@ -201,10 +206,12 @@ def add_incomplete(one: OfSet, marks: Sequence[str], bits: Bits | None, by_sets:
     one.add("health/numbered", said, f"{prefix}numbered", renamed)
 
 
-def _add_short_vectors(one: OfSet, prefix: str, trusting: bool = False) -> None:
-    """Add codes and vectors of the channels with, or without, missing samples."""
-    slots = {"read": exp.column("complete", table="scale").eq(int(prefix == COMPLETE))}
-    one.add("support/codes", slots, f"{prefix}codes")
+def _add_short_vectors(
+    one: OfSet, prefix: str, trusting: bool = False, read: exp.Expr | None = None
+) -> None:
+    """Add codes and vectors of channels with, or without, missing samples, or of those to ``read``."""
+    of_prefix = exp.column("complete", table="scale").eq(int(prefix == COMPLETE))
+    one.add("support/codes", {"read": read or of_prefix}, f"{prefix}codes")
     add_short_vectors(one, prefix, trusting=trusting)
 
 

@@ -12,9 +12,9 @@ from gam_db.method.adding import OfSet
 from gam_db.method.slots import cell_key, code_in, coordinates, outside, place_in
 from gam_db.settings.parameters import Parameters
 
-#: So many samples are looked at anew for each one at no cost: DuckDB takes twice as long to carry what was
-#: found along. Of more samples that is what all engines do well.
-SHORT = 16
+#: Of so many samples each one is asked whether a segment begins with it: to carry the newest such
+#: instant along takes DuckDB twice as long, but no longer for more of them.
+SHORT = 8
 
 
 class Round(NamedTuple):
@@ -30,19 +30,13 @@ class Round(NamedTuple):
 
 
 def add_vectors(one: OfSet, prefix: str, read: exp.Expr, carried: Sequence[str] = ()) -> None:
-    """Add codes and vectors of one set (Eq. 1) over the samples to be read, by segment and calibration.
+    """Add codes and vectors of one set (Eq. 1) over the samples to be read, by calibration.
 
     Their ``still_so_far`` travels with them where it is ``carried``.
     """
     setting = one.setting
-    codes = f"{prefix}codes"
-    carried_code = [] if setting.still_after is None else [exp.column("value")]
-    one.add("support/marked_codes", {"read": read, "carried": carried_code}, codes)
-    if setting.still_after is not None:
-        before, codes = codes, f"{prefix}moving_codes"
-        one.add("embedding/moving_codes", name=codes, tables={"codes": before})
     over = {f"calibrating_{k}": _before("calibrating", k * setting.tau) for k in range(1, setting.m)}
-    told_by, whole = _segment(setting)
+    codes, told_by, whole = _marked_codes(one, prefix, read)
     over |= _over_calibration(setting) | told_by
     if carried:
         over["still_so_far"] = template.fill("embedding/still_so_far")
@@ -75,19 +69,13 @@ def add_short_vectors(
     a sample is a ``round_`` behind the one before, and ``doubled`` marks what is not so, too. Over codes
     that are ``marked`` where calibration is cut, ``calibration_vector`` = 1 where all samples are of it.
     """
-    setting, codes = one.setting, f"{prefix}codes"
-    whole = template.fill("embedding/whole", {"span": setting.span})
+    setting = one.setting
     travelling: list[exp.Expr] = [exp.column(name) for name in carried]
     over: dict[str, exp.Expr] = {}
     if marked:
         over |= _over_calibration(setting)
-    if one.method.gaps[one.number] is not None:
-        along = [*carried, *(["calibrating"] if marked else [])]
-        before, codes = codes, f"{prefix}breaking_codes"
-        columns: dict[str, template.Slot] = {"carried": [exp.column(name) for name in along]}
-        one.add("embedding/breaking_codes", columns, codes, {"codes": before})
-        told_by, whole = _segment(setting)
-        over |= told_by
+    codes, told_by, whole = _breaking_codes(one, prefix, [*carried, *["calibrating"] * marked])
+    over |= told_by
     delayed = [*travelling, *_named(over)]
     travelling += told
     rows = None if round_ is None else round_.rows
@@ -186,18 +174,48 @@ def _over_calibration(setting: Parameters) -> dict[str, exp.Expr]:
     }
 
 
-def _segment(setting: Parameters) -> tuple[dict[str, exp.Expr], exp.Expr]:
-    """Return what tells of a vector whether all of its samples are in one segment, and the condition."""
+def _marked_codes(one: OfSet, prefix: str, read: exp.Expr) -> tuple[str, dict[str, exp.Expr], exp.Expr]:
+    """Add the codes of one set by segment, calibration and stillness; returns as the next one."""
+    is_told = one.setting.still_after is not None
+    value = ["value"] * is_told
+    slots: dict[str, template.Slot] = {"read": read, "carried": [exp.column(name) for name in value]}
+    one.add("support/marked_codes", slots, f"{prefix}codes")
+    codes, told_by, whole = _breaking_codes(one, prefix, ["calibrating", *value])
+    if is_told:
+        before, codes = codes, f"{prefix}moving_codes"
+        begins = exp.column("breaking").eq(1) if told_by else exp.false()
+        said: dict[str, template.Slot] = {
+            "begins": begins,
+            "carried": [exp.column("breaking")] * bool(told_by),
+        }
+        one.add("embedding/moving_codes", said, codes, {"codes": before})
+    return codes, told_by, whole
+
+
+def _breaking_codes(
+    one: OfSet, prefix: str, carried: Sequence[str]
+) -> tuple[str, dict[str, exp.Expr], exp.Expr]:
+    """Add the codes of one set by segment, if segments end.
+
+    Returns:
+        What the step is called, the columns over its order that tell whether all samples of a vector are
+        in one segment, and the condition that they are, and as many as it takes.
+    """
+    setting, codes = one.setting, f"{prefix}codes"
     slots = {"span": setting.span}
-    if setting.span == 0:
-        return {}, template.fill("embedding/whole", slots)
+    if one.method.gaps[one.number] is None:
+        return codes, {}, template.fill("embedding/whole", slots)
+    before, codes = codes, f"{prefix}breaking_codes"
+    columns: dict[str, template.Slot] = {"carried": [exp.column(name) for name in carried]}
+    one.add("embedding/breaking_codes", columns, codes, {"codes": before})
+    begins = exp.column("breaking")
     if setting.span <= SHORT:
-        is_such = exp.column("breaking")
-        lately = template.fill("embedding/lately", {"is_such": is_such, "before": setting.span - 1})
-        return {"breaks": lately}, template.fill("embedding/unbroken", slots)
-    newest = {"segment_from": _newest(exp.column("breaking").eq(1))}
+        after = {f"breaking_{k}": _before("breaking", k) for k in range(setting.span)}
+        unbroken = (template.fill("embedding/unbroken", {"breaking": exp.column(one)}) for one in after)
+        return codes, after, exp.and_(template.fill("embedding/whole", slots), *unbroken)
+    newest = {"segment_from": _newest(begins.eq(1))}
     over = {"oldest_time": _before("time", setting.span), **newest}
-    return over, template.fill("embedding/in_segment", slots)
+    return codes, over, template.fill("embedding/in_segment", slots)
 
 
 def _newest(is_such: exp.Expr) -> exp.Expr:

@@ -16,9 +16,9 @@ _LEAST_ROWS = 3 * LAGS_OF_SCALE
 """A scale with fewer rows adds no lag that the finer one has not."""
 
 
-def add_samples(steps: Pipeline, search: Search) -> None:
-    """Add the samples to choose from and their figures."""
-    add(steps, "selection/selected")
+def add_samples(steps: Pipeline, search: Search, max_gap: int | None) -> None:
+    """Add the samples to choose from, in segments of steps up to ``max_gap``, and their figures."""
+    add(steps, "selection/selected", {"max_gap": max_gap})
     add(steps, "selection/extents", {"tau_max": search.tau_max})
     add(steps, "selection/deviations")
     steps.small |= {"selected", "extents", "deviations"}

@@ -80,7 +80,7 @@ def alone(parameters: Parameters, calibration: Calibration) -> tuple[Parameters,
 def selected(study: Study, search: Search) -> Selection:
     """Run a selection on a study whose method is one of :func:`alone`; its steps are added to it."""
     steps = study.steps
-    add_samples(steps, search)
+    add_samples(steps, search, study.method.gaps[0])
     extents = study.rows("extents")
     usable = max((one["usable"] for one in extents), default=0)
     add_delays(steps, search, max((one["samples"] for one in extents), default=0))

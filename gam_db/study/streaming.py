@@ -56,7 +56,7 @@ def _is_plain(method: Method, bits: Bits) -> bool:
     """Tell whether no segment ends, and calibration is one interval: what streams serve."""
     whole = ((LONG_AGO, FAR_AHEAD),)
     has_bits = all(
-        method.is_short(number) and bits.serve(setting.radix**setting.m)
+        method.is_short(number) and method.is_unbroken(number) and bits.serve(setting.radix**setting.m)
         for number, setting in enumerate(method.settings)
     )
     return has_bits and all(

@@ -1,4 +1,4 @@
--- Unbroken: whether the samples of a vector are as many as it takes, in one segment (method, section 1): none but the
--- oldest begins one.
--- Slots:  :span  (m-1) * tau, the samples between its oldest and its newest
-position > :span AND breaks = 0
+-- Unbroken: whether no segment begins with a sample of a vector (method, section 1), none but the oldest. Repeated by
+-- Python for each sample after that.
+-- Slots:  :breaking  1 if a segment begins with it
+:breaking = 0

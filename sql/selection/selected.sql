@@ -1,9 +1,10 @@
 -- Selected: the samples from which parameters are chosen: those of calibration, in order, in runs that
 -- neither a break nor a sample outside calibration interrupts (method, section 8).
--- Reads:  samples, bounds, calibration, breaks
+-- Reads:  samples, bounds, calibration
 -- A row:  one calibration sample; place counts them, run_no counts the runs, both from 1. scaled is
 --         (x - lo) / (hi - lo), NULL where the sample is missing or the channel constant; level is the
 --         same as an integer of 14 bits, 1 to 16384, and 0 where the sample is missing.
+-- Slots:  :max_gap  the longest step inside a segment, in the unit of time; NULL where none ends
 SELECT
   channel_id,
   place,
@@ -42,7 +43,12 @@ FROM (
         ROW_NUMBER() OVER (PARTITION BY sampled.channel_id ORDER BY sampled.time) AS BIGINT
       ) AS position,
       CASE WHEN piece.hit = 1 THEN 1 ELSE 0 END AS calibrating,
-      CASE WHEN pause.hit = 1 THEN 1 ELSE 0 END AS breaking,
+      CASE
+        WHEN sampled.time - LAG(sampled.time, 1) OVER (
+          PARTITION BY sampled.channel_id ORDER BY sampled.time
+        ) > :max_gap THEN 1
+        ELSE 0
+      END AS breaking,
       (sampled.value - scale.calibrated_lo) / NULLIF(scale.calibrated_hi - scale.calibrated_lo, CAST(0 AS DOUBLE)) AS scaled,
       CASE WHEN sampled.value IS NULL THEN 0 ELSE 1 END AS known
     FROM samples AS sampled
@@ -53,10 +59,6 @@ FROM (
     ) AS piece
       ON piece.channel_id = sampled.channel_id
       AND sampled.time BETWEEN piece.time_from AND piece.time_to
-    LEFT JOIN (
-      SELECT channel_id, time, 1 AS hit
-      FROM breaks
-    ) AS pause ON pause.channel_id = sampled.channel_id AND pause.time = sampled.time
     WHERE sampled.time <= scale.calibration_end
   ) AS numbered
   WHERE calibrating = 1

@@ -1,11 +1,10 @@
--- Marked codes: as codes, with what decides whether a vector may be learnt: is the sample one of
--- calibration, and does a segment begin with it?
--- Reads:  samples, bounds, calibration, breaks
+-- Marked codes: as codes, with what decides whether a vector may be learnt: is the sample one of calibration?
+-- Reads:  samples, bounds, calibration
 -- A row:  one sample.
 -- Slots:  :code     the expression of support/code.sql, cast to the narrowest integer that holds it
 --         :read     which samples are read
 --         :carried  columns that travel with the sample
-SELECT channel_id, time, :code AS code, calibrating, breaking, :carried
+SELECT channel_id, time, :code AS code, calibrating, :carried
 FROM (
   SELECT
     sampled.channel_id AS channel_id,
@@ -13,8 +12,7 @@ FROM (
     sampled.value AS value,
     scale.calibrated_lo AS lo,
     scale.calibrated_hi AS hi,
-    CAST(CASE WHEN piece.hit = 1 THEN 1 ELSE 0 END AS SMALLINT) AS calibrating,
-    CAST(CASE WHEN pause.hit = 1 THEN 1 ELSE 0 END AS SMALLINT) AS breaking
+    CAST(CASE WHEN piece.hit = 1 THEN 1 ELSE 0 END AS SMALLINT) AS calibrating
   FROM samples AS sampled
   JOIN bounds AS scale ON scale.channel_id = sampled.channel_id
   LEFT JOIN (
@@ -23,9 +21,5 @@ FROM (
   ) AS piece
     ON piece.channel_id = sampled.channel_id
     AND sampled.time BETWEEN piece.time_from AND piece.time_to
-  LEFT JOIN (
-    SELECT channel_id, time, 1 AS hit
-    FROM breaks
-  ) AS pause ON pause.channel_id = sampled.channel_id AND pause.time = sampled.time
   WHERE :read
 ) AS ranged

@@ -12,10 +12,6 @@ from gam_db.engines import duckdb
 from gam_db.method.alarms import add_replay
 
 
-def test_without_max_gap_no_sample_begins_a_segment() -> None:
-    assert step("source/unbroken", channels=rows("channel_id", (1,), (2,))) == []
-
-
 def test_each_cell_of_a_support_is_one_bit() -> None:
     """The first one, too, whose number is 0."""
     found = step(

@@ -578,7 +578,7 @@ def selection_steps() -> list[tuple[str, exp.Query]]:
     rows = readings(SOURCES[0], exp.to_table("telemetry"), lambda node: node)
     made = pipeline(method, rows, lambda node: node)
     search = Search(m_max=4, theiler=3)
-    add_samples(made, search)
+    add_samples(made, search, 9)
     add_delays(made, search, samples=1300)
     add_embedding(made, search, bins=100)
     add_dimensions(made, search, usable=5000, waiting=lambda _: (4, 3))

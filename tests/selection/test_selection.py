@@ -234,7 +234,7 @@ def test_the_first_minimum_of_the_langevin_system_does_not_depend_on_the_bins(am
         healthy = gam_db.Calibration(fraction=langevin.CALIBRATION)
         study = Study(session, source, gam_db.Parameters(), healthy)
         search = Search(ami_bins=ami_bins)
-        add_samples(study.steps, search)
+        add_samples(study.steps, search, study.method.gaps[0])
         add_delays(study.steps, search, samples=80_000)
         (found,) = study.table("delays").to_pylist()
         (cycle,) = study.table("cycles").to_pylist()

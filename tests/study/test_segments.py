@@ -17,8 +17,8 @@ pytestmark = pytest.mark.thorough
 
 LENGTH = 150
 
-#: Samples after which each asset stands still for a while: in calibration, at its end, in what is scored,
-#: again before a vector is whole, and never.
+#: Samples after which each asset stands still for a while: in calibration, at its end, in what is
+#: scored, again before a vector is whole, and never.
 PAUSES = {"a": (20, 22, 23, 59, 60, 61, 100, 131), "b": (45, 90), "c": (1, 148), "d": ()}
 
 #: name -> keyword arguments of Parameters and of Calibration

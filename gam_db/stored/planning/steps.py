@@ -19,7 +19,7 @@ from gam_db.method import Method
 from gam_db.method.adding import OfSet, add
 from gam_db.method.alarms import add_counted, band_of
 from gam_db.method.bits import Bits
-from gam_db.method.calibration import add_breaks, add_learnable
+from gam_db.method.calibration import add_learnable
 from gam_db.method.certificate import add_judgement
 from gam_db.method.resolved import SMALL_OF_SET
 from gam_db.method.scoring import add_bucket_counts, add_buckets, add_numbered, add_support_bits
@@ -45,7 +45,7 @@ FORMER = ("former_buckets", "former_novel")
 #: Steps of a run that are kept: what is read once, and what has few rows.
 KEPT = frozenset(
     (
-        *("identified", "timeline", "collapsed", "seen", "run_up", "breaks"),
+        *("identified", "timeline", "collapsed", "seen", "run_up"),
         *("support_bits", "visited", "buckets", "new_buckets", "recount", "stillness"),
     )
 )
@@ -305,7 +305,7 @@ def relearning_steps(
 
 
 def can_trust(setting: Setting, kind: TimeKind) -> bool:
-    """Tell whether there is a trusting form of the steps: where no segment ends."""
+    """Tell whether there is a trusting form of the steps: where no sample counts as still."""
     return method_of(setting, kind).is_short(0)
 
 
@@ -334,7 +334,6 @@ def _add_samples(
     )
     for name in ("collapsed", "samples"):
         add(steps, f"source/{name}")
-    add_breaks(of_set)
     return of_set
 
 
