@@ -120,3 +120,19 @@ def test_rows_that_came_are_left_to_the_next_run(plant: Path) -> None:
     assert left.exit_code == 0, left.output
     assert gam("score").exit_code in (0, 2)  # 2: a channel needs attention
     assert gam("check", "--state").exit_code == 0
+
+
+def test_a_version_of_which_no_bucket_is_left_is_in_order() -> None:
+    """A run over it that found nothing new began to read where one of its buckets had ended."""
+    with duckdb.connect() as connection:
+        small_plant.begin(connection)
+        made = small_plant.monitor(connection)
+        made.score()
+        made.score()
+        made.calibrate(again=True)
+        put(connection, small_plant.readings(small_plant.LENGTH, small_plant.LENGTH + 90))
+        made.score()
+        made.prune(keep=20)
+        left = connection.execute("SELECT COUNT(*) FROM gam_bucket WHERE version_id = 1").fetchall()
+        assert left == [(0,)]
+        assert made.check_state().num_rows == 0

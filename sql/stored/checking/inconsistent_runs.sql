@@ -38,6 +38,7 @@ FROM (
           WHEN run.run_id < run.reading_id THEN 0
           WHEN run.read_from = version.run_up_from OR resumed.hit = 1 THEN 0
           WHEN ending.hit = 1 AND run.read_from < ending.oldest_context THEN 0
+          WHEN CASE WHEN ending.hit = 1 THEN 1 ELSE 0 END = 0 AND version.first_bucket > 0 THEN 0
           ELSE 1
         END
       WHEN run.from_bucket < run.made_from THEN 1
