@@ -53,7 +53,8 @@ def outside(setting: Parameters) -> exp.Expr:
     )
 
 
-def _known(setting: Parameters) -> exp.Expr:
+def known(setting: Parameters) -> exp.Expr:
+    """Return the condition that every coordinate is there."""
     return exp.and_(*(template.fill("embedding/known", {"code": one}) for one in coordinates(setting)))
 
 
@@ -79,7 +80,7 @@ _FOLLOWS: Mapping[str, Callable[[Parameters], template.Slot]] = {
     "long_ago": lambda _: LONG_AGO,
     "code": code_of,
     "coordinates": coordinates,
-    "known": _known,
+    "known": known,
     "cell_key": cell_key,
     "block_no": block_no,
     "outside": outside,

@@ -9,7 +9,7 @@ from sqlglot import exp
 from gam_db.clock import LONG_AGO
 from gam_db.composing import template
 from gam_db.method.adding import OfSet
-from gam_db.method.slots import cell_key, code_in, coordinates, outside, place_in
+from gam_db.method.slots import cell_key, code_in, coordinates, known, outside, place_in
 from gam_db.settings.parameters import Parameters
 
 #: Of so many samples each one is asked whether a segment begins with it: to carry the newest such
@@ -116,8 +116,31 @@ def _add(
     one.add(file, slots, f"{prefix}vectors", {"codes": codes})
 
 
+class Stream(NamedTuple):
+    """What is known of channels that are read as they are stored.
+
+    Attributes:
+        lacks: whether samples may be missing.
+        gap: the longest step inside a segment; None where no segment ends.
+    """
+
+    lacks: bool = False
+    gap: int | None = None
+
+    @property
+    def is_even(self) -> bool:
+        """Tell whether every sample from the first whole vector on ends one that counts."""
+        return not self.lacks and self.gap is None
+
+    @property
+    def value(self) -> exp.Expr:
+        """The value of a sample."""
+        reading = exp.column("reading", table="reading")
+        return template.fill("streams/sound") if self.lacks else reading
+
+
 @lru_cache
-def stream_slots(setting: Parameters, has_context: bool) -> dict[str, template.Slot]:
+def stream_slots(setting: Parameters, has_context: bool, stream: Stream) -> dict[str, template.Slot]:
     """Return the slots of streams/vectors.sql that follow from the parameters alone.
 
     Where a later run must know from where on it reads, that instant travels with each vector. Every
@@ -128,13 +151,34 @@ def stream_slots(setting: Parameters, has_context: bool) -> dict[str, template.S
     if has_context:
         over["context_time"] = _before("time", max(setting.span - 1, 0), rows=1)
         columns.append(exp.column("context_time"))
+    breaking: list[exp.Expr] = []
+    whole = template.fill("embedding/whole", {"span": setting.span})
+    if stream.gap is not None:
+        begins = template.fill("streams/breaking", {"max_gap": stream.gap})
+        breaking.append(exp.alias_(begins, "breaking"))
+        told_by, whole = _in_segment(setting, rows=1)
+        over |= told_by
     return {
+        "value": stream.value,
+        "breaking": breaking,
         "place": place_in(setting.grid),
         "code": code_in(setting.grid, exp.column("place")),
+        "known": known(setting) if stream.lacks else exp.true(),
+        "whole": whole,
         "cell_key": cell_key(setting, "streams/cell_term"),
         "coordinates": columns,
         "delayed": _named(over),
     }
+
+
+def counted_slots(setting: Parameters, stream: Stream) -> dict[str, template.Slot]:
+    """Return which samples end a vector that counts, and the number of that vector among them."""
+    slots = {"span": setting.span}
+    if stream.is_even:
+        counted = template.fill("embedding/whole", slots)
+        return {"counted": counted, "number": template.fill("streams/number", slots)}
+    number = template.fill("streams/counted_number")
+    return {"counted": template.fill("streams/counts"), "number": number}
 
 
 def small_key(setting: Parameters) -> exp.Expr:
@@ -202,25 +246,30 @@ def _breaking_codes(
         in one segment, and the condition that they are, and as many as it takes.
     """
     setting, codes = one.setting, f"{prefix}codes"
-    slots = {"span": setting.span}
     if one.method.gaps[one.number] is None:
-        return codes, {}, template.fill("embedding/whole", slots)
+        return codes, {}, template.fill("embedding/whole", {"span": setting.span})
     before, codes = codes, f"{prefix}breaking_codes"
     columns: dict[str, template.Slot] = {"carried": [exp.column(name) for name in carried]}
     one.add("embedding/breaking_codes", columns, codes, {"codes": before})
-    begins = exp.column("breaking")
+    return codes, *_in_segment(setting)
+
+
+def _in_segment(setting: Parameters, rows: int | None = None) -> tuple[dict[str, exp.Expr], exp.Expr]:
+    """Return what tells whether all samples of a vector are in one segment, and the condition."""
+    slots = {"span": setting.span}
     if setting.span <= SHORT:
-        after = {f"breaking_{k}": _before("breaking", k) for k in range(setting.span)}
+        after = {f"breaking_{k}": _before("breaking", k, rows) for k in range(setting.span)}
         unbroken = (template.fill("embedding/unbroken", {"breaking": exp.column(one)}) for one in after)
-        return codes, after, exp.and_(template.fill("embedding/whole", slots), *unbroken)
-    newest = {"segment_from": _newest(begins.eq(1))}
-    over = {"oldest_time": _before("time", setting.span), **newest}
-    return codes, over, template.fill("embedding/in_segment", slots)
+        return after, exp.and_(template.fill("embedding/whole", slots), *unbroken)
+    newest = _newest(exp.column("breaking").eq(1), rows)
+    over = {"oldest_time": _before("time", setting.span, rows), "segment_from": newest}
+    return over, template.fill("embedding/in_segment", slots)
 
 
-def _newest(is_such: exp.Expr) -> exp.Expr:
-    """Return the time of the newest sample of a kind, up to each one."""
-    return template.fill("embedding/newest", {"is_such": is_such, "long_ago": LONG_AGO})
+def _newest(is_such: exp.Expr, rows: int | None = None) -> exp.Expr:
+    """Return the time of the newest sample of a kind, up to each one; along the ``rows`` as stored."""
+    path = "embedding/newest" if rows is None else "streams/newest"
+    return template.fill(path, {"is_such": is_such, "long_ago": LONG_AGO})
 
 
 def _named(columns: Mapping[str, exp.Expr]) -> list[exp.Expr]:

@@ -117,7 +117,9 @@ class Study:
         self._short_cut: Streams | Trust | Counts | Turns | None = None
         self._after_all = partial(self._trust_after_all, bits, ways, names) if may_trust else None
         if is_streamed and bits is not None:
-            self._short_cut = Streams(self.method, self.running, ways.scores, ways.has_blocks)
+            self._short_cut = Streams(
+                self.method, self.running, ways.scores, ways.has_blocks, ways.has_missing
+            )
         elif slicing is not None and counting:
             self._short_cut = Counts(self.running, partial(self._steps, bits), self._readings)
         elif slicing is not None:

@@ -15,7 +15,7 @@ from gam_db.method import Method
 from gam_db.method.bits import Bits
 from gam_db.method.scoring import visited_slots
 from gam_db.method.slots import block_no, coordinates
-from gam_db.method.vectors import is_outside, stream_slots
+from gam_db.method.vectors import Stream, counted_slots, is_outside, stream_slots
 from gam_db.settings.parameters import Parameters
 from gam_db.study.running import Running
 
@@ -79,7 +79,7 @@ def of_channel(file: str, own: Own, **slots: template.Slot) -> exp.Query:
     return filled(f"streams/{file}", {**{name: own[name] for name in own.keys() & asked}, **slots})
 
 
-def visits(own: Own, setting: Parameters, has_blocks: bool) -> exp.Query:
+def visits(own: Own, setting: Parameters, has_blocks: bool, stream: Stream) -> exp.Query:
     """Return the cells of the calibration of one channel, in blocks or not.
 
     Args:
@@ -87,40 +87,62 @@ def visits(own: Own, setting: Parameters, has_blocks: bool) -> exp.Query:
             ``support_id``, and ``vectors``, how many calibration has.
         setting: its parameters.
         has_blocks: whether blocks are asked for.
+        stream: what is known of its samples.
     """
-    vectors = of_channel("vectors", own, **stream_slots(setting, has_context=False))
+    slots = counted_slots(setting, stream)
     if has_blocks:
-        block = block_no(setting, template.node_of(own["vectors"]))
-        return _over(of_channel("visits", own, span=setting.span, block_no=block), "streamed", vectors)
-    learnable = _over(of_channel("learnable", own, span=setting.span), "streamed", vectors)
+        slots["block_no"] = block_no(setting, template.node_of(own["vectors"]))
+        return of_vectors("visits", own, setting, stream, **slots)
+    del slots["number"]
+    learnable = of_vectors("learnable", own, setting, stream, **slots)
     return _over(filled("census/taught"), "learnable", learnable)
 
 
+def of_vectors(
+    file: str, own: Own, setting: Parameters, stream: Stream, **slots: template.Slot
+) -> exp.Query:
+    """Return a file of ``sql/streams`` that speaks of the vectors of one channel."""
+    vectors = of_channel("vectors", own, **stream_slots(setting, False, stream))
+    return _over(of_channel(file, own, **slots), "streamed", vectors)
+
+
 def scored(
-    own: Own, setting: Parameters, bits: Bits, ends: Mapping[str, str] | None = None
+    own: Own, setting: Parameters, bits: Bits, stream: Stream, ends: Mapping[str, str] | None = None
 ) -> exp.Query:
     """Return the scored vectors of one channel, grouped: the step *visited*.
 
     Args:
-        own: slots of the channel, and ``lo``, ``hi``, ``time_from``, ``time_to``, ``support_id``.
+        own: slots of the channel, and ``lo``, ``hi``, ``time_from``, ``time_to``, ``support_id``,
+            ``first_scored``.
         setting: its parameters.
         bits: how a support is kept, in the step *support_bits*.
+        stream: what is known of its samples.
         ends: see :func:`gam_db.method.scoring.add_buckets`.
     """
-    vectors = of_channel("vectors", own, **stream_slots(setting, bool(ends)))
+    vectors = of_channel("vectors", own, **stream_slots(setting, bool(ends), stream))
     slots: dict[str, template.Slot] = {
-        "before": setting.span,
+        **counted_slots(setting, stream),
         "is_held": bits.held(exp.column("bits"), exp.column("cell_key")),
         "carried": [*coordinates(setting), *map(exp.column, ends or ())],
     }
+    # Where every vector counts, samples of the run-up have numbers that are none.
+    slots["counted"] = exp.true()
+    if not stream.is_even:
+        first = template.fill("streams/scored", {"first_scored": own["first_scored"]})
+        slots["counted"] = exp.and_(template.fill("streams/counts"), first)
     placed = of_channel("placed", own, **slots)
     grouped = visited_slots(setting, ends, trusting=True) | {"outside": is_outside(setting)}
     visited = filled("health/visited", grouped)
     return _over(visited, "placed", _over(placed, "streamed", vectors))
 
 
-def read_off_visits(method: Method, number: int) -> Iterator[tuple[str, exp.Query, Mapping[str, str]]]:
-    """Give the steps of one set that are read off visits which are there, and what each reads."""
+def read_off_visits(
+    method: Method, number: int, lacks: bool = False
+) -> Iterator[tuple[str, exp.Query, Mapping[str, str]]]:
+    """Give the steps of one set that are read off visits which are there, and what each reads.
+
+    Where samples may be missing, *missing_vectors* is not among them.
+    """
     reads = {step: method.named(step, number) for step in ("bounds", "visits", "block_sizes", "cells")}
     reads |= dict.fromkeys(("learnable", "vectors"), reads["visits"])
     besides = {name: template.fill(f"streams/{name}") for name in ("second_place", "opening_visits")}
@@ -129,6 +151,8 @@ def read_off_visits(method: Method, number: int) -> Iterator[tuple[str, exp.Quer
         "carried": [exp.column(name, table="seen") for name in besides],
     }
     for step, file in _OF_VISITS.items():
+        if lacks and step == "missing_vectors":
+            continue
         slots = of_cells if step == "cells" else None
         yield method.named(step, number), filled(file, slots), reads
 

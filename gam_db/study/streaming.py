@@ -19,6 +19,7 @@ from gam_db.composing.pipeline import Step, filled
 from gam_db.engines.session import Row
 from gam_db.method import Method
 from gam_db.method.bits import Bits
+from gam_db.method.vectors import Stream
 from gam_db.study import naming, streamed
 from gam_db.study.running import Running
 from gam_db.study.streamed import Own, of_channel, of_each, own
@@ -31,7 +32,7 @@ Make = Callable[[Own], exp.Query]
 
 
 def seems_ordered(method: Method, running: Running, scores: bool) -> bool:
-    """Tell whether channels seem to be stored one after another, and none lacks a sample.
+    """Tell whether channels seem to be stored one after another.
 
     If so, *names* is there. Where the vectors will not prove the order of all rows, it is proven.
     """
@@ -41,7 +42,7 @@ def seems_ordered(method: Method, running: Running, scores: bool) -> bool:
     running.prepare("names")
     is_proven = not _vectors_prove(method, scores)
     names = naming.counted(session, running.steps, running.placed, is_proven)
-    if names is None or any(names["missing_readings"].to_pylist()):
+    if names is None:
         return False
     running.load("names", names)
     return not is_proven or all(names["in_order"].to_pylist())
@@ -53,10 +54,10 @@ def _vectors_prove(method: Method, scores: bool) -> bool:
 
 
 def _is_plain(method: Method, bits: Bits) -> bool:
-    """Tell whether no segment ends, and calibration is one interval: what streams serve."""
+    """Tell whether no sample counts as still, and calibration is one interval: what streams serve."""
     whole = ((LONG_AGO, FAR_AHEAD),)
     has_bits = all(
-        method.is_short(number) and method.is_unbroken(number) and bits.serve(setting.radix**setting.m)
+        method.is_short(number) and bits.serve(setting.radix**setting.m)
         for number, setting in enumerate(method.settings)
     )
     return has_bits and all(
@@ -73,10 +74,14 @@ class Streams:
         running: its steps at work.
         scores: whether it is known that it scores.
         has_blocks: whether blocks of calibration may be asked for; if not, its cells alone are made.
+        lacks: whether a sample is missing.
     """
 
-    def __init__(self, method: Method, running: Running, scores: bool, has_blocks: bool) -> None:
+    def __init__(
+        self, method: Method, running: Running, scores: bool, has_blocks: bool, lacks: bool
+    ) -> None:
         self.method, self.running, self.has_blocks = method, running, has_blocks
+        self._streams = [Stream(lacks, gap) for gap in method.gaps]
         self.holds, self.is_proven = True, not _vectors_prove(method, scores)
         self._sorting: dict[str, Step] = {}
         self._done: set[tuple[str, ...]] = set()
@@ -140,7 +145,10 @@ class Streams:
         ]
         if not calibrated:
             return False
-        self._give("calibrated", partial(of_channel, "calibrated"), calibrated, "channel_id")
+        value = self._streams[0].value
+        self._give(
+            "calibrated", partial(of_channel, "calibrated", value=value), calibrated, "channel_id"
+        )
         seen = {row["channel_id"]: row for row in running.rows("calibrated")}
         for row in channels:
             quota, found = quotas[row["channel_id"]], seen.get(row["channel_id"], _UNSEEN)
@@ -153,8 +161,10 @@ class Streams:
             if time is not None
         }
         has_learnt = False
-        for number, setting in enumerate(method.settings):
-            bounds = self._bounds(number)
+        ranged = [self._bounds(number) for number in range(len(method.settings))]
+        if not self.is_proven and sum(map(len, ranged)) < len(channels):
+            return False  # nor is one whose calibration has no sample but missing ones
+        for number, (setting, bounds) in enumerate(zip(method.settings, ranged, strict=True)):
             members = [row for row in channels if row["channel_id"] in bounds.keys() & seen.keys()]
             if not members:
                 continue
@@ -163,18 +173,29 @@ class Streams:
             named = self.method.named("bounds", number)
             if not all(row["is_exact"] for row in self._asked(asked, exact, bounds=named)):
                 return False
-            cells, expected = [], {}
-            for row in members:
-                id_ = row["channel_id"]
-                expected[id_] = max(seen[id_]["calibration_samples"] - setting.span, 0)
+            parts = {
+                id_: own(row, **_range(bounds[id_]), **_times(pieces[id_]))
+                for row in members
+                for id_ in (row["channel_id"],)
+            }
+            expected = {id_: max(seen[id_]["calibration_samples"] - setting.span, 0) for id_ in parts}
+            if self.has_blocks:
+                if not self._streams[number].is_even:
+                    expected = self._counted(list(parts.values()), number)
                 # Without a vector there may be marked samples all the same, and a block for them.
-                counted = {"support_id": row["support_id"], "vectors": max(expected[id_], 1)}
-                read = {**_range(bounds[id_]), **_times(pieces[id_])}
-                cells.append(own(row, **read, **(counted if self.has_blocks else {})))
-            if not self._teach(cells, number, expected):
+                for row in members:
+                    id_ = row["channel_id"]
+                    parts[id_] |= {"support_id": row["support_id"], "vectors": max(expected[id_], 1)}
+            if not self._teach(list(parts.values()), number, expected):
                 return False
             has_learnt = True
         return has_learnt
+
+    def _counted(self, parts: Sequence[Own], number: int) -> dict[int, int]:
+        """Return how many vectors the calibration of each channel of one set teaches."""
+        told = self.method.settings[number], self._streams[number]
+        rows = self._asked(lambda own: streamed.of_vectors("taught", own, *told), parts)
+        return {row["channel_id"]: row["vectors"] for row in rows}
 
     def _teach(self, cells: Sequence[Own], number: int, expected: Mapping[int, int]) -> bool:
         """Give the cells of calibration of one set; tell whether they are those of vectors in order."""
@@ -182,7 +203,8 @@ class Streams:
             self.method.named(step, number) for step in ("visits", "support", "bounds")
         )
         setting = self.method.settings[number]
-        make = partial(streamed.visits, setting=setting, has_blocks=self.has_blocks)
+        stream = self._streams[number]
+        make = partial(streamed.visits, setting=setting, has_blocks=self.has_blocks, stream=stream)
         if not self.has_blocks:
             taught = self.method.named("taught", number)
             query = self._of_each(taught, make, cells)
@@ -190,8 +212,16 @@ class Streams:
             self._replace(support, filled("support/support"), {"learnable": taught, "bounds": bounds})
             return not self.running.largest(taught, "doubled")
         self._give(visits, make, cells, "channel_id", "support_id")
-        for made in streamed.read_off_visits(self.method, number):
+        # What is missing is so in any range.
+        read = {"lo": 0.0, "hi": 0.0, "time_from": LONG_AGO, "time_to": FAR_AHEAD}
+        mine = (row for row in self.running.rows("channels") if row["settings_no"] == number)
+        lacking = [own(row, **read) for row in mine if row["missing_readings"]]
+        for made in streamed.read_off_visits(self.method, number, bool(lacking)):
             self._replace(*made)
+        if lacking:
+            missing = self.method.named("missing_vectors", number)
+            asked = partial(streamed.of_vectors, "missing_vectors", setting=setting, stream=stream)
+            self._replace(missing, self._of_each(missing, asked, lacking, "channel_id"))
         wanted = {id_: vectors for id_, vectors in expected.items() if vectors}
         return streamed.are_whole(self.running, visits, wanted)
 
@@ -216,12 +246,13 @@ class Streams:
                     **_range(bounds[id_]),
                     support_id=row["support_id"],
                     time_from=starts[id_],
+                    first_scored=bounds[id_]["first_scored"],
                     **read,
                 )
                 for row in members
                 for id_ in (row["channel_id"],)
             ]
-            make = partial(streamed.scored, setting=setting, bits=bits)
+            make = partial(streamed.scored, setting=setting, bits=bits, stream=self._streams[number])
             self._give(visited, make, parts, support_bits=held)
             if running.largest(visited, "doubled"):
                 return False
@@ -251,8 +282,14 @@ class Streams:
                 found = {"read_from": read_from, "context_rows": row["context_rows"]}
                 reached[row["channel_id"]] = found
         return [
-            {"channel_id": id_, **_range(bounds[id_]), **reached[id_], "complete": 1}
-            for id_ in (row["channel_id"] for row in members)
+            {
+                "channel_id": id_,
+                **_range(bounds[id_]),
+                **reached[id_],
+                "complete": int(row["missing_readings"] == 0),
+            }
+            for row in members
+            for id_ in (row["channel_id"],)
         ]
 
     def _bounds(self, number: int) -> dict[int, Row]:

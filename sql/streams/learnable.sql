@@ -3,7 +3,7 @@
 -- Reads:  streamed, the samples of the channel's calibration.
 -- A row:  one calibration vector, or a sample that is not later than the one before: doubled = 1.
 -- Slots:  :channel_id
---         :span  (m-1) * tau, the samples between oldest and newest
+--         :counted  whether a sample ends a vector that counts
 SELECT CAST(:channel_id AS INTEGER) AS channel_id, time, cell_key, out_of_order AS doubled
 FROM streamed
-WHERE position > :span OR out_of_order = 1
+WHERE :counted OR out_of_order = 1

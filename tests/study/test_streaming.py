@@ -53,7 +53,7 @@ SERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
 
 #: name -> the same, of a kind that they leave to the steps that sort
 UNSERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
-    "gaps": ({"m": 2, "bins": 4, "window": 8, "max_gap": 5}, {"fraction": 0.3}),
+    "what stands still": ({"m": 2, "bins": 4, "window": 8, "still_after": 5}, {"fraction": 0.3}),
     "a given start": ({"m": 2, "bins": 4, "window": 8}, {"fraction": 0.3, "score_from": 50}),
     "exclusions": ({"m": 2, "bins": 4, "window": 8}, {"fraction": 0.3, "exclude": [(9, 30)]}),
     "too many cells": ({"m": 3, "bins": 900, "window": 8}, {"fraction": 0.3}),
@@ -262,10 +262,6 @@ def doubled(table: list[Row]) -> list[Row]:
     return [*table[:1000], table[999], *table[1000:]]
 
 
-def missing(table: list[Row]) -> list[Row]:
-    return [*table[:1000], (*table[1000][:3], None), *table[1001:]]
-
-
 def in_two_pieces(table: list[Row]) -> list[Row]:
     return [*table[50:], *table[:50]]
 
@@ -284,10 +280,15 @@ def too_short(table: list[Row]) -> list[Row]:
     return [*table, ("z", "x", 0, 1.0), ("z", "x", 0, 1.0)]
 
 
-#: What breaks the order or the completeness of a source.
+def unknown(table: list[Row]) -> list[Row]:
+    """One more channel whose rows are not in order, and whose calibration has missing samples alone."""
+    return [*table, *(("z", "x", time, None if time < 9 else 1.0) for time in (*range(8), 9, 8, 10, 11))]
+
+
+#: What breaks the order of a source.
 DIRT: tuple[Callable[[list[Row]], list[Row]], ...] = (
-    *(swapped, doubled, missing, in_two_pieces, by_time),
-    *(begun_by_one, too_short),
+    *(swapped, doubled, in_two_pieces, by_time),
+    *(begun_by_one, too_short, unknown),
 )
 
 
@@ -305,16 +306,53 @@ def test_a_source_that_is_not_in_order_is_sorted(
     agrees(found, table, *method)
 
 
-def test_a_source_that_lacks_a_sample_is_taken_on_trust(connection: duckdb.DuckDBPyConnection) -> None:
-    table, method = missing(rows()), harness.made(*SERVED["delays"])
+#: name -> what is added to parameters that streams serve, where samples are missing and machines pause
+UNEVEN: dict[str, dict[str, Any]] = {
+    "no end": {},
+    "segments that end": {"max_gap": 3},
+    "a reach of many samples": {"max_gap": 3, "tau": 9},
+}
+
+
+def uneven(table: list[Row]) -> list[Row]:
+    """Samples are missing here and there, or no number; one asset has them all; two pause at times."""
+    odd: list[float | None] = [None, float("nan"), float("inf"), -1.5e300]
+    found = []
+    for place, (asset, channel, time, value) in enumerate(table):
+        is_missing = asset != "c" and (place % 29 in (0, 1) or place % 97 == 5)
+        later = 0 if asset == "b" else 6 * (time // 64) + 9 * (time > 2 * LENGTH - 3)
+        found.append((asset, channel, time + later, odd[place % 4] if is_missing else value))
+    return found
+
+
+@pytest.mark.parametrize("asked", [(), HEALTH], ids=["all", "health alone"])
+@pytest.mark.parametrize("more", UNEVEN)
+@pytest.mark.parametrize("case", ["delays", "one coordinate", "an interval", "a pool", "two sets"])
+def test_what_does_not_count_is_left_out_of_streams(
+    connection: duckdb.DuckDBPyConnection, case: str, more: str, asked: Sequence[str]
+) -> None:
+    parameters, calibration = SERVED[case]
+    table, method = uneven(rows()), harness.made(parameters | UNEVEN[more], calibration)
     stored(connection, table)
-    with DuckSession(connection) as session:
-        study = Study(session, gam_db.Source("telemetry"), *method, short_cuts=True)
-        found = study.table(harness.STEPS["health_at_buckets"]).to_pylist()
-        assert study.is_trusting
-        study.forget()
-    expected = harness.by_reference("health_at_buckets", table, *method)
-    harness.assert_same(expected, found)
+    found, is_streamed = answers(connection, *method, asked=asked)
+    assert is_streamed
+    agrees(found, table, *method)
+
+
+@pytest.mark.parametrize("asked", [(), HEALTH], ids=["all", "health alone"])
+@pytest.mark.parametrize("number", [3, 95, 96, 300, -1])
+def test_what_does_not_count_is_in_order_as_well(
+    connection: duckdb.DuckDBPyConnection, number: int, asked: Sequence[str]
+) -> None:
+    """A missing sample has its instant twice."""
+    parameters, calibration = SERVED["delays"]
+    table, method = uneven(rows()), harness.made(parameters | {"max_gap": 3}, calibration)
+    place = number % len(table)
+    table = [*table[:place], (*table[place][:3], None), *table[place:]]
+    stored(connection, table)
+    found, is_streamed = answers(connection, *method, asked=asked)
+    assert not is_streamed
+    agrees(found, table, *method)
 
 
 @pytest.mark.parametrize("asked", [(), HEALTH], ids=["all", "health alone"])
@@ -423,11 +461,14 @@ def test_any_relation_gives_the_same(
 @given(st.data())
 def test_random_sources_give_the_same_as_the_steps_that_sort(data: st.DataObject) -> None:
     served = data.draw(st.sampled_from([case for case in SERVED if case != "no calibration"]))
-    method = harness.made(*SERVED[served])
+    parameters, calibration = SERVED[served]
+    more = data.draw(st.sampled_from([{}, {"max_gap": 1}, {"max_gap": 2}]))
+    method = harness.made(parameters | more, calibration)
     lengths = data.draw(st.lists(st.integers(30, 60), min_size=1, max_size=4))
-    values = st.integers(-3, 6).map(float)
+    values = st.sampled_from([*map(float, range(-3, 7)), *[None] * data.draw(st.integers(0, 2))])
+    pauses = data.draw(st.integers(0, 2))
     table: list[Row] = [
-        (f"{number:02}", "x", time, data.draw(values) if time % 5 else 1.5)
+        (f"{number:02}", "x", time + pauses * (time > 40), data.draw(values) if time % 5 else 1.5)
         for number, length in enumerate(lengths)
         for time in range(length)
     ]

@@ -160,9 +160,9 @@ class Groups:
         asked = [{**row, "read_until": self._until(row)} for row in group]
         method = method_of(setting_of(group[0]), self.reader.kind)
         told = running, self.reader, assets, asked
-        return method.is_unbroken(0) and (
-            is_given(*told, method.settings[0], bits) or turning.is_given(*told, method, bits)
-        )
+        if is_given(*told, method.settings[0], bits, method.gaps[0]):
+            return True
+        return method.is_unbroken(0) and turning.is_given(*told, method, bits)
 
     def _repeating(self, running: Running, group: Sequence[Row]) -> list[Row]:
         """Second stage: return the channels that did not deserve trust, and leave them out."""

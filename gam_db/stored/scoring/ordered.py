@@ -11,6 +11,7 @@ from functools import partial
 from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add
 from gam_db.method.bits import Bits
+from gam_db.method.vectors import Stream
 from gam_db.settings.parameters import Parameters
 from gam_db.stored.planning import Row
 from gam_db.stored.planning.reading import Reader
@@ -29,6 +30,7 @@ def is_given(
     group: Sequence[Row],
     setting: Parameters,
     bits: Bits,
+    gap: int | None,
 ) -> bool:
     """Give *seen*, *visited* and *identified* of channels as they are stored; tell whether they serve.
 
@@ -39,6 +41,7 @@ def is_given(
         group: rows of the plan, with ``read_until``: nothing newer is read.
         setting: that of all channels.
         bits: how supports are kept.
+        gap: the longest step inside a segment of them; None where no segment ends.
     """
     session, steps = running.session, Pipeline()
     steps.add("readings", reader.readings(assets, min(row["read_from"] for row in group)))
@@ -52,7 +55,8 @@ def is_given(
         for row in group
         if row["channel_id"] in found
     ]
-    if _are_whole(list(found.values()), setting.span):
+    rows_read = sum(row["rows_read"] for row in found.values())
+    if rows_read >= max(naming.STREAMED_FROM * len(found), 1):
         add(steps, "stored/scoring/bounds")
         exact = partial(of_channel, "exact")
         compared = [own(row, lo=row["lo"], hi=row["hi"]) for row in there]
@@ -64,10 +68,14 @@ def is_given(
                 **{name: row[name] for name in ("lo", "hi", "support_id")},
                 time_from=row["read_from"],
                 time_to=row["read_until"],
+                first_scored=row["first_scored"],
             )
             for row in there
         ]
-        make = partial(scored, setting=setting, bits=bits, ends=ENDS)
+        # More rows before those that are scored than a vector takes: as where samples are missing.
+        has_more = any(row["context_rows"] > setting.span for row in found.values())
+        lacks = has_more or any(row["missing_samples"] for row in found.values())
+        make = partial(scored, setting=setting, bits=bits, stream=Stream(lacks, gap), ends=ENDS)
         running.put("visited", of_each(session, "visited", make, vectors, steps, running.placed))
         # The newest rows, which are summed up, are copied before all are counted again.
         since = min(max(row["read_from"], row["read_until"] - 2 * row["late_by"]) for row in there)
@@ -87,12 +95,4 @@ def _read(row: Row) -> Own:
     """Return the slots of a channel and of what is read of it."""
     return own(
         row, time_from=row["read_from"], time_to=row["read_until"], first_scored=row["first_scored"]
-    )
-
-
-def _are_whole(seen: Sequence[Row], span: int) -> bool:
-    """Tell whether channels have rows enough, and each vector's number follows from its place."""
-    rows = sum(row["rows_read"] for row in seen)
-    return rows >= max(naming.STREAMED_FROM * len(seen), 1) and all(
-        row["missing_samples"] == 0 and row["context_rows"] <= span for row in seen
     )
