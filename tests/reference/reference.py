@@ -82,6 +82,10 @@ class Pool:
     blocks: Integers = field(default_factory=lambda: np.zeros(0, np.int64))
 
 
+#: Every channel of a source with its pool.
+Pairs = list[tuple[Channel, Pool]]
+
+
 def glob(pattern: str, text: str) -> bool:
     """Match with ``*`` and ``?`` as the only wildcards (fnmatch would also read ``[ ]``)."""
     wild = {"*": ".*", "?": "."}
@@ -227,7 +231,7 @@ def learn(pool: Pool) -> None:
         pool.grid, pool.blocks = np.array(grid, np.int64), np.array(blocks, np.int64)
 
 
-def channels(rows: Iterable[Row], parameters: Any, calibration: Any) -> list[tuple[Channel, Pool]]:
+def channels(rows: Iterable[Row], parameters: Any, calibration: Any) -> Pairs:
     """Sections 2 to 4: every channel of the source with its pool, by asset and name."""
     found: dict[tuple[str, str], list[tuple[int, float | None]]] = {}
     for asset, name, time, value in rows:
@@ -294,13 +298,21 @@ def health(channel: Channel, pool: Pool) -> Iterator[dict[str, Any]]:
 
 def health_indicator(rows: Iterable[Row], parameters: Any, calibration: Any) -> Answer:
     """Eq. 2: the share of novel vectors among the last W scored ones, at every scored vector."""
-    return [row for pair in channels(rows, parameters, calibration) for row in health(*pair)]
+    return _singles(channels(rows, parameters, calibration))
+
+
+def _singles(pairs: Pairs) -> Answer:
+    return [row for pair in pairs for row in health(*pair)]
 
 
 def buckets(rows: Iterable[Row], parameters: Any, calibration: Any) -> Answer:
     """Section 4, stored form: Eq. 2 after every ``stride`` scored vectors; full buckets only."""
+    return _buckets(channels(rows, parameters, calibration))
+
+
+def _buckets(pairs: Pairs) -> Answer:
     answer = []
-    for channel, pool in channels(rows, parameters, calibration):
+    for channel, pool in pairs:
         stride, per_window = pool.settings.stride, pool.settings.window // pool.settings.stride
         scored, novel = list(health(channel, pool)), []
         for bucket in range(len(scored) // stride):
@@ -423,6 +435,10 @@ def limit(said: dict[str, Any], target_floor: float) -> dict[str, Any]:
 
 def support(rows: Iterable[Row], parameters: Any, calibration: Any) -> Answer:
     """Eq. 3 and section 5: per channel the bounds, the counts and the verdict of its pool."""
+    return _support(channels(rows, parameters, calibration))
+
+
+def _support(pairs: Pairs) -> Answer:
     return [
         {
             "asset": channel.asset,
@@ -438,14 +454,18 @@ def support(rows: Iterable[Row], parameters: Any, calibration: Any) -> Answer:
         }
         | (said := judgement(pool))
         | limit(said, pool.settings.target_floor)
-        for channel, pool in channels(rows, parameters, calibration)
+        for channel, pool in pairs
     ]
 
 
 def certificate(rows: Iterable[Row], parameters: Any, calibration: Any) -> Answer:
     """Section 5: per block its two integers, and the learning curve up to and with it."""
+    return _certificate(channels(rows, parameters, calibration))
+
+
+def _certificate(pairs: Pairs) -> Answer:
     answer: Answer = []
-    for channel, pool in channels(rows, parameters, calibration):
+    for channel, pool in pairs:
         if not channel.learnt:
             continue
         cells = numbered(pool.grid)
@@ -470,3 +490,14 @@ def certificate(rows: Iterable[Row], parameters: Any, calibration: Any) -> Answe
             }
             answer.append(row)
     return answer
+
+
+def answers(rows: Iterable[Row], parameters: Any, calibration: Any) -> dict[str, Answer]:
+    """All four, of channels that are counted once."""
+    pairs = channels(rows, parameters, calibration)
+    return {
+        "health_indicator": _singles(pairs),
+        "health_at_buckets": _buckets(pairs),
+        "support": _support(pairs),
+        "certificate": _certificate(pairs),
+    }

@@ -56,7 +56,7 @@ def all_by_reference(
     rows: list[Row], parameters: gam_db.Parameters, calibration: gam_db.Calibration
 ) -> dict[str, Answer]:
     """Answer every question by the NumPy reference."""
-    return {question: by_reference(question, rows, parameters, calibration) for question in QUESTIONS}
+    return reference.answers(rows, parameters, calibration)
 
 
 def by_engine(engine: str) -> Form:
