@@ -33,7 +33,7 @@ from gam_db.stored.schema.tables import TABLES, VIEWS, StateTables
 from googlesql import GoogleSqlError, Plant, Table
 from googlesql_driver import GoogleSqlDriver
 from strategies import Case, cases
-from test_spec import CASES, compare
+from test_spec import GROUPS, arguments_of, compare, compare_all
 from test_spec import Case as Worked
 
 BIGQUERY = engine_named("bigquery")
@@ -68,19 +68,45 @@ def answer(
     return dicts(plant(rows).run(text))
 
 
-def asked(case: Worked) -> list[str]:
+def asked(case: Worked) -> frozenset[str]:
     """The questions of a case that are tried here: a query takes half a second to be analysed."""
-    questions = dict.fromkeys(question for question, _, _ in case.expected)
-    whole = case.name.startswith(("certificate", "eq2"))
-    return [question for question in questions if whole or question == "health_indicator"]
+    questions = {question for question, _, _ in case.expected}
+    is_whole = case.name.startswith(("certificate", "eq2"))
+    return frozenset(questions if is_whole else questions & {"health_indicator"})
 
 
-@pytest.mark.parametrize("case", [case for case in CASES if asked(case)], ids=lambda case: case.name)
-def test_case(case: Worked) -> None:
-    arguments = (case.rows, *harness.made(case.parameters, case.calibration))
-    answers = {question: answer(question, *arguments) for question in asked(case)}
-    compare(replace(case, expected=[table for table in case.expected if table[0] in answers]), answers)
-    comparisons.compared("bigquery", "exact", *arguments)
+def grouped() -> dict[str, list[Worked]]:
+    """Return the cases that are asked together: those of one source that have the same questions."""
+    groups: dict[str, list[Worked]] = {}
+    for said, group in GROUPS.items():
+        for case in group:
+            if questions := asked(case):
+                key = f"{said.partition(': ')[2]}: {', '.join(sorted(questions))}"
+                groups.setdefault(key, []).append(case)
+    return groups
+
+
+TRIED = grouped()
+
+
+@pytest.mark.parametrize("group", TRIED)
+def test_cases(group: str) -> None:
+    """One that is asked alone has its settings as they are written."""
+    together, questions = TRIED[group], asked(TRIED[group][0])
+
+    def answers(*arguments: Any) -> dict[str, harness.Answer]:
+        return {question: answer(question, *arguments) for question in questions}
+
+    tried = [
+        replace(case, expected=[one for one in case.expected if one[0] in questions])
+        for case in together
+    ]
+    if len(tried) == 1:
+        compare(tried[0], answers(*arguments_of(tried[0])))
+    else:
+        compare_all(tried, answers)
+    for case in together:
+        comparisons.compared("bigquery", "exact", *arguments_of(case))
 
 
 @settings(max_examples=max(3, settings().max_examples // 30))

@@ -196,13 +196,8 @@ def compare_all(group: list[Case], answered: Callable[..., dict[str, harness.Ans
         {case.name: (case.rows, case.parameters, case.calibration) for case in group}
     )
     found = answered(source.rows, source.parameters, source.calibration)
-    wrong = []
-    for case in group:
-        try:
-            compare(case, source.answers(found, case.name))
-        except AssertionError as error:
-            wrong.append(f"{case.name}: {error}")
-    assert not wrong, "\n".join(wrong)
+    named = {case.name: case for case in group}
+    gathering.each(named, lambda name: compare(named[name], source.answers(found, name)))
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)

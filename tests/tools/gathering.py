@@ -6,7 +6,7 @@ that prefix; one study of all the rows then answers for every case.
 """
 
 import dataclasses
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 import gam_db
@@ -48,16 +48,17 @@ class Gathered:
     Attributes:
         rows: of all of them.
         parameters, calibration: under which they keep their meaning.
+        prefixes: what stands before the assets of each case.
     """
 
     def __init__(self, cases: Cases) -> None:
         self.rows: list[harness.Row] = []
-        self._prefixes = {name: f"{number:03}:" for number, name in enumerate(cases)}
+        self.prefixes = {name: f"{number:03}:" for number, name in enumerate(cases)}
         sets: list[Arguments] = []
         rules: dict[str, Arguments | None] = {}
         pool: list[list[str]] = []
         for name, (rows, parameters, calibration) in cases.items():
-            prefix = self._prefixes[name]
+            prefix = self.prefixes[name]
             self.rows += [(prefix + row[0], *row[1:]) for row in rows]
             sets += [{**one, "asset": prefix + one["asset"]} for one in sets_of(parameters)]
             rules |= {prefix + pattern: rule for pattern, rule in rules_of(calibration)}
@@ -72,7 +73,7 @@ class Gathered:
 
     def answers(self, found: Mapping[str, harness.Answer], name: str) -> dict[str, harness.Answer]:
         """Return the rows of one case among those of all, its assets called as the case calls them."""
-        prefix = self._prefixes[name]
+        prefix = self.prefixes[name]
         return {
             question: [
                 {**row, "asset": row["asset"].removeprefix(prefix)}
@@ -90,3 +91,14 @@ def is_in_pieces(calibration: Arguments) -> bool:
         rule.get("score_from") is not None or rule.get("exclude") or len(rule.get("intervals") or ()) > 1
         for rule in rules
     )
+
+
+def each(cases: Iterable[str], compare: Callable[[str], None]) -> None:
+    """Compare every case of a source, and name each one that is answered wrongly."""
+    wrong = []
+    for case in cases:
+        try:
+            compare(case)
+        except AssertionError as error:
+            wrong.append(f"{case}: {error}")
+    assert not wrong, "\n".join(wrong)
