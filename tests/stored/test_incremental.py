@@ -13,13 +13,13 @@ import comparisons
 import frozen
 import gam_db
 import harness
-from batches import CHANNELS, KINDS, History, history
+from batches import KINDS, History, history
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.schema.tables import TABLES
 from visible import BUCKETS, NOVEL, STANDING, STILL, CrashError, crashing, put, rows_of
 
 #: Histories of each kind; each is one of several channels, whose rows arrive each in their own way.
-EXAMPLES = 5
+EXAMPLES, CHANNELS = 4, 130
 
 
 def play(connection: duckdb.DuckDBPyConnection, monitor: Monitor, history: History) -> None:
@@ -63,12 +63,12 @@ def empty(connection: duckdb.DuckDBPyConnection) -> None:
 @pytest.mark.parametrize(
     "kind", [KINDS[0], *(pytest.param(kind, marks=pytest.mark.thorough) for kind in KINDS[1:])]
 )
-@settings(max_examples=max(EXAMPLES, settings().max_examples // 20))
+@settings(max_examples=max(EXAMPLES, settings().max_examples // 25))
 @given(seed=st.integers(0, 2**32))
 def test_any_history_ends_in_the_tables_of_one_full_run(
     connection: duckdb.DuckDBPyConnection, kind: str, seed: int
 ) -> None:
-    told = history(kind, seed)
+    told = history(kind, seed, CHANNELS)
     parameters, calibration = harness.made(told.parameters, told.calibration)
     empty(connection)
     source = gam_db.Source("telemetry")

@@ -97,7 +97,7 @@ def history(kind: str, seed: int, channels: int = CHANNELS, mixed: bool = False)
         first,
         lookback,
         chance.choice([False, False, 5]),
-        chance.choice([15 * channels, 10**6, 10**6]),
+        chance.choice([25 * channels, 10**6, 10**6]),
         rows,
     )
     made.is_pruned = mixed and chance.random() < 0.4
