@@ -5,7 +5,7 @@ Which of the two it was is asked for in each case, so that no case passes by the
 
 import dataclasses
 import random
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import pytest
@@ -16,6 +16,7 @@ from sqlglot import exp
 import comparisons
 import engines
 import gam_db
+import gathering
 import harness
 import strategies
 from gam_db.engines.session import Session
@@ -130,18 +131,40 @@ def doubled(table: list[Row], number: int) -> list[Row]:
     return [*table, (asset, channel, time, 7.5)]
 
 
+def by_time(table: list[Row]) -> list[Row]:
+    """The first readings of all instants by time, and after them the others."""
+    known = set[tuple[str, str, int]]()
+    first, others = list[Row](), list[Row]()
+    for row in table:
+        (others if row[:3] in known else first).append(row)
+        known.add(row[:3])
+    return [*sorted(first, key=lambda row: row[2]), *others]
+
+
+def by_channel(table: list[Row]) -> list[Row]:
+    return sorted(table, key=lambda row: row[:3])
+
+
 def study_of(session: Session, name: str, method: tuple[Any, Any]) -> Study:
     return Study(session, gam_db.Source(name), *method, short_cuts=True)
 
 
 def answers(
-    session: Session, table: list[Row], method: tuple[Any, Any]
+    session: Session,
+    table: list[Row],
+    method: tuple[Any, Any],
+    look: Callable[[Study], None] = lambda study: None,
 ) -> tuple[dict[str, Answer], bool]:
-    """Return what a study answers of buckets, support and certificate, and whether on trust."""
+    """Return what a study answers of buckets, support and certificate, and whether on trust.
+
+    Whoever wants to look at the study is given it once it has answered of buckets.
+    """
     with session.lent(harness.arrow(table)) as lent:
         study = study_of(session, lent.name, method)
-        questions = ("health_at_buckets", "support", "certificate")
-        found = {name: study.table(harness.STEPS[name]).to_pylist() for name in questions}
+        found = {"health_at_buckets": study.table("bucket_health").to_pylist()}
+        look(study)
+        for name in ("support", "certificate"):
+            found[name] = study.table(harness.STEPS[name]).to_pylist()
         novel = study.table("novel_cells").num_rows
         is_trusting = study.is_trusting
         found["health_indicator"] = study.table("health_indicator").to_pylist()
@@ -158,6 +181,24 @@ def agrees(engine: str, found: dict[str, Answer], table: list[Row], method: tupl
     comparisons.compared(engine, "trusting", table, *method)
 
 
+def each_is_found(
+    engine: str,
+    numbers: Iterable[int],
+    said: tuple[dict[str, Any], dict[str, Any]],
+    stored: Callable[[list[Row]], list[Row]] = by_time,
+) -> bool:
+    """Compare sources that are one, each with a second reading of one row; return whether on trust."""
+    tables = {f"row {number}": doubled(rows(), number) for number in numbers}
+    source = gathering.Gathered({name: (table, *said) for name, table in tables.items()})
+    method = source.parameters, source.calibration
+    found, is_trusting = answers(engines.session(engine), stored(source.rows), method)
+    gathering.each(
+        tables,
+        lambda name: agrees(engine, source.answers(found, name), tables[name], harness.made(*said)),
+    )
+    return is_trusting
+
+
 @pytest.mark.parametrize("case", [*SERVED, *CUT])
 def test_the_census_gives_the_integers_of_the_reference(engine: str, case: str) -> None:
     method = harness.made(*(SERVED | CUT)[case])
@@ -166,14 +207,19 @@ def test_the_census_gives_the_integers_of_the_reference(engine: str, case: str) 
     agrees(engine, found, rows(), method)
 
 
-@pytest.mark.parametrize("number", [0, 30, -1])
-def test_an_instant_that_occurs_twice_is_found(engine: str, number: int) -> None:
+def test_an_instant_that_occurs_twice_is_found(engine: str) -> None:
     """The first of all, in calibration, and the last; of a channel with and without missing samples."""
+    assert each_is_found(engine, (0, 30, -1), SERVED["delays"])
+
+
+@pytest.mark.parametrize("number", [0, -1])
+def test_one_instant_that_occurs_twice_is_found(number: int) -> None:
+    """Of a source that has no other."""
     method = harness.made(*SERVED["delays"])
     table = doubled(rows(), number)
-    found, is_trusting = answers(engines.session(engine), table, method)
+    found, is_trusting = answers(engines.session("duckdb"), table, method)
     assert is_trusting
-    agrees(engine, found, table, method)
+    agrees("duckdb", found, table, method)
 
 
 #: What comes again: nothing; the first row of all; one of calibration, of a channel that never moves.
@@ -197,24 +243,15 @@ def test_health_alone_has_the_same_proof(engine: str, again: str) -> None:
         study.forget()
 
 
-@pytest.mark.parametrize("number", range(0, 6 * LENGTH, 41))
-def test_wherever_an_instant_occurs_twice_it_is_found(number: int) -> None:
-    method = harness.made(*SERVED["a reach of many slices"])
-    table = doubled(rows(), number)
-    found, is_trusting = answers(engines.session("duckdb"), table, method)
-    assert is_trusting
-    agrees("duckdb", found, table, method)
+def test_wherever_an_instant_occurs_twice_it_is_found() -> None:
+    assert each_is_found("duckdb", range(0, 6 * LENGTH, 41), SERVED["a reach of many slices"])
 
 
 @pytest.mark.parametrize("case", CUT)
-@pytest.mark.parametrize("number", range(5, 6 * LENGTH, 193))
-def test_what_is_not_of_calibration_is_proven_as_well(case: str, number: int) -> None:
+def test_what_is_not_of_calibration_is_proven_as_well(case: str) -> None:
     """Also what lies within an exclusion, before a declared interval, or before scoring begins."""
-    method = harness.made(*CUT[case])
-    table = doubled(rows(), number)
-    found, is_trusting = answers(engines.session("duckdb"), table, method)
+    is_trusting = each_is_found("duckdb", range(5, 6 * LENGTH, 193), CUT[case])
     assert is_trusting == ("pool" not in CUT[case][1])  # a pool is done again, here half of all
-    agrees("duckdb", found, table, method)
 
 
 @pytest.mark.parametrize("case", UNSERVED)
@@ -286,14 +323,14 @@ def test_slices_that_hold_nearly_all_are_cut_finer(engine: str, case: str) -> No
     method, session = harness.made(parameters, calibration), engines.session(engine)
     table = [row for row in rows() if row[2] >= starts.get(row[0], 0)]
     table += [("c", "y", -(10**9), 1.5), ("a", "x", 10**9, 1.5)]
-    with session.lent(harness.arrow(table)) as lent:
-        study = study_of(session, lent.name, method)
-        study.table("bucket_health")
-        edges = [row for row in study.running.rows("edges") if row["is_edge"]]
-        assert study.is_trusting
-        study.forget()
+    edges: list[dict[str, Any]] = []
+
+    def look(study: Study) -> None:
+        edges.extend(row for row in study.running.rows("edges") if row["is_edge"])
+
+    found, is_trusting = answers(session, table, method, look)
+    assert is_trusting
     assert 0 < sum(row["samples"] for row in edges) < len(table) / 3
-    found, _ = answers(session, table, method)
     agrees(engine, found, table, method)
 
 
@@ -383,10 +420,6 @@ def test_random_sources_give_the_integers_of_the_reference(data: st.DataObject) 
     agrees("duckdb", found, table, method)
 
 
-def by_channel(table: list[Row]) -> list[Row]:
-    return sorted(table, key=lambda row: row[:3])
-
-
 #: Ways in which the rows of a source may lie.
 ORDERS: dict[str, Callable[[list[Row]], list[Row]]] = {
     "by channel": by_channel,
@@ -411,6 +444,12 @@ def test_however_rows_lie_the_body_of_the_engine_serves(engine: str, order: str)
         found, is_trusting = answers(session, table, method)
         assert is_trusting
         agrees(engine, found, table, method)
+
+
+def test_what_the_body_of_the_engine_keeps(engine: str) -> None:
+    """Nothing is made for channels that lack samples where none does."""
+    method = harness.made(*SERVED["two sets and a pool of which one has no calibration"])
+    session = engines.session(engine)
     with session.lent(harness.arrow(whole(rows()))) as lent:
         study = study_of(session, lent.name, method)
         study.table("bucket_health")
@@ -442,15 +481,15 @@ def test_what_is_stored_in_order_is_not_sorted(
     monkeypatch.setattr(trusting, "GLANCE", glance)
     session, method = engines.session("sqlite"), harness.made(*SERVED["delays"])
     table = NEARLY[order](rows())
-    found, is_trusting = answers(session, table, method)
+    sorted_by: list[Any] = []
+
+    def look(study: Study) -> None:
+        sorted_by.append(study.steps.steps["lined"].query.args.get("order"))
+
+    found, is_trusting = answers(session, table, method, look)
     assert is_trusting
     agrees("sqlite", found, table, method)
-    with session.lent(harness.arrow(table)) as lent:
-        study = study_of(session, lent.name, method)
-        study.table("bucket_health")
-        is_sorted = study.steps.steps["lined"].query.args.get("order") is not None
-        study.forget()
-    assert is_sorted is (order != "by channel")
+    assert (sorted_by != [None]) is (order != "by channel")
 
 
 @pytest.mark.parametrize("place", [0, 100, 200, 321, -1])
@@ -480,17 +519,13 @@ def test_rows_without_a_time_are_counted_where_they_lie(engine: str, place: int)
     assert not any(row["without_time"] for name, row in found.items() if name != ("a", "x"))
 
 
-@pytest.mark.parametrize("stored", [list, by_channel])
-@pytest.mark.parametrize("number", range(1, 6 * LENGTH, 173))
+@pytest.mark.parametrize("stored", [by_time, by_channel])
 def test_each_body_finds_what_occurs_twice(
-    engine: str, number: int, stored: Callable[[list[Row]], list[Row]]
+    engine: str, stored: Callable[[list[Row]], list[Row]]
 ) -> None:
     """Also among the samples before the first vector, and before the first scored one."""
-    method = harness.made(*SERVED["a reach of many slices"])
-    table = stored(doubled(rows(), number))
-    found, is_trusting = answers(engines.session(engine), table, method)
-    assert is_trusting
-    agrees(engine, found, table, method)
+    numbers, said = range(1, 6 * LENGTH, 173), SERVED["a reach of many slices"]
+    assert each_is_found(engine, numbers, said, stored)
 
 
 @pytest.mark.parametrize("order", ["by channel", "shuffled"])
@@ -509,14 +544,13 @@ def test_a_support_too_large_for_a_set_is_joined(engine: str, monkeypatch: pytes
     monkeypatch.setattr(trusting.Trust, "_has_large_support", lambda trust: True)
     method = harness.made(*SERVED["delays"])
     session = engines.session(engine)
-    found, is_trusting = answers(session, rows(), method)
+
+    def look(study: Study) -> None:
+        assert study.steps.steps["complete_novelty"].query.find(exp.In) is None
+
+    found, is_trusting = answers(session, rows(), method, look)
     assert is_trusting
     agrees(engine, found, rows(), method)
-    with session.lent(harness.arrow(rows())) as lent:
-        study = study_of(session, lent.name, method)
-        study.table("bucket_health")
-        assert study.steps.steps["complete_novelty"].query.find(exp.In) is None
-        study.forget()
 
 
 def test_a_large_support_is_told_by_the_engine(engine: str, monkeypatch: pytest.MonkeyPatch) -> None:
