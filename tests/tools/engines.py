@@ -163,7 +163,7 @@ OMITTED = {
     "test_rows_that_belong_nowhere_stay_known": ("spark", "mariadb", "clickhouse"),
     "test_it_ends_in_the_tables_of_a_counter": ("spark",),
     "test_random_cases_give_the_integers_of_a_counter": ("spark",),
-    "test_it_gives_the_integers_of_a_counter": ("spark-n", "spark-w", "spark-microseconds-across"),
+    "test_it_gives_the_integers_of_a_counter": ("spark-across",),
 }
 
 #: What else can be asked for: engines that are run on a stand-in, and the tools beside them.
