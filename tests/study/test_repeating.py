@@ -221,18 +221,18 @@ def grouped() -> dict[str, list[str]]:
 GROUPS = grouped()
 
 
-@pytest.mark.parametrize("group", GROUPS)
-def test_only_its_channel_is_done_again(engine: str, group: str) -> None:
-    """Of each case, in a source of all that have the same parameters."""
-    names = GROUPS[group]
+def only_theirs_are_done_again(
+    engine: str, names: Sequence[str], asked: Sequence[str] = (), order: Sequence[str] = ORDER
+) -> None:
+    """Compare cases that are one source, each by itself; a single one has its settings as written."""
     if len(names) == 1:
         table, said, expected = CASES[names[0]]
-        assert answers(engine, table, harness.made(*said)) == (expected, True)
+        assert answers(engine, table, harness.made(*said), asked, order) == (expected, True)
         return
     source = gathering.Gathered({name: (CASES[name][0], *CASES[name][1]) for name in names})
-    method, by_time = (source.parameters, source.calibration), itemgetter(2)
-    table = sorted(source.rows, key=by_time)
-    found, again_of_all, is_trusting = asked_for(engine, table, method, (), ORDER)
+    method = source.parameters, source.calibration
+    by_time = sorted(source.rows, key=itemgetter(2))
+    found, again_of_all, is_trusting = asked_for(engine, by_time, method, asked, order)
     assert is_trusting
 
     def compare(name: str) -> None:
@@ -243,6 +243,12 @@ def test_only_its_channel_is_done_again(engine: str, group: str) -> None:
         agrees(engine, source.answers(found, name), table, harness.made(*said))
 
     gathering.each(names, compare)
+
+
+@pytest.mark.parametrize("group", GROUPS)
+def test_only_its_channel_is_done_again(engine: str, group: str) -> None:
+    """Of each case, in a source of all that have the same parameters."""
+    only_theirs_are_done_again(engine, GROUPS[group])
 
 
 @pytest.mark.parametrize("stored", ["by channel", "shuffled"])
@@ -265,11 +271,11 @@ ORDERS: dict[str, Sequence[str]] = {
 
 
 @pytest.mark.parametrize("order", ORDERS)
-@pytest.mark.parametrize("case", ["in calibration", "while scoring", "in a pool", "of each of two sets"])
-def test_what_else_is_asked_for_is_answered(engine: str, case: str, order: str) -> None:
-    table, said, expected = CASES[case]
-    told = {"asked": ["bucket_health"], "order": ORDERS[order]}
-    assert answers(engine, table, harness.made(*said), **told) == (expected, True)
+@pytest.mark.parametrize(
+    "names", [("in calibration", "while scoring", "in a pool"), ("of each of two sets",)], ids=", ".join
+)
+def test_what_else_is_asked_for_is_answered(engine: str, names: Sequence[str], order: str) -> None:
+    only_theirs_are_done_again(engine, names, ["bucket_health"], ORDERS[order])
 
 
 @pytest.mark.parametrize("first", ["support_summary", "certificate", "health_indicator"])
