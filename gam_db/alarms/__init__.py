@@ -49,18 +49,8 @@ class Alarms:
         ParameterError: a value is out of its range.
     """
 
-    rate: str | None = setting(
-        *(None, TEXT, "false alarms asked for: of all channels together, or 'per channel'"),
-        usual="'1 per month', or '0.5 per 1000 judgements' where the source counts time",
-        example="1 per month",
-    )
-    family: Sequence[str] = setting(
-        *((), Kind(COLUMNS.checked, list[str]), "channels that are alike, and replayed together"),
-        metavar="PATTERN",
-        usual="those of the same parameters",
-        more="repeatable",
-        example=("torque*", "temp*"),
-    )
+    rate: str | None = setting(None, TEXT)
+    family: Sequence[str] = setting((), Kind(COLUMNS.checked, list[str]))
 
     def __post_init__(self) -> None:
         check(self)

@@ -84,13 +84,12 @@ class Common:
     """What many commands take beside settings."""
 
     everything: bool = setting(
-        *(False, FLAG, f"print every channel, not only the {SHOWN} most urgent, and all remarks"),
-        option="--all",
+        False, FLAG, f"print every channel, not only the {SHOWN} most urgent, and all remarks"
     )
-    time_zone: str = setting("UTC", TEXT, "in which times are shown, as Europe/Berlin", metavar="NAME")
-    as_json: bool = setting(False, FLAG, "print figures as one JSON object instead", option="--json")
-    quiet: bool = setting(False, FLAG, "print nothing but errors", option="--quiet -q")
-    threads: int | None = setting(None, COUNT, "processor threads; default all")
+    time_zone: str = setting("UTC", TEXT)
+    as_json: bool = setting(False, FLAG)
+    quiet: bool = setting(False, FLAG)
+    threads: int | None = setting(None, COUNT)
 
     def __post_init__(self) -> None:
         check(self)

@@ -32,25 +32,12 @@ from gam_db.stored.state import kind_of
 class Scope:
     """What is scored; see :meth:`gam_db.Monitor.score`."""
 
-    since: str | None = setting(
-        *(
-            None,
-            INSTANT,
-            "score anew from this instant on, to mend what rows that came too late left wrong",
-        ),
-        option="--from",
-    )
-    until: str | None = setting(
-        *(None, INSTANT, "read nothing newer; what was scored after it is hidden until the next run"),
-        option="--to",
-    )
-    full: bool = setting(False, FLAG, "score everything anew")
-    everything: bool = setting(
-        *(False, FLAG, "look at parked channels and count the rows of calibration now"),
-        more="else once a day",
-    )
-    asset: str = setting("*", TEXT, options.MACHINES, metavar="PATTERN")
-    channel: str = setting("*", TEXT, "only these signals", metavar="PATTERN")
+    since: str | None = setting(None, INSTANT)
+    until: str | None = setting(None, INSTANT)
+    full: bool = setting(False, FLAG)
+    everything: bool = setting(False, FLAG)
+    asset: str = setting("*", TEXT)
+    channel: str = setting("*", TEXT)
 
     def of(self, kind: TimeKind) -> Row:
         """Return the keywords; instants as they were given, once it is clear that they are such."""

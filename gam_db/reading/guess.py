@@ -31,61 +31,17 @@ LAYOUT = dataclasses.replace(one_of("long", "wide"), option=bool, read=lambda *_
 class SourceSettings(Form):
     """What was said of the source; None is "not said", and what is not said is guessed."""
 
-    relation: str | tuple[str, ...] | None = setting(
-        None,
-        TEXT_OR_TEXTS,
-        "a file, relative to this one, a list of such, or a table of the database",
-        example="telemetry.parquet",
-    )
-    database: str | None = setting(
-        *(None, TEXT, "or postgresql://HOST/DATABASE and others; no password here"),
-        example="plant.duckdb",
-        aside=True,
-    )
-    asset: Column = setting(
-        *(None, COLUMN, "column that names the machine"),
-        off=(False, "it is one machine"),
-        example="machine",
-    )
-    channel: Column = setting(
-        *(None, dataclasses.replace(COLUMN, option=list[str]), "column that names the signal"),
-        more="with --wide: a column that holds one (repeatable; default all numeric ones)",
-        off=(False, "it is one signal"),
-        example="signal",
-    )
-    time: str | None = setting(
-        None, COLUMN, "column with a timestamp or an integer counter", example="ts"
-    )
-    value: str | None = setting(None, COLUMN, "column with the readings", example="reading")
-    layout: str | None = setting(
-        None, LAYOUT, "the table has one column per signal", option="--wide", example="wide", aside=True
-    )
-    channels: tuple[str, ...] | None = setting(
-        *(None, COLUMNS, "columns of a wide table that hold readings, each a signal"),
-        example=["current", "torque"],
-        aside=True,
-    )
-    where: str | None = setting(
-        *(None, TEXT, "rows to take, as a condition in SQL, before all else"),
-        metavar="CONDITION",
-        more="for example \"machine = 'R7'\"; it is SQL that runs with your rights, see --where-any",
-        example="reading < 1000",
-    )
-    where_any: bool | None = setting(
-        *(None, FLAG, "let where ask other tables, too: it is SQL that runs with your rights"),
-        more="on DuckDB it reads no other files; on a connection that you lend it may do what that may",
-        example=True,
-        aside=True,
-    )
-    time_kind: str | None = setting(
-        *(
-            None,
-            one_of("timestamp", "counter"),
-            "how the time column tells time, where it cannot be seen",
-        ),
-        example="timestamp",
-        aside=True,
-    )
+    relation: str | tuple[str, ...] | None = setting(None, TEXT_OR_TEXTS)
+    database: str | None = setting(None, TEXT)
+    asset: Column = setting(None, COLUMN)
+    channel: Column = setting(None, dataclasses.replace(COLUMN, option=list[str]))
+    time: str | None = setting(None, COLUMN)
+    value: str | None = setting(None, COLUMN)
+    layout: str | None = setting(None, LAYOUT)
+    channels: tuple[str, ...] | None = setting(None, COLUMNS)
+    where: str | None = setting(None, TEXT)
+    where_any: bool | None = setting(None, FLAG)
+    time_kind: str | None = setting(None, one_of("timestamp", "counter"))
 
     @property
     def shown_database(self) -> str | None:

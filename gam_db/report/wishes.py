@@ -32,32 +32,14 @@ class Wishes:
         ConfigurationError: there is no such time zone, or another value cannot be used.
     """
 
-    title: str = setting("Fleet health", TEXT, "stands above the page, and in the window")
-    details: int = setting(
-        *(24, COUNT, "signals in detail, the most urgent of each machine"),
-        more="besides one of each verdict that cannot be judged",
-        least=0,
-    )
-    signals: Sequence[str] = setting(
-        *((), replace(COLUMNS, option=list[str]), "show this signal in detail in any case"),
-        option="--signal",
-        metavar="ASSET/CHANNEL",
-        more="may be given again",
-    )
-    since: Length | None = setting(
-        None, LENGTH, "how far back the page looks", usual="to calibration", example="7 d"
-    )
-    time_zone: str = setting("UTC", TEXT, "the plant's time zone, as Europe/Berlin", metavar="NAME")
-    raw: bool = setting(
-        *(True, replace(FLAG, read=lambda *_: False), "leave raw readings out, and read no source"),
-        option="--no-raw",
-    )
-    asset: str = setting(
-        "*", TEXT, "only these machines; * and ? stand for any text or sign", metavar="PATTERN"
-    )
-    made: dt.datetime | None = setting(
-        *(None, _INSTANT, "when the page says it was made"), usual="now", metavar="TIME"
-    )
+    title: str = setting("Fleet health", TEXT)
+    details: int = setting(24, COUNT, least=0)
+    signals: Sequence[str] = setting((), replace(COLUMNS, option=list[str]))
+    since: Length | None = setting(None, LENGTH)
+    time_zone: str = setting("UTC", TEXT)
+    raw: bool = setting(True, replace(FLAG, read=lambda *_: False))
+    asset: str = setting("*", TEXT)
+    made: dt.datetime | None = setting(None, _INSTANT)
 
     def __post_init__(self) -> None:
         check(self, ConfigurationError)

@@ -26,35 +26,14 @@ class Search:
         ParameterError: a value is out of its range.
     """
 
-    tau: int | None = setting(
-        *(None, COUNT, "take this delay, in samples"), usual="chosen", most=LARGEST_LAG
-    )
-    tau_by: str = setting(
-        *(TAU_RULES[0], one_of(*TAU_RULES), "first rule to try for the delay"),
-        more="the later ones follow",
-    )
-    tau_max: int = setting(
-        *(100, COUNT, "largest delay looked at, in samples"),
-        more="never beyond a tenth of them",
-        most=LARGEST_LAG,
-    )
-    m_max: int = setting(
-        6, COUNT, "largest embedding dimension looked at", least=2, most=LARGEST_DIMENSION
-    )
-    theiler: int | None = setting(
-        *(None, COUNT, "samples within which vectors are no neighbours"),
-        usual="the larger of (d - 1) tau and the first lag with an autocorrelation below 1/e",
-        least=0,
-        most=2**31,
-    )
-    references: int = setting(
-        *(2000, COUNT, "vectors whose neighbours are looked for, in each channel and dimension"),
-        most=MOST_REFERENCES,
-    )
-    seed: int = setting(0, COUNT, "of their sample", usual="0", least=0, most=2**31 - 1)
-    ami_bins: int = setting(
-        *(16, COUNT, "equal bins of mutual information, a power of two"), least=2, most=128
-    )
+    tau: int | None = setting(None, COUNT, most=LARGEST_LAG)
+    tau_by: str = setting(TAU_RULES[0], one_of(*TAU_RULES))
+    tau_max: int = setting(100, COUNT, most=LARGEST_LAG)
+    m_max: int = setting(6, COUNT, least=2, most=LARGEST_DIMENSION)
+    theiler: int | None = setting(None, COUNT, least=0, most=2**31)
+    references: int = setting(2000, COUNT, most=MOST_REFERENCES)
+    seed: int = setting(0, COUNT, least=0, most=2**31 - 1)
+    ami_bins: int = setting(16, COUNT, least=2, most=128)
 
     def __post_init__(self) -> None:
         check(self)

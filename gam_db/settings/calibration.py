@@ -3,7 +3,6 @@
 This module owns the rules a user can give and their arithmetic on closed intervals. It knows no SQL.
 """
 
-import datetime as dt
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -84,45 +83,13 @@ class Calibration:
         CalibrationError: the rule contradicts itself.
     """
 
-    fraction: float | None = setting(
-        *(None, SHARE, "the first share of each channel's samples"),
-        option="--calibration-fraction",
-        usual="0.2, if no other way is said",
-        example=0.2,
-        least=0,
-        aside=True,
-    )
-    duration: Length | None = setting(
-        *(None, LENGTH, "from the first sample on"),
-        option="--calibration-duration",
-        example="30 d",
-        aside=True,
-    )
-    intervals: Sequence[tuple[Instant, Instant]] | None = setting(
-        *(None, INTERVALS, "a healthy interval, both ends included"),
-        option="--calibrate",
-        metavar="[ASSET=]FROM/TO",
-        more="2026-03-01/2026-03-14T18:00:00, or 0/5000 for a counter; with ASSET= (* and ? allowed) "
-        "for that machine alone (repeatable)",
-        example=[(dt.date(2026, 3, 1), dt.datetime(2026, 3, 14, 18))],
-    )
-    exclude: Sequence[tuple[Instant, Instant]] = setting(
-        *((), INTERVALS, "taken out of calibration, whose end stays"),
-        more="repeatable",
-        example=[(dt.datetime(2026, 3, 4, 6), dt.datetime(2026, 3, 4, 7, 30))],
-    )
-    score_from: Instant | None = setting(
-        *(None, INSTANT, "first instant to score"),
-        usual="after calibration",
-        example=dt.date(2026, 3, 15),
-    )
+    fraction: float | None = setting(None, SHARE, least=0)
+    duration: Length | None = setting(None, LENGTH)
+    intervals: Sequence[tuple[Instant, Instant]] | None = setting(None, INTERVALS)
+    exclude: Sequence[tuple[Instant, Instant]] = setting((), INTERVALS)
+    score_from: Instant | None = setting(None, INSTANT)
     overrides: Mapping[str, "Calibration | None"] = field(default_factory=dict)
-    pool: str | Sequence[Sequence[str]] | None = setting(
-        *(None, POOL, "machines that learn together, signal by signal"),
-        more="'channel' for all of them, or names (* and ? allowed) with commas between (repeatable)",
-        example="channel",
-        note='or groups of assets: [["robot_1", "robot_2"], ["press_*"]]',
-    )
+    pool: str | Sequence[Sequence[str]] | None = setting(None, POOL)
 
     def __post_init__(self) -> None:
         check(self, CalibrationError)

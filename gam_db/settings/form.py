@@ -53,45 +53,14 @@ _WORDS = Kind(_words, option=list[str], read=lambda _, given: tuple(given))
 class Form:
     """How numbers and times are written in a source."""
 
-    decimal: str | None = setting(
-        None,
-        one_of(",", "."),
-        "decimal sign of numbers that are written as text",
-        example=",",
-        aside=True,
-    )
-    thousands: str | None = setting(
-        *(None, one_of(".", ",", " ", "'"), "sign between thousands"), example=".", aside=True
-    )
-    unit: str | None = setting(None, TEXT, "what stands behind numbers", example="A", aside=True)
-    null: Sequence[str] | None = setting(
-        *(None, _WORDS, "a word that means a missing value (repeatable)"),
-        metavar="TEXT",
-        example=["N/A", "Bad"],
-        aside=True,
-    )
-    delimiter: str | None = setting(
-        None, TEXT, "sign between the columns of a CSV file", usual="as found", example=";", aside=True
-    )
-    skip_rows: int | None = setting(
-        *(None, COUNT, "lines of a CSV file above its header"), usual="as found", example=2, aside=True
-    )
-    time_format: str | None = setting(
-        *(None, TEXT, "how times are written, such as '%d.%m.%Y %H:%M'"),
-        usual="ISO 8601",
-        example="%d.%m.%Y %H:%M",
-        aside=True,
-    )
-    time_unit: str | None = setting(
-        *(
-            None,
-            one_of(*SINCE_1970),
-            "unit of times that are numbers since 1970, which makes timestamps of them",
-        ),
-        usual="a counter",
-        example="ms",
-        aside=True,
-    )
+    decimal: str | None = setting(None, one_of(",", "."))
+    thousands: str | None = setting(None, one_of(".", ",", " ", "'"))
+    unit: str | None = setting(None, TEXT)
+    null: Sequence[str] | None = setting(None, _WORDS)
+    delimiter: str | None = setting(None, TEXT)
+    skip_rows: int | None = setting(None, COUNT)
+    time_format: str | None = setting(None, TEXT)
+    time_unit: str | None = setting(None, one_of(*SINCE_1970))
 
     @property
     def written(self) -> dict[str, Any]:

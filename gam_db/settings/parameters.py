@@ -121,41 +121,21 @@ class Parameters:
         ParameterError: a value is out of its range.
     """
 
-    m: int = setting(3, COUNT, "embedding dimension")
-    tau: int = setting(1, COUNT, "delay, in samples")
+    m: int = setting(3, COUNT)
+    tau: int = setting(1, COUNT)
     bins: int | str = setting(
-        *(100, _BINS, "bins per axis; gam run says if calibration is too short for so fine a grid"),
+        100,
+        _BINS,
         more=f"{AUTO!r} for the finest of {', '.join(map(str, RUNGS))} that it fills, found for each "
         "channel or pool and frozen with its version",
-        note='or "auto", the finest that calibration fills',
         most=LARGEST_BINS,
     )
-    window: int = setting(5000, COUNT, "vectors in the moving average")
-    stride: int | None = setting(
-        *(None, COUNT, "vectors per bucket; divides the window"),
-        usual=f"gcd(window, {LONGEST_STRIDE})",
-        off=(None, "the default"),
-        example=100,
-    )
-    max_gap: Length | None = setting(
-        *(None, dataclasses.replace(LENGTH, checked=_positive), "longest step in time that is no pause"),
-        off=(None, "no limit"),
-        example="5 s",
-    )
-    still_after: int | None = setting(
-        *(
-            None,
-            COUNT,
-            "equal samples in a row from which on the signal stands still and counts as missing",
-        ),
-        least=2,
-        off=(None, "never"),
-        example=25,
-    )
-    target_floor: float = setting(0.05, SHARE, "indicator that a healthy machine may show")
-    least_vectors: int = setting(
-        *(LEAST_VECTORS, COUNT, "calibration vectors below which the verdict is needs_data")
-    )
+    window: int = setting(5000, COUNT)
+    stride: int | None = setting(None, COUNT)
+    max_gap: Length | None = setting(None, dataclasses.replace(LENGTH, checked=_positive))
+    still_after: int | None = setting(None, COUNT, least=2)
+    target_floor: float = setting(0.05, SHARE)
+    least_vectors: int = setting(LEAST_VECTORS, COUNT)
     overrides: Sequence[Override] = ()
 
     def __post_init__(self) -> None:

@@ -1,7 +1,8 @@
-"""What can be set is said once: a field of a dataclass with its default, unit, range and words.
+"""What can be set is said once: a field of a dataclass with its default and range, its unit and words.
 
 This module owns how a field says so, and how a value is checked. The option of the command line, the key
-of gam.toml, the keyword in Python and the line of docs/gam.toml all follow from the field.
+of gam.toml, the keyword in Python and the line of docs/gam.toml all follow from the field, whose words
+are in ``settings.toml``.
 """
 
 import dataclasses
@@ -9,12 +10,16 @@ import numbers
 import operator
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import Any, Literal, SupportsIndex, TypeVar, cast
 
+from gam_db import data
 from gam_db.clock import looks_like_calendar
 from gam_db.errors import ParameterError, UserError, nearest
 
 _KEY = "setting"
+#: Class -> field -> what :class:`Setting` has of it; of *off* the words.
+_WORDS = data.table("gam_db.settings", "settings.toml")
 _Class = TypeVar("_Class")
 
 
@@ -38,7 +43,7 @@ class Setting:
 
     default: Any  # what counts where nothing is said
     takes: Kind  # the values it takes
-    what: str  # what it is, and its unit
+    what: str = ""  # what it is, and its unit
     option: str = ""  # name of its option, where it is not that of the field
     metavar: str | None = None  # stands for the value in help, where it is not that of its kind
     more: str = ""  # what else the option's help says
@@ -84,20 +89,32 @@ class Setting:
         return self.takes.read(option, value)
 
 
-def setting(default: Any, takes: Kind, what: str, **more: Any) -> Any:
-    """Return a field of a dataclass that can be set; see :class:`Setting`."""
+def setting(default: Any, takes: Kind, what: str = "", **more: Any) -> Any:
+    """Return a field of a dataclass that can be set: what :class:`Setting` has and the table has not."""
     return dataclasses.field(default=default, metadata={_KEY: Setting(default, takes, what, **more)})
 
 
+@cache
 def settings_of(of: type) -> Mapping[str, Setting]:
     """Return what can be set in a dataclass, by name; what it shares with others comes last."""
     fields = sorted(dataclasses.fields(of), key=lambda one: one.kw_only is True)
-    return {one.name: one.metadata[_KEY] for one in fields if _KEY in one.metadata}
+    words: dict[str, Mapping[str, Any]] = {}
+    for owner in reversed(of.__mro__):
+        words |= _WORDS.get(owner.__name__, {})
+    said = {one.name: one.metadata[_KEY] for one in fields if _KEY in one.metadata}
+    return {name: _worded(one, **words.get(name, {})) for name, one in said.items()}
+
+
+def _worded(one: Setting, off: str | None = None, **words: Any) -> Setting:
+    """Return a setting with the words of the table."""
+    if off is not None:
+        words["off"] = (False if one.takes.none else None, off)
+    return dataclasses.replace(one, **words)
 
 
 def declared(of: type[_Class]) -> type[_Class]:
     """Add to the docstring of a dataclass what its settings say."""
-    said = (f"    {name}: {one.help}" for name, one in settings_of(of).items())
+    said = (f"    {name}: {one.help}" for name, one in settings_of(cast(Any, of)).items())
     of.__doc__ = "\n    ".join([(of.__doc__ or "").rstrip(), "", "Settings:", *said]) + "\n    "
     return of
 
@@ -109,7 +126,7 @@ def check(of: Any, refusal: type[UserError] = ParameterError) -> None:
         UserError: one is out of its range; of the type that is given.
     """
     try:
-        for name, one in settings_of(type(of)).items():
+        for name, one in settings_of(of.__class__).items():
             object.__setattr__(of, name, one.checked(name, getattr(of, name)))
     except ParameterError as error:
         raise refusal(str(error)) from error
