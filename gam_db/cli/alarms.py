@@ -4,15 +4,13 @@ import datetime as dt
 import operator
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Annotated, Any
-
-import typer
+from typing import Any
 
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
 from gam_db.cli.monitors import heading, place, state_of
-from gam_db.cli.options import flag, option
+from gam_db.cli.options import argument, option
 from gam_db.clock import TimeKind, told_time, zone
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row
@@ -23,6 +21,7 @@ from gam_db.stored.state import kind_of
 #: Episodes shown unless all are asked for.
 _SHOWN = 20
 
+_KINDS = ", ".join(stored.KINDS)
 _MARKS = {"proving": "?", "open": "!"}
 
 
@@ -30,8 +29,8 @@ _MARKS = {"proving": "?", "open": "!"}
 def alarms(
     settings: Settings,
     common: options.Common,
-    new: bool = flag("--new", "Print the changes instead, one by one: for a notifier."),
-    after: int = option("SEQ", "With --new: only those after this one; 0 for all.", default=0),
+    new: bool = option("alarms.new", False),
+    after: int = option("alarms.after", 0),
 ) -> None:
     """Say which signals are raised: since when, how sure, and what to decide.
 
@@ -64,7 +63,7 @@ def alarms(
 def alarm(
     settings: Settings,
     common: options.Common,
-    episode: Annotated[int, typer.Argument(metavar="ID", help="Number of the episode.")],
+    episode: int = argument("alarm.episode"),
 ) -> None:
     """Say all that is known of one episode: its judgements, and where the signal went."""
     shown_in, name = zone(common.time_zone), settings.monitor.name
@@ -107,16 +106,10 @@ def alarm(
 def label(
     settings: Settings,
     common: options.Common,
-    words: Annotated[
-        list[str],
-        typer.Argument(
-            metavar="ID KIND | ASSET FROM TO KIND",
-            help=f"An episode, or a machine and a time; and one of {', '.join(stored.KINDS)}.",
-        ),
-    ],
-    note: str | None = option("", "What else there is to say."),
-    until: str | None = option("TIME", "When an acknowledgement or a snooze ends (UTC)."),
-    instead: bool = flag("--instead", "Replace another decision on the same episode."),
+    words: list[str] = argument("label.words", names=_KINDS),
+    note: str | None = option("label.note"),
+    until: str | None = option("label.until"),
+    instead: bool = option("label.instead", False),
 ) -> None:
     """Keep what is known of an episode, or of a machine in an interval of time.
 
@@ -147,8 +140,8 @@ def label(
 def limits(
     settings: Settings,
     common: options.Common,
-    again: bool = flag("--again", "Make them anew, for the judgements to come."),
-    reason: str | None = option("", "With --again: why; it is kept with them."),
+    again: bool = option("limits.again", False),
+    reason: str | None = option("limits.reason"),
 ) -> None:
     """Say by what each channel is judged, or why it is not.
 

@@ -16,10 +16,7 @@ from gam_db.settings.setting import settings_of
 def backtest(
     settings: Settings,
     common: options.Common,
-    healthy: list[str] | None = option(
-        *("FROM/TO", "When nothing was wrong (repeatable); default all that follows calibration."),
-        "Alarms",
-    ),
+    healthy: list[str] | None = option("backtest.healthy"),
 ) -> None:
     """Count how often the limits raise what follows calibration, where nothing was wrong.
 

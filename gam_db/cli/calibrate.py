@@ -14,7 +14,7 @@ from gam_db.cli import options, page
 from gam_db.cli.config import Settings
 from gam_db.cli.job import Job, job_of
 from gam_db.cli.monitors import channels_of, heading, place
-from gam_db.cli.options import flag
+from gam_db.cli.options import option
 from gam_db.cli.progress import working
 from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
@@ -32,7 +32,7 @@ from gam_db.stored.state import State
 def calibrate(
     settings: Settings,
     common: options.Common,
-    again: bool = flag("--again", "Learn every channel anew, even with the same settings."),
+    again: bool = option("calibrate.again", False),
 ) -> None:
     """Learn the healthy part of every channel of SOURCE and freeze it in the database.
 

@@ -13,7 +13,7 @@ from gam_db.cli import options, page
 from gam_db.cli.config import Settings
 from gam_db.cli.job import Job, reading
 from gam_db.cli.monitors import watched
-from gam_db.cli.options import flag
+from gam_db.cli.options import option
 from gam_db.cli.progress import working
 from gam_db.clock import TimeKind, shown_instant
 from gam_db.engines.session import Session
@@ -35,13 +35,7 @@ def check(
     settings: Settings,
     common: options.Common,
     relation: str | tuple[str, ...] | None,
-    state: bool = flag(
-        "--state",
-        "Instead, compare all that is stored with the source, and with itself: rows that came "
-        "too late, were corrected or went, and what was damaged in the tables. Reads all of it, and "
-        "records that it did; ends with 2 if anything differs. --name, --schema and --prefix say "
-        "where it lies.",
-    ),
+    state: bool = option("check.state", False),
 ) -> None:
     """Look at SOURCE before anything is learnt of it: what it is like, what to fix, what to set.
 

@@ -29,12 +29,7 @@ def select(
     settings: Settings,
     search: Search,
     common: options.Common,
-    write: Path | None = option(
-        "FILE",
-        "Write what was chosen into this settings file, as [[override]] groups with the reason "
-        "of each, in the place of those it has.",
-        "Output",
-    ),
+    write: Path | None = option("select.write"),
 ) -> None:
     """Choose delay, embedding dimension, bins and window for every channel of SOURCE.
 

@@ -29,13 +29,8 @@ _SIMULATED = Settings(
 
 
 def demo(
-    keep: Path | None = option(
-        "--out --keep FILE",
-        "Save the series as Parquet, to go on with; a file that is there is left as it is.",
-    ),
-    report: Path | None = option(
-        "FILE.html", "Write instead the page of a small simulated plant, with every kind of change."
-    ),
+    keep: Path | None = option("demo.keep"),
+    report: Path | None = option("demo.report"),
 ) -> None:
     """Simulate a machine that wears out, and print what `gam run` prints of it. Writes nothing.
 

@@ -17,7 +17,7 @@ from gam_db.cli.check import Seen, heading, looked, note_line
 from gam_db.cli.chosen import calibration_lines, chosen, groups, save
 from gam_db.cli.config import DEFAULT_FILE, Settings
 from gam_db.cli.job import reading
-from gam_db.cli.options import flag, option
+from gam_db.cli.options import option
 from gam_db.errors import ConfigurationError, printable
 from gam_db.reading.guess import SourceSettings
 from gam_db.selection.search import Search
@@ -30,11 +30,9 @@ from gam_db.settings.source import Source, is_file, paths_of, slashed
 def init(
     settings: Settings,
     common: options.Common,
-    out: Path = option("FILE", "The file to write.", default=Path(DEFAULT_FILE)),
-    force: bool = flag("--force", "Replace the file if it is there."),
-    select: bool = flag(
-        "--select", "Choose delay, dimension, bins and window of every channel, too, as gam select does."
-    ),
+    out: Path = option("init.out", Path(DEFAULT_FILE)),
+    force: bool = option("init.force", False),
+    select: bool = option("init.select", False),
 ) -> None:
     """Write a commented gam.toml for SOURCE: its columns, and parameters with the reason for each.
 

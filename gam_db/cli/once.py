@@ -19,7 +19,7 @@ from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
 from gam_db.cli.job import Job, job_of
-from gam_db.cli.options import flag, option
+from gam_db.cli.options import option
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.cli.report import checked, page_of
 from gam_db.clock import SINCE_1970, epoch_unit, zone
@@ -45,35 +45,11 @@ Every = Literal["vector", "stride"]
 def run(
     settings: Settings,
     common: options.Common,
-    out: Path | None = option(
-        "PATH",
-        "Where the health indicator goes, replacing what is there. NAME.parquet: beside it go "
-        "NAME.support.parquet and NAME.certificate.parquet. A .duckdb or .db file: tables "
-        "gam_health_indicator, gam_support and gam_certificate. Default: SOURCE.health.parquet, "
-        "SOURCE.support.parquet, SOURCE.certificate.parquet in the current folder.",
-        _OUTPUT,
-    ),
-    no_out: bool = flag("--no-out", "Write no file.", _OUTPUT),
-    every: Every = option(
-        "",
-        "Rows to write: one per scored vector, or one per full bucket of --stride vectors "
-        "(in a DuckDB file: table gam_health_at_buckets).",
-        _OUTPUT,
-        default="vector",
-    ),
-    report: Path | None = option(
-        "FILE.html",
-        "Write the page for people who look, too; see gam report. Of a file, not of a table.",
-        _OUTPUT,
-    ),
-    estimator: str = option(
-        "NAME",
-        "What scores vectors: dse (the method itself), or centroid, gmm, forest, ocsvm, which "
-        "have no certificate and no limit. The last three need pip install "
-        '"gam-db[benchmark]".',
-        "Parameters of the method",
-        default=DSE,
-    ),
+    out: Path | None = option("run.out"),
+    no_out: bool = option("run.no_out", False),
+    every: Every = option("run.every", "vector"),
+    report: Path | None = option("run.report"),
+    estimator: str = option("run.estimator", DSE),
 ) -> None:
     """Compute the health indicator of every channel of SOURCE, print what was found, write the table.
 

@@ -12,8 +12,10 @@ from pathlib import Path
 from typing import Annotated, Any, TypeVar
 
 import typer
+from typer.models import ArgumentInfo
 
 from gam_db import address as addresses
+from gam_db import data
 from gam_db.address import VARIABLE, is_url
 from gam_db.cli import config
 from gam_db.cli.config import SECTIONS, Settings
@@ -28,9 +30,6 @@ DATABASE_ENDINGS = (".duckdb", ".db")
 
 SHOWN = 40
 """Channels shown unless all are asked for."""
-
-#: What an option says that takes a pattern of assets.
-MACHINES = "only these machines; * and ? stand for any text or sign"
 
 _PANELS = {
     "source": "Columns, guessed where not named",
@@ -62,21 +61,30 @@ STATE = ("name", "schema", "prefix")
 _Row = TypeVar("_Row")
 
 
-def option(named: str, what: str, panel: str | None = None, default: Any = None, **more: Any) -> Any:
-    """Return an option of one command, to stand as the default of a parameter.
+def option(path: str, default: Any = None, **words: str) -> Any:
+    """Return an option of a command, to stand as the default of a parameter.
 
-    ``named`` holds its names, where they are not that of the parameter, and what stands for its value:
-    ``"--from TIME"``.
+    What is said of it is in ``options.toml`` by its path there, as ``run.out``; words are filled in.
     """
-    words = named.split()
-    names = [word for word in words if word.startswith("-")]
-    metavar = " ".join(word for word in words if not word.startswith("-")) or None
-    return typer.Option(default, *names, metavar=metavar, help=what, rich_help_panel=panel, **more)
+    names, said = _told(path, words)
+    return typer.Option(default, *names, **said)
 
 
-def flag(named: str, what: str, panel: str | None = None) -> Any:
-    """Return an option without a value, which is False where it is not given."""
-    return option(named, what, panel, default=False)
+def argument(path: str, default: Any = ..., **words: str) -> Any:
+    """Return an argument of a command, likewise."""
+    _, said = _told(path, words)
+    return typer.Argument(default, show_default=False, **said)
+
+
+def _told(path: str, words: Mapping[str, str]) -> tuple[list[str], dict[str, Any]]:
+    """Return the names of an option or an argument, and what else is said of it."""
+    command, _, name = path.partition(".")
+    said = data.table("gam_db.cli", "options.toml")[command][name]
+    named = said.get("named", "").split()
+    metavar = " ".join(word for word in named if not word.startswith("-")) or None
+    more = {"help": said["what"].format(**words), "rich_help_panel": said.get("panel")}
+    names = [word for word in named if word.startswith("-")]
+    return names, {"metavar": metavar, **more, **({"min": said["min"]} if "min" in said else {})}
 
 
 @dataclass(frozen=True)
@@ -119,27 +127,6 @@ Threads = Annotated[int | None, _typer("threads", *_OF_COMMON["threads"])]
 All = Annotated[bool, _typer("everything", *_OF_COMMON["everything"])]
 Json = Annotated[bool, _typer("as_json", *_OF_COMMON["as_json"])]
 
-_SOURCE = typer.Argument(
-    None,
-    metavar="SOURCE...",
-    help="Parquet or CSV files (wildcards allowed), folders of such, or a table of --database. "
-    "Default: what gam.toml says.",
-    show_default=False,
-)
-_CONFIG = option("", f"Settings file; default ./{config.DEFAULT_FILE} if it is there.")
-_READ_ONLY = option(
-    "ADDRESS",
-    "Database that holds the table, a DuckDB file or a URL such as postgresql://HOST/DATABASE; "
-    f"it is only read. Default: the environment variable {VARIABLE}.",
-)
-_OF_STATE = option(
-    "ADDRESS",
-    "Database that holds the state, and the source if that is a table: a DuckDB file, which is "
-    "made if it is not there, or a URL such as postgresql://HOST/DATABASE. Default: the environment "
-    f"variable {VARIABLE}, or what gam.toml says.",
-    _PANELS["monitor"],
-)
-
 
 def taking(
     *names: str, source: bool = True, state: bool = False, fresh: bool = False, but: tuple[str, ...] = ()
@@ -165,13 +152,14 @@ def taking(
         for section, of in classes.items():
             if of is not Common:
                 known |= {name: (section, one) for name, one in settings_of(of).items()}
+        read = argument("shared.source", None)
         parameters = [
-            *(one for one in own.values() if one.default is one.empty),
-            *([_parameter("relation", list[str] | None, _SOURCE)] if source else []),
-            _parameter("database", str | None, _OF_STATE if state else _READ_ONLY),
-            *([] if fresh else [_parameter("config", Path | None, _CONFIG)]),
+            *(one for one in own.values() if isinstance(one.default, ArgumentInfo)),
+            *([_parameter("relation", list[str] | None, read)] if source else []),
+            _parameter("database", str | None, option(f"shared.{'of_state' if state else 'read_only'}")),
+            *([] if fresh else [_parameter("config", Path | None, option("shared.config"))]),
             *(made for name, (section, one) in known.items() for made in _options(name, section, one)),
-            *(one for one in own.values() if one.default is not one.empty),
+            *(one for one in own.values() if not isinstance(one.default, ArgumentInfo)),
         ]
         parameters = [one.replace(kind=inspect.Parameter.KEYWORD_ONLY) for one in parameters]
 
@@ -203,7 +191,8 @@ def _options(name: str, section: str, one: Setting) -> Iterator[inspect.Paramete
     yield _parameter(name, of, _typer(name, section, one, default))
     if kind.none and one.off is not None:
         said = f"{one.off[1][0].upper()}{one.off[1][1:]}."
-        yield _parameter(f"no_{name}", bool, flag(f"--no-{name}", said, _PANELS[section]))
+        none = typer.Option(False, f"--no-{name}", help=said, rich_help_panel=_PANELS[section])
+        yield _parameter(f"no_{name}", bool, none)
 
 
 def _said(given: dict[str, Any], known: Mapping[str, tuple[str, Setting]]) -> dict[str, dict[str, Any]]:

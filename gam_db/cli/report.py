@@ -31,7 +31,7 @@ def report(
     settings: Settings,
     wishes: Wishes,
     common: options.Common,
-    out: Path = option("--out FILE", "The page, replacing what is there.", default=Path("report.html")),
+    out: Path = option("report.out", Path("report.html")),
 ) -> None:
     """Write the page for people who look: which machines left health, since when, and where they went.
 

@@ -3,17 +3,15 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
 
 import pyarrow as pa
 import pyarrow.compute as pc
-import typer
 
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
 from gam_db.cli.monitors import heading, place, watched
-from gam_db.cli.options import flag, option
+from gam_db.cli.options import argument, option
 from gam_db.cli.progress import working
 from gam_db.cli.status import judging, raised
 from gam_db.clock import LONG_AGO, TimeKind, instant, shown_instant
@@ -57,21 +55,9 @@ def score(
     settings: Settings,
     scope: Scope,
     common: options.Common,
-    source: Annotated[
-        list[str] | None,
-        typer.Argument(
-            metavar="SOURCE...",
-            help="Read this file, these or this table instead, of the same columns. Default: the source "
-            "that gam calibrate was given.",
-            show_default=False,
-        ),
-    ] = None,
-    dry_run: bool = flag("--dry-run", "Say what would be read, and write nothing."),
-    copy_to: Path | None = option(
-        "--copy FILE",
-        "Then copy the state into a DuckDB file of its own, for readers: no other process can "
-        "open the database while this one writes.",
-    ),
+    source: list[str] | None = argument("score.source", None),
+    dry_run: bool = option("score.dry_run", False),
+    copy_to: Path | None = option("score.copy_to"),
 ) -> None:
     """Score what is new since the last run, and what came late, of every calibrated channel.
 

@@ -7,7 +7,7 @@ import typer
 
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
-from gam_db.cli.options import flag, option
+from gam_db.cli.options import option
 from gam_db.clock import TimeKind, told_time
 from gam_db.engines import NAMES, engine_named
 from gam_db.errors import ConfigurationError, printable
@@ -25,14 +25,10 @@ from gam_db.stored.state import State
 def migrate(
     settings: Settings,
     common: options.Common,
-    status: bool = flag("--status", "Change nothing; say what was applied. Exit code 2: some are not."),
-    sql: bool = flag("--sql", "Print the script, for a database administrator; open no database."),
-    engine: str | None = option("", f"With --sql: one of {', '.join(NAMES)} (default duckdb)."),
-    grants: str | None = option(
-        "owner=NAME,writer=NAME,reader=NAME",
-        "With --sql --engine postgres: let the tables belong to the owner, and give writer "
-        "(calibrate, score, check, prune) and reader (status, views) what they need.",
-    ),
+    status: bool = option("migrate.status", False),
+    sql: bool = option("migrate.sql", False),
+    engine: str | None = option("migrate.engine", names=", ".join(NAMES)),
+    grants: str | None = option("migrate.grants"),
 ) -> None:
     """Make the state tables in a database, or bring those of an older gam-db up to date.
 
@@ -98,10 +94,8 @@ _KINDS = dict(zip(COUNTED, ("buckets", "novel cells", "runs", "support"), strict
 def prune(
     settings: Settings,
     common: options.Common,
-    keep_versions: int | None = option(
-        "N", "Retired versions of each channel that stay. Default: all of them.", min=0
-    ),
-    dry_run: bool = flag("--dry-run", "Say what would go, and change nothing."),
+    keep_versions: int | None = option("prune.keep_versions"),
+    dry_run: bool = option("prune.dry_run", False),
 ) -> None:
     """Delete old buckets, novel cells, versions and records of runs; say how large each channel is.
 
@@ -155,10 +149,8 @@ def _tell_sizes(sizes: pa.Table, monitor: str, dry_run: bool, common: options.Co
 @options.taking("schema", "prefix", source=False, state=True)
 def drop(
     settings: Settings,
-    name: str | None = option(
-        "MONITOR", "Remove the rows of this monitor only; the tables and all others stay."
-    ),
-    yes: bool = flag("--yes", "Do not ask."),
+    name: str | None = option("drop.name"),
+    yes: bool = option("drop.yes", False),
 ) -> None:
     """Remove the state tables of a schema and prefix, or with --name the rows of one monitor.
 

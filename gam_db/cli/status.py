@@ -27,7 +27,7 @@ ASSETS = 20
 def status(
     settings: Settings,
     common: options.Common,
-    asset: str | None = option("PATTERN", f"{options.MACHINES}.".capitalize()),
+    asset: str | None = option("status.asset"),
 ) -> None:
     """Say how every channel is: verdict, floor, indicator, trend, and what is wrong with its data.
 

@@ -2,13 +2,13 @@
 
 import dataclasses
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Any, Literal
 
 import typer
 
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
-from gam_db.cli.options import option
+from gam_db.cli.options import argument, option
 from gam_db.engines import EVIDENCE, NAMES, engine_named
 from gam_db.engines.connecting import connect
 from gam_db.errors import ConfigurationError, SourceError
@@ -27,15 +27,11 @@ Form = Literal["exact", "view"]
 @options.taking(*options.READ, "time_kind")
 def compile(
     settings: Settings,
-    form: Form = option(
-        "", "exact: one query. view: tables of what was learnt, and a view.", default="view"
-    ),
-    engine: str = option("", f"One of {', '.join(NAMES)}.", default="duckdb"),
-    out: Path | None = option("FILE", "Where the script goes; default: printed."),
-    prefix: str = option("", "Begins the names of tables and views.", default="gam_live_"),
-    schema: str | None = option(
-        "", "Schema of tables and views (default: the current one; postgres: public)."
-    ),
+    form: Form = option("compile.form", "view"),
+    engine: str = option("compile.engine", "duckdb", names=", ".join(NAMES)),
+    out: Path | None = option("compile.out"),
+    prefix: str = option("compile.prefix", "gam_live_"),
+    schema: str | None = option("compile.schema"),
 ) -> None:
     """Print the complete SQL script that computes the health indicator of SOURCE on an engine.
 
@@ -105,12 +101,9 @@ def tools() -> None:
 )
 def dbt(
     settings: Settings,
-    folder: Annotated[
-        Path,
-        typer.Argument(metavar="DIR", help="Where the package goes; empty, or that of an earlier one."),
-    ],
-    engine: str = option("", f"What dbt runs on: {', '.join(ADAPTERS)}.", default="duckdb"),
-    schema: str | None = option("", "Of the source table; default: that of dbt's target."),
+    folder: Path = argument("dbt.folder"),
+    engine: str = option("dbt.engine", "duckdb", names=", ".join(ADAPTERS)),
+    schema: str | None = option("dbt.schema"),
 ) -> None:
     """Write a dbt package that keeps the health indicator of SOURCE up to date in the warehouse.
 
@@ -130,14 +123,12 @@ def dbt(
 
 @export.command()
 def grafana(
-    folder: Annotated[Path, typer.Argument(metavar="DIR", help="Where the files go; it is made.")],
-    engine: str = option(
-        "", f"Where the state lies: {', '.join(dashboards.SOURCES)}.", default="postgres"
-    ),
-    schema: str | None = option("", "Of the state tables; default: that of the connection."),
-    prefix: str = option("", "Of the state tables.", default="gam_"),
-    name: str = option("MONITOR", "Of the monitor.", default="default"),
-    uid: str = option("", "Of Grafana's data source, which the alert rule names.", default="gam-db"),
+    folder: Path = argument("grafana.folder"),
+    engine: str = option("grafana.engine", "postgres", names=", ".join(dashboards.SOURCES)),
+    schema: str | None = option("grafana.schema"),
+    prefix: str = option("grafana.prefix", "gam_"),
+    name: str = option("grafana.name", "default"),
+    uid: str = option("grafana.uid", "gam-db"),
 ) -> None:
     """Write a dashboard for Grafana over the views of a monitor, and an alert rule.
 
