@@ -16,77 +16,56 @@ class GamError(Exception):
 
     code = "error"
 
+    def __init_subclass__(cls, code: str | None = None) -> None:
+        cls.code = code or cls.code
 
-class UserError(GamError):
+
+class UserError(GamError, code="user"):
     """Something the user can mend."""
 
-    code = "user"
 
-
-class ParameterError(UserError):
+class ParameterError(UserError, code="parameter"):
     """A parameter of the method is out of its range."""
 
-    code = "parameter"
 
-
-class CalibrationError(UserError):
+class CalibrationError(UserError, code="calibration"):
     """The calibration is contradictory or cannot be resolved."""
 
-    code = "calibration"
 
-
-class SourceError(UserError):
+class SourceError(UserError, code="source"):
     """The relation, a column of it, or its rows are not usable."""
 
-    code = "source"
 
-
-class ConfigurationError(UserError):
+class ConfigurationError(UserError, code="configuration"):
     """A key of gam.toml or an option of the command line is not usable."""
 
-    code = "configuration"
 
-
-class EngineError(UserError):
+class EngineError(UserError, code="engine"):
     """An unknown engine, or one that cannot do what is asked."""
 
-    code = "engine"
 
-
-class RunAgainError(EngineError):
+class RunAgainError(EngineError, code="again"):
     """Only the moment was wrong: nothing was lost, and running again is all there is to do."""
 
-    code = "again"
 
-
-class ConflictError(RunAgainError):
+class ConflictError(RunAgainError, code="conflict"):
     """Another writer was faster."""
 
-    code = "conflict"
 
-
-class LockedError(RunAgainError):
+class LockedError(RunAgainError, code="locked"):
     """Another process has the file open."""
 
-    code = "locked"
 
-
-class LostConnectionError(RunAgainError):
+class LostConnectionError(RunAgainError, code="connection"):
     """The server went away, has no room, or is not there yet."""
 
-    code = "connection"
 
-
-class StateError(UserError):
+class StateError(UserError, code="state"):
     """The state tables are missing, were changed, or are of another gam-db."""
 
-    code = "state"
 
-
-class InternalError(GamError):
+class InternalError(GamError, code="fault"):
     """A fault of gam-db itself."""
-
-    code = "fault"
 
 
 class TemplateError(InternalError):

@@ -12,10 +12,8 @@ from gam_db.errors import ConfigurationError, RunAgainError
 _AGAIN = 5.0
 
 
-class OutOfTimeError(RunAgainError):
+class OutOfTimeError(RunAgainError, code="timeout"):
     """A command took longer than it was given; what counts already stays."""
-
-    code = "timeout"
 
 
 @contextlib.contextmanager
