@@ -1,7 +1,8 @@
 """Engines: how the SQL of each is written, as flat data and small rewrites, and its connection.
 
-One that is executed has a folder: its ``__init__.py`` says how its SQL is written, its ``driver.py`` how
-it is run. Of one that is only rendered there is a file. Nothing outside asks which engine it is.
+What is data of one is in ``engines.toml``. One that is executed has a folder: its ``__init__.py`` says
+how its SQL is written, its ``driver.py`` how it is run. Of one that is only rendered there is a file.
+Nothing outside asks which engine it is.
 
 What is known of an engine at work is in ``evidence.csv``: ``tests/engines/test_engines.py`` holds it to
 what the tests run, and ``python tests/tools/evidence.py`` writes version and date anew after that.

@@ -7,11 +7,13 @@ Making SQL needs no driver and no connection.
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache, partial
+from typing import Any
 
 from sqlglot import exp
 from sqlglot.dialects.dialect import Dialect
 from sqlglot.errors import ErrorLevel, UnsupportedError
 
+from gam_db import data
 from gam_db.clock import TimeKind
 from gam_db.composing import template
 from gam_db.composing.lately import Lately
@@ -35,6 +37,8 @@ Rewrite = Callable[[exp.Expr], exp.Expr]
 #: A formula for each kind of time: that of TIMESTAMP for all that have none of their own.
 Formulas = str | Mapping[TimeKind, str]
 RangeRewrite = Callable[[exp.Expr, int | None, int | None], list[exp.Expr]]
+
+_SAID = data.table("gam_db.engines", "engines.toml")
 
 #: Engine, its home and hash of a tree -> its text.
 _WRITTEN: Lately[str] = Lately(3000)
@@ -139,6 +143,12 @@ class Engine:
     #: Asks how many rows a set may have for that (one row, *most*); None for any number.
     most_in_set: exp.Query | None = None
 
+    @classmethod
+    def named(cls, name: str, **code: Any) -> "Engine":
+        """Return an engine: what ``engines.toml`` says of it, and the rest, which takes code."""
+        said = {key: _by_kind(value) for key, value in _SAID[name].items()}
+        return cls(name=name, **{**said, **code})
+
     def is_too_old(self, version: str) -> bool:
         """Tell whether a version is older than the oldest that is accepted."""
         oldest = [int(part) for part in (self.oldest or "0").split(".")]
@@ -230,6 +240,11 @@ class Engine:
             )
         except UnsupportedError as error:
             raise EngineError(f"{self.name} has no form for part of this query: {error}") from error
+
+
+def _by_kind(said: Any) -> Any:
+    """Return a formula for each kind of time by the kinds; all else as it is."""
+    return {TimeKind(kind): one for kind, one in said.items()} if isinstance(said, dict) else said
 
 
 def _of_kind(formulas: Formulas, kind: TimeKind) -> str:

@@ -50,15 +50,9 @@ def find_keys_as_structs(tree: exp.Expr) -> exp.Expr:
     return tree
 
 
-ENGINE = Engine(
-    name="bigquery",
-    title="BigQuery",
-    dialect="bigquery",
-    limits="gam-db does not connect to it; it prints the SQL. Storage, quotas and transactions of the "
-    "service were not seen at work.",
+ENGINE = Engine.named(
+    "bigquery",
     types=Types("bigquery"),
-    micros="own.UNIX_MICROS(CAST(:time AS TIMESTAMPTZ))",  # of a TIMESTAMP, DATETIME (UTC) or DATE
-    instant="own.TIMESTAMP_MICROS(:micros)",
     storage=Storage(
         comments="inside",  # as OPTIONS
         note=_described,

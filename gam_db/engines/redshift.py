@@ -3,7 +3,7 @@
 from sqlglot import exp
 
 from gam_db.engines.base import Engine
-from gam_db.engines.postgres import INSTANT
+from gam_db.engines.postgres import ENGINE as POSTGRES
 from gam_db.engines.storage import Definition, Storage
 
 
@@ -12,14 +12,5 @@ def _sorted(definition: Definition) -> list[exp.Expr]:
     return [exp.SortKeyProperty(this=[column.this for column in definition.key], compound=True)]
 
 
-ENGINE = Engine(
-    name="redshift",
-    title="Redshift",
-    dialect="redshift",
-    limits="gam-db does not connect to it; it prints the SQL. Sort keys and DATEDIFF were not seen "
-    "at work.",
-    # EXTRACT(EPOCH) is whole seconds there.
-    micros="own.DATEDIFF(MICROSECOND, CAST('1970-01-01 00:00:00' AS TIMESTAMP), :time)",
-    instant=INSTANT,
-    storage=Storage(properties=_sorted, adds_twice=False),
-)
+_STORAGE = Storage(properties=_sorted, adds_twice=False)
+ENGINE = Engine.named("redshift", instant=POSTGRES.instant, storage=_STORAGE)

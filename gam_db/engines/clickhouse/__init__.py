@@ -99,30 +99,14 @@ def allow_long_plans(tree: exp.Expr) -> exp.Expr:
     return tree
 
 
-ENGINE = Engine(
-    name="clickhouse",
-    title="ClickHouse",
-    dialect="clickhouse",
-    oldest="24.12",  # conditions beside the equality of a join need no permission since then
-    extra="clickhouse",
-    transactions=False,
-    limits="A run is seen once its commit row is there; of two at once one gives way; "
-    "calibrations at once are detected, not prevented. "
-    "Steps are kept in temporary tables of a session: behind a load balancer, one server must answer "
-    "it. Inside this process (chdb) only one process opens a folder, and a process only one. It reads "
-    "no files by path.",
+ENGINE = Engine.named(
+    "clickhouse",
     types=Types("clickhouse", (("BFloat16", "Float32"),)),
     micros={
         TimeKind.TIMESTAMP: "own.toUnixTimestamp64Micro(own.toDateTime64(:time, 6, 'UTC'))",
         TimeKind.NANOSECONDS: _OF_NANOSECONDS,
         TimeKind.NANOSECONDS_WITH_ZONE: _OF_NANOSECONDS,
     },
-    # Casts wrap around: an unsigned counter beyond 2^63 would become negative.
-    counted="own.accurateCast(:time * 1, 'Nullable(Int64)')",
-    instant="own.fromUnixTimestamp64Micro(:micros, 'UTC')",
-    delays="arrays",
-    holds_delays=True,
-    by_sets=True,
     rewrites=(escape_by_backslash, allow_long_plans),
     create_table=create_table,
     storage=Storage("inside", view_comments=False, properties=_stored, column=_null_by_type),

@@ -14,7 +14,6 @@ from gam_db.method.bits import Bits
 #: zero, so a rest below zero takes one more; since 1970 there is none. Infinite times are NULL.
 _FLOORED = """ THEN NULL WHEN own.EPOCH_NS(:time) >= 0 THEN own.EPOCH_NS(:time) // 1000
     ELSE own.EPOCH_NS(:time) // 1000 - CASE WHEN own.EPOCH_NS(:time) % 1000 < 0 THEN 1 ELSE 0 END END"""
-_ZONED = "own.MAKE_TIMESTAMPTZ(:micros)"
 
 
 def gathered(numbers: exp.Expr, bound: int) -> exp.Expr:
@@ -27,12 +26,8 @@ def held(bits: exp.Expr, number: exp.Expr) -> exp.Expr:
     return formula("own.GET_BIT(:bits, CAST(:number AS INT))", bits=bits, number=number)
 
 
-ENGINE = Engine(
-    name="duckdb",
-    title="DuckDB",
-    dialect="duckdb",
-    oldest="2.0",
-    limits="One process at a time can write a file.",
+ENGINE = Engine.named(
+    "duckdb",
     types=Types("duckdb", (("TIMESTAMPTZ_NS", "TIMESTAMPTZ(9)"),)),
     texts=Texts(number_of, instant_of_text),
     seen_formats=seen_formats,
@@ -44,17 +39,6 @@ ENGINE = Engine(
             "CASE WHEN NOT own.ISFINITE(CAST(:time AS TIMESTAMPTZ))" + _FLOORED
         ),
     },
-    instant={
-        TimeKind.TIMESTAMP: "own.MAKE_TIMESTAMP(:micros)",
-        TimeKind.TIMESTAMP_WITH_ZONE: _ZONED,
-        TimeKind.NANOSECONDS_WITH_ZONE: _ZONED,
-    },
-    compared={TimeKind.NANOSECONDS_WITH_ZONE: "CAST(own.MAKE_TIMESTAMPTZ(:micros) AS TIMESTAMPTZ_NS)"},
-    flow_hint=True,
-    reads_files=True,
-    unpivots=True,
-    macros=True,
     bits=Bits(gathered, held),
-    in_rounds=True,
     rewrites=(partial(compare_by_bytes, exp.var("C")),),
 )

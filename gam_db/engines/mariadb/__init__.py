@@ -11,8 +11,6 @@ from gam_db.engines.types import Types
 #: A collation by bytes, in which a blank at the end counts.
 COLLATION = "utf8mb4_nopad_bin"
 
-_EPOCH = "CAST('1970-01-01 00:00:00.000000' AS DATETIME(6))"
-
 
 def quote_names(tree: exp.Expr) -> exp.Expr:
     """Quote all names.
@@ -36,20 +34,9 @@ def floor_to_double(tree: exp.Expr) -> exp.Expr:
     return tree
 
 
-ENGINE = Engine(
-    name="mariadb",
-    title="MariaDB",
-    dialect="mysql",
-    oldest="10.11",
-    extra="mariadb",
-    limits=(
-        "It reads no files; load them into a table. What changes the form of tables cannot be undone: a "
-        "migration that is cut short is run again."
-    ),
+ENGINE = Engine.named(
+    "mariadb",
     types=Types("mysql"),
-    micros="own.TIMESTAMPDIFF(MICROSECOND, " + _EPOCH + ", :time)",
-    instant="own.TIMESTAMPADD(MICROSECOND, :micros, " + _EPOCH + ")",
-    undoes_definitions=False,
     storage=Storage(
         comments="inside",
         view_comments=False,

@@ -6,7 +6,6 @@ from functools import partial
 import sqlglot
 from sqlglot import exp
 
-from gam_db.clock import TimeKind
 from gam_db.composing import template
 from gam_db.engines.base import Engine, compare_by_bytes
 from gam_db.engines.storage import Storage
@@ -14,23 +13,6 @@ from gam_db.engines.types import Types
 
 #: The collation that compares texts by their bytes.
 BYTES = template.name("C")
-
-
-_STEPS = """ + :micros * "INTERVAL '1 microsecond'\""""
-
-#: Exact below 2^53 microseconds from 1970.
-INSTANT = {
-    TimeKind.TIMESTAMP: "CAST('1970-01-01 00:00:00' AS TIMESTAMP)" + _STEPS,
-    TimeKind.TIMESTAMP_WITH_ZONE: "CAST('1970-01-01 00:00:00+00' AS TIMESTAMPTZ)" + _STEPS,
-}
-
-#: EXTRACT is numeric, and exact, but takes three times as long; DATE_PART is DOUBLE, and 10^6 times that
-#: is the right integer below 2^51 microseconds from 1970. NULL for infinite times.
-MICROS = (
-    "CASE WHEN :time BETWEEN '1900-01-01' AND '2040-01-01'"
-    " THEN CAST(own.DATE_PART('epoch', :time) * 1000000 AS BIGINT)"
-    " WHEN own.ISFINITE(:time) THEN CAST(EXTRACT(EPOCH FROM :time) * 1000000 AS BIGINT) END"
-)
 
 
 def keep_small_steps(tree: exp.Expr) -> exp.Expr:
@@ -130,29 +112,11 @@ _MOST_IN_SET = sqlglot.parse_one(
 #: operator that fits its arguments better than PostgreSQL's own.
 PATH = "pg_catalog, pg_temp"
 
-ENGINE = Engine(
-    name="postgres",
-    title="PostgreSQL",
-    dialect="postgres",
-    oldest="14",
-    extra="postgres",
-    limits=(
-        "It reads no files; load them into a table. Steps are kept in temporary tables: not on a "
-        "standby, and not behind a pool that changes connections between transactions."
-    ),
+ENGINE = Engine.named(
+    "postgres",
     types=Types("postgres", (("citext", "text"),)),
-    micros=MICROS,
-    instant=INSTANT,
     storage=Storage(column=_by_bytes, index=True),
-    flow_hint=True,
-    home="public",
-    temporary="pg_temp",
     opening=(exp.Command(this="SET", expression=f"search_path TO {PATH}"),),
-    condition_note=(
-        ". Only what is PostgreSQL's own goes without a schema there; name functions, operators, types "
-        "and tables of others in full: public.f(x), a OPERATOR(public.+) b, public.t."
-    ),
-    by_sets=True,
     most_in_set=_MOST_IN_SET,
     rewrites=(partial(compare_by_bytes, BYTES), keep_small_steps, fence_reads, fence_sets),
 )

@@ -7,7 +7,6 @@ import dataclasses
 
 from sqlglot import exp
 
-from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, table_as
 from gam_db.engines.storage import Definition, Storage, clustered, merged, overwritten
 from gam_db.engines.types import Types
@@ -18,15 +17,6 @@ GROUPS = 4
 
 #: What the large tables are ordered by within a version or support.
 _LARGE = ("bucket_no", "cell_key")
-
-
-#: A timestamp without zone is read as UTC by a session in UTC.
-MICROS = "own.UNIX_MICROS(CAST(:time AS TIMESTAMPTZ))"
-INSTANT = {
-    TimeKind.TIMESTAMP: "CAST(own.TIMESTAMP_MICROS(:micros) AS TIMESTAMP_NTZ)",
-    TimeKind.TIMESTAMP_WITH_ZONE: "own.TIMESTAMP_MICROS(:micros)",
-    TimeKind.NANOSECONDS_WITH_ZONE: "own.TIMESTAMP_MICROS(:micros)",
-}
 
 
 def create_table(table: exp.Table, query: exp.Query) -> exp.Create:
@@ -79,19 +69,9 @@ def _format(name: str) -> exp.Expr:
     return exp.FileFormatProperty(this=exp.var(name))
 
 
-ENGINE = Engine(
-    name="spark",
-    title="Spark",
-    dialect="spark",
-    oldest="3.5",
-    extra="spark",
-    transactions=False,
-    unpivots=True,
-    limits="A run is seen once its commit row is there; of two at once one "
-    "gives way; calibrations at once are detected, not prevented.",
+ENGINE = Engine.named(
+    "spark",
     types=Types("spark"),
-    micros=MICROS,
-    instant=INSTANT,
     create_table=create_table,
     storage=_stored("PARQUET"),
     fill=overwritten,

@@ -10,22 +10,9 @@ from sqlglot import exp
 
 from gam_db.clock import SECOND, TimeKind
 from gam_db.composing import template
-from gam_db.engines.base import Engine, formula
+from gam_db.engines.base import Engine
 from gam_db.engines.storage import Storage
 from gam_db.engines.types import Types
-
-#: Of a text YYYY-MM-DD HH:MM:SS.ffffff, with Z or an offset or neither. Digits behind the point are kept
-#: from STRFTIME, which rounds to milliseconds: half a millisecond before a second is that second to it.
-_MICROS = (
-    "CAST(own.STRFTIME('%s', own.SUBSTR(:time, 1, 19)"
-    " || own.LTRIM(own.SUBSTR(:time, 20), '.0123456789')) AS BIGINT) * 1000000"
-    " + CAST(own.ROUND(CAST('0' || own.SUBSTR(:time, 20, 7) AS DOUBLE) * 1000000) AS BIGINT)"
-)
-_REST = "((:micros % 1000000 + 1000000) % 1000000)"
-_INSTANT = (
-    "own.STRFTIME('%Y-%m-%d %H:%M:%S', CAST((:micros - " + _REST + ") / 1000000 AS BIGINT), 'unixepoch')"
-    " || own.PRINTF('.%06d', " + _REST + ")"
-)
 
 _DAY = 86_400 * SECOND
 
@@ -45,7 +32,7 @@ def range_of(column: exp.Expr, earliest: int | None, latest: int | None) -> list
     decides.
     """
     conditions: list[exp.Expr] = []
-    micros = formula(_MICROS, time=column)
+    micros = ENGINE.micros_of(TimeKind.TIMESTAMP, column)
     if earliest is not None:
         if earliest >= _FIRST_DAYS:
             conditions.append(exp.GTE(this=column.copy(), expression=_day(earliest - _DAY)))
@@ -103,20 +90,10 @@ class Affinities(Types):
     is_text = _with_part("CHAR TEXT CLOB")
 
 
-ENGINE = Engine(
-    name="sqlite",
-    title="SQLite",
-    dialect="sqlite",
-    oldest="3.35",  # windows, hints on WITH entries and mathematical functions are all there since then
-    limits="One connection at a time writes. It has no schemas and no comments, and reads no files.",
+ENGINE = Engine.named(
+    "sqlite",
     types=Affinities("sqlite"),
-    micros=_MICROS,
-    instant=_INSTANT,
     range_of=range_of,
     storage=Storage("none", index=True, adds_twice=False, replaces_views=False),
-    schemas=False,
-    flow_hint=True,
-    delays="rowids",
-    by_sets=True,
     rewrites=(glob_for_like,),
 )
