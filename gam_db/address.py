@@ -6,7 +6,7 @@ This module owns what an address looks like, and that no password is shown or ke
 import re
 from urllib.parse import urlsplit
 
-from gam_db.errors import EngineError
+from gam_db.errors import wrong
 
 #: The environment variable that names the database where no option and no gam.toml does.
 VARIABLE = "GAM_DATABASE"
@@ -61,27 +61,17 @@ def check(address: str) -> None:
     """
     if not is_url(address):
         if _LIBPQ.search(address):
-            raise EngineError(
-                "The address of the database is text in libpq's own words (host=... dbname=...), which "
-                "gam-db does not take; write postgresql://USER@HOST:5432/DATABASE, and leave the "
-                "password to PGPASSWORD or ~/.pgpass."
-            )
+            raise wrong("libpq_words")
         return
     try:
         urlsplit(address)
     except ValueError:
         # Not chained: what is said quotes the address.
-        raise EngineError(
-            "The address of the database cannot be read; its host ends in one bracket, or in a user or "
-            "password a sign stands for itself: write %5B for [, %40 for @, %2F for /, %3A for :."
-        ) from None
+        raise wrong("unreadable_address") from None
     scheme, _, rest = address.partition("://")
     is_file = rest.startswith("/")
     if scheme in _OF_FILES and (has_password(address) or (not is_file and "@" in rest)):
-        raise EngineError(
-            f"An address that begins with {scheme}:// has no user and no password in it; leave them "
-            "out, and give them to the environment if the database wants them."
-        )
+        raise wrong("user_in_address_of_files", scheme=scheme)
 
 
 def without_passwords(text: str) -> str:

@@ -12,7 +12,7 @@ from enum import Enum
 from fractions import Fraction
 from typing import SupportsIndex, TypeAlias, cast
 
-from gam_db.errors import ConfigurationError, ParameterError
+from gam_db.errors import ParameterError, wrong
 
 Instant: TypeAlias = int | str | dt.datetime | dt.date
 Length: TypeAlias = int | float | str | dt.timedelta
@@ -87,24 +87,17 @@ def instant(value: object, kind: TimeKind, what: str) -> int:
         whole = _whole(value)
         if whole is not None:
             return _bounded(whole, what)
-        raise ParameterError(
-            f"{what} is {value!r}, but the source counts time in integers; give an integer."
-        )
+        raise wrong("instant_on_a_counter", what=what, value=value)
     if isinstance(value, str):
         try:
             value = dt.datetime.fromisoformat(value.strip())
         except ValueError:
-            raise ParameterError(
-                f"{what} is {value!r}, which is no time; write it like 2026-03-01T06:00:00."
-            ) from None
+            raise wrong("no_time", what=what, value=value) from None
     if isinstance(value, dt.date):
         if not isinstance(value, dt.datetime):
             value = dt.datetime(value.year, value.month, value.day)
         return (aware(value) - _EPOCH) // _MICROSECOND
-    raise ParameterError(
-        f"{what} is {value!r}, but the source tells time by timestamps; give a datetime or a text "
-        "like 2026-03-01T06:00:00."
-    )
+    raise wrong("instant_on_a_calendar", what=what, value=value)
 
 
 def aware(time: dt.datetime) -> dt.datetime:
@@ -143,10 +136,7 @@ def length(value: object, kind: TimeKind, what: str) -> int:
         elif isinstance(value, float) and math.isfinite(value):
             steps = math.floor(value)
         else:
-            raise ParameterError(
-                f"{what} is {value!r}, but the source counts time in integers; give a number of "
-                "counter steps."
-            )
+            raise wrong("length_on_a_counter", what=what, value=value)
     elif isinstance(value, dt.timedelta):
         steps = value // _MICROSECOND
     elif isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value):
@@ -158,10 +148,7 @@ def length(value: object, kind: TimeKind, what: str) -> int:
         if found:
             steps = math.floor(Fraction(found[1]) * _UNITS[found[2]])
     if steps is None:
-        raise ParameterError(
-            f"{what} is {value!r}, which is no length of time; give seconds, a timedelta, or a text "
-            "with a unit (us, ms, s, min, h, d, w) such as '30 d'."
-        )
+        raise wrong("no_length", what=what, value=value)
     if steps < 0:
         raise ParameterError(f"{what} is {value!r}; it must not be negative.")
     return _bounded(steps, what)
@@ -197,9 +184,7 @@ def zone(name: str) -> dt.tzinfo:
     try:
         return zoneinfo.ZoneInfo(name)
     except (ValueError, OSError, zoneinfo.ZoneInfoNotFoundError):
-        raise ConfigurationError(
-            f"There is no time zone {name!r}; give a name such as Europe/Berlin or UTC."
-        ) from None
+        raise wrong("no_time_zone", name=name) from None
 
 
 def looks_like_calendar(value: object) -> bool:

@@ -3,12 +3,15 @@
 The command line exits with 1 where the user can mend it (UserError), with 75 where only the moment was
 wrong (RunAgainError), and with 3 where it is our fault (InternalError).
 
-A message says what is wrong, where, and what to do. Values of the telemetry never appear in one,
-but for the first word that cannot be read as the number or time that it should be.
+A message says what is wrong, where, and what to do; long ones are in ``errors.toml``. Values of the
+telemetry never appear in one, but for the first word that cannot be read as the number or time that it
+should be.
 """
 
 import difflib
 from collections.abc import Iterable
+
+from gam_db import data
 
 
 class GamError(Exception):
@@ -81,6 +84,15 @@ class StatementError(InternalError):
     def __init__(self, message: str, statement: str = "") -> None:
         super().__init__(message)
         self.statement = statement
+
+
+def wrong(key: str, /, **words: object) -> UserError:
+    """Return the error of a key of ``errors.toml``, with words filled in."""
+    for name, said in data.table("gam_db", "errors.toml").items():
+        if key in said:
+            error: UserError = globals()[name](said[key].format(**words))
+            return error
+    raise InternalError(f"There is no error {key!r} in errors.toml.")
 
 
 def printable(text: str) -> str:

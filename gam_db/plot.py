@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from sqlglot import exp
 
 from gam_db.engines.connecting import connect
-from gam_db.errors import ConfigurationError, nearest
+from gam_db.errors import ConfigurationError, nearest, wrong
 from gam_db.extras import needed
 from gam_db.stored.monitor import Monitor
 
@@ -128,8 +128,5 @@ def _of_file(path: Path) -> tuple[pa.Table, pa.Table]:
     )
     for one in (path, beside):
         if path.suffix != _ENDING or not one.is_file():
-            raise ConfigurationError(
-                f"{one} is not there, or no result of gam run; give its Parquet file of the indicator, "
-                f"with NAME.support{_ENDING} beside it, or its DuckDB file."
-            )
+            raise wrong("no_result_to_plot", one=one, ending=_ENDING)
     return (pq.read_table(path, columns=list(wanted[0])), pq.read_table(beside, columns=list(wanted[1])))

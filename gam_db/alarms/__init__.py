@@ -15,7 +15,7 @@ import pyarrow as pa
 from gam_db.alarms.heights import LEAST, MOST, STATED_FROM, UNSTATED, Height, Rate, by_replay, by_table
 from gam_db.clock import TimeKind, length
 from gam_db.columns import COUNT, SHARE, WORD, columns, counts, table_of
-from gam_db.errors import ParameterError
+from gam_db.errors import wrong
 from gam_db.method.adding import add
 from gam_db.method.alarms import FAR, NEAR, add_judgements, add_learnt_limits, add_replay
 from gam_db.method.judgement import add_judged, add_standing
@@ -67,10 +67,7 @@ class Alarms:
         if self.rate is None:
             return "0.5 per 1000 judgements" if kind.is_counter else "1 per month"
         if kind.is_counter and Rate.of(self.rate).days is not None:
-            raise ParameterError(
-                f"rate is {self.rate!r}, but the source counts time in integers; give it in judgements: "
-                "'0.5 per 1000 judgements'."
-            )
+            raise wrong("rate_in_days_on_a_counter", rate=self.rate)
         return self.rate
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from gam_db.alarms import Alarms, judge, limits_of
 from gam_db.clock import Instant
-from gam_db.errors import ParameterError
+from gam_db.errors import ParameterError, wrong
 from gam_db.method.alarms import add_backtested
 from gam_db.settings.calibration import Calibration, closed, merge
 from gam_db.settings.parameters import Parameters
@@ -69,9 +69,7 @@ def backtest(
         why = "; ".join(f"{count:,}: {reason}" for reason, count in sorted(_withheld(rows).items()))
         raise ParameterError(f"There is no judgement to count, since no channel has a limit ({why}).")
     if not found:
-        raise ParameterError(
-            "There is no judgement to count: healthy covers no full window after calibration."
-        )
+        raise wrong("healthy_holds_no_window")
     return figures(alarms.asked(study.method.kind), rows, found)
 
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gam_db.errors import ParameterError
+from gam_db.errors import wrong
 
 LEAST, MOST = 4, 80
 """The heights that a replay tries, in quarters of a spread."""
@@ -50,11 +50,7 @@ class Rate:
         number = float(match[1]) if match else 0.0
         days = None if match is None else _DAYS.get(match[2])
         if match is None or not 0 < number < math.inf or (days is None and match[3]):
-            raise ParameterError(
-                f"rate is {said!r}; it takes a number above 0 and what it is counted in: '1 per "
-                "month' of all channels, '2 per year per channel', or '0.5 per 1000 judgements'; also "
-                "per day or week (a month is 30 days, a year 365)."
-            )
+            raise wrong("no_rate", said=said)
         return cls(number, days, match[3] is not None)
 
     def per_judgement(self, own: float | None, total: float) -> float:

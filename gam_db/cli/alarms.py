@@ -12,7 +12,7 @@ from gam_db.cli.config import Settings
 from gam_db.cli.monitors import heading, place, state_of
 from gam_db.cli.options import argument, option
 from gam_db.clock import TimeKind, told_time, zone
-from gam_db.errors import ConfigurationError, printable
+from gam_db.errors import ConfigurationError, printable, wrong
 from gam_db.findings import Row
 from gam_db.stored.alarms import limits as made
 from gam_db.stored.alarms import told as stored
@@ -72,9 +72,7 @@ def alarm(
         rows = stored.alarms(state, name).to_pylist()
         found = next((row for row in rows if row["episode"] == episode), None)
         if found is None:
-            raise ConfigurationError(
-                f"There is no episode {episode}; gam alarms --all shows those that there are."
-            )
+            raise wrong("no_episode", episode=episode)
         told: Row = {
             "judgements": stored.judgements(state, found),
             "bands": stored.bands(state, name, found),
@@ -117,10 +115,7 @@ def label(
     no more until it is calibrated again.
     """
     if len(words) not in (2, 4):
-        raise ConfigurationError(
-            f"gam label takes ID KIND or ASSET, two times and KIND, not {len(words)} words: gam label 3 "
-            "true_fault, or gam label robot_7 2026-03-01 2026-03-02 maintenance."
-        )
+        raise wrong("label_words", count=len(words))
     name, first, kind = settings.monitor.name, words[0], words[-1]
     of: Row = {"asset": first, "span": (words[1], words[2])} if len(words) == 4 else {}
     if not of:

@@ -18,7 +18,7 @@ from gam_db.cli.options import option
 from gam_db.cli.progress import working
 from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
-from gam_db.errors import ConfigurationError, EngineError, printable
+from gam_db.errors import ConfigurationError, EngineError, printable, wrong
 from gam_db.findings import Row, need_attention, share, shortcomings
 from gam_db.reading.guess import SourceSettings, folder_or_table
 from gam_db.settings.source import AnySource, WideSource, is_file, shown_relation, slashed
@@ -102,10 +102,7 @@ def _job(session: Session, settings: Settings, is_new: bool) -> Job:
         if known := names.get(settings.monitor.name):
             said = _remembered(said, known, list(dict.fromkeys(channels_of(state, known))))
     if said.relation is None:
-        raise ConfigurationError(
-            "Name a SOURCE: a Parquet or CSV file, or a table of the database; or put relation under "
-            "[source] into gam.toml."
-        )
+        raise wrong("no_source_to_calibrate")
     settings = dataclasses.replace(settings, source=said)
     job = job_of(session, settings, _absolute(said.relation), shown_relation(said.relation))
     if known is not None:

@@ -20,7 +20,7 @@ from gam_db.cli.job import Job
 from gam_db.cli.page import WORDS
 from gam_db.cli.progress import working
 from gam_db.engines.connecting import connect
-from gam_db.errors import ConfigurationError
+from gam_db.errors import ConfigurationError, wrong
 from gam_db.findings import Row
 from gam_db.selection.search import Search
 from gam_db.selection.select import Selection, Studied, alone, selected_by_all
@@ -121,9 +121,7 @@ def written(path: Path, settings: Settings, job: Job, choices: Sequence[Row]) ->
     except tomllib.TOMLDecodeError:
         is_kept = False
     if not is_kept:
-        raise ConfigurationError(
-            f"{path} holds [[override]] in a form that cannot be replaced; take them out and try again."
-        )
+        raise wrong("override_cannot_be_replaced", path=path)
     save(path, new)
 
 

@@ -15,7 +15,7 @@ from typer.core import TyperCommand
 from typer.main import get_command
 
 from gam_db import data
-from gam_db.errors import ConfigurationError
+from gam_db.errors import wrong
 from gam_db.extras import give_pandas
 
 _LISTED: dict[str, dict[str, str]] = data.table("gam_db.cli", "commands.toml")
@@ -61,9 +61,7 @@ def loaded(name: str) -> Any:
         try:
             found = entry.load()
         except ModuleNotFoundError as error:
-            raise ConfigurationError(
-                f"gam {name} is part of the laboratory ({entry.module}), which is not installed here."
-            ) from error
+            raise wrong("command_of_laboratory", name=name, module=entry.module) from error
     if isinstance(found, typer.Typer):
         return get_command(found)
     alone = typer.Typer(add_completion=False, rich_markup_mode="markdown")

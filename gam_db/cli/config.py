@@ -14,7 +14,7 @@ from typing import Any
 
 from gam_db.address import has_password, is_url, shown
 from gam_db.alarms import Alarms
-from gam_db.errors import ConfigurationError, UserError, nearest
+from gam_db.errors import ConfigurationError, UserError, nearest, wrong
 from gam_db.reading.guess import SourceSettings
 from gam_db.settings.calibration import WAYS, Calibration
 from gam_db.settings.parameters import Override, Parameters
@@ -131,10 +131,7 @@ def _check_where(source: SourceSettings) -> None:
     from gam_db.settings.source import parsed_condition
 
     if parsed_condition(source.where).find(exp.Query):
-        raise ConfigurationError(
-            f"where is {source.where!r}; it asks other tables or files, with your rights. If you "
-            "trust it, say --where-any, or where_any = true under [source]."
-        )
+        raise wrong("where_asks_other_tables", where=source.where)
 
 
 def _check_owner(path: Path) -> None:
@@ -143,10 +140,7 @@ def _check_owner(path: Path) -> None:
         return
     for one in (path, path.resolve().parent):
         if one.stat().st_uid not in {os.getuid(), *_TRUSTED}:
-            raise ConfigurationError(
-                f"{path} is not read: {'it' if one is path else 'its folder'} belongs to another user, "
-                f"and what it says runs with your rights. If you trust it, say --config {path}."
-            )
+            raise wrong("file_of_another_user", path=path, said="it" if one is path else "its folder")
 
 
 def _settings(document: Mapping[str, Any], path: Path) -> Settings:
@@ -160,9 +154,7 @@ def _settings(document: Mapping[str, Any], path: Path) -> Settings:
     said = {name: dict(document.get(name, {})) for name in SECTIONS}
     rules = said["calibration"].pop("overrides", {})
     if not isinstance(rules, dict):
-        raise ConfigurationError(
-            'overrides in [calibration] is a section; write [calibration.overrides."pattern"].'
-        )
+        raise wrong("overrides_are_a_section")
     _check_keys("[calibration]", said["calibration"], (*settings_of(Calibration), "overrides"))
     said = {name: _read(f"[{name}]", table, SECTIONS[name]) for name, table in said.items()}
     if rules:
@@ -218,10 +210,7 @@ def _placed(said: SourceSettings, folder: Path) -> SourceSettings:
     changed: dict[str, Any] = {}
     if said.database is not None:
         if has_password(said.database):
-            raise ConfigurationError(
-                f"database in [source] is {shown(said.database)}; a password does not belong into a "
-                "file: leave it out, and put it into the environment (PGPASSWORD, CLICKHOUSE_PASSWORD)."
-            )
+            raise wrong("password_in_file", shown=shown(said.database))
         if not is_url(said.database):
             changed["database"] = str(folder / said.database)
     if is_file(said.relation):

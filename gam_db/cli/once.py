@@ -25,7 +25,7 @@ from gam_db.cli.report import checked, page_of
 from gam_db.clock import SINCE_1970, epoch_unit, zone
 from gam_db.engines.connecting import connect
 from gam_db.engines.duckdb.files import SOURCE_MARK
-from gam_db.errors import ConfigurationError, printable
+from gam_db.errors import ConfigurationError, printable, wrong
 from gam_db.findings import Row, findings, need_attention
 from gam_db.report import Wishes
 from gam_db.settings.source import FILE_ENDINGS, is_file, paths_of
@@ -68,14 +68,9 @@ def run(
     if report is not None:
         checked(report, "--report")
         if not is_file(relation):
-            raise ConfigurationError(
-                "--report is of a file; of a table, gam calibrate, gam score and gam report make the "
-                "page."
-            )
+            raise wrong("report_of_a_table")
         if others is not None:
-            raise ConfigurationError(
-                f"--report is of {DSE}, which alone has a certificate; leave one out."
-            )
+            raise wrong("report_of_an_estimator", own=DSE)
     results = [] if no_out else results_of(relation, settings.source.database, out, every, estimator)
     written = [str(one) for one in (*results, *([] if report is None else [report]))]
     shows: Callable[[page.Out], None]
@@ -125,10 +120,7 @@ def _others(estimator: str) -> Any:
     try:
         others = next(found.load() for found in entry_points(group="gam_db.estimators"))
     except (StopIteration, ModuleNotFoundError) as error:
-        raise ConfigurationError(
-            f"--estimator is {estimator}; all but {DSE} are part of the laboratory, which is not "
-            "installed here."
-        ) from error
+        raise wrong("estimator_of_laboratory", estimator=estimator, own=DSE) from error
     return others
 
 
@@ -215,9 +207,7 @@ def results_of(
         beside = [path.with_name(f"{name}.{what}{path.suffix}") for what in ("support", "certificate")]
         paths = [path, *beside]
     else:
-        raise ConfigurationError(
-            f"--out is {path}; give a Parquet file (.parquet) or a DuckDB file (.duckdb, .db)."
-        )
+        raise wrong("out_of_another_kind", path=path)
     if not path.parent.is_dir():
         raise ConfigurationError(f"--out is {path}; the folder {path.parent} is not there.")
     for one in paths:
@@ -245,9 +235,7 @@ def _check_theirs(path: Path, relation: Any) -> None:
     read = [one.parent if "*" in one.name else one for one in read]
     is_theirs = not all(any(map(Path(one).is_relative_to, read)) for one in of.split(";"))
     if of and is_file(relation) and is_theirs:
-        raise ConfigurationError(
-            f"{path} holds the results of {of}, a source of the same name; say --out, or remove it."
-        )
+        raise wrong("results_of_another", path=path, of=of)
 
 
 def _made_from(path: Path) -> str:

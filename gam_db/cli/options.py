@@ -21,7 +21,7 @@ from gam_db.cli import config
 from gam_db.cli.config import SECTIONS, Settings
 from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
-from gam_db.errors import ConfigurationError, EngineError
+from gam_db.errors import ConfigurationError, EngineError, wrong
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.setting import COUNT, FLAG, TEXT, Setting, check, setting, settings_of
 from gam_db.settings.source import FILE_ENDINGS, as_folder, is_file
@@ -204,9 +204,7 @@ def _said(given: dict[str, Any], known: Mapping[str, tuple[str, Setting]]) -> di
         is_said = not (value is None or value is False or value == [])
         if given.get(f"no_{name}") and one.off is not None:
             if is_said:
-                raise ConfigurationError(
-                    f"--{name} and --no-{name} contradict each other; give one of them."
-                )
+                raise wrong("option_and_its_no", name=name)
             said[section][name] = one.off[0]
         elif is_said:
             said.setdefault(section, {})[name] = one.of_option(_option(name, one)[0], value)
@@ -255,9 +253,7 @@ def _check_layout(columns: dict[str, Any]) -> None:
     """Refuse what contradicts itself; the signals of a wide table become its channels."""
     signals, wide = columns.get("channel"), "layout" in columns
     if wide and ("value" in columns or signals is False):
-        raise ConfigurationError(
-            "--wide means one column per signal; leave out --value and --no-channel."
-        )
+        raise wrong("wide_has_no_value")
     if isinstance(signals, list):
         if len(signals) > 1 and not wide:
             raise ConfigurationError("Several --channel are columns of a wide table; add --wide.")
@@ -269,29 +265,18 @@ def named_relation(settings: Settings) -> str | tuple[str, ...]:
     """Return the relation that was named: a file, some, or a table of the database; refuse others."""
     relation, database = settings.source.relation, settings.source.database
     if relation is None:
-        raise ConfigurationError(
-            "Name a SOURCE: a Parquet or CSV file, or a table with --database FILE.duckdb; or put "
-            "relation under [source] into gam.toml. `gam demo` needs none."
-        )
+        raise wrong("no_source")
     if not isinstance(relation, str):
         for one in relation:
             if not is_file(one):
-                raise ConfigurationError(
-                    f"{one!r} is no Parquet or CSV file ({', '.join(FILE_ENDINGS)}); several SOURCE are "
-                    "files or folders, and a table is named alone."
-                )
+                raise wrong("several_are_files", one=one, names=", ".join(FILE_ENDINGS))
         return relation
     if database is None and Path(relation).is_dir():
         return str(as_folder(relation))
     if database is None and not is_file(relation):
         if Path(relation).suffix in DATABASE_ENDINGS:
-            raise ConfigurationError(
-                f"{relation} is a database; name the table: gam run TABLE --database {relation}."
-            )
-        raise ConfigurationError(
-            f"{relation!r} is no Parquet or CSV file ({', '.join(FILE_ENDINGS)}); if it is a table, say "
-            "which database holds it: --database FILE.duckdb."
-        )
+            raise wrong("source_is_a_database", relation=relation)
+        raise wrong("no_database_for_table", relation=relation, names=", ".join(FILE_ENDINGS))
     return relation
 
 
@@ -309,10 +294,7 @@ def opened(
     """
     address = settings.source.database
     if address is None:
-        raise ConfigurationError(
-            "Say which database holds the state: --database FILE.duckdb, or a URL such as "
-            "postgresql://HOST/DATABASE; or put database under [source] into gam.toml."
-        )
+        raise wrong("no_database_for_state")
     addresses.check(address)
     if must_exist and not is_url(address) and not Path(address).exists():
         raise EngineError(f"There is no database file {address}.")

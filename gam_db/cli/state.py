@@ -10,7 +10,7 @@ from gam_db.cli.config import Settings
 from gam_db.cli.options import option
 from gam_db.clock import TimeKind, told_time
 from gam_db.engines import NAMES, engine_named
-from gam_db.errors import ConfigurationError, printable
+from gam_db.errors import ConfigurationError, printable, wrong
 from gam_db.findings import Row
 from gam_db.stored import pruning
 from gam_db.stored.pruning import COUNTED, Retention
@@ -177,8 +177,6 @@ def _ask(expected: str) -> None:
     try:
         typed = typer.prompt(f"Type {expected} to remove it", default="", show_default=False)
     except typer.Abort:
-        raise ConfigurationError(
-            "Nothing was removed: nobody could be asked; say --yes if it is meant."
-        ) from None
+        raise wrong("nobody_confirms") from None
     if typed != expected:
         raise ConfigurationError(f"Nothing was removed: {expected} was not typed.")

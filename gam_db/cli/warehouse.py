@@ -11,7 +11,7 @@ from gam_db.cli.config import Settings
 from gam_db.cli.options import argument, option
 from gam_db.engines import EVIDENCE, NAMES, engine_named
 from gam_db.engines.connecting import connect
-from gam_db.errors import ConfigurationError, SourceError
+from gam_db.errors import ConfigurationError, wrong
 from gam_db.export import Package, write
 from gam_db.export import grafana as dashboards
 from gam_db.export.models import ADAPTERS
@@ -72,9 +72,7 @@ def _as_named(relation: Any, said: SourceSettings) -> AnySource:
     time = said.time or "time"
     if said.layout == "wide" or said.channels is not None:
         if not said.channels:
-            raise SourceError(
-                "A wide table that gam cannot see needs its signals named: --channel COLUMN, repeated."
-            )
+            raise wrong("unseen_wide_table")
         return WideSource(relation, said.channels, asset, time, said.where, said.time_kind)
     channel = None if said.channel is False else said.channel or "channel"
     return Source(

@@ -12,7 +12,7 @@ from typing import Any
 from gam_db.address import check
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
-from gam_db.errors import EngineError, nearest
+from gam_db.errors import EngineError, nearest, wrong
 
 _IN_MEMORY = ("duckdb://", "duckdb:///:memory:", ":memory:")
 _FILE = "duckdb:///"
@@ -92,10 +92,7 @@ def connect(
     if scheme == "duckdb":
         raise EngineError(f"{address} names a server; a DuckDB file is duckdb:///PATH, three slashes.")
     if scheme not in _SCHEMES:
-        raise EngineError(
-            f"gam-db knows no database {scheme}://{nearest(scheme, _SCHEMES)} For another engine `gam "
-            "compile` and `gam migrate --sql` print the SQL to run there."
-        )
+        raise wrong("no_such_database", scheme=scheme, hint=nearest(scheme, _SCHEMES))
     return _opened(_SCHEMES[scheme], address, writable)
 
 

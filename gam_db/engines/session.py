@@ -19,7 +19,7 @@ from gam_db.composing import template
 from gam_db.engines.driver import Driver
 from gam_db.engines.refusals import CONFLICT as CONFLICT
 from gam_db.engines.refusals import OPEN, first_line
-from gam_db.errors import EngineError, LostConnectionError, SourceError, StatementError, nearest
+from gam_db.errors import EngineError, LostConnectionError, SourceError, StatementError, nearest, wrong
 from gam_db.settings.form import Form
 from gam_db.settings.source import is_file, table_names
 
@@ -80,10 +80,7 @@ class Session:
         """
         said = form is not None and self.engine.texts is None and form
         if said and (said.reads_words or said.delimiter or said.skip_rows or said.time_format):
-            raise SourceError(
-                "How numbers and times are written is said of files that DuckDB reads; "
-                f"{self.engine.title} reads columns as they are: cast them in a view."
-            )
+            raise wrong("engine_reads_no_texts", title=self.engine.title)
         if not isinstance(relation, (str, Path, tuple, list)):
             return self.load(arrow_table(relation))
         if is_file(relation):
@@ -151,10 +148,7 @@ class Session:
         try:
             self._asked(self.driver.commit)
         except LostConnectionError as error:
-            raise LostConnectionError(
-                f"The connection to {self.engine.title} was lost while the work was being committed: "
-                "whether it counts is not known. Run it again: what counts already is not done twice."
-            ) from error
+            raise wrong("commit_unknown", title=self.engine.title) from error
 
     @contextlib.contextmanager
     def transaction(self) -> Iterator[None]:
@@ -307,10 +301,7 @@ def arrow_table(relation: Any) -> pa.Table:
     elif not hasattr(relation, "__arrow_c_stream__") and hasattr(relation, "to_pyarrow"):
         relation = relation.to_pyarrow()
     if not hasattr(relation, "__arrow_c_stream__"):
-        raise SourceError(
-            f"relation is a {type(relation).__name__}; it takes the name of a table, the path of a "
-            "Parquet or CSV file, an Arrow table or a data frame."
-        )
+        raise wrong("no_relation", kind=type(relation).__name__)
     table = relation if isinstance(relation, pa.Table) else pa.table(relation)
     check_columns(table)
     return table
@@ -328,10 +319,7 @@ def check_columns(table: pa.Table) -> None:
     for name in table.column_names:
         twin = seen.get(name.casefold())
         if twin is not None:
-            raise SourceError(
-                f"The Arrow table has the columns {twin!r} and {name!r}, which DuckDB cannot tell "
-                "apart; rename one of them."
-            )
+            raise wrong("arrow_names_alike", twin=twin, name=name)
         seen[name.casefold()] = name
 
 

@@ -16,7 +16,7 @@ from gam_db.clock import Length, TimeKind
 from gam_db.composing import template
 from gam_db.engines import engine_named
 from gam_db.engines.base import Engine
-from gam_db.errors import ConfigurationError, EngineError, SourceError
+from gam_db.errors import ConfigurationError, SourceError, wrong
 from gam_db.export import jinja, yaml_text
 from gam_db.export.models import ADAPTERS, CALIBRATED, SOURCE, TABLE, Model, Modelled, checks, models
 from gam_db.method import Method
@@ -80,9 +80,7 @@ class Package:
         catalog, place, table = self._place()
         engine = engine_named(self.engine)
         if (adapter := ADAPTERS.get(self.engine)) is None:
-            raise EngineError(
-                f"dbt has no adapter for {self.engine}; take one of {', '.join(ADAPTERS)}."
-            )
+            raise wrong("dbt_no_adapter", engine=self.engine, names=", ".join(ADAPTERS))
         kind = declared_kind(self.source) or TimeKind.COUNTER
         method = Method(self.parameters, self.calibration, kind)
         prefix = StateTables("any", self.prefix).prefix
@@ -111,18 +109,14 @@ class Package:
         """Return catalogue, schema and name of the source table."""
         relation = self.source.relation
         if is_file(relation) or not isinstance(relation, (str, tuple, list)):
-            raise SourceError(
-                "A dbt source is a table of the warehouse; load the file into one and name that."
-            )
+            raise wrong("dbt_no_table")
         if isinstance(self.source, WideSource) and self.source.channels is None:
             raise SourceError("A dbt package of a wide table needs its channels named: channels=[...].")
         node = table_names(relation)[0]
         parts = [part.name for part in node.parts]  # type: ignore[attr-defined]
         catalog, schema, table = [None] * (3 - len(parts)) + parts
         if schema and self.schema and schema != self.schema:
-            raise ConfigurationError(
-                f"The source lies in the schema {schema!r}, and --schema says {self.schema!r}; give one."
-            )
+            raise wrong("dbt_two_schemas", schema=schema, said=self.schema)
         return catalog, schema or self.schema, table
 
 
@@ -151,10 +145,7 @@ def _check_folder(folder: Path, prefix: str) -> None:
     begin = project.read_text(encoding="utf-8") if project.is_file() else ""
     is_free = not folder.exists() or (folder.is_dir() and not any(folder.iterdir()))
     if not (is_free or begin.startswith(mark(prefix))):
-        raise ConfigurationError(
-            f"{folder} holds something else than a dbt package with the prefix {prefix!r} that gam "
-            "wrote; name an empty folder."
-        )
+        raise wrong("dbt_folder_of_another", folder=folder, prefix=prefix)
 
 
 def _text(model: Model, engine: Engine, before: str = "") -> str:

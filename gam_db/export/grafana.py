@@ -16,7 +16,7 @@ from gam_db import data
 from gam_db.composing import template
 from gam_db.composing.pipeline import filled, place
 from gam_db.engines import engine_named
-from gam_db.errors import ConfigurationError
+from gam_db.errors import ConfigurationError, wrong
 from gam_db.export import yaml_text
 from gam_db.extras import needed
 from gam_db.stored.schema.tables import StateTables
@@ -40,13 +40,9 @@ def write(
             be written.
     """
     if engine not in SOURCES:
-        raise ConfigurationError(
-            f"engine is {engine!r}; Grafana's data sources that gam-db knows: {', '.join(SOURCES)}."
-        )
+        raise wrong("grafana_no_source", engine=engine, names=", ".join(SOURCES))
     if "$" in f"{tables.schema or ''}{monitor}":
-        raise ConfigurationError(
-            "A schema or monitor with $ in its name would mean a variable in Grafana."
-        )
+        raise wrong("grafana_variable")
     asked = queries(engine, tables, monitor)
     made = {DASHBOARD: dashboard(engine, asked), ALERT: alert(engine, asked["alert"], uid)}
     try:

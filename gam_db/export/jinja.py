@@ -9,7 +9,7 @@ from typing import Any
 
 from sqlglot import exp
 
-from gam_db.errors import ConfigurationError
+from gam_db.errors import wrong
 
 THIS = exp.Table(this=exp.var("{{ this }}"))
 
@@ -46,10 +46,7 @@ def check_is_free(tree: exp.Expr) -> None:
     """Refuse names and texts of the user that dbt would take for Jinja."""
     for node in tree.find_all(exp.Literal, exp.Identifier):
         if any(sign in node.name for sign in _SIGNS):
-            raise ConfigurationError(
-                f"{node.name!r} holds signs that dbt takes for Jinja ({', '.join(_SIGNS)}); rename it, "
-                "or read the source through a view."
-            )
+            raise wrong("jinja_in_a_name", name=node.name, names=", ".join(_SIGNS))
 
 
 def _value(value: Any) -> str:

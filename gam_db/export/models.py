@@ -18,7 +18,7 @@ from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, filled, union_of
 from gam_db.engines.base import Engine
-from gam_db.errors import CalibrationError, ParameterError
+from gam_db.errors import CalibrationError, wrong
 from gam_db.export import jinja
 from gam_db.method import Method, pipeline
 from gam_db.method.adding import OfSet, add
@@ -95,18 +95,11 @@ class Modelled:
         calibration = self.method.calibration
         rules = [calibration, *(rule for rule in calibration.overrides.values() if rule is not None)]
         if any(rule.intervals is None for rule in rules):
-            raise CalibrationError(
-                "A dbt package is built again and again, so its calibration must be fixed: give closed "
-                "intervals, --calibrate FROM/TO or intervals under [calibration] in gam.toml, not a "
-                "fraction or a duration."
-            )
+            raise wrong("dbt_calibration_not_fixed")
         if not any(rule.allowed for rule in self.method.rules):
             raise CalibrationError("Nothing is left of the calibration intervals; give at least one.")
         if len(self.method.settings) > 1:
-            raise ParameterError(
-                "A dbt package has one set of parameters; write one package for each, with --where for "
-                "its channels and a --prefix of its own."
-            )
+            raise wrong("dbt_several_sets")
 
     @property
     def setting(self) -> Setting:

@@ -16,7 +16,7 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.engines import engine_named
 from gam_db.engines.base import Engine
-from gam_db.errors import EngineError, ParameterError, SourceError, nearest
+from gam_db.errors import EngineError, ParameterError, SourceError, nearest, wrong
 from gam_db.method import Method, pipeline
 from gam_db.reading import look
 from gam_db.settings.calibration import Calibration
@@ -189,16 +189,10 @@ def _relation(source: AnySource, engine: Engine) -> exp.Expr:
     relation = source.relation
     if not is_file(relation):
         if not isinstance(relation, (str, tuple, list)):
-            raise SourceError(
-                "A script needs a name for its source; load the Arrow table into the engine and name "
-                "the table there."
-            )
+            raise wrong("script_of_a_frame")
         return table_names(relation)[0]
     if not engine.reads_files:
-        raise EngineError(
-            f"{engine.name} reads no files by path; load {shown_relation(relation)} into a table and "
-            "name that."
-        )
+        raise wrong("engine_reads_no_files", name=engine.name, relation=shown_relation(relation))
     from gam_db.engines.duckdb.reading import file_reader
 
     return file_reader(paths_of(relation))
@@ -210,10 +204,7 @@ def _looked_at(
     """Return the source with its channels named, its kind of time, and whether that is known."""
     declared = declared_kind(source)
     if source.written:
-        raise SourceError(
-            f"A script reads columns as they are, and {', '.join(source.written)} says otherwise; cast "
-            "them in a view."
-        )
+        raise wrong("script_reads_no_words", names=", ".join(source.written))
     if is_file(source.relation) and engine.reads_files:
         from gam_db.engines.duckdb.session import DuckSession
 

@@ -10,7 +10,7 @@ import pyarrow as pa
 
 from gam_db.clock import FAR_AHEAD, TimeKind
 from gam_db.engines.session import Session
-from gam_db.errors import SourceError, nearest
+from gam_db.errors import SourceError, UserError, nearest, wrong
 from gam_db.settings.source import AnySource, Source, WideSource, declared_kind
 
 NO_ROW = "The source has no row (after where, if there is one)."
@@ -56,9 +56,8 @@ def kind_of(source: AnySource, columns: dict[str, str], session: Session) -> Tim
         raise _tells_no_time(source.time, columns[source.time])
     declared = declared_kind(source)
     if declared is not None and declared.is_counter != kind.is_counter:
-        raise SourceError(
-            f"time_kind is {declared.value!r}, but the column {source.time!r} is of type "
-            f"{columns[source.time]}."
+        raise wrong(
+            "time_kind_differs", value=declared.value, time=source.time, said=columns[source.time]
         )
     return kind
 
@@ -66,10 +65,7 @@ def kind_of(source: AnySource, columns: dict[str, str], session: Session) -> Tim
 def check_kind(kind: TimeKind, expected: TimeKind, monitor: str) -> None:
     """Refuse (SourceError) a source that tells time otherwise than its monitor was made for."""
     if kind is not expected:
-        raise SourceError(
-            f"The time of this source is a {kind.value}; the monitor {monitor!r} was made for a "
-            f"{expected.value}. Give a source like the first, or this one a monitor of its own."
-        )
+        raise wrong("kind_of_monitor_differs", kind=kind.value, monitor=monitor, meant=expected.value)
 
 
 def check_rows(names: pa.Table) -> None:
@@ -88,11 +84,7 @@ def check_rows(names: pa.Table) -> None:
     }
     nameless["time"] = sum(row["without_time"] for row in rows)
     if found := {role: f"{count} without {role}" for role, count in nameless.items() if count}:
-        raise SourceError(
-            f"The source has rows that belong nowhere: {', '.join(found.values())} (NULL, or an "
-            "infinite time). Leave them out by where=, for example "
-            f'where="{next(iter(found))} IS NOT NULL" with your column\'s name, or mend them.'
-        )
+        raise wrong("nameless_rows", names=", ".join(found.values()), role=next(iter(found)))
     check_clock(names)
 
 
@@ -100,10 +92,7 @@ def check_clock(names: pa.Table) -> None:
     """Refuse (SourceError) a counter beyond 2^62; ``names`` is the step of that name."""
     edges = [row[edge] for row in names.to_pylist() for edge in ("earliest", "latest")]
     if any(edge is not None and abs(edge) >= FAR_AHEAD for edge in edges):
-        raise SourceError(
-            "The time column holds values beyond 2^62: subtract an offset from a counter in a view, or "
-            "leave damaged timestamps out by where=."
-        )
+        raise wrong("beyond_the_clock")
 
 
 def _check_type(role: str, column: str, type_name: str, session: Session, time_unit: str | None) -> None:
@@ -112,19 +101,14 @@ def _check_type(role: str, column: str, type_name: str, session: Session, time_u
     if role == "time":
         counts = types.is_numeric(type_name)
         if time_unit is not None and not counts:
-            raise SourceError(
-                f"The time column {column!r} is of type {type_name}; time_unit is said of numbers. "
-                "Leave it out."
-            )
+            raise wrong("unit_of_no_number", column=column, type_name=type_name)
         if types.time_kind(type_name) is None and not is_read and not (counts and time_unit):
             raise _tells_no_time(
                 column, type_name, "Say --time-unit (s, ms, us, ns) if it counts from 1970. " * counts
             )
     elif role in ("asset", "channel"):
         if not types.is_name(type_name):
-            raise SourceError(
-                f"The {role} column {column!r} is of type {type_name}; it must be text or an integer."
-            )
+            raise wrong("no_name", role=role, column=column, type_name=type_name)
     elif not (types.is_numeric(type_name) or types.is_truth(type_name) or is_read):
         raise SourceError(
             f"The {'value' if role == 'value' else 'channel'} column {column!r} is of type "
@@ -132,9 +116,5 @@ def _check_type(role: str, column: str, type_name: str, session: Session, time_u
         )
 
 
-def _tells_no_time(column: str, type_name: str, hint: str = "") -> SourceError:
-    return SourceError(
-        f"The time column {column!r} is of type {type_name}; it must be a timestamp or an integer "
-        f"counter. {hint}Cast it in a view (text: CAST(... AS TIMESTAMP); seconds with a fraction: "
-        "CAST(FLOOR(seconds * 1000000) AS BIGINT))."
-    )
+def _tells_no_time(column: str, type_name: str, hint: str = "") -> UserError:
+    return wrong("tells_no_time", column=column, type_name=type_name, hint=hint)

@@ -14,7 +14,7 @@ from sqlglot import exp
 from gam_db.clock import SINCE_1970, TimeKind
 from gam_db.composing import template
 from gam_db.engines.session import Row, Session
-from gam_db.errors import SourceError
+from gam_db.errors import SourceError, wrong
 from gam_db.reading import look
 from gam_db.settings.form import LOOKED_AT, formats_for_times, options_for_numbers, shortened
 from gam_db.settings.source import AnySource, parsed_condition, read_from
@@ -166,16 +166,11 @@ def _check_numbers(source: AnySource, name: str, type_name: str, found: list[Row
     role = "value" if name == getattr(source, "value", None) else "channel"
     said = f"The {role} column {name!r} is of type {type_name}; readings must be numbers. "
     if not found:
-        raise SourceError(
-            f"{said}All its words are: --decimal . reads them. Cast it in a view otherwise."
-        )
+        raise wrong("texts_are_numbers", said=said)
     words = [row["word"] for row in found]
     if found[0]["of_all"] == found[0]["texts"] and not any(map(str.isdigit, "".join(words))):
         shown = ", ".join(map(shortened, words[:5])) + ", ..." * (len(words) > 5)
-        raise SourceError(
-            f"{said}It holds words only, {shown}: for a channel of states give a view with a "
-            "number for each (CASE ... WHEN), or cast it in a view if that is what it holds."
-        )
+        raise wrong("texts_are_words", said=said, shown=shown)
     proposed = options_for_numbers(words)
     raise SourceError(f"{said}{_first(found)}; {proposed} would read them. Cast it in a view otherwise.")
 
@@ -209,10 +204,7 @@ def _check_order(session: Session, source: AnySource, stored: exp.Expr) -> None:
         words = template.column(source.time)
         as_text = session.engine.retyped(stored, {source.time: "VARCHAR"})
         if not _misfits(session, source, words, texts.instant(words, other), as_text):
-            raise SourceError(
-                f"The times in {source.time!r} can be read in two ways; say which is meant: "
-                f"--time-format {way!r} or --time-format {other!r}."
-            )
+            raise wrong("order_of_day_and_month", time=source.time, way=way, other=other)
 
 
 def _first(found: list[Row]) -> str:

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from gam_db.clock import SECOND, TimeKind, length
 from gam_db.composing import template
 from gam_db.data import text as text_of
-from gam_db.errors import ConfigurationError, UserError
+from gam_db.errors import ConfigurationError, UserError, wrong
 from gam_db.findings import by_channel
 from gam_db.report import details
 from gam_db.report.details import Reads
@@ -177,15 +177,9 @@ def _signals(state: Reads, monitor: str, wishes: Wishes) -> list[Row]:
     rows = state.fetch("report/signals", {"monitor": template.text(monitor)}).to_pylist()
     rows = [row for row in rows if pattern_matches(wishes.asset, row["asset"])]
     if not rows:
-        raise ConfigurationError(
-            f"The monitor {monitor!r} has no calibrated signal of a machine like {wishes.asset!r}; "
-            "run gam calibrate and gam score first."
-        )
+        raise wrong("nothing_to_report", monitor=monitor, asset=wishes.asset)
     if len(rows) > MOST:
-        raise ConfigurationError(
-            f"{len(rows):,} signals are too many for one page (at most {MOST:,}); "
-            "choose machines by --asset."
-        )
+        raise wrong("too_many_to_report", count=len(rows), most=MOST)
     return rows
 
 

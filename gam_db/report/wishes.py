@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from gam_db.clock import Length, aware, zone
-from gam_db.errors import ConfigurationError, ParameterError
+from gam_db.errors import ConfigurationError, wrong
 from gam_db.settings.setting import COLUMNS, COUNT, FLAG, LENGTH, TEXT, Kind, check, declared, setting
 
 
@@ -14,9 +14,7 @@ def _instant(name: str, given: Any) -> dt.datetime:
     try:
         return aware(given if isinstance(given, dt.datetime) else dt.datetime.fromisoformat(given))
     except (TypeError, ValueError):
-        raise ParameterError(
-            f"{name} is {given!r}; give a time such as 2026-03-30T05:00:00+00:00."
-        ) from None
+        raise wrong("no_moment", name=name, given=given) from None
 
 
 #: An error names the option, or the keyword.

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from gam_db.clock import FAR_AHEAD, LONG_AGO, Instant, Length, TimeKind, instant, length
-from gam_db.errors import CalibrationError, ConfigurationError, ParameterError
+from gam_db.errors import CalibrationError, ParameterError, wrong
 from gam_db.settings.setting import INSTANT, LENGTH, SHARE, Kind, Setting, check, declared, setting
 
 Interval = tuple[int, int]
@@ -16,9 +16,7 @@ Interval = tuple[int, int]
 
 def _pairs(_: Setting, name: str, pairs: Any) -> tuple[tuple[Instant, Instant], ...]:
     if isinstance(pairs, str) or not isinstance(pairs, Iterable):
-        raise ParameterError(
-            f"{name} is {pairs!r}; it takes a list of pairs (from, to), such as [[0, 5000]]."
-        )
+        raise wrong("pairs", name=name, pairs=pairs)
     pairs = tuple(pairs)
     for pair in pairs:
         if isinstance(pair, str) or not isinstance(pair, Sequence) or len(pair) != 2:
@@ -31,17 +29,13 @@ def _read_pairs(option: str, texts: Sequence[str]) -> list[tuple[str, str]]:
     for text in texts:
         start, slash, end = (part.strip() for part in text.partition("/"))
         if not (start and slash and end):
-            raise ConfigurationError(
-                f"{option} is {text!r}; write FROM/TO, such as 2026-03-01/2026-03-14 or 0/5000."
-            )
+            raise wrong("interval_option", option=option, text=text)
         pairs.append((start, end))
     return pairs
 
 
 def _groups(_: Setting, name: str, pool: Any) -> Any:
-    refusal = ParameterError(
-        f"{name} is {pool!r}; it takes 'channel' or groups of asset patterns, such as [['a*', 'b*']]."
-    )
+    refusal = wrong("pool", name=name, pool=pool)
     if pool == "channel":
         return pool
     if isinstance(pool, str) or not isinstance(pool, Iterable):
@@ -97,28 +91,16 @@ class Calibration:
         if not given:
             object.__setattr__(self, "fraction", 0.2)
         elif len(given) > 1:
-            raise CalibrationError(
-                f"Calibration takes one of {', '.join(WAYS)}, not {' and '.join(given)}."
-            )
+            raise wrong("several_ways", names=", ".join(WAYS), given=" and ".join(given))
         if not isinstance(self.overrides, Mapping):
-            raise CalibrationError(
-                f"overrides is a {type(self.overrides).__name__}; it takes a mapping from asset "
-                "patterns to gam_db.Calibration or None."
-            )
+            raise wrong("calibration_overrides", kind=type(self.overrides).__name__)
         for pattern, rule in self.overrides.items():
             if not isinstance(pattern, str):
-                raise CalibrationError(
-                    f"overrides has the key {pattern!r}; it takes asset patterns, as text."
-                )
+                raise wrong("calibration_pattern", pattern=pattern)
             if rule is not None and not isinstance(rule, Calibration):
-                raise CalibrationError(
-                    f"The calibration of {pattern!r} must be a gam_db.Calibration or None."
-                )
+                raise wrong("calibration_of_pattern", pattern=pattern)
             if rule is not None and (rule.overrides or rule.pool is not None):
-                raise CalibrationError(
-                    f"The calibration of {pattern!r} has overrides or a pool of its own; "
-                    "only the general one may."
-                )
+                raise wrong("calibration_in_calibration", pattern=pattern)
 
     @property
     def pools(self) -> tuple[tuple[str, ...], ...]:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from gam_db.clock import Length, TimeKind, length, looks_like_calendar
-from gam_db.errors import ConfigurationError, ParameterError, nearest
+from gam_db.errors import ConfigurationError, ParameterError, nearest, wrong
 from gam_db.settings.setting import (
     COUNT,
     LENGTH,
@@ -144,31 +144,19 @@ class Parameters:
             raise ParameterError("(m - 1) * tau and window must stay below 2^31 samples.")
         if self.m > 63 or self.radix**self.m > LARGEST_KEY:
             fitting = max(m for m in range(1, 64) if self.radix**m <= LARGEST_KEY)
-            raise ParameterError(
-                f"bins = {self.grid} with m = {self.m} needs (bins + 3)^m cell keys, more than 63 "
-                f"bits hold; take m <= {fitting}, or fewer bins."
-            )
+            raise wrong("too_many_cells", grid=self.grid, m=self.m, fitting=fitting)
         object.__setattr__(self, "stride", self.bucket_length)
         if self.window % self.bucket_length:
-            raise ParameterError(
-                f"stride is {self.stride}, which does not divide window = {self.window}."
-            )
+            raise wrong("stride_divides", stride=self.stride, window=self.window)
         if not isinstance(self.overrides, Iterable):
-            raise ParameterError(
-                f"overrides is a {type(self.overrides).__name__}; it takes a list of gam_db.Override."
-            )
+            raise wrong("overrides_of_parameters", kind=type(self.overrides).__name__)
         object.__setattr__(self, "overrides", tuple(self.overrides))
         for override in self.overrides:
             if not isinstance(override, Override):
-                raise ParameterError(
-                    f"overrides holds a {type(override).__name__}; it takes gam_db.Override."
-                )
+                raise wrong("override_of_parameters", kind=type(override).__name__)
             for role in ("asset", "channel"):
                 if not isinstance(getattr(override, role), str):
-                    raise ParameterError(
-                        f"The {role} of an override is {getattr(override, role)!r}; it takes a pattern, "
-                        "as text."
-                    )
+                    raise wrong("pattern_of_override", role=role, pattern=getattr(override, role))
             self.changed_by(override)
 
     @property

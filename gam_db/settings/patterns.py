@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Hashable, Mapping
 from typing import TypeVar
 
-from gam_db.errors import ParameterError
+from gam_db.errors import wrong
 from gam_db.settings.parameters import pattern_matches
 
 Name = tuple[str, str]
@@ -30,10 +30,7 @@ def grouped(said: Mapping[Name, _Said]) -> list[tuple[Name, _Said]]:
         rules.sort(key=lambda rule: _width(rule[0]))
         if _is_met(said, rules):
             return rules
-    raise ParameterError(
-        "Of names that hold * or ?, which stand for other signs in patterns, not all settings can be "
-        "told apart; rename them in a view."
-    )
+    raise wrong("patterns_in_names")
 
 
 def _is_met(said: Mapping[Name, _Said], rules: list[tuple[Name, _Said]]) -> bool:

@@ -15,7 +15,7 @@ from typing import Any, Literal, SupportsIndex, TypeVar, cast
 
 from gam_db import data
 from gam_db.clock import looks_like_calendar
-from gam_db.errors import ParameterError, UserError, nearest
+from gam_db.errors import ParameterError, UserError, nearest, wrong
 
 _KEY = "setting"
 #: Class -> field -> what :class:`Setting` has of it; of *off* the words.
@@ -177,18 +177,14 @@ def _share(of: Setting, name: str, value: Any) -> Any:
     is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
     if not is_number or not 0 <= value <= 1 or value == of.least:
         bounds = "0 to 1" if of.least is None else f"above {of.least} and at most 1"
-        raise ParameterError(
-            f"{name} is {value!r}; it is a share, {bounds}, e.g. {of.example or of.default}."
-        )
+        raise wrong("share", name=name, value=value, bounds=bounds, said=of.example or of.default)
     return value
 
 
 def _length(of: Setting, name: str, value: Any) -> Any:
     is_number = isinstance(value, numbers.Real) and not isinstance(value, bool)
     if not (is_number or isinstance(value, str) or looks_like_calendar(value)):
-        raise ParameterError(
-            f"{name} is {value!r}; give a number, a timedelta or a text such as {of.example!r}."
-        )
+        raise wrong("length", name=name, value=value, example=of.example)
     return value
 
 

@@ -14,7 +14,7 @@ from sqlglot.errors import SqlglotError
 
 from gam_db.clock import TimeKind
 from gam_db.composing import template
-from gam_db.errors import SourceError
+from gam_db.errors import SourceError, wrong
 from gam_db.settings.form import Form
 from gam_db.settings.setting import check
 
@@ -125,9 +125,7 @@ def declared_kind(source: AnySource) -> TimeKind | None:
     try:
         return TimeKind(source.time_kind)
     except ValueError:
-        raise SourceError(
-            f"time_kind is {source.time_kind!r}; it takes 'timestamp' or 'counter'."
-        ) from None
+        raise wrong("time_kind", time_kind=source.time_kind) from None
 
 
 def readings(
@@ -202,10 +200,7 @@ def parsed_condition(where: str | exp.Expr | None) -> exp.Expr:
         return exp.EQ(this=exp.Literal.number(1), expression=exp.Literal.number(1))
     if isinstance(where, exp.Expr):
         return where
-    refusal = SourceError(
-        f"where is {where!r}, which is not a condition in SQL; write what would stand after WHERE, such "
-        'as "speed > 0", with values in the place of parameters.'
-    )
+    refusal = wrong("where_is_no_condition", where=where)
     if not isinstance(where, str):
         raise refusal
     try:

@@ -20,7 +20,8 @@ PACKAGE = Path(gam_db.__file__).parent
 #: Lower modules first; one may import what stands in lines above its own, and its own room. Where a room
 #: is a hall, the modules in it are told apart, and its name alone is what stands at its entrance.
 LAYERS = [
-    ["columns", "data", "errors", "version", "composing.lately"],
+    ["columns", "data", "version", "composing.lately"],
+    ["errors"],
     ["address", "clock", "extras", "langevin", "composing.template"],
     ["composing.pipeline", "settings.setting"],
     ["settings.form", "units"],

@@ -8,7 +8,7 @@ from typing import Any
 from urllib.parse import parse_qsl, unquote, urlsplit
 
 from gam_db.address import shown
-from gam_db.errors import EngineError, nearest
+from gam_db.errors import EngineError, nearest, wrong
 from gam_db.extras import needed
 
 EXTRA = "clickhouse"
@@ -34,9 +34,7 @@ def folder(address: str, writable: bool) -> dict[str, Any]:
     if address == "chdb://":
         return {"interface": "chdb"}
     if not address.startswith(_FOLDER):
-        raise EngineError(
-            f"{address} names a server; a folder of chdb is chdb:///FOLDER, three slashes."
-        )
+        raise wrong("chdb_names_a_server", address=address)
     path = Path(address.removeprefix(_FOLDER))
     if not path.is_dir() and not (writable and not path.exists() and path.parent.is_dir()):
         raise EngineError(f"There is no folder {path.absolute()}.")
@@ -69,10 +67,7 @@ def server(address: str) -> dict[str, Any]:
     said = dict(parse_qsl(parts.query))
     for name in said:
         if name not in _PARAMETERS:
-            raise EngineError(
-                f"The address has the parameter {name!r}, which it does not take"
-                f"{nearest(name, _PARAMETERS)}"
-            )
+            raise wrong("clickhouse_parameter", name=name, hint=nearest(name, _PARAMETERS))
     try:
         port = parts.port
     except ValueError:

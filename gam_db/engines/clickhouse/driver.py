@@ -22,7 +22,7 @@ from gam_db.engines.clickhouse import ENGINE, create_table, temporary_table
 from gam_db.engines.clickhouse.address import EXTRA, folder, is_locked, server
 from gam_db.engines.driver import Driver, by_table, is_text, usual
 from gam_db.engines.refusals import first_line, refusal
-from gam_db.errors import EngineError, SourceError, UserError
+from gam_db.errors import EngineError, UserError, wrong
 from gam_db.extras import needed
 
 #: What the temporary tables of a session begin with.
@@ -59,10 +59,7 @@ def connected(target: Any, writable: bool) -> "ClickHouseDriver":
     package = needed("clickhouse_connect", EXTRA)
     if not isinstance(target, str):
         if not isinstance(target, package.driver.client.Client):
-            raise EngineError(
-                f"The connection is a {type(target).__name__}; gam-db takes the client that "
-                "clickhouse_connect.get_client() gives."
-            )
+            raise wrong("clickhouse_connection", kind=type(target).__name__)
         return ClickHouseDriver(target, "this ClickHouse connection", owned=False)
     address = shown(target)
     wanted = folder(target, writable) if target.startswith("chdb:") else server(target)
@@ -97,10 +94,7 @@ class ClickHouseDriver(Driver):
         self.errors: tuple[type[Exception], ...] = (exceptions.ClickHouseError, OSError, pa.ArrowInvalid)
         version = str(client.server_version)
         if ENGINE.is_too_old(version):
-            raise EngineError(
-                f"{address} is ClickHouse {version}, which is too old; gam-db needs "
-                f"{ENGINE.oldest} or later."
-            )
+            raise wrong("clickhouse_too_old", address=address, version=version, oldest=ENGINE.oldest)
         # Requests without a session would each have temporary tables of their own.
         self._settings: dict[str, str] = {"session_timeout": str(_IDLE)}
         if client.get_client_setting("session_id") is None:
@@ -121,11 +115,7 @@ class ClickHouseDriver(Driver):
         }
         fixed = sorted(name for name in differing if found[name][1])
         if fixed:
-            raise EngineError(
-                "The profile of the ClickHouse user does not let gam-db change settings, among them "
-                f"{', '.join(fixed[:3])}; ask for readonly = 2 (to check and report) or 0 (to write), "
-                "and no constraints on these."
-            )
+            raise wrong("clickhouse_fixed_settings", names=", ".join(fixed[:3]))
         return differing
 
     def execute(self, statement: str) -> None:
@@ -223,9 +213,8 @@ class ClickHouseDriver(Driver):
         except self.errors as error:
             if getattr(error, "code", None) != 60:
                 raise
-            raise SourceError(
-                f"There is no table {self.engine.text(relation)} in the database {self._database!r}; a "
-                "table of another one is called DATABASE.TABLE."
+            raise wrong(
+                "clickhouse_no_table", text=self.engine.text(relation), database=self._database
             ) from error
         return {row["name"]: row["type"] for row in rows if row["default_type"] != "EPHEMERAL"}
 
@@ -280,10 +269,7 @@ def _column_type(arrow: pa.DataType) -> str:
     for is_of, name in _COLUMN_TYPES:
         if is_of(arrow):
             return f"Nullable({name(arrow)})"
-    raise SourceError(
-        f"ClickHouse cannot read the Arrow table; it holds a column of the type {arrow}. Cast it, or "
-        "leave it out."
-    )
+    raise wrong("clickhouse_arrow", arrow=arrow)
 
 
 def _insertable(rows: pa.Table) -> pa.Table:

@@ -17,7 +17,7 @@ from gam_db.engines.duckdb.files import late_word, leaves, matching, no_table, u
 from gam_db.engines.duckdb.journal import Journal, journal_of, put_back
 from gam_db.engines.duckdb.reading import file_reader, is_csv_reader, is_text_file
 from gam_db.engines.refusals import FULL, first_line, refusal, refused
-from gam_db.errors import EngineError, SourceError, UserError
+from gam_db.errors import EngineError, SourceError, UserError, wrong
 from gam_db.settings.form import Form
 from gam_db.settings.source import paths_of, shown_relation
 
@@ -128,10 +128,7 @@ class DuckDriver(Driver):
             self.connection.register(table.name, rows)
         except duckdb.Error as error:
             types = ", ".join(sorted({str(field.type) for field in rows.schema}))
-            raise SourceError(
-                f"DuckDB cannot read the Arrow table; it holds columns of the types {types}. Cast the "
-                "odd one, or leave it out."
-            ) from error
+            raise wrong("duckdb_arrow", types=types) from error
         self._registered.add(table.name)
 
     def drop(self, table: exp.Table) -> None:
@@ -155,9 +152,7 @@ class DuckDriver(Driver):
             self.describe(table)
         except duckdb.Error as error:
             shown = ".".join(part.name for part in table.parts)  # type: ignore[attr-defined]
-            raise SourceError(
-                f"The table or view {shown!r} is there, but DuckDB cannot read it: {first_line(error)}"
-            ) from error
+            raise wrong("duckdb_unreadable_table", shown=shown, first_line=first_line(error)) from error
         return table
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
@@ -169,10 +164,7 @@ class DuckDriver(Driver):
         """Return the tables and views of a schema, unless DuckDB takes its name for a database's."""
         databases = self.connection.execute("SELECT database_name FROM duckdb_databases()").fetchall()
         if schema is not None and schema.casefold() in {name.casefold() for (name,) in databases}:
-            raise EngineError(
-                f"The schema {schema!r} is called like a database, and DuckDB cannot tell them apart; "
-                "give another name."
-            )
+            raise wrong("duckdb_schema_like_database", schema=schema)
         rows = self.connection.execute(
             "SELECT table_name, list(column_name ORDER BY column_index) "
             "FROM duckdb_columns() WHERE database_name = current_database() "
@@ -221,9 +213,7 @@ class DuckDriver(Driver):
                 if not self.connection.execute(self.engine.text(first)).fetchall():
                     raise SourceError(f"{path} has no rows; it is empty, or there is a header only.")
         except duckdb.IOException as error:
-            raise SourceError(
-                f"{path} cannot be read; is it there, and is it a file of that kind?"
-            ) from error
+            raise wrong("file_unreadable", path=path) from error
         except duckdb.Error as error:
             raise self.problem(error) or SourceError(no_table(path, str(error))) from error
         return columns
@@ -238,10 +228,7 @@ class DuckDriver(Driver):
 
     def problem(self, error: Exception) -> UserError | None:
         if isinstance(error, duckdb.PermissionException) and self.owned:
-            return SourceError(
-                f"{first_line(error).partition(' - ')[0]}: once where was given, a connection of "
-                "gam-db's own opens the source and the results, and no other file."
-            )
+            return wrong("duckdb_other_file", said=first_line(error).partition(" - ")[0])
         if isinstance(error, duckdb.ConversionException) and (
             said := late_word(self.connection, error, self._readers)
         ):
@@ -251,10 +238,7 @@ class DuckDriver(Driver):
         if isinstance(error, duckdb.Error) and (differing := unalike(error)):
             return SourceError(differing)
         if "CSV Error" in first_line(error) and not isinstance(error, duckdb.IOException):
-            return SourceError(
-                f"Line {first_line(error).rpartition(' ')[2]} of the CSV file does not fit its columns; "
-                "mend it, or read the file into a table with options of your own."
-            )
+            return wrong("duckdb_csv_line", said=first_line(error).rpartition(" ")[2])
         return None
 
     def close(self) -> None:
@@ -301,18 +285,9 @@ def _check_settings(connection: duckdb.DuckDBPyConnection) -> None:
             "SELECT current_setting('default_order'), current_setting('default_collation')"
         ).fetchall()
     except duckdb.Error as error:
-        raise EngineError(
-            "The DuckDB connection cannot be used; is it closed, in a transaction that has failed, or "
-            "still giving out the rows of a query?"
-        ) from error
+        raise wrong("duckdb_connection") from error
     order, collation = found[0]
     if str(order).upper().startswith("DESC"):
-        raise EngineError(
-            "The DuckDB connection has default_order = DESC, which would turn time around; RESET "
-            "default_order, or give another connection."
-        )
+        raise wrong("duckdb_descending")
     if str(collation):
-        raise EngineError(
-            f"The DuckDB connection has default_collation = {collation}, under which different names "
-            "can be equal; RESET default_collation, or give another connection."
-        )
+        raise wrong("duckdb_collation", collation=collation)

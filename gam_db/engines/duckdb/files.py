@@ -15,7 +15,7 @@ from sqlglot import exp
 from gam_db.composing import template
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb.reading import all_as_text, paths_read
-from gam_db.errors import SourceError
+from gam_db.errors import SourceError, wrong
 from gam_db.settings.form import options_for_null, options_for_numbers, shortened
 from gam_db.settings.source import FILE_ENDINGS, as_folder, shown_relation
 from gam_db.version import __version__
@@ -61,10 +61,7 @@ def without_results(connection: duckdb.DuckDBPyConnection, paths: Sequence[str])
         return paths
     kept = [file for file in files if file not in ours]
     if not kept:
-        raise SourceError(
-            f"{shown_relation(paths)} matches nothing but results of gam-db; name what they were made "
-            "from."
-        )
+        raise wrong("nothing_but_results", relation=shown_relation(paths))
     return kept
 
 
@@ -74,10 +71,7 @@ def _inside(connection: duckdb.DuckDBPyConnection, path: str) -> str:
     if path.endswith("/"):
         for table, (log, through) in _TABLES.items():
             if any(Path(path).glob(log)):
-                raise SourceError(
-                    f"{path} is a table of {table}, whose files hold rows that are no longer in it; "
-                    f"give it from Python through Arrow, by {through}."
-                )
+                raise wrong("table_that_is_a_folder", path=path, table=table, through=through)
         inside = [f"{path}**/*{ending}" for ending in FILE_ENDINGS]
         found = [one for one in inside if _matching(connection, one)]
         if not found:

@@ -19,7 +19,7 @@ from gam_db.engines.driver import by_table
 from gam_db.engines.mariadb import COLLATION, ENGINE
 from gam_db.engines.refusals import OPEN, refused
 from gam_db.engines.session import check_columns
-from gam_db.errors import EngineError
+from gam_db.errors import EngineError, wrong
 from gam_db.extras import needed
 
 PORT = 3306
@@ -45,10 +45,7 @@ def connected(target: Any, writable: bool) -> "MariaDriver":
         return MariaDriver(pymysql, target, owned=False)
     address, place = urlsplit(target), shown(target)
     if address.query or address.fragment:
-        raise EngineError(
-            f"{place} has options, which gam-db does not take of MariaDB; give an open connection of "
-            "PyMySQL for TLS and the like."
-        )
+        raise wrong("mariadb_options", place=place)
     try:
         connection = pymysql.connect(
             host=address.hostname or "127.0.0.1",

@@ -26,7 +26,7 @@ from gam_db.engines.postgres import ENGINE, PATH, ROOM
 from gam_db.engines.postgres.refusals import of_connecting, of_statement
 from gam_db.engines.postgres.types import ARROW, travelling
 from gam_db.engines.refusals import refused
-from gam_db.errors import EngineError, SourceError, UserError
+from gam_db.errors import EngineError, UserError, wrong
 from gam_db.extras import needed
 
 _AT_WORK = data.table("gam_db.engines.postgres", "postgres.toml")
@@ -210,13 +210,8 @@ class PostgresDriver(DbapiDriver):
         found = self._asked(_QUERIES["schema"], (number,))
         if not found:
             for (schema,) in self._asked(_QUERIES["closed"], (table.name,)):
-                raise EngineError(
-                    f"This PostgreSQL user lacks a privilege: GRANT USAGE ON SCHEMA {schema} TO it."
-                )
-            raise SourceError(
-                f"The table or view {table.name!r} is there, but in a schema that is not searched; "
-                "write SCHEMA.NAME, or add the schema to search_path."
-            )
+                raise wrong("postgres_usage", schema=schema)
+            raise wrong("postgres_not_searched", name=table.name)
         return exp.Table(this=table.this.copy(), db=template.name(found[0][0]))
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
@@ -230,10 +225,7 @@ class PostgresDriver(DbapiDriver):
         """
         schema = schema or self.engine.home
         if schema is None:
-            raise EngineError(
-                "The search_path of this PostgreSQL user names no schema that is there; give --schema, "
-                "or make the schema."
-            )
+            raise wrong("postgres_no_schema")
         return by_table(self._asked(_QUERIES["relations"], (schema,)))
 
     def rows_at_once(self) -> int:
@@ -252,10 +244,7 @@ class PostgresDriver(DbapiDriver):
     def _check(self) -> None:
         """Refuse what is no open connection of a PostgreSQL that can be used."""
         if not isinstance(self._connection, self._psycopg.Connection):
-            raise EngineError(
-                f"The database is a {type(self._connection).__name__}; of psycopg's classes it takes an "
-                "open psycopg.Connection."
-            )
+            raise wrong("postgres_connection", kind=type(self._connection).__name__)
         if self._connection.closed:
             raise EngineError("The connection to PostgreSQL is closed.")
         status = self._psycopg.pq.TransactionStatus
@@ -263,9 +252,7 @@ class PostgresDriver(DbapiDriver):
             raise refused("postgres", "25P02")
         version = str(self._connection.info.server_version // 10_000)
         if ENGINE.is_too_old(version):
-            raise EngineError(
-                f"PostgreSQL {version} is too old; gam-db needs PostgreSQL {ENGINE.oldest} or later."
-            )
+            raise wrong("postgres_too_old", version=version, oldest=ENGINE.oldest)
 
     def _memory(self) -> int:
         """Return the work_mem of the connection, in kB."""
@@ -353,10 +340,7 @@ def _check_address(address: str) -> None:
     parts = urlsplit(address)
     people = parts.netloc.count("@")
     if people > 1 or "@" in parts.path + parts.fragment or ("@" in parts.query and not people):
-        raise EngineError(
-            "The address of the database cannot be read; in a user or password write %40 for @, %2F for "
-            "/, %3A for :, or leave the password to PGPASSWORD or ~/.pgpass."
-        )
+        raise wrong("postgres_signs_in_address")
 
 
 def _place(psycopg: Any, address: str) -> str:

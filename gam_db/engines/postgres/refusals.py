@@ -4,7 +4,7 @@ import re
 from typing import Any
 
 from gam_db.engines.refusals import refusal, refused
-from gam_db.errors import EngineError, SourceError, UserError
+from gam_db.errors import UserError, wrong
 
 #: SQLSTATE of a name that is not found: of a table, function or operator, type, schema
 _UNKNOWN = ("42P01", "42883", "42704", "3F000")
@@ -19,10 +19,7 @@ def of_connecting(said: str, place: str) -> UserError:
     What libpq says is not shown, since it can hold parts of a password.
     """
     if not place:
-        return EngineError(
-            "The address of the database is none that PostgreSQL understands; write it like "
-            "postgresql://user@host:5432/database."
-        )
+        return wrong("postgres_no_address")
     return refused("postgres_connecting", said.lower(), place=place)
 
 
@@ -32,21 +29,15 @@ def of_statement(error: Any, statement: str, closed: bool) -> UserError | None:
     if state == "42501" and not closed:
         return _denied(said, statement)
     if state in _UNKNOWN and not closed and "function" in (error.diag.context or ""):
-        return SourceError(
-            f"A function that the source calls looks names up on the search_path ({said}), which gam-db "
-            "keeps to PostgreSQL's own schemas; give the function the path that it needs: "
-            "ALTER FUNCTION ... SET search_path = ..."
-        )
+        return wrong("postgres_function", said=said)
     return refusal("postgres", "closed" if closed else state, f"{state} {said}")
 
 
-def _denied(said: str, statement: str) -> EngineError:
+def _denied(said: str, statement: str) -> UserError:
     """Return which privilege is missing, and of what."""
     found = _DENIED.search(said)
     if found is None:
-        return EngineError(
-            f"PostgreSQL does not let this user do that ({said}); the owner of the tables can."
-        )
+        return wrong("postgres_denied", said=said)
     kind, name = found[1], found[2].strip('"')
     target = _TARGET.match(statement)
     privilege = "SELECT"
@@ -57,6 +48,4 @@ def _denied(said: str, statement: str) -> EngineError:
         privilege = "CREATE" if creating else "USAGE"
     elif target is not None and target[2].rpartition(".")[2].strip('"') == name:
         privilege = target[1].partition(" ")[0]
-    return EngineError(
-        f"This PostgreSQL user lacks a privilege: GRANT {privilege} ON {kind.upper()} {name} TO it."
-    )
+    return wrong("postgres_privilege", privilege=privilege, kind=kind.upper(), name=name)

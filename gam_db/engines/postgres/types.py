@@ -5,7 +5,7 @@ import pyarrow.compute as pc
 
 from gam_db.engines.driver import is_text
 from gam_db.engines.session import check_columns
-from gam_db.errors import SourceError
+from gam_db.errors import wrong
 
 #: the number of a type in PostgreSQL's catalogue -> what its values are in Arrow
 ARROW = {
@@ -35,17 +35,11 @@ def travelling(rows: pa.Table) -> tuple[pa.Table, dict[str, str]]:
     arrays, types = {}, {}
     for name in rows.column_names:
         if len(name.encode()) > _LONGEST_NAME:
-            raise SourceError(
-                f"The column {name!r} of the Arrow table has a name longer than the {_LONGEST_NAME} "
-                "bytes that PostgreSQL takes; rename it."
-            )
+            raise wrong("postgres_long_name", name=name, longest=_LONGEST_NAME)
         try:
             arrays[name], types[name] = _travelling(rows[name])
         except pa.ArrowInvalid as error:
-            raise SourceError(
-                f"The column {name!r} of the Arrow table holds a {rows[name].type} that does not fit "
-                "into PostgreSQL; cast it, or leave the column out."
-            ) from error
+            raise wrong("postgres_arrow", name=name, type=rows[name].type) from error
     return pa.table(arrays), types
 
 

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from gam_db.engines.refusals import FULL, READ_ONLY
-from gam_db.errors import EngineError
+from gam_db.errors import EngineError, wrong
 
 _CATALOGUE = "gam_catalogue"
 _SCRATCH = "gam_scratch"
@@ -147,9 +147,7 @@ def _entry(path: Path) -> Entry:
         said = json.loads(path.read_text(encoding="utf-8"))
         return Entry(**{**said, "columns": tuple(said["columns"])})
     except (ValueError, TypeError, KeyError) as error:
-        raise EngineError(
-            f"{path} is no table of gam-db; put it back from a copy, or remove it."
-        ) from error
+        raise wrong("spark_no_table_of_ours", path=path) from error
 
 
 def _file_name(schema: str | None, name: str) -> str:

@@ -21,7 +21,7 @@ from urllib.parse import unquote, urlsplit
 from gam_db import data
 from gam_db.engines.refusals import first_line, refused
 from gam_db.engines.spark import ENGINE
-from gam_db.errors import EngineError
+from gam_db.errors import EngineError, wrong
 from gam_db.extras import needed
 
 _AT_WORK = data.table("gam_db.engines.spark", "spark.toml")
@@ -38,10 +38,7 @@ def address_of(url: str) -> tuple[str | None, Path]:
     if folder.startswith("//"):  # to Spark, what follows two slashes is a host
         folder = f"/{folder.lstrip('/')}"
     if not folder.strip("/"):
-        raise EngineError(
-            f"{url} names no folder for the tables; write spark:///FOLDER, or spark://HOST:7077/FOLDER "
-            "with a folder that all workers can reach."
-        )
+        raise wrong("spark_no_folder", url=url)
     return f"spark://{parts.netloc}" if parts.netloc else None, Path(folder).absolute()
 
 
@@ -57,10 +54,7 @@ def started(master: str | None) -> Any:
         base = _started(master or os.environ.get("SPARK_MASTER"))
     else:
         if master not in (None, context.master):
-            raise EngineError(
-                f"This process runs Spark on {context.master} already, and one process has one Spark; "
-                f"{master} takes another process."
-            )
+            raise wrong("spark_master", master=context.master, wanted=master)
         base = needed("pyspark.sql", "spark").SparkSession.builder.getOrCreate()
     with quiet():
         return _set(base.newSession(), base)
@@ -73,10 +67,7 @@ def beside(session: Any) -> Any:
         EngineError: it is stopped, too old, or a remote one.
     """
     if not hasattr(session, "_jsparkSession"):
-        raise EngineError(
-            "This is a session of Spark Connect; gam-db needs a SparkSession whose Java runs in this "
-            "process (a job on the cluster has one)."
-        )
+        raise wrong("spark_connect")
     if session.sparkContext._jsc is None or session.sparkContext._jsc.sc().isStopped():
         raise EngineError("This SparkSession is stopped; start one and give that.")
     return _set(type(session)(session.sparkContext, session._jsparkSession.cloneSession()), session)
