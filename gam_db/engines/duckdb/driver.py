@@ -10,6 +10,7 @@ import duckdb
 import pyarrow as pa
 from sqlglot import exp
 
+from gam_db import data
 from gam_db.engines.base import temporary
 from gam_db.engines.driver import Driver
 from gam_db.engines.duckdb import ENGINE
@@ -29,16 +30,8 @@ _UNITS = {"bytes": 1, "KiB": 2**10, "MiB": 2**20, "GiB": 2**30, "TiB": 2**40}
 #: What one reading takes while it is scored, in bytes: kept once, sorted in a window, joined.
 _PER_READING = 100
 
-#: What a connection of ours is set to.
-_OURS = (
-    # Checkpoints of DuckDB's own accord have no journal.
-    "SET checkpoint_threshold = '1000 TB'",
-    "PRAGMA disable_checkpoint_on_shutdown",
-    "SET TimeZone = 'UTC'",
-    # Progress is counted, for whoever asks, but not painted: standard output is the caller's.
-    "SET enable_progress_bar = true",
-    "SET enable_progress_bar_print = false",
-)
+_AT_WORK = data.table("gam_db.engines.duckdb", "duckdb.toml")
+_QUERIES = _AT_WORK["queries"]
 
 
 class DuckDriver(Driver):
@@ -52,7 +45,7 @@ class DuckDriver(Driver):
         self.owned = not isinstance(target, duckdb.DuckDBPyConnection)
         if self.owned:
             self.connection = _opened(target, writable)
-            for statement in _OURS:
+            for statement in _AT_WORK["settings"].values():
                 self.connection.execute(statement)
             self._journal = Journal(self.connection) if writable and target is not None else None
         else:
@@ -140,11 +133,7 @@ class DuckDriver(Driver):
             super().drop(table)
 
     def tables(self) -> list[tuple[str, ...]]:
-        # Looked up, not tried: a statement that fails would undo the user's open transaction, and
-        # DuckDB would take the name for one of our Python variables.
-        return self.connection.execute(
-            "SELECT table_catalog, table_schema, table_name FROM information_schema.tables"
-        ).fetchall()
+        return self.asked("tables")
 
     def located(self, table: exp.Expr) -> exp.Expr:
         """Return the node as it is, but for a view of what cannot be read."""
@@ -162,16 +151,10 @@ class DuckDriver(Driver):
 
     def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
         """Return the tables and views of a schema, unless DuckDB takes its name for a database's."""
-        databases = self.connection.execute("SELECT database_name FROM duckdb_databases()").fetchall()
-        if schema is not None and schema.casefold() in {name.casefold() for (name,) in databases}:
+        databases = {name.casefold() for (name,) in self.asked("databases")}
+        if schema is not None and schema.casefold() in databases:
             raise wrong("duckdb_schema_like_database", schema=schema)
-        rows = self.connection.execute(
-            "SELECT table_name, list(column_name ORDER BY column_index) "
-            "FROM duckdb_columns() WHERE database_name = current_database() "
-            "AND lower(schema_name) = lower(coalesce(?, current_schema())) GROUP BY table_name",
-            [schema],
-        )
-        return {name.casefold(): tuple(columns) for name, columns in rows.fetchall()}
+        return {name.casefold(): tuple(columns) for name, columns in self.asked("relations", schema)}
 
     def file(self, relation: Any, form: Form | None = None) -> exp.Expr:
         """Return the node that reads files, written in a form, which all have the same columns."""
@@ -219,12 +202,12 @@ class DuckDriver(Driver):
         return columns
 
     def rows_at_once(self) -> int:
-        row = self.connection.execute("SELECT current_setting('memory_limit')").fetchall()[0]
-        amount, _, unit = str(row[0]).partition(" ")
+        ((memory,),) = self.asked("memory")
+        amount, _, unit = str(memory).partition(" ")
         return max(int(float(amount) * _UNITS.get(unit, 2**20)) // _PER_READING, 100_000)
 
     def threads(self) -> int:
-        return int(self.connection.execute("SELECT current_setting('threads')").fetchall()[0][0])
+        return int(self.asked("threads")[0][0])
 
     def problem(self, error: Exception) -> UserError | None:
         if isinstance(error, duckdb.PermissionException) and self.owned:
@@ -250,11 +233,14 @@ class DuckDriver(Driver):
             with contextlib.suppress(EngineError):  # what was committed is in the log
                 self.checkpoint()
             with contextlib.suppress(duckdb.Error):  # it is closed already
-                count = "SELECT count > 1 FROM duckdb_connection_count()"
-                others = self.connection.execute(count).fetchall()[0][0]
+                others = self.asked("is_shared")[0][0]
         self.connection.close()
         if self._journal is not None:
             self._journal.close(others)
+
+    def asked(self, query: str, *values: Any) -> list[tuple[Any, ...]]:
+        """Return the rows of a query on the catalogue."""
+        return self.connection.execute(_QUERIES[query], values).fetchall()
 
 
 def _opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:
@@ -281,12 +267,9 @@ def _opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:
 def _check_settings(connection: duckdb.DuckDBPyConnection) -> None:
     """Refuse a connection that is closed, or that compares or orders otherwise than the method."""
     try:
-        found = connection.execute(
-            "SELECT current_setting('default_order'), current_setting('default_collation')"
-        ).fetchall()
+        ((order, collation),) = connection.execute(_QUERIES["order"]).fetchall()
     except duckdb.Error as error:
         raise wrong("duckdb_connection") from error
-    order, collation = found[0]
     if str(order).upper().startswith("DESC"):
         raise wrong("duckdb_descending")
     if str(collation):

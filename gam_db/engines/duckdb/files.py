@@ -12,6 +12,7 @@ from pathlib import Path
 import duckdb
 from sqlglot import exp
 
+from gam_db import data
 from gam_db.composing import template
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb.reading import all_as_text, paths_read
@@ -26,6 +27,8 @@ MARK, SOURCE_MARK = "gam_db", "gam_source"
 #: Columns that only results have, in files that were written before these had metadata.
 _OF_RESULTS = ("novel_in_window", "calibrated_lo", "learned_floor")
 
+
+_QUERIES = data.table("gam_db.engines.duckdb", "duckdb.toml")["queries"]
 
 #: Formats of tables that are folders -> what inside tells, and the way through Arrow.
 _TABLES = {
@@ -49,11 +52,8 @@ def without_results(connection: duckdb.DuckDBPyConnection, paths: Sequence[str])
     if not parquet or files == paths[:1]:
         return paths
     try:
-        results = connection.execute(
-            "SELECT file_name FROM parquet_schema($1) WHERE list_contains($2, name) "
-            "UNION SELECT file_name FROM parquet_kv_metadata($1) WHERE CAST(key AS VARCHAR) = $3",
-            [parquet, list(_OF_RESULTS), MARK],
-        ).fetchall()
+        said = [parquet, list(_OF_RESULTS), MARK]
+        results = connection.execute(_QUERIES["results"], said).fetchall()
     except duckdb.Error:  # a file is not there or damaged, which is said where it is read
         return paths
     ours = {file for (file,) in results}
@@ -91,17 +91,12 @@ def matching(connection: duckdb.DuckDBPyConnection, paths: Iterable[str]) -> lis
 
 def leaves(connection: duckdb.DuckDBPyConnection, files: Sequence[str]) -> dict[str, Iterable[str]]:
     """Return the columns of Parquet files that hold values, file by file."""
-    rows = connection.execute(
-        "SELECT file_name, list(name) FROM parquet_schema(?) WHERE type IS NOT NULL GROUP BY file_name",
-        [files],
-    )
-    columns: dict[str, Iterable[str]] = dict(rows.fetchall())
+    columns: dict[str, Iterable[str]] = dict(connection.execute(_QUERIES["leaves"], [files]).fetchall())
     return {one: columns[one] for one in files}
 
 
 def _matching(connection: duckdb.DuckDBPyConnection, pattern: str) -> list[str]:
-    rows = connection.execute("SELECT file FROM glob(?) ORDER BY file", [pattern]).fetchall()
-    return [file for (file,) in rows]
+    return [file for (file,) in connection.execute(_QUERIES["matching"], [pattern]).fetchall()]
 
 
 def metadata(sources: Sequence[str]) -> exp.Expr:

@@ -16,10 +16,14 @@ from pathlib import Path
 
 import duckdb
 
+from gam_db import data
+
 try:
     import fcntl
 except ImportError:  # Windows: there is no journal, and a file may be damaged as by DuckDB alone
     fcntl = None  # type: ignore[assignment]
+
+_QUERIES = data.table("gam_db.engines.duckdb", "duckdb.toml")["queries"]
 
 #: Bytes before the first block: what the file is, and two headers, of which the newer one counts.
 HEADERS = 3 * 4096
@@ -40,12 +44,9 @@ class Journal:
 
     def __init__(self, connection: duckdb.DuckDBPyConnection, database: str | None = None) -> None:
         self._connection = connection
-        query = (
-            "SELECT database_name, path, block_size FROM duckdb_databases() "
-            "JOIN pragma_database_size() USING (database_name) "
-            "WHERE database_name = coalesce(?, current_database())"
-        )
-        self._database, path, self._block_size = connection.execute(query, [database]).fetchall()[0]
+        ((self._database, path, self._block_size),) = connection.execute(
+            _QUERIES["database"], [database]
+        ).fetchall()
         self._log = Path(f"{path}.wal")
         self._path = Path(path).resolve()
         self._kept = journal_of(self._path)
@@ -59,8 +60,7 @@ class Journal:
         """
         if fcntl is None:
             return
-        query = "SELECT block_id FROM pragma_metadata_info(?) ORDER BY block_id"
-        blocks = self._connection.execute(query, [self._database]).fetchall()
+        blocks = self._connection.execute(_QUERIES["blocks"], [self._database]).fetchall()
         if self._file is None:
             self._file = self._path.open("rb", buffering=0)
         of_file, size = self._file.fileno(), self._block_size

@@ -48,8 +48,8 @@ class DuckSession(Session):
 
     def files(self) -> frozenset[Path]:
         """Return the database files that are open here, by their full paths."""
-        rows = self.connection.execute("SELECT path FROM duckdb_databases() WHERE NOT internal")
-        return frozenset(Path(path).resolve() for (path,) in rows.fetchall() if path is not None)
+        rows = self.driver.asked("files")
+        return frozenset(Path(path).resolve() for (path,) in rows if path is not None)
 
     def check_condition(self, relation: exp.Expr, condition: exp.Expr, shown: str) -> None:
         """Try a user's condition on no row; from then on no other files are opened."""
@@ -114,7 +114,7 @@ class DuckSession(Session):
                 yield catalog
                 journal.checkpoint()
         finally:
-            with _written(path), contextlib.closing(journal), _without_checkpoint(self.connection):
+            with _written(path), contextlib.closing(journal), self._without_checkpoint():
                 self._run(exp.Detach(this=catalog.copy()))
 
     def progress(self) -> float:
@@ -131,21 +131,28 @@ class DuckSession(Session):
         All stays as it is where a source is remote, as what reads that is loaded when it is needed, and
         where the database is open on another connection of the process, which shares the setting.
         """
-        ask = self.connection.execute
-        alone = ask(
-            "SELECT current_setting('enable_external_access'), count FROM duckdb_connection_count()"
-        )
-        if alone.fetchall() != [(True, 1)]:
+        if self.driver.asked("access") != [(True, 1)]:
             return
-        patterns = {*self.driver.sources, *_named_in_views(self.connection)}
+        views = [text for (text,) in self.driver.asked("views")]
+        patterns = {*self.driver.sources, *_named_in_views(views)}
         if any("://" in one for one in patterns):
             return
         allowed = patterns | {f"{path}{end}" for path in self._results for end in _BESIDE}
         for pattern in patterns:
             with contextlib.suppress(duckdb.IOException):  # a text in a view that is no pattern
-                allowed.update(*ask("SELECT file FROM glob(?)", [pattern]).fetchall())
-        ask("SET allowed_paths = ?", [sorted(allowed)])
-        ask("SET enable_external_access = false")
+                allowed.update(*self.driver.asked("matching", pattern))
+        self.connection.execute("SET allowed_paths = ?", [sorted(allowed)])
+        self.connection.execute("SET enable_external_access = false")
+
+    @contextlib.contextmanager
+    def _without_checkpoint(self) -> Iterator[None]:
+        """Let a file be detached as it is."""
+        (before,) = self.driver.asked("detaching")
+        self.connection.execute("SET checkpoint_on_detach = 'DISABLED'")
+        try:
+            yield
+        finally:
+            self.connection.execute("SET checkpoint_on_detach = ?", before)
 
     def _write_table(self, query: exp.Query, path: Path, table: str) -> None:
         with self.attached(path) as catalog:
@@ -178,25 +185,12 @@ class DuckSession(Session):
         )
 
 
-def _named_in_views(connection: duckdb.DuckDBPyConnection) -> set[str]:
+def _named_in_views(views: Sequence[str]) -> set[str]:
     """Return all in the definitions of views that may be the path of a file."""
-    views = connection.execute("SELECT sql FROM duckdb_views() WHERE NOT internal").fetchall()
-    tokens = [token for (text,) in views for token in sqlglot.tokenize(text, read="duckdb")]
+    tokens = [token for text in views for token in sqlglot.tokenize(text, read="duckdb")]
     quoted = (sqlglot.TokenType.STRING, sqlglot.TokenType.IDENTIFIER)
     texts = {one.text for one in tokens if one.token_type in quoted and {".", "/"} & {*one.text}}
     return {text for text in texts if not text.endswith(("/", "."))}
-
-
-@contextlib.contextmanager
-def _without_checkpoint(connection: duckdb.DuckDBPyConnection) -> Iterator[None]:
-    """Let a file be detached as it is."""
-    query = "SELECT current_setting('checkpoint_on_detach')"
-    before = connection.execute(query).fetchall()[0][0]
-    connection.execute("SET checkpoint_on_detach = 'DISABLED'")
-    try:
-        yield
-    finally:
-        connection.execute("SET checkpoint_on_detach = ?", [before])
 
 
 @contextlib.contextmanager
