@@ -31,8 +31,6 @@ from gam_db.report import Wishes
 from gam_db.settings.source import FILE_ENDINGS, is_file, paths_of
 from gam_db.stored.lengths import park_after
 
-_OUTPUT = "Output"
-
 #: The estimator that is the method itself; others come by the entry points ``gam_db.estimators``.
 DSE = "dse"
 
