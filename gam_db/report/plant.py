@@ -10,6 +10,7 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
+from gam_db import data
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
 
@@ -20,30 +21,10 @@ PARAMETERS = Parameters(m=3, tau=2, bins=14, window=360, stride=36, max_gap="10 
 CALIBRATION = Calibration(duration="8 d")
 TIME_ZONE = "Europe/Berlin"
 
-#: signal -> its level, and how far it swings
-SIGNALS = {
-    **{"current": (22.0, 18.0), "force": (1200.0, 950.0), "position": (400.0, 320.0)},
-    **{"speed": (90.0, 60.0), "temperature": (41.0, 8.0)},
-}
+_PLANT = data.table("gam_db.report", "plant.toml")
 
 #: When the page of it says that it was made: the morning after the last reading.
 END = START + dt.timedelta(days=DAYS, hours=5)
-
-#: machine -> signal ("*" all) -> what happens to it, and on which day it begins
-PLANT: dict[str, dict[str, tuple[str, float]]] = {
-    "press 1": {"force": ("wear", 15.0), "current": ("wear", 19.0)},
-    "press 2": {"force": ("breaks", 26.6), "position": ("breaks", 26.7), "current": ("breaks", 26.65)},
-    "press 3": {},
-    "robot 1": {"*": ("program", 21.5)},
-    "robot 2": {"speed": ("wear", 24.5)},
-    "robot 3": {"position": ("repaired", 14.0)},
-    "robot 4": {"force": ("creeps", 25.5)},
-    "mill 1": {"temperature": ("warms", 18.0), "speed": ("coarse", 0.0)},
-    "mill 2": {"*": ("silent", 23.6)},
-    "mill 3": {"force": ("stands", 0.0), "position": ("late", 27.2), "current": ("noise", 0.0)},
-    "conveyor": {"speed": ("spikes", 20.0)},
-    "washer": {"*": ("weekends", 0.0)},
-}
 
 
 def telemetry() -> pa.Table:
@@ -52,8 +33,8 @@ def telemetry() -> pa.Table:
     begin = int(START.timestamp() * 1_000_000)
     time = begin + np.arange(count, dtype=np.int64) * (STEP // dt.timedelta(microseconds=1))
     parts = []
-    for machine, happens in PLANT.items():
-        for channel in SIGNALS:
+    for machine, happens in _PLANT["machines"].items():
+        for channel in _PLANT["signals"]:
             what, day = happens.get(channel, happens.get("*", ("calm", 0.0)))
             value, kept = _signal(f"{machine}/{channel}", channel, what, day, count)
             names = [pa.repeat(name, int(kept.sum())) for name in (machine, channel)]
@@ -70,7 +51,7 @@ def _signal(
     chance = np.random.default_rng(zlib.crc32(name.encode()))
     days = np.arange(count) / A_DAY
     at = np.arange(count) + int(chance.integers(40))
-    level, scale = SIGNALS[channel]
+    level, scale = _PLANT["signals"][channel]
     since = np.clip(days - day, 0, None)
     begun = days >= day
     period = 40 + int(chance.integers(4)) * 4
