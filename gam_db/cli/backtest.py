@@ -11,6 +11,8 @@ from gam_db.findings import Row
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.setting import settings_of
 
+_RATES = ("stated", "seen", "lower", "upper", "resampled_lower", "resampled_upper")
+
 
 @options.taking(*options.READ, *options.ALARMS, "as_json", "quiet", "threads")
 def backtest(
@@ -32,33 +34,16 @@ def backtest(
 
 def lines(found: Row) -> Iterator[str]:
     """Yield what is said of the figures, a sentence a line; rates are per 1,000 judgements."""
-
-    def rate(name: str) -> str:
-        return f"{1000 * found[name]:.2f}"
-
-    yield (
-        f"{found['judged']:,} of {found['channels']:,} channels have a limit; "
-        f"{found['judgements']:,} judgements, {found['episodes']:,} episodes"
-    )
-    if found["stated"] is None:
-        yield "no rate can be stated"
-    else:
-        yield f"stated: {rate('stated')} per 1,000 judgements (asked: {found['asked']})"
-    yield (
-        f"seen: {rate('seen')} per 1,000 judgements; 95 %: {rate('lower')} to {rate('upper')} by "
-        f"Poisson, {rate('resampled_lower')} to {rate('resampled_upper')} by channels drawn again"
-    )
+    said = page.WORDS["backtest"]
+    rates = {name: 1000 * found[name] for name in _RATES if found[name] is not None}
+    yield said["counted"].format(**found)
+    yield said["stated"].format(**found | rates) if "stated" in rates else "no rate can be stated"
+    yield said["seen"].format(**found | rates)
     if found["per_day_seen"] is not None:
         a_day = found["per_day_stated"]
-        yield (
-            f"alarms a day of these {found['judged']:,} channels: {found['per_day_seen']:.3g} seen"
-            + ("" if a_day is None else f", {a_day:.3g} stated")
-        )
+        yield said["a_day"].format(**found) + ("" if a_day is None else f", {a_day:.3g} stated")
     for basis, one in sorted(found["basis"].items()):
-        yield (
-            f"basis {basis}: {one['channels']:,} channels, {one['judgements']:,} judgements, "
-            f"{one['episodes']:,} episodes"
-        )
+        yield said["basis"].format(basis=basis, **one)
     for reason, count in sorted(found["withheld"].items()):
         yield f"without a limit: {count:,} ({reason})"
     raised = [row for row in found["by_channel"] if row["episodes"]]
