@@ -2,6 +2,8 @@
 
 from enum import IntEnum
 
+from gam_db import data
+
 
 class Exit(IntEnum):
     """How a command ended."""
@@ -14,11 +16,4 @@ class Exit(IntEnum):
     INTERRUPTED = 130
 
 
-MEANINGS = {
-    Exit.FINE: "fine",
-    Exit.USER_ERROR: "something for you to mend, told on stderr",
-    Exit.ATTENTION: "done, and something needs attention",
-    Exit.OUR_FAULT: "our fault",
-    Exit.RUN_AGAIN: "only the moment was wrong: run it again",
-    Exit.INTERRUPTED: "interrupted",
-}
+MEANINGS = {code: data.table("gam_db.cli", "words.toml")["exits"][code.name.lower()] for code in Exit}

@@ -31,15 +31,7 @@ DATABASE_ENDINGS = (".duckdb", ".db")
 SHOWN = 40
 """Channels shown unless all are asked for."""
 
-_PANELS = {
-    "source": "Columns, guessed where not named",
-    "parameters": "Parameters of the method",
-    "calibration": "Calibration, the healthy part: default the first 20 %",
-    "alarms": "Alarms",
-    "monitor": "What is kept, and where",
-    "search": "The search",
-    "scope": "What is scored",
-}
+_PANELS = data.table("gam_db.cli", "words.toml")["panels"]
 
 #: Every setting that is an option, with the section of gam.toml that it stands in.
 _KNOWN: Mapping[str, tuple[str, Setting]] = {
