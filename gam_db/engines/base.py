@@ -50,6 +50,23 @@ def temporary(made: exp.Expr, query: exp.Query | None = None, *storage: exp.Expr
     return exp.Create(this=made.copy(), kind="TABLE", expression=query, properties=properties)
 
 
+def macro(
+    name: exp.Table, parameters: Sequence[str], query: exp.Query, *properties: exp.Expr
+) -> exp.Create:
+    """Return what lets a query be called like a table, its parameters being columns without a table."""
+    arguments = [exp.to_identifier(parameter) for parameter in parameters]
+    function = exp.UserDefinedFunction(this=name, expressions=arguments, wrapped=True)
+    gives_rows = exp.ReturnsProperty(this=exp.Schema(this=exp.var("TABLE")), is_table=True)
+    said = exp.Properties(expressions=[*properties, gives_rows])
+    return exp.Create(this=function, kind="MACRO", expression=query, properties=said, replace=True)
+
+
+def with_columns(table: exp.Table, types: Mapping[str, exp.DataType]) -> exp.Schema:
+    """Return a table with the columns that it is to have, their types by name."""
+    columns = [exp.ColumnDef(this=template.name(name), kind=of) for name, of in types.items()]
+    return exp.Schema(this=table.copy(), expressions=columns)
+
+
 @dataclass(frozen=True)
 class Texts:
     """How an engine reads text: the nodes are NULL where a word does not fit."""

@@ -9,8 +9,7 @@ from typing import Any
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db.composing import template
-from gam_db.engines.base import temporary
+from gam_db.engines.base import temporary, with_columns
 from gam_db.engines.driver import Driver
 from gam_db.engines.refusals import refusal
 from gam_db.errors import UserError
@@ -60,13 +59,9 @@ class DbapiDriver(Driver):
         self.execute(self.engine.text(temporary(table, query, *self.storage)))
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
-        columns = [
-            exp.ColumnDef(this=template.name(field.name), kind=self.type_of(field.type))
-            for field in rows.schema
-        ]
-        schema = exp.Schema(this=table, expressions=columns)
-        self.execute(self.engine.text(temporary(schema, None, *self.storage)))
-        places = exp.Tuple(expressions=[exp.var(self.place) for _ in columns])
+        types = {field.name: self.type_of(field.type) for field in rows.schema}
+        self.execute(self.engine.text(temporary(with_columns(table, types), None, *self.storage)))
+        places = exp.Tuple(expressions=[exp.var(self.place) for _ in types])
         insert = exp.Insert(this=table.copy(), expression=exp.Values(expressions=[places]))
         cursor = self._connection.cursor()
         for batch in rows.to_batches(max_chunksize=65_536):

@@ -16,6 +16,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.composing import template
+from gam_db.engines.base import macro
 from gam_db.engines.driver import Driver
 from gam_db.engines.refusals import CONFLICT as CONFLICT
 from gam_db.engines.refusals import OPEN, first_line
@@ -215,17 +216,9 @@ class Session:
             parameters: their names, in the order in which they are said in a call.
         """
         name = self._numbered(step)
-        macro = exp.UserDefinedFunction(
-            this=exp.Table(this=exp.to_identifier(name)),
-            expressions=[exp.to_identifier(one) for one in parameters],
-            wrapped=True,
-        )
-        gives_rows = exp.ReturnsProperty(this=exp.Schema(this=exp.var("TABLE")), is_table=True)
-        said = exp.Properties(expressions=[exp.TemporaryProperty(), gives_rows])
-        self.execute(
-            exp.Create(this=macro, kind="MACRO", expression=query, properties=said, replace=True)
-        )
-        self._defined[name] = exp.Drop(tables=[macro.this.copy()], kind="MACRO TABLE", exists=True)
+        called = exp.Table(this=exp.to_identifier(name))
+        self.execute(macro(called, parameters, query, exp.TemporaryProperty()))
+        self._defined[name] = exp.Drop(tables=[called.copy()], kind="MACRO TABLE", exists=True)
         return name
 
     def write(self, query: exp.Query, path: Path, table: str) -> None:

@@ -15,7 +15,7 @@ from gam_db.clock import TimeKind, looks_like_calendar
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.engines import engine_named
-from gam_db.engines.base import Engine
+from gam_db.engines.base import Engine, macro
 from gam_db.errors import EngineError, ParameterError, SourceError, nearest, wrong
 from gam_db.method import Method, pipeline
 from gam_db.reading import look
@@ -137,7 +137,7 @@ def _view_statements(
     if only is not None:
         yield (
             "One channel alone, which reads only its own rows of the source.",
-            _macro(place("health_of"), only.query("health_indicator", live, commented=True)),
+            macro(place("health_of"), HEALTH_OF, only.query("health_indicator", live, commented=True)),
         )
     for name in names:
         if _table_of(name) in _PASSING:
@@ -152,19 +152,6 @@ def _table_of(step: str) -> str:
 
 def _drop(kind: str, table: exp.Table) -> exp.Drop:
     return exp.Drop(tables=[table.copy()], kind=kind, exists=True)
-
-
-def _macro(name: exp.Table, query: exp.Query) -> exp.Create:
-    returns = exp.ReturnsProperty(this=exp.Schema(this=exp.var("TABLE")), is_table=True)
-    return exp.Create(
-        this=exp.UserDefinedFunction(
-            this=name, expressions=[exp.to_identifier(argument) for argument in HEALTH_OF], wrapped=True
-        ),
-        kind="MACRO",
-        replace=True,
-        expression=query,
-        properties=exp.Properties(expressions=[returns]),
-    )
 
 
 def _only_channel(source: AnySource) -> exp.Expr:

@@ -17,7 +17,7 @@ from sqlglot import exp
 from gam_db import data
 from gam_db.address import shown
 from gam_db.composing import template
-from gam_db.engines.base import deletion
+from gam_db.engines.base import deletion, with_columns
 from gam_db.engines.clickhouse import ENGINE, create_table, temporary_table
 from gam_db.engines.clickhouse.address import EXTRA, folder, is_locked, server
 from gam_db.engines.driver import Driver, by_table, is_text, usual
@@ -144,15 +144,11 @@ class ClickHouseDriver(Driver):
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
         """Make a temporary table of an Arrow table, or refuse types that ClickHouse has not."""
         rows = _insertable(rows)
-        columns = [
-            exp.ColumnDef(
-                this=template.name(field.name),
-                kind=exp.DataType.build(_column_type(field.type), dialect=ENGINE.dialect),
-            )
+        types = {
+            field.name: exp.DataType.build(_column_type(field.type), dialect=ENGINE.dialect)
             for field in rows.schema
-        ]
-        schema = exp.Schema(this=table.copy(), expressions=columns)
-        self.execute(self.engine.text(temporary_table(schema)))
+        }
+        self.execute(self.engine.text(temporary_table(with_columns(table, types))))
         name = self.engine.text(table)
         if rows.num_rows:
             self._client.insert_arrow(name, rows, settings=self._settings)

@@ -19,7 +19,7 @@ from sqlglot import exp
 
 from gam_db import data
 from gam_db.composing import template
-from gam_db.engines.base import temporary
+from gam_db.engines.base import temporary, with_columns
 from gam_db.engines.dbapi import DbapiDriver
 from gam_db.engines.driver import by_table
 from gam_db.engines.postgres import ENGINE, PATH, ROOM
@@ -173,14 +173,8 @@ class PostgresDriver(DbapiDriver):
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
         sent, types = travelling(rows)
-        columns = [
-            exp.ColumnDef(
-                this=template.name(name),
-                kind=exp.DataType.build(kind, dialect=self.engine.dialect),
-            )
-            for name, kind in types.items()
-        ]
-        self.execute(self.engine.text(temporary(exp.Schema(this=table, expressions=columns))))
+        kinds = {name: exp.DataType.build(of, dialect=ENGINE.dialect) for name, of in types.items()}
+        self.execute(self.engine.text(temporary(with_columns(table, kinds))))
         written = io.BytesIO()
         pyarrow.csv.write_csv(sent, written, pyarrow.csv.WriteOptions(include_header=False))
         sql = self._psycopg.sql
