@@ -14,6 +14,7 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
+from gam_db import data
 from gam_db.alarms import Alarms, add_status
 from gam_db.clock import TimeKind, shown_instant, shown_length, told_time
 from gam_db.settings.parameters import Parameters
@@ -29,6 +30,8 @@ ORDER = (
 
 #: A grid of fewer bins tells little but high from low: then the advice is a longer calibration.
 FEWEST_BINS = 5
+
+_SHORTCOMINGS = data.table("gam_db", "findings.toml")
 
 #: What is known of a channel on the way only.
 _INNER = ("behind", "still_tick", "has_limit", "raised", "asks")
@@ -223,27 +226,16 @@ def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
     *row* has verdict, calibrated_lo, finest_bins and vectors_needed; *span* counts the samples between
     the oldest and the newest of a vector; it has moved if a vector was novel since.
     """
-    verdict = row["verdict"]
+    told = row["verdict"]
     if row.get("limit_reason") == "unrepresentative":
-        return ["calibration is no fair sample of what followed: calibrate longer, or later"]
-    if verdict == "constant":
-        return [f"was constant in calibration{' and has moved since' * has_moved}: not assessable"]
-    if verdict == "no_data" and row["calibrated_lo"] is None:
-        return ["no usable sample in calibration: not assessable"]
-    if verdict == "no_data":
-        return [
-            f"calibration holds no run of {span + 1:,} samples without gap or missing value: "
-            "not assessable"
-        ]
-    if is_short(row):
-        return [
-            f"too little calibration for a grid of use: calibrate longer, {_more(row['vectors_needed'])}"
-        ]
-    if verdict == "too_fine":
-        return [f"grid too fine for its calibration, {row['finest_bins']:,} bins would pass"]
-    if verdict == "needs_data":
-        return [f"calibration too short, {_more(row['vectors_needed'])}"]
-    return []
+        told = "unrepresentative"
+    elif told == "no_data" and row["calibrated_lo"] is None:
+        told = "no_sample"
+    elif is_short(row):
+        told = "short"
+    words = {"run": span + 1, "bins": row["finest_bins"], "more": _more(row["vectors_needed"])}
+    moved = " and has moved since" * has_moved
+    return [_SHORTCOMINGS[told].format(moved=moved, **words)] if told in _SHORTCOMINGS else []
 
 
 def is_short(row: Row) -> bool:
