@@ -75,12 +75,8 @@ def page_of(
 
 def told(lines: page.Out, figures: Mapping[str, Any]) -> None:
     """Print what was written."""
-    page.say(
-        lines,
-        f"{figures['path']}: {number_of(figures['machines'], 'machine')}, "
-        f"{number_of(figures['signals'], 'signal')}, {figures['details']} in detail, "
-        f"{figures['above']} above their limit, {figures['new']} of them new; "
-        f"{figures['bytes'] / 1e6:.1f} MB",
-    )
+    counted = {f"all_{of}s": number_of(figures[f"{of}s"], of) for of in ("machine", "signal")}
+    size = figures["bytes"] / 1e6
+    page.say(lines, page.WORDS["report"]["written"].format(**figures, **counted, size=size))
     if figures["raw"] is not None:
         page.say(lines, f"raw readings are not in it: {figures['raw']}")

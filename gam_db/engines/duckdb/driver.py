@@ -198,7 +198,7 @@ class DuckDriver(Driver):
         except duckdb.IOException as error:
             raise wrong("file_unreadable", path=path) from error
         except duckdb.Error as error:
-            raise self.problem(error) or SourceError(no_table(path, str(error))) from error
+            raise self.problem(error) or no_table(path, str(error)) from error
         return columns
 
     def rows_at_once(self) -> int:
@@ -215,11 +215,11 @@ class DuckDriver(Driver):
         if isinstance(error, duckdb.ConversionException) and (
             said := late_word(self.connection, error, self._readers)
         ):
-            return SourceError(said)
+            return said
         if (told := refusal(self.engine.name, type(error).__name__)) is not None:
             return told
         if isinstance(error, duckdb.Error) and (differing := unalike(error)):
-            return SourceError(differing)
+            return differing
         if "CSV Error" in first_line(error) and not isinstance(error, duckdb.IOException):
             return wrong("duckdb_csv_line", said=first_line(error).rpartition(" ")[2])
         return None

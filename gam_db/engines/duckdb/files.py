@@ -16,7 +16,7 @@ from gam_db import data
 from gam_db.composing import template
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb.reading import all_as_text, paths_read
-from gam_db.errors import SourceError, wrong
+from gam_db.errors import SourceError, UserError, wrong
 from gam_db.settings.form import options_for_null, options_for_numbers, shortened
 from gam_db.settings.source import FILE_ENDINGS, as_folder, shown_relation
 from gam_db.version import __version__
@@ -110,18 +110,12 @@ def metadata(sources: Sequence[str]) -> exp.Expr:
     return exp.Struct(expressions=pairs)
 
 
-def no_table(path: str, reason: str) -> str:
+def no_table(path: str, reason: str) -> UserError:
     """Return why a path is no table, in the user's words."""
     extension = _NOT_THERE.search(reason)
     if extension is None:
-        return (
-            f"{path} is no table that DuckDB can make out; is it whole, and of the kind that its name "
-            "says?"
-        )
-    return (
-        f"{path} is read by DuckDB's extension {extension[1]}, which is not installed and cannot be "
-        f"fetched from here: INSTALL {extension[1]} where there is a network, or copy the file here."
-    )
+        return wrong("duckdb_no_table", path=path)
+    return wrong("duckdb_extension", path=path, extension=extension[1])
 
 
 _LATE = re.compile(
@@ -143,15 +137,13 @@ _UNALIKE = (
 )
 
 
-def unalike(error: duckdb.Error) -> str:
+def unalike(error: duckdb.Error) -> UserError | None:
     """Return what is said of files of one source that do not have the same columns, if it is that."""
     found = next(filter(None, (pattern.search(str(error)) for pattern in _UNALIKE)), None)
     if found is None:
-        return ""
-    return (
-        f"{found['file'] or 'One file'} has no column {found['column']!r}, and "
-        f"{found['first'] or 'another'} has one; the files of a source have the same columns."
-    )
+        return None
+    one, other = found["file"] or "One file", found["first"] or "another"
+    return wrong("duckdb_files_unalike", one=one, column=found["column"], other=other)
 
 
 _NOT_THERE = re.compile(r"install the required extension '(\w+)")
@@ -159,14 +151,14 @@ _NOT_THERE = re.compile(r"install the required extension '(\w+)")
 
 def late_word(
     connection: duckdb.DuckDBPyConnection, error: duckdb.Error, readers: Iterable[exp.Expr]
-) -> str:
+) -> UserError | None:
     """Return what is said of a word far down a CSV file that its column cannot hold, if there is one.
 
     Of the nodes that read CSV files, that of the file at fault tells how it is written.
     """
     found = _LATE.search(str(error))
     if found is None:
-        return ""
+        return None
     line, column, word, kind, file = found.groups()
     like = exp.EQ(this=template.column(column), expression=template.text(word))
     own, rows = [one for one in readers if file in matching(connection, paths_read(one))], 1
@@ -177,8 +169,8 @@ def late_word(
     same = f", {rows:,} times in all" if rows > 1 else ""
     is_time = any(sign in kind for sign in ("TIME", "DATE"))
     options = {"--time-format" if is_time else options_for_numbers([word]), options_for_null(word)}
-    return (
-        f"Line {line} of the CSV file {file} holds {shortened(word)} in the column {column!r}{same}, "
-        f"where {'times' if is_time else 'numbers'} are before it; {' or '.join(sorted(options))} would "
-        "read it."
+    word, read = shortened(word), " or ".join(sorted(options))
+    of = "times" if is_time else "numbers"
+    return wrong(
+        "duckdb_late_word", line=line, file=file, word=word, column=column, same=same, of=of, read=read
     )
