@@ -27,8 +27,6 @@ from gam_db.stored.schema.tables import StateTables
 
 pytestmark = pytest.mark.thorough
 
-pytest.importorskip("grafana_foundation_sdk", reason="pip install grafana-foundation-sdk")
-
 PARAMETERS = gam_db.Parameters(m=2, tau=1, bins=5, window=20, stride=5)
 CALIBRATION = gam_db.Calibration(intervals=[("2026-03-01", "2026-03-01T03:19:00")])
 START, STEP = dt.datetime(2026, 3, 1), dt.timedelta(minutes=1)
