@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+from gam_db import data
 from gam_db.address import check
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
@@ -17,26 +18,8 @@ from gam_db.errors import EngineError, nearest, wrong
 _IN_MEMORY = ("duckdb://", "duckdb:///:memory:", ":memory:")
 _FILE = "duckdb:///"
 
-#: scheme of an address -> the engine, whose ``driver.connected`` opens it
-_SCHEMES = {
-    **{name: name for name in ("sqlite", "mariadb", "postgres", "clickhouse", "spark")},
-    **{"postgresql": "postgres", "clickhouses": "clickhouse", "chdb": "clickhouse"},
-}
-
-#: package of an open connection -> the same
-_PACKAGES = {
-    "sqlite3": "sqlite",
-    "pymysql": "mariadb",
-    "psycopg": "postgres",
-    "clickhouse_connect": "clickhouse",
-    "pyspark": "spark",
-}
-
-ADDRESSES = (
-    "the path of a DuckDB file, duckdb:///PATH, sqlite:///PATH, postgresql://HOST/DATABASE, "
-    "mariadb://HOST/DATABASE, clickhouse://HOST/DATABASE, chdb:///FOLDER, spark:///FOLDER or "
-    "spark://MASTER"
-)
+#: Scheme of an address, package of an open connection -> the engine; its ``driver.connected`` opens it.
+_SCHEMES, _PACKAGES = data.table("gam_db.engines", "connecting.toml").values()
 
 
 def connect(
@@ -76,7 +59,7 @@ def connect(
         if target is None or package == "duckdb":
             return DuckSession(target, threads, writable, files)
         if package not in _PACKAGES:
-            raise EngineError(f"The database is a {type(target).__name__}; it takes {ADDRESSES}.")
+            raise wrong("no_database", what=f"a {type(target).__name__}")
         return _opened(_PACKAGES[package], target, writable)
     check(address)
     if address in _IN_MEMORY:
@@ -87,7 +70,7 @@ def connect(
         address = f"{scheme}://{rest}"
     if not separator or address.startswith(_FILE):
         if not address:
-            raise EngineError(f"The database is empty; it takes {ADDRESSES}.")
+            raise wrong("no_database", what="empty")
         return DuckSession(address.removeprefix(_FILE), threads, writable, files)
     if scheme == "duckdb":
         raise EngineError(f"{address} names a server; a DuckDB file is duckdb:///PATH, three slashes.")
