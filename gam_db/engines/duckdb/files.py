@@ -28,7 +28,8 @@ MARK, SOURCE_MARK = "gam_db", "gam_source"
 _OF_RESULTS = ("novel_in_window", "calibrated_lo", "learned_floor")
 
 
-_QUERIES = data.table("gam_db.engines.duckdb", "duckdb.toml")["queries"]
+_AT_WORK = data.table("gam_db.engines.duckdb", "duckdb.toml")
+_QUERIES, _SAID = _AT_WORK["queries"], _AT_WORK["said"]
 
 #: Formats of tables that are folders -> what inside tells, and the way through Arrow.
 _TABLES = {
@@ -112,41 +113,19 @@ def metadata(sources: Sequence[str]) -> exp.Expr:
 
 def no_table(path: str, reason: str) -> UserError:
     """Return why a path is no table, in the user's words."""
-    extension = _NOT_THERE.search(reason)
+    extension = re.search(_SAID["extension"], reason)
     if extension is None:
         return wrong("duckdb_no_table", path=path)
     return wrong("duckdb_extension", path=path, extension=extension[1])
 
 
-_LATE = re.compile(
-    r"CSV Error on Line: (\d+).*column \"(.*?)\"\. Could not convert string \"(.*?)\" to '(.*?)'"
-    r".*\n  file = (.*?)\n",
-    re.DOTALL,
-)
-
-_UNALIKE = (
-    re.compile(
-        r"Main file schema: (?P<first>.*)\nCurrent file: (?P<file>.*)\n"
-        r"Column with name: \"(?P<column>.*)\" is"
-    ),
-    re.compile(
-        r"column \"(?P<column>.*?)\" was read from the original file \"(?P<first>.*?)\", "
-        r".* file \"(?P<file>.*?)\""
-    ),
-    re.compile(r"(?P<file>)(?P<first>)COLUMN_TYPES error: Columns with names: \"(?P<column>.*?)\""),
-)
-
-
 def unalike(error: duckdb.Error) -> UserError | None:
     """Return what is said of files of one source that do not have the same columns, if it is that."""
-    found = next(filter(None, (pattern.search(str(error)) for pattern in _UNALIKE)), None)
+    found = next(filter(None, (re.search(one, str(error)) for one in _SAID["unalike"])), None)
     if found is None:
         return None
     one, other = found["file"] or "One file", found["first"] or "another"
     return wrong("duckdb_files_unalike", one=one, column=found["column"], other=other)
-
-
-_NOT_THERE = re.compile(r"install the required extension '(\w+)")
 
 
 def late_word(
@@ -156,7 +135,7 @@ def late_word(
 
     Of the nodes that read CSV files, that of the file at fault tells how it is written.
     """
-    found = _LATE.search(str(error))
+    found = re.search(_SAID["late"], str(error))
     if found is None:
         return None
     line, column, word, kind, file = found.groups()
