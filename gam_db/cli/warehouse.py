@@ -88,11 +88,6 @@ export = typer.Typer(
 )
 
 
-@export.callback()
-def tools() -> None:
-    """Write the method as a package of another tool."""
-
-
 @export.command()
 @options.taking(
     *(*options.READ, "time_kind", "prefix", "lookback", "park_after"), but=("fraction", "duration")
