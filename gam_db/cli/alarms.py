@@ -25,7 +25,7 @@ _KINDS = ", ".join(stored.KINDS)
 _MARKS = {"proving": "?", "open": "!"}
 
 
-@options.taking(*options.STATE, *options.PAGE, "time_zone", source=False, state=True)
+@options.of_state(*options.STATE, *options.PAGE, "time_zone")
 def alarms(
     settings: Settings,
     common: options.Common,
@@ -59,7 +59,7 @@ def alarms(
     page.tell({**place(settings), **told}, show, common, urgent=urgent)
 
 
-@options.taking(*options.STATE, "time_zone", "as_json", "quiet", source=False, state=True)
+@options.of_state(*options.STATE, "time_zone", "as_json", "quiet")
 def alarm(
     settings: Settings,
     common: options.Common,
@@ -100,7 +100,7 @@ def alarm(
     page.tell({"monitor": name, **found, **told}, show, common)
 
 
-@options.taking(*options.STATE, "as_json", "quiet", source=False, state=True)
+@options.of_state(*options.STATE, "as_json", "quiet")
 def label(
     settings: Settings,
     common: options.Common,
@@ -131,7 +131,7 @@ def label(
     page.tell(figures, lambda out: page.say(out, f"episodes: {told}"), common)
 
 
-@options.taking(*options.ALARMS, *options.STATE, *options.PAGE, source=False, state=True)
+@options.of_state(*options.ALARMS, *options.STATE, *options.PAGE)
 def limits(
     settings: Settings,
     common: options.Common,

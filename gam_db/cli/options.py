@@ -172,6 +172,10 @@ def taking(
     return decorated
 
 
+#: The same for commands that work with the state and read no SOURCE.
+of_state = functools.partial(taking, source=False, state=True)
+
+
 def _parameter(name: str, of: Any, about: Any) -> inspect.Parameter:
     return inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=about, annotation=of)
 

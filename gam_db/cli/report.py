@@ -26,7 +26,7 @@ from gam_db.study.running import Listener
 _ENDINGS = (".html", ".htm")
 
 
-@options.taking(*options.STATE, "as_json", "quiet", source=False, state=True)
+@options.of_state(*options.STATE, "as_json", "quiet")
 def report(
     settings: Settings,
     wishes: Wishes,

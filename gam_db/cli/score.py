@@ -46,11 +46,7 @@ class Scope:
         }
 
 
-@options.taking(
-    *(*options.STATE, "lookback", "append_only", "park_after", "as_json", "quiet", "threads"),
-    source=False,
-    state=True,
-)
+@options.of_state(*options.STATE, "lookback", "append_only", "park_after", "as_json", "quiet", "threads")
 def score(
     settings: Settings,
     scope: Scope,

@@ -21,7 +21,7 @@ from gam_db.stored.schema.tables import StateTables
 from gam_db.stored.state import State
 
 
-@options.taking("schema", "prefix", "as_json", source=False, state=True)
+@options.of_state("schema", "prefix", "as_json")
 def migrate(
     settings: Settings,
     common: options.Common,
@@ -88,9 +88,7 @@ def _show_migrations(out: page.Out, tables: StateTables, found: Status) -> None:
 _KINDS = dict(zip(COUNTED, ("buckets", "novel cells", "runs", "support"), strict=True))
 
 
-@options.taking(
-    *(*options.STATE, "keep", "keep_novel", "everything", "as_json"), source=False, state=True
-)
+@options.of_state(*options.STATE, "keep", "keep_novel", "everything", "as_json")
 def prune(
     settings: Settings,
     common: options.Common,
@@ -110,7 +108,7 @@ def prune(
     _tell_sizes(sizes, said.name, dry_run, common)
 
 
-@options.taking(*options.STATE, "everything", "as_json", source=False, state=True)
+@options.of_state(*options.STATE, "everything", "as_json")
 def compact(settings: Settings, common: options.Common) -> None:
     """Delete rows that nobody sees: hidden by a later run, or left by one that was cut short.
 
@@ -146,7 +144,7 @@ def _tell_sizes(sizes: pa.Table, monitor: str, dry_run: bool, common: options.Co
     page.tell({"monitor": monitor, "dry_run": dry_run, "channels": rows}, show, common)
 
 
-@options.taking("schema", "prefix", source=False, state=True)
+@options.of_state("schema", "prefix")
 def drop(
     settings: Settings,
     name: str | None = option("drop.name"),

@@ -23,7 +23,7 @@ ASSETS = 20
 """Assets shown unless all are asked for."""
 
 
-@options.taking(*(*options.STATE, "park_after", *options.PAGE, "time_zone"), source=False, state=True)
+@options.of_state(*options.STATE, "park_after", *options.PAGE, "time_zone")
 def status(
     settings: Settings,
     common: options.Common,
