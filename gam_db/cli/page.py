@@ -9,6 +9,7 @@ import json
 import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -300,19 +301,14 @@ def cut(
         say(out, f"and {len(rows) - most:,} more{what}{f' ({said})' if said else ''}; --all")
 
 
-def verdicts(supports: Iterable[Row]) -> str:
-    """Return how many calibrations have which verdict."""
-    return _tally(supports, "verdict")
-
-
-def counted(rows: Iterable[Row]) -> str:
-    """Return how many channels are what, in words, the most urgent first."""
-    return _tally(rows, "status")
-
-
 def _tally(rows: Iterable[Row], of: str) -> str:
+    """Return how many rows have which value of a column, in the words and the order of the table."""
     count = Counter(row[of] for row in rows)
     return ", ".join(f"{count[name]:,} {said}" for name, said in WORDS[of].items() if count[name])
+
+
+#: How many calibrations have which verdict; how many channels are what, the most urgent first.
+verdicts, counted = partial(_tally, of="verdict"), partial(_tally, of="status")
 
 
 def advice(supports: Sequence[Row]) -> list[str]:
