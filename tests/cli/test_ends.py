@@ -141,7 +141,7 @@ def test_a_statement_that_is_stopped_is_no_refusal_to_go_on_from() -> None:
     """``gam select`` asks about every channel alone where one was refused, not where one was stopped."""
     endless = sqlglot.parse_one("SELECT COUNT(*) FROM RANGE(100000000) AS a, RANGE(100000000) AS b")
     with DuckSession() as session:
-        stop = threading.Timer(0.3, session.interrupt)
+        stop = threading.Timer(0.3, session.connection.interrupt)
         stop.start()
         with pytest.raises(EngineError, match="was stopped"):
             session.fetch(endless)

@@ -121,10 +121,6 @@ class DuckSession(Session):
         """Return how far the running statement is, in percent; negative if it is not known."""
         return float(self.connection.query_progress())
 
-    def interrupt(self) -> None:
-        """Ask the running statement to stop."""
-        self.connection.interrupt()
-
     def _shut(self) -> None:
         """Open no other files from now on than the database, the sources, what views name, and results.
 
