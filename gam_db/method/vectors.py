@@ -227,11 +227,9 @@ def _marked_codes(one: OfSet, prefix: str, read: exp.Expr) -> tuple[str, dict[st
     codes, told_by, whole = _breaking_codes(one, prefix, ["calibrating", *value])
     if is_told:
         before, codes = codes, f"{prefix}moving_codes"
-        begins = exp.column("breaking").eq(1) if told_by else exp.false()
-        said: dict[str, template.Slot] = {
-            "begins": begins,
-            "carried": [exp.column("breaking")] * bool(told_by),
-        }
+        breaking = [exp.column("breaking")] * (one.method.gaps[one.number] is not None)
+        begins = breaking[0].eq(1) if breaking else exp.false()
+        said: dict[str, template.Slot] = {"begins": begins, "carried": breaking}
         one.add("embedding/moving_codes", said, codes, {"codes": before})
     return codes, told_by, whole
 

@@ -48,6 +48,7 @@ def known() -> set[str]:
     """Return the words of our files that can be functions; the server's log shows whether all are."""
     written = [*_FOLDER.glob("sql/**/*.sql"), *_FOLDER.glob("migrations/*.sql")]
     rendering = [file for file in (_FOLDER / "gam_db/engines/postgres").iterdir() if file.is_file()]
+    rendering.append(_FOLDER / "gam_db/engines/engines.toml")
     words = (word for file in rendering for word in re.findall(r"\w+", file.read_text(encoding="utf-8")))
     called = named(file.read_text(encoding="utf-8") for file in written)
     return {*called, *map(str.lower, words)}
