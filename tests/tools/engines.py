@@ -115,7 +115,12 @@ OMITTED = {
         "mariadb-a",
         "mariadb-s",
     ),
-    "test_segments_end_on_trust_as_in_the_reference": ("spark-as", "spark-longer", "spark-one"),
+    "test_segments_end_on_trust_as_in_the_reference": (
+        "spark-as",
+        "spark-longer",
+        "spark-one",
+        "spark-delays",
+    ),
     "test_slices_that_hold_nearly_all_are_cut_finer": ("spark", "mariadb-one", "clickhouse"),
     "test_many_columns_are_read_as_few_are": ("clickhouse", "postgres-None"),
     "test_an_instant_that_occurs_twice_is_found": ("spark",),
