@@ -219,7 +219,11 @@ def _over_calibration(setting: Parameters) -> dict[str, exp.Expr]:
 
 
 def _marked_codes(one: OfSet, prefix: str, read: exp.Expr) -> tuple[str, dict[str, exp.Expr], exp.Expr]:
-    """Add the codes of one set by segment, calibration and stillness; returns as the next one."""
+    """Add the codes of one set by segment, calibration and stillness.
+
+    Returns:
+        The same as :func:`_breaking_codes`.
+    """
     is_told = one.setting.still_after is not None
     value = ["value"] * is_told
     slots: dict[str, template.Slot] = {"read": read, "carried": [exp.column(name) for name in value]}
