@@ -171,7 +171,7 @@ def add_status(study: Study, alarms: Alarms) -> None:
     study.load("limit_reasons", table_of(rows, _REASONS))
     add(study.steps, "judgement/raised")
     add_judged(study.steps, "raised")
-    add_standing(study.steps, study.method)
+    add_standing(study.steps)
 
 
 def limits_of(study: Study, alarms: Alarms) -> list[Row]:

@@ -4,7 +4,7 @@ from sqlglot import exp
 
 from gam_db.composing import template
 from gam_db.method.adding import OfSet
-from gam_db.method.vectors import add_short_vectors, add_vectors
+from gam_db.method.vectors import add_vectors, compared
 
 
 def add_calibration(one: OfSet) -> None:
@@ -13,7 +13,7 @@ def add_calibration(one: OfSet) -> None:
     is_one = all(len(rule.allowed) <= 1 for rule in one.method.rules)
     if is_one and one.setting.still_after is None:
         one.add("calibration/calibration_codes")
-        add_short_vectors(one, "calibration_")
+        add_vectors(one, "calibration_")
         add_learnt(one, exp.true())
     else:
         add_learnable(one)
@@ -23,8 +23,15 @@ def add_calibration(one: OfSet) -> None:
 def add_learnable(one: OfSet) -> None:
     """Add the vectors of one set up to where calibration ends, and which of them it teaches."""
     until = exp.column("time", table="sampled") <= exp.column("calibration_end", table="scale")
-    add_vectors(one, "calibration_", until)
+    add_marked_codes(one, "calibration_", until)
+    add_vectors(one, "calibration_", marked=True)
     add_learnt(one, exp.column("calibration_vector").eq(1))
+
+
+def add_marked_codes(one: OfSet, prefix: str, read: exp.Expr) -> None:
+    """Add the codes of one set over the samples to be read, with which ones are of calibration."""
+    slots: dict[str, template.Slot] = {"read": read, "carried": compared(one.setting)}
+    one.add("support/marked_codes", slots, f"{prefix}codes")
 
 
 def add_learnt(one: OfSet, taught: exp.Expr, proof: str | None = None) -> None:

@@ -38,7 +38,7 @@ from gam_db.method.scoring import (
     number_of,
 )
 from gam_db.method.source import add_channels, add_intervals, add_rules
-from gam_db.method.vectors import add_short_vectors
+from gam_db.method.vectors import add_vectors, compared
 from gam_db.settings.calibration import Rule
 
 #: Slices of the time range at most: the samples of a slice or two are read again, which of evenly spaced
@@ -85,9 +85,8 @@ UNCUT = Slicing(0, 1)
 
 
 def serves(method: Method) -> bool:
-    """Tell whether no sample counts as still, and no declared calibration is scored."""
-    is_moving = all(setting.still_after is None for setting in method.settings)
-    return is_moving and all(
+    """Tell whether no declared calibration is scored."""
+    return all(
         rule.score_from is None or rule.declared_end is None or rule.score_from > rule.declared_end
         for rule in method.rules
     )
@@ -117,7 +116,7 @@ def add_census(steps: Pipeline, method: Method, slicing: Slicing, ways: Ways) ->
     add_names(steps, slicing, ways)
     add_rules(steps, method)
     add_channels(steps, method)
-    reach = max(1, *(setting.span for setting in method.settings))
+    reach = max(1, *(setting.reach for setting in method.settings))
     add(steps, "census/cuts")
     add(steps, "census/edges", {"reach": reach})
     if ways.delays is not None:
@@ -149,8 +148,8 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
     """Add support, buckets and certificate of one set, after :func:`add_census`."""
     one.add("support/bounds")
     add_run_up(one, {"samples": "edge_samples"})
-    # Where segments end, vectors are numbered one by one, as where samples are missing.
-    is_broken = one.method.gaps[one.number] is not None
+    # Where segments end or samples stand still, vectors are numbered as where samples are missing.
+    is_broken = not one.method.is_unbroken(one.number)
     complete = exp.Literal.number(0) if is_broken else exp.column("complete", table="reached")
     one.add("census/scale", {"complete": complete})
     if ways.round is not None:
@@ -173,13 +172,15 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
         parts.append(f"{COMPLETE}novelty")
     if is_broken or ways.has_missing:
         add_delays(one, INCOMPLETE, ways, scored, bits is not None)
-        add_incomplete(one, ["doubled"], bits, ways.by_sets)
+        add_incomplete(one, ["doubled"], bits=bits, by_sets=ways.by_sets)
         parts.append(f"{INCOMPLETE}numbered")
     add_placed(one, parts, trusting=True, counted=ways.counted)
     add_bucket_counts(one)
     add_judgement(one)
-    one.add("census/known_codes")
-    add_short_vectors(one, "known_")
+    told = compared(one.setting)
+    may_lack = exp.true() if told else exp.column("missing_readings", table="named") > 0
+    one.add("census/known_codes", {"read": may_lack, "carried": told})
+    add_vectors(one, "known_")
     one.add("certificate/missing_vectors", tables={"vectors": "known_vectors"})
 
 

@@ -23,7 +23,7 @@ from gam_db.clock import FAR_AHEAD
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, filled
 from gam_db.method.adding import OfSet, add
-from gam_db.method.vectors import Round, add_short_vectors, small_key
+from gam_db.method.vectors import Round, add_vectors, compared, small_key
 
 #: What is kept before vectors are made of it, body by body.
 KEPT = {"rowids": ("coded", "runs"), "arrays": ()}
@@ -63,7 +63,7 @@ class Ways:
         asked: the last steps that will be asked for, where that is known; others may be, at a price.
         is_cut: whether samples that are none of calibration may come before scoring begins; vectors of
             calibration are then made by windows.
-        has_gaps: whether segments may end; only vectors that are made by windows know of them.
+        by_windows: whether segments may end or samples stand still; vectors are then made by windows.
         has_sets: whether anything of sets of parameters will be asked for, or of whole channels alone.
         round: rows of a round, where channels are taken to take turns in the order in which rows are
             stored, each once in every round; None where they are not.
@@ -75,7 +75,7 @@ class Ways:
     has_missing: bool = True
     asked: frozenset[str] = frozenset()
     is_cut: bool = False
-    has_gaps: bool = False
+    by_windows: bool = False
     has_sets: bool = True
     round: int | None = None
 
@@ -136,7 +136,8 @@ def add_delays(one: OfSet, prefix: str, ways: Ways, rows: str, has_bits: bool) -
     round_ = None
     if ways.round is None or marked:
         file = "census/marked_codes" if marked else "census/codes"
-        one.add(file, {"read": _read(prefix)}, f"{prefix}codes", {"readings": rows})
+        slots: dict[str, template.Slot] = {"read": _read(prefix), "carried": compared(one.setting)}
+        one.add(file, slots, f"{prefix}codes", {"readings": rows})
     else:
         round_ = _add_round(one, prefix, ways.round, rows)
     if has_bits:
@@ -144,11 +145,11 @@ def add_delays(one: OfSet, prefix: str, ways: Ways, rows: str, has_bits: bool) -
     # Rounds list the supports' numbers, which of frozen ones are not those of their channels.
     if one.method.pools or ways.round is not None:
         pooled = ("support_id",)
-        add_short_vectors(one, prefix, known, True, carried=pooled, round_=round_, marked=marked)
+        add_vectors(one, prefix, known, True, carried=pooled, round_=round_, marked=marked)
         return
     # Without pools each channel has its own support, whose number is the channel's and not sorted along.
     own = exp.alias_(exp.column("channel_id"), "support_id")
-    add_short_vectors(one, prefix, known, True, told=[own], marked=marked)
+    add_vectors(one, prefix, known, True, told=[own], marked=marked)
 
 
 def _add_round(one: OfSet, prefix: str, length: int, rows: str) -> Round:

@@ -42,18 +42,23 @@ def add_judged(steps: Pipeline, assessed: str = "assessed", name: str = "judged"
     add(steps, "judgement/judged", slots, name, {"assessed": assessed})
 
 
-def add_standing(steps: Pipeline, method: Method) -> None:
-    """Add the step *standing*, over *judged*: which channels stand still at their end, too."""
+def add_stillness(steps: Pipeline, method: Method, codes: str) -> None:
+    """Add the step *stillness*, of some codes: what stands still where a channel begins and ends."""
     numbers = [n for n, setting in enumerate(method.settings) if setting.still_after is not None]
     for number in numbers:
-        slots, tables = {"long_ago": LONG_AGO}, {"cohort": "bounds"}
-        OfSet(steps, method, number).add("stored/scoring/stillness", slots, tables=tables)
+        one = OfSet(steps, method, number)
+        tables = {"cohort": "bounds", "moving_codes": codes}
+        one.add("stored/scoring/stillness", {"long_ago": LONG_AGO}, tables=tables)
     if not numbers:
         add(steps, "stored/scoring/no_stillness", name="stillness", tables={"cohort": "channels"})
     elif len(method.settings) > 1:
         parts = [method.named("stillness", number) for number in numbers]
         rows = union_of(steps, parts)
         steps.add("stillness", rows, template.load("stored/scoring/stillness").comment)
+
+
+def add_standing(steps: Pipeline) -> None:
+    """Add the step *standing*, over *judged*: which channels stand still at their end, too."""
     known = steps.steps["judged"].query.named_selects
     told = [name for name in known if name not in ("status", "is_above")]
     columns = [exp.column(name, table="judged").as_(name) for name in told]

@@ -9,8 +9,8 @@ from gam_db.method.bits import Bits
 from gam_db.method.calibration import add_calibration
 from gam_db.method.census import FLOWING, OPENING, Slicing, add_census, add_census_set, add_names, kept
 from gam_db.method.certificate import add_certificate
-from gam_db.method.delays import Ways
-from gam_db.method.judgement import limit_slots
+from gam_db.method.delays import INCOMPLETE, Ways
+from gam_db.method.judgement import add_stillness, limit_slots
 from gam_db.method.resolved import Method
 from gam_db.method.scoring import (
     add_bucket_counts,
@@ -18,6 +18,7 @@ from gam_db.method.scoring import (
     add_run_up,
     add_scoring,
     add_support_bits,
+    moving_codes,
 )
 from gam_db.method.source import add_source
 from gam_db.settings.source import TimeNode
@@ -59,6 +60,7 @@ def pipeline(
         add_bucket_counts(one)
         add_certificate(one)
     join_sets(steps, method, (*_JOINED_HEALTH, *_JOINED_BUCKETS, *_JOINED_CERTIFICATE))
+    add_stillness(steps, method, moving_codes(method))
     add_results(steps, instant_of)
     return steps
 
@@ -105,6 +107,7 @@ def trusting_pipeline(
         one = OfSet(steps, method, number)
         add_census_set(one, bits, ways)
     join_sets(steps, method, (*_JOINED_BUCKETS, *_JOINED_CERTIFICATE))
+    add_stillness(steps, method, f"{INCOMPLETE}moving_codes")
     _add_summaries(steps, instant_of)
     return steps
 

@@ -79,10 +79,10 @@ class Method:
         """Return what a step of one set is called."""
         return step if len(self.settings) == 1 else f"{step}_{number}"
 
-    def is_short(self, number: int) -> bool:
-        """Tell whether no sample of one set counts as still, and all after calibration is scored."""
-        is_moving = self.settings[number].still_after is None
-        return is_moving and all(rule.score_from is None for rule in self.rules)
+    @property
+    def is_parted(self) -> bool:
+        """Tell whether every channel is scored from the end of its calibration on."""
+        return all(rule.score_from is None for rule in self.rules)
 
     def is_unbroken(self, number: int) -> bool:
         """Tell whether no segment ends and no sample counts as still in one set."""

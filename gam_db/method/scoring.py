@@ -8,8 +8,10 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import union_of
 from gam_db.method.adding import OfSet
 from gam_db.method.bits import Bits
+from gam_db.method.calibration import add_marked_codes
 from gam_db.method.delays import COMPLETE, INCOMPLETE
-from gam_db.method.vectors import add_short_vectors, add_vectors
+from gam_db.method.resolved import Method
+from gam_db.method.vectors import add_vectors, compared
 from gam_db.settings.parameters import LARGEST_KEY, Parameters
 
 
@@ -54,8 +56,12 @@ def add_scoring(one: OfSet, bits: Bits | None = None) -> None:
 
 
 def add_numbered(one: OfSet, bits: Bits | None = None, carried: Sequence[str] = ()) -> None:
-    """Add Eq. 4 of one set by its segments and intervals; see :func:`add_vectors`."""
-    add_vectors(one, "", exp.true(), carried)
+    """Add Eq. 4 of one set by its intervals, also where samples of calibration are scored.
+
+    The vectors' ``still_so_far`` travels with them where it is ``carried``.
+    """
+    add_marked_codes(one, "", exp.true())
+    add_vectors(one, "", marked=True, straddling=True, still=bool(carried))
     travelling = [_carried(name) for name in ("straddling", *carried)]
     counted = exp.and_(template.fill("score/counted"), template.fill("score/untaught"))
     slots: dict[str, template.Slot] = {"carried": travelling, "counted": counted}
@@ -75,10 +81,9 @@ def add_buckets(
 ) -> None:
     """Add Eq. 4 of one set in full buckets, and the novel cells of each.
 
-    Where no sample counts as still and every channel is scored from the end of its calibration on,
-    vectors of half the columns give the same buckets; else *numbered* is read. A ``trusting`` run, of
-    the former alone, takes it that no instant occurs twice; *visited* then has ``doubled``, the proof to
-    the contrary.
+    Where every channel is scored from the end of its calibration on, vectors of half the columns give
+    the same buckets; else *numbered* is read. A ``trusting`` run, of the former alone, takes it that no
+    instant occurs twice; *visited* then has ``doubled``, the proof to the contrary.
 
     Args:
         one: the set.
@@ -89,15 +94,17 @@ def add_buckets(
     """
     ends = ends or {}
     marks = ("doubled",) if trusting else ()
-    if one.method.is_short(one.number):
+    if one.method.is_parted:
         parts = ["incomplete_numbered"]
-        # Where segments end, vectors are numbered one by one, as where samples are missing.
-        is_whole = one.method.gaps[one.number] is None
+        # Where segments end or samples stand still, vectors are numbered as where some are missing.
+        is_whole = one.method.is_unbroken(one.number)
         if is_whole:
             _add_complete_scoring(one, marks, bits)
             parts = ["complete_novelty", *parts]
-        _add_short_vectors(one, INCOMPLETE, bool(marks), None if is_whole else exp.true())
-        add_incomplete(one, marks, bits)
+        still = ["still_so_far"] * ("still_so_far" in ends)
+        read = None if is_whole else exp.true()
+        _add_vectors_from_run_up(one, INCOMPLETE, trusting, read, bool(still))
+        add_incomplete(one, marks, still, bits)
     else:
         parts = ["numbered"]
     add_placed(one, parts, ends, trusting)
@@ -174,10 +181,15 @@ def add_bucket_counts(one: OfSet, tables: Mapping[str, str] | None = None) -> No
     one.add("health/bucket_counts", tables=tables)
 
 
+def moving_codes(method: Method) -> str:
+    """Return the step that says of what is scored which samples stand still."""
+    return f"{INCOMPLETE}moving_codes" if method.is_parted else "moving_codes"
+
+
 def _add_complete_scoring(one: OfSet, marks: Sequence[str], bits: Bits | None) -> None:
     """Add Eq. 1 and Eq. 4 of channels without missing samples, with their marks."""
     prefix = COMPLETE
-    _add_short_vectors(one, prefix, bool(marks))
+    _add_vectors_from_run_up(one, prefix, bool(marks))
     travelling = [_carried(mark) for mark in marks]
     carried = [number_of(one.setting), *travelling]
     slots: dict[str, template.Slot] = {"carried": carried, "counted": exp.true()}
@@ -190,29 +202,40 @@ def number_of(setting: Parameters) -> exp.Expr:
     return exp.alias_(template.fill("score/number", {"span": setting.span}), "number")
 
 
-def add_incomplete(one: OfSet, marks: Sequence[str], bits: Bits | None, by_sets: bool = False) -> None:
-    """Add Eq. 4 of channels with missing samples, whose vectors must be numbered one by one."""
+def add_incomplete(
+    one: OfSet,
+    marks: Sequence[str],
+    carried: Sequence[str] = (),
+    bits: Bits | None = None,
+    by_sets: bool = False,
+) -> None:
+    """Add Eq. 4 of channels with missing samples, whose vectors must be numbered one by one.
+
+    Other vectors stay as well where one of the ``marks`` is 1; these travel on, and what is ``carried``.
+    """
     prefix = INCOMPLETE
     renamed = {name: f"{prefix}{name}" for name in ("vectors", "novelty")}
     counted: exp.Expr = template.fill("score/counted")
     for mark in marks:
         counted = exp.or_(counted, exp.column(mark, table="vector").eq(1))
-    carried = [_carried(mark) for mark in marks]
-    slots: dict[str, template.Slot] = {"carried": carried, "counted": counted}
+    names = (*carried, *marks)
+    travelling = [_carried(name) for name in names]
+    slots: dict[str, template.Slot] = {"carried": travelling, "counted": counted}
     one.add("score/monitored", slots, f"{prefix}monitored", renamed)
     unasked = exp.alias_(exp.cast(exp.null(), "INT"), "straddling")
-    add_novelty(one, [unasked, *carried], bits, prefix, by_sets=by_sets)
-    said: dict[str, template.Slot] = {"carried": [exp.column(mark) for mark in marks]}
+    add_novelty(one, [unasked, *travelling], bits, prefix, by_sets=by_sets)
+    said: dict[str, template.Slot] = {"carried": [exp.column(name) for name in names]}
     one.add("health/numbered", said, f"{prefix}numbered", renamed)
 
 
-def _add_short_vectors(
-    one: OfSet, prefix: str, trusting: bool = False, read: exp.Expr | None = None
+def _add_vectors_from_run_up(
+    one: OfSet, prefix: str, trusting: bool = False, read: exp.Expr | None = None, still: bool = False
 ) -> None:
     """Add codes and vectors of channels with, or without, missing samples, or of those to ``read``."""
     of_prefix = exp.column("complete", table="scale").eq(int(prefix == COMPLETE))
-    one.add("support/codes", {"read": read or of_prefix}, f"{prefix}codes")
-    add_short_vectors(one, prefix, trusting=trusting)
+    slots: dict[str, template.Slot] = {"read": read or of_prefix, "carried": compared(one.setting)}
+    one.add("support/codes", slots, f"{prefix}codes")
+    add_vectors(one, prefix, trusting=trusting, still=still)
 
 
 def _set_key(setting: Parameters, table: str) -> list[exp.Expr]:

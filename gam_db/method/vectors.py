@@ -29,26 +29,7 @@ class Round(NamedTuple):
     asked: exp.Expr
 
 
-def add_vectors(one: OfSet, prefix: str, read: exp.Expr, carried: Sequence[str] = ()) -> None:
-    """Add codes and vectors of one set (Eq. 1) over the samples to be read, by calibration.
-
-    Their ``still_so_far`` travels with them where it is ``carried``.
-    """
-    setting = one.setting
-    over = {f"calibrating_{k}": _before("calibrating", k * setting.tau) for k in range(1, setting.m)}
-    codes, told_by, whole = _marked_codes(one, prefix, read)
-    over |= _over_calibration(setting) | told_by
-    if carried:
-        over["still_so_far"] = template.fill("embedding/still_so_far")
-    delayed = [exp.alias_(exp.column("calibrating"), "calibrating_0"), *_named(over)]
-    touched = (exp.column(f"calibrating_{k}") for k in range(setting.m))
-    straddling = exp.or_(*(template.fill("embedding/straddling", {"calibrating": of}) for of in touched))
-    said = {"straddling": straddling, "calibration_vector": template.fill("embedding/in_calibration")}
-    travelling = [*_named({name: _flag(of) for name, of in said.items()}), *map(exp.column, carried)]
-    _add(one, prefix, codes, delayed, travelling, whole)
-
-
-def add_short_vectors(
+def add_vectors(
     one: OfSet,
     prefix: str,
     known: Mapping[str, template.Slot] | None = None,
@@ -57,63 +38,75 @@ def add_short_vectors(
     told: Sequence[exp.Expr] = (),
     round_: Round | None = None,
     marked: bool = False,
+    straddling: bool = False,
+    still: bool = False,
 ) -> None:
     """Add the vectors of one set (Eq. 1) over the codes of the same prefix.
 
-    Columns of the codes that are ``carried`` travel with the vectors; what else is ``told`` of one
-    follows from its own. ``known`` gives slots otherwise than usual, where it is known that all
-    coordinates are there, or that keys are small.
+    Those of a set with ``still_after`` have :func:`compared` columns.
 
-    Where it is taken on trust that no instant occurs twice, ``doubled`` = 1 marks each sample that shows
-    the contrary, be it the newest one of a vector or not. Where channels take turns as rows are stored,
-    a sample is a ``round_`` behind the one before, and ``doubled`` marks what is not so, too. Over codes
-    that are ``marked`` where calibration is cut, ``calibration_vector`` = 1 where all samples are of it.
+    Args:
+        one: the set.
+        prefix: of the steps.
+        known: slots otherwise than usual, where it is known that all coordinates are there, or that keys
+            are small.
+        trusting: take it on trust that no instant occurs twice: ``doubled`` = 1 marks each sample that
+            shows the contrary, be it the newest one of a vector or not.
+        carried: columns of the codes that travel with the vectors.
+        told: what else is told of a vector, by its own columns.
+        round_: where channels take turns as rows are stored, a sample is a round behind the one before,
+            and ``doubled`` marks what is not so, too.
+        marked: where codes say which samples are ``calibrating``: ``calibration_vector`` = 1 where all
+            of a vector are.
+        straddling: likewise, ``straddling`` = 1 where a coordinate is.
+        still: ``still_so_far`` counts the samples that stood still, up to each vector.
     """
-    setting = one.setting
-    travelling: list[exp.Expr] = [exp.column(name) for name in carried]
-    over: dict[str, exp.Expr] = {}
+    setting, rows = one.setting, None if round_ is None else round_.rows
+    codes, over, whole = _last_codes(one, prefix, [*carried, *["calibrating"] * marked])
+    delayed: list[exp.Expr] = [exp.column(name) for name in carried]
+    said = [*delayed, *told]
     if marked:
         over |= _over_calibration(setting)
-    codes, told_by, whole = _breaking_codes(one, prefix, [*carried, *["calibrating"] * marked])
-    over |= told_by
-    delayed = [*travelling, *_named(over)]
-    travelling += told
-    rows = None if round_ is None else round_.rows
-    if marked:
         taught = _flag(template.fill("embedding/in_calibration"))
-        travelling.append(exp.alias_(taught, "calibration_vector"))
+        said.append(exp.alias_(taught, "calibration_vector"))
+    if straddling:
+        touched = [exp.column(f"calibrating_{k}") for k in range(setting.m)]
+        over |= {of.name: _before("calibrating", k * setting.tau) for k, of in enumerate(touched) if k}
+        delayed.append(exp.alias_(exp.column("calibrating"), touched[0].name))
+        touching = exp.or_(
+            *(template.fill("embedding/straddling", {"calibrating": of}) for of in touched)
+        )
+        said.append(exp.alias_(_flag(touching), "straddling"))
+    if still:
+        over["still_so_far"] = template.fill("embedding/still_so_far")
+        said.append(exp.column("still_so_far"))
     if trusting:
         # Where the next vector begins with the sample before this one, its time is known already.
-        previous = exp.column("context_time" if setting.span == 2 else "previous_time")
-        if previous.name == "previous_time":
-            delayed += _named({previous.name: _before("time", 1, rows)})
+        is_next = setting.span == 2 and setting.still_after is None
+        previous = exp.column("context_time" if is_next else "previous_time")
+        if not is_next:
+            over[previous.name] = _before("time", 1, rows)
         mark = "embedding/doubled" if round_ is None else "rounds/misplaced"
         doubled = template.fill(mark, {"previous_time": previous})
-        travelling.append(exp.alias_(_flag(doubled), "doubled"))
+        said.append(exp.alias_(_flag(doubled), "doubled"))
         whole = exp.or_(whole, doubled)
-    _add(one, prefix, codes, delayed, travelling, whole, known, round_)
-
-
-def _add(
-    one: OfSet,
-    prefix: str,
-    codes: str,
-    delayed: list[exp.Expr],
-    carried: list[exp.Expr],
-    whole: exp.Expr,
-    known: Mapping[str, template.Slot] | None = None,
-    round_: Round | None = None,
-) -> None:
-    """Add Eq. 1 over some codes, with other columns over the same order, and those that travel on."""
-    delays = {f"code_{k}": k * one.setting.tau for k in range(1, one.setting.m)}
-    rows = None if round_ is None else round_.rows
-    coordinates = {name: _before("code", delay, rows) for name, delay in delays.items()}
-    slots: dict[str, template.Slot] = {"context": _context(one.setting, rows), "carried": carried}
-    slots |= {"delayed": [*_named(coordinates), *delayed], "whole": whole, **(known or {})}
+    coordinates = {f"code_{k}": _before("code", k * setting.tau, rows) for k in range(1, setting.m)}
+    slots: dict[str, template.Slot] = {
+        "delayed": [*_named(coordinates), *delayed, *_named(over)],
+        "context": _context(setting, rows),
+        "carried": said,
+        "whole": whole,
+        **(known or {}),
+    }
     file = "embedding/vectors"
     if round_ is not None:
         file, slots["asked"] = "rounds/vectors", round_.asked
     one.add(file, slots, f"{prefix}vectors", {"codes": codes})
+
+
+def compared(setting: Parameters) -> list[exp.Expr]:
+    """Return what codes carry by which it is told which samples stand still."""
+    return [] if setting.still_after is None else [exp.column("value")]
 
 
 class Stream(NamedTuple):
@@ -218,42 +211,31 @@ def _over_calibration(setting: Parameters) -> dict[str, exp.Expr]:
     }
 
 
-def _marked_codes(one: OfSet, prefix: str, read: exp.Expr) -> tuple[str, dict[str, exp.Expr], exp.Expr]:
-    """Add the codes of one set by segment, calibration and stillness.
-
-    Returns:
-        The same as :func:`_breaking_codes`.
-    """
-    is_told = one.setting.still_after is not None
-    value = ["value"] * is_told
-    slots: dict[str, template.Slot] = {"read": read, "carried": [exp.column(name) for name in value]}
-    one.add("support/marked_codes", slots, f"{prefix}codes")
-    codes, told_by, whole = _breaking_codes(one, prefix, ["calibrating", *value])
-    if is_told:
-        before, codes = codes, f"{prefix}moving_codes"
-        breaking = [exp.column("breaking")] * (one.method.gaps[one.number] is not None)
-        begins = breaking[0].eq(1) if breaking else exp.false()
-        said: dict[str, template.Slot] = {"begins": begins, "carried": breaking}
-        one.add("embedding/moving_codes", said, codes, {"codes": before})
-    return codes, told_by, whole
-
-
-def _breaking_codes(
+def _last_codes(
     one: OfSet, prefix: str, carried: Sequence[str]
 ) -> tuple[str, dict[str, exp.Expr], exp.Expr]:
-    """Add the codes of one set by segment, if segments end.
+    """Add the codes of one set by segment, if segments end, and by stillness, if samples may be still.
 
     Returns:
-        What the step is called, the columns over its order that tell whether all samples of a vector are
-        in one segment, and the condition that they are, and as many as it takes.
+        What the last step is called, the columns over its order that tell whether all samples of a
+        vector are in one segment, and the condition that they are, and as many as it takes.
     """
     setting, codes = one.setting, f"{prefix}codes"
-    if one.method.gaps[one.number] is None:
-        return codes, {}, template.fill("embedding/whole", {"span": setting.span})
-    before, codes = codes, f"{prefix}breaking_codes"
-    columns: dict[str, template.Slot] = {"carried": [exp.column(name) for name in carried]}
-    one.add("embedding/breaking_codes", columns, codes, {"codes": before})
-    return codes, *_in_segment(setting)
+    told_by, whole = dict[str, exp.Expr](), template.fill("embedding/whole", {"span": setting.span})
+    columns: list[exp.Expr] = [exp.column(name) for name in carried]
+    begins: exp.Expr = exp.false()
+    if one.method.gaps[one.number] is not None:
+        before, codes = codes, f"{prefix}breaking_codes"
+        own: dict[str, template.Slot] = {"carried": [*columns, *compared(setting)]}
+        one.add("embedding/breaking_codes", own, codes, {"codes": before})
+        columns.append(breaking := exp.column("breaking"))
+        begins = breaking.eq(1)
+        told_by, whole = _in_segment(setting)
+    if setting.still_after is not None:
+        before, codes = codes, f"{prefix}moving_codes"
+        own = {"carried": columns, "begins": begins}
+        one.add("embedding/moving_codes", own, codes, {"codes": before})
+    return codes, told_by, whole
 
 
 def _in_segment(setting: Parameters, rows: int | None = None) -> tuple[dict[str, exp.Expr], exp.Expr]:

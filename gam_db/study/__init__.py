@@ -97,8 +97,8 @@ class Study:
         unread = dataclasses.replace(read.rows, relation=None)  # the node counts
         self._asked = (self.method, unread, read.relation, session.engine)
         self.running = Running(session, self._opening(), on_step=on_step)
-        has_gaps = any(gap is not None for gap in self.method.gaps)
-        slicing, ways = None, Ways(asked=frozenset(asked), has_gaps=has_gaps, has_sets=not counting)
+        is_even = all(map(self.method.is_unbroken, range(len(self.method.settings))))
+        slicing, ways = None, Ways(asked=frozenset(asked), by_windows=not is_even, has_sets=not counting)
         is_streamed = short_cuts and seems_ordered(self.method, self.running, ways.scores)
         may_trust = short_cuts and on_trust and trusting.serves(self.method)
         if (may_trust and not is_streamed) or counting:

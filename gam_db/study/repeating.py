@@ -26,7 +26,7 @@ _COMMON = frozenset(("readings", "names", "rules", "declared", "channels", *OPEN
 
 #: Where the rows of both are put together, of all sets and of each, and what that is called of channels
 #: that are done again; all else follows from these.
-_WHOLE = ("series", "calibrated")
+_WHOLE = ("series", "calibrated", "stillness")
 _OF_SET = {
     "run_up": "run_up",
     "support": "support",

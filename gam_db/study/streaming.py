@@ -57,12 +57,16 @@ def _is_plain(method: Method, bits: Bits) -> bool:
     """Tell whether no sample counts as still, and calibration is one interval: what streams serve."""
     whole = ((LONG_AGO, FAR_AHEAD),)
     has_bits = all(
-        method.is_short(number) and bits.serve(setting.radix**setting.m)
-        for number, setting in enumerate(method.settings)
+        setting.still_after is None and bits.serve(setting.radix**setting.m)
+        for setting in method.settings
     )
-    return has_bits and all(
-        len(rule.allowed) <= 1 and (rule.fraction is None or tuple(rule.allowed) == whole)
-        for rule in method.rules
+    return (
+        has_bits
+        and method.is_parted
+        and all(
+            len(rule.allowed) <= 1 and (rule.fraction is None or tuple(rule.allowed) == whole)
+            for rule in method.rules
+        )
     )
 
 

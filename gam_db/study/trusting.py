@@ -61,7 +61,7 @@ def begun(
         return None, ways  # nothing of it would be proven
     engine = running.session.engine
     own = replace(ways, by_sets=engine.by_sets)
-    by_windows = ways.has_gaps or engine.delays is None
+    by_windows = ways.by_windows or engine.delays is None
     if ways.has_sets and not by_windows and _has_room(running):
         return UNCUT, _kept(running, replace(own, delays=engine.delays), opening)
     running.keep("extent")
@@ -176,7 +176,7 @@ class Trust:
     def _take_turns(self, names: pa.Table) -> None:
         """Let vectors be made by rounds, if channels seem to take turns as rows are stored."""
         are_alike = len(set(names["readings"].to_pylist())) == 1
-        if not are_alike or self._ways.delays is not None or self._ways.has_gaps:
+        if not are_alike or self._ways.delays is not None or self._ways.by_windows:
             return
         asked = self.running.session, self.running.steps, self.running.placed, names.num_rows
         if rounds.seem_to_be(*asked, self.method.settings, self._ways.has_missing):

@@ -2,9 +2,10 @@
 -- coded once and its code is delayed, not its value: all delays share one range.
 -- Reads:  readings, scale
 -- A row:  one sample. What is not a number between -1e300 and 1e300 is missing.
--- Slots:  :code  the expression of support/code.sql, cast to the narrowest integer that holds it
---         :read  which samples are read
-SELECT channel_id, support_id, time, :code AS code
+-- Slots:  :code     the expression of support/code.sql, cast to the narrowest integer that holds it
+--         :read     which samples are read
+--         :carried  columns that travel with the sample
+SELECT channel_id, support_id, time, :code AS code, :carried
 FROM (
   SELECT
     scale.channel_id AS channel_id,

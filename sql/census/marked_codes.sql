@@ -1,9 +1,10 @@
 -- Marked codes: as census/codes.sql, with what decides whether a vector may be learnt where calibration is cut.
 -- Reads:  readings, scale, calibration
 -- A row:  one sample; calibrating = 1 if it is one of calibration.
--- Slots:  :code  the expression of support/code.sql, cast to the narrowest integer that holds it
---         :read  which samples are read
-SELECT channel_id, support_id, time, :code AS code, calibrating
+-- Slots:  :code     the expression of support/code.sql, cast to the narrowest integer that holds it
+--         :read     which samples are read
+--         :carried  columns that travel with the sample
+SELECT channel_id, support_id, time, :code AS code, calibrating, :carried
 FROM (
   SELECT
     scale.channel_id AS channel_id,

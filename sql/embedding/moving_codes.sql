@@ -9,7 +9,6 @@ SELECT
   channel_id,
   time,
   CASE WHEN position - unmoved_from >= :still_after - 1 THEN 0 ELSE marked_code END AS code,
-  calibrating,
   CASE WHEN position - unmoved_from >= :still_after - 1 THEN 1 ELSE 0 END AS still,
   :carried
 FROM (
@@ -17,7 +16,6 @@ FROM (
     channel_id,
     time,
     marked_code,
-    calibrating,
     :carried,
     position,
     MAX(CASE WHEN moving = 1 THEN position END) OVER (
@@ -28,7 +26,6 @@ FROM (
       channel_id,
       time,
       code AS marked_code,
-      calibrating,
       :carried,
       CAST(ROW_NUMBER() OVER (PARTITION BY channel_id ORDER BY time) AS BIGINT) AS position,
       CASE

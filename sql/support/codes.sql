@@ -2,9 +2,10 @@
 -- code is delayed, not its value: all delays share one range.
 -- Reads:  samples, run_up
 -- A row:  one sample.
--- Slots:  :code  the expression of support/code.sql, cast to the narrowest integer that holds it
---         :read  which channels are read
-SELECT channel_id, time, :code AS code
+-- Slots:  :code     the expression of support/code.sql, cast to the narrowest integer that holds it
+--         :read     which channels are read
+--         :carried  columns that travel with the sample
+SELECT channel_id, time, :code AS code, :carried
 FROM (
   SELECT
     sampled.channel_id AS channel_id,

@@ -611,7 +611,7 @@ def alarm_steps(number: int) -> list[tuple[str, exp.Query]]:
     made.add("limit_reasons", exp.select(*words))
     add(made, "judgement/raised")
     add_judged(made, "raised")
-    add_standing(made, method)
+    add_standing(made)
     return filled_steps(made)
 
 

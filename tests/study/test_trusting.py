@@ -88,7 +88,6 @@ CUT: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
 
 #: name -> the same, of a kind that is left to the steps that look
 UNSERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
-    "what stands still": ({"m": 2, "bins": 4, "window": 8, "still_after": 5}, {"fraction": 0.3}),
     "a start within calibration": (
         {"m": 2, "bins": 4, "window": 8},
         {"fraction": 0.3, "score_from": 50},

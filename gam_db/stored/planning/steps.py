@@ -22,7 +22,13 @@ from gam_db.method.bits import Bits
 from gam_db.method.calibration import add_learnable
 from gam_db.method.certificate import add_judgement
 from gam_db.method.resolved import SMALL_OF_SET
-from gam_db.method.scoring import add_bucket_counts, add_buckets, add_numbered, add_support_bits
+from gam_db.method.scoring import (
+    add_bucket_counts,
+    add_buckets,
+    add_numbered,
+    add_support_bits,
+    moving_codes,
+)
 from gam_db.method.slots import code_in
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
@@ -192,7 +198,7 @@ def scoring_steps(
     """
     steps = _frozen()
     add_counting(steps, setting, kind, trusting=trusting, bits=bits)
-    _add_stillness(steps, setting)
+    _add_stillness(steps, setting, kind)
     if trusting:
         asked: dict[str, template.Slot] = {"names": [exp.column("channel_id")]}
         add(steps, "census/repeated_instants", asked, tables={"marked": "visited"})
@@ -255,7 +261,7 @@ def comparing_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     """
     steps = _frozen()
     add_counting(steps, setting, kind, has_past=False)
-    _add_stillness(steps, setting)
+    _add_stillness(steps, setting, kind)
     add(steps, "stored/checking/reread")
     for name in FORMER:
         add(steps, f"stored/scoring/{name}", {"near": exp.true()})
@@ -305,8 +311,8 @@ def relearning_steps(
 
 
 def can_trust(setting: Setting, kind: TimeKind) -> bool:
-    """Tell whether there is a trusting form of the steps: where no sample counts as still."""
-    return method_of(setting, kind).is_short(0)
+    """Tell whether there is a trusting form of the steps: where all after calibration is scored."""
+    return method_of(setting, kind).is_parted
 
 
 def _frozen(kept: frozenset[str] = frozenset()) -> Pipeline:
@@ -343,7 +349,7 @@ def _add_new_buckets(of_set: OfSet, trusting: bool = False, bits: Bits | None = 
     add(steps, "stored/scoring/run_up", {"span": setting.span})
     ends = dict(ENDS)
     is_told = setting.still_after is not None
-    if not of_set.method.is_short(0):
+    if not of_set.method.is_parted:
         add_numbered(of_set, bits, carried=["still_so_far"] * is_told)
     if is_told:
         ends["still_so_far"] = "end_still"
@@ -352,13 +358,14 @@ def _add_new_buckets(of_set: OfSet, trusting: bool = False, bits: Bits | None = 
     add(steps, "stored/scoring/new_buckets")
 
 
-def _add_stillness(steps: Pipeline, setting: Setting) -> None:
+def _add_stillness(steps: Pipeline, setting: Setting, kind: TimeKind) -> None:
     """Add how many samples of each new bucket stand still, and since when the newest do."""
     if setting.still_after is None:
         for name in ("stillness", "still_counts"):
             add(steps, "stored/scoring/no_stillness", name=name)
         return
-    add(steps, "stored/scoring/stillness", {"long_ago": LONG_AGO})
+    codes = {"moving_codes": moving_codes(method_of(setting, kind))}
+    add(steps, "stored/scoring/stillness", {"long_ago": LONG_AGO}, tables=codes)
     add(steps, "stored/scoring/still_counts")
 
 

@@ -159,6 +159,8 @@ class Groups:
         """Give the vectors of channels as they are stored, if they are in order or take turns."""
         asked = [{**row, "read_until": self._until(row)} for row in group]
         method = method_of(setting_of(group[0]), self.reader.kind)
+        if method.settings[0].still_after is not None:
+            return False
         told = running, self.reader, assets, asked
         if is_given(*told, method.settings[0], bits, method.gaps[0]):
             return True

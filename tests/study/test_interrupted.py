@@ -1,4 +1,4 @@
-"""Sources whose segments end, with instants taken for single: the integers of the reference."""
+"""Sources that pause, or whose signals stand still, with instants taken for single: as the reference."""
 
 from typing import Any
 
@@ -17,9 +17,13 @@ pytestmark = pytest.mark.thorough
 
 LENGTH = 150
 
-#: Samples after which each asset stands still for a while: in calibration, at its end, in what is
+#: Samples after which each asset pauses for a while: in calibration, at its end, in what is
 #: scored, again before a vector is whole, and never.
 PAUSES = {"a": (20, 22, 23, 59, 60, 61, 100, 131), "b": (45, 90), "c": (1, 148), "d": ()}
+
+#: Tens of samples in which the signals of an asset do not move: in calibration, where scoring begins,
+#: later on and at the end.
+STILL = {"a": (1, 6, 12), "b": (4, 9), "c": (0, 5, 14), "d": ()}
 
 #: name -> keyword arguments of Parameters and of Calibration
 CASES: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
@@ -52,8 +56,44 @@ CASES: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     ),
 }
 
+#: name -> the same, where samples count as still
+HELD: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
+    "still": (
+        {"m": 3, "tau": 2, "bins": 4, "window": 20, "stride": 5, "still_after": 4},
+        {"fraction": 0.4},
+    ),
+    "still at once, and segments": (
+        {"m": 2, "tau": 3, "bins": 5, "window": 9, "max_gap": 3, "still_after": 2},
+        {"fraction": 0.4},
+    ),
+    "still, one coordinate": ({"m": 1, "bins": 5, "window": 12, "still_after": 10}, {"duration": 90}),
+    "longer than anything stands": (
+        {"m": 2, "bins": 4, "window": 8, "still_after": 12},
+        {"fraction": 0.3},
+    ),
+    "still before a late interval": (
+        {"m": 2, "bins": 4, "window": 8, "still_after": 5},
+        {"intervals": [(26, 61), (90, 120)]},
+    ),
+    "sets of which one counts nothing as still, exclusions, a pool and a late start": (
+        {
+            "m": 2,
+            "bins": 4,
+            "window": 8,
+            "still_after": 5,
+            "overrides": [{"channel": "y", "m": 3, "max_gap": 3, "still_after": None}],
+        },
+        {
+            "fraction": 0.4,
+            "pool": "channel",
+            "exclude": [(24, 30), (41, 41)],
+            "overrides": {"b": {"duration": 70, "score_from": 120}, "c": None},
+        },
+    ),
+}
+
 #: The rows that have a second reading, at the same instant: of calibration, and the last one.
-AGAIN = {"as long as a frame": (31,), "one coordinate": (-1,)}
+AGAIN = {"as long as a frame": (31,), "one coordinate": (-1,), "still": (180,)}
 
 
 @pytest.fixture(autouse=True)
@@ -73,6 +113,8 @@ def rows() -> list[Row]:
 
 
 def sample(name: str, number: int, place: int) -> float | None:
+    if place // 10 in STILL[name[0]]:
+        return 1.75
     if name == "bx" and place % 23 in (5, 6):
         return None
     return float(place % (5 + number) if place < 90 or place % 7 else place % 11) - 0.25
@@ -92,13 +134,13 @@ def answers(
     return found, is_trusting
 
 
-@pytest.mark.parametrize("case", CASES)
-def test_segments_end_on_trust_as_in_the_reference(engine: str, case: str) -> None:
-    method = harness.made(*CASES[case])
+@pytest.mark.parametrize("case", [*CASES, *HELD])
+def test_what_is_interrupted_is_as_in_the_reference_on_trust(engine: str, case: str) -> None:
+    method = harness.made(*(CASES | HELD)[case])
     table = [*rows(), *((*rows()[number][:3], 7.5) for number in AGAIN.get(case, ()))]
     found, is_trusting = answers(engines.session(engine), table, method)
     assert is_trusting
     expected = harness.all_by_reference(table, *method)
     for question in harness.STEPS:
         harness.assert_same(expected[question], found[question], question)
-    comparisons.compared(engine, "segments", table, *method)
+    comparisons.compared(engine, "interrupted", table, *method)
