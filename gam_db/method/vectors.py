@@ -113,7 +113,7 @@ class Stream(NamedTuple):
     """What is known of channels that are read as they are stored.
 
     Attributes:
-        lacks: whether samples may be missing.
+        lacks: whether samples may be missing, or count as such since they stand still.
         gap: the longest step inside a segment; None where no segment ends.
     """
 
@@ -133,6 +133,28 @@ class Stream(NamedTuple):
 
 
 @lru_cache
+def stream_codes(setting: Parameters, stream: Stream) -> dict[str, template.Slot]:
+    """Return the slots of streams/codes.sql that follow from the parameters alone; see stream_slots."""
+    carried = compared(setting)
+    if stream.gap is not None:
+        begins = template.fill("streams/breaking", {"max_gap": stream.gap})
+        carried.append(exp.alias_(begins, "breaking"))
+    return {
+        "value": stream.value,
+        "place": place_in(setting.grid),
+        "code": code_in(setting.grid, exp.column("place")),
+        "carried": carried,
+    }
+
+
+def stream_movement(setting: Parameters, stream: Stream) -> dict[str, template.Slot]:
+    """Return the slots of streams/moving_codes.sql."""
+    breaking = [exp.column("breaking")] * (stream.gap is not None)
+    begins = breaking[0].eq(1) if breaking else exp.false()
+    return {"still_after": setting.still_after, "begins": begins, "carried": breaking}
+
+
+@lru_cache
 def stream_slots(setting: Parameters, has_context: bool, stream: Stream) -> dict[str, template.Slot]:
     """Return the slots of streams/vectors.sql that follow from the parameters alone.
 
@@ -144,18 +166,11 @@ def stream_slots(setting: Parameters, has_context: bool, stream: Stream) -> dict
     if has_context:
         over["context_time"] = _before("time", max(setting.span - 1, 0), rows=1)
         columns.append(exp.column("context_time"))
-    breaking: list[exp.Expr] = []
     whole = template.fill("embedding/whole", {"span": setting.span})
     if stream.gap is not None:
-        begins = template.fill("streams/breaking", {"max_gap": stream.gap})
-        breaking.append(exp.alias_(begins, "breaking"))
         told_by, whole = _in_segment(setting, rows=1)
         over |= told_by
     return {
-        "value": stream.value,
-        "breaking": breaking,
-        "place": place_in(setting.grid),
-        "code": code_in(setting.grid, exp.column("place")),
         "known": known(setting) if stream.lacks else exp.true(),
         "whole": whole,
         "cell_key": cell_key(setting, "streams/cell_term"),

@@ -15,7 +15,14 @@ from gam_db.method import Method
 from gam_db.method.bits import Bits
 from gam_db.method.scoring import visited_slots
 from gam_db.method.slots import block_no, coordinates
-from gam_db.method.vectors import Stream, counted_slots, is_outside, stream_slots
+from gam_db.method.vectors import (
+    Stream,
+    counted_slots,
+    is_outside,
+    stream_codes,
+    stream_movement,
+    stream_slots,
+)
 from gam_db.settings.parameters import Parameters
 from gam_db.study.running import Running
 
@@ -102,8 +109,7 @@ def of_vectors(
     file: str, own: Own, setting: Parameters, stream: Stream, **slots: template.Slot
 ) -> exp.Query:
     """Return a file of ``sql/streams`` that speaks of the vectors of one channel."""
-    vectors = of_channel("vectors", own, **stream_slots(setting, False, stream))
-    return _over(of_channel(file, own, **slots), "streamed", vectors)
+    return _over(of_channel(file, own, **slots), "streamed", _vectors(own, setting, False, stream))
 
 
 def scored(
@@ -119,7 +125,6 @@ def scored(
         stream: what is known of its samples.
         ends: see :func:`gam_db.method.scoring.add_buckets`.
     """
-    vectors = of_channel("vectors", own, **stream_slots(setting, bool(ends), stream))
     slots: dict[str, template.Slot] = {
         **counted_slots(setting, stream),
         "is_held": bits.held(exp.column("bits"), exp.column("cell_key")),
@@ -133,7 +138,20 @@ def scored(
     placed = of_channel("placed", own, **slots)
     grouped = visited_slots(setting, ends, trusting=True) | {"outside": is_outside(setting)}
     visited = filled("health/visited", grouped)
+    vectors = _vectors(own, setting, bool(ends), stream)
     return _over(visited, "placed", _over(placed, "streamed", vectors))
+
+
+def _vectors(own: Own, setting: Parameters, has_context: bool, stream: Stream) -> exp.Query:
+    """Return the vectors of one channel (Eq. 1)."""
+    codes = of_channel("codes", own, **stream_codes(setting, stream))
+    if setting.still_after is not None:
+        codes = _over(
+            of_channel("moving_codes", own, **stream_movement(setting, stream)), "codes", codes
+        )
+    return _over(
+        of_channel("vectors", own, **stream_slots(setting, has_context, stream)), "codes", codes
+    )
 
 
 def read_off_visits(

@@ -54,20 +54,17 @@ def _vectors_prove(method: Method, scores: bool) -> bool:
 
 
 def _is_plain(method: Method, bits: Bits) -> bool:
-    """Tell whether no sample counts as still, and calibration is one interval: what streams serve."""
+    """Tell whether calibration is one interval, and no sample before it matters: what streams serve."""
     whole = ((LONG_AGO, FAR_AHEAD),)
-    has_bits = all(
-        setting.still_after is None and bits.serve(setting.radix**setting.m)
-        for setting in method.settings
+    has_bits = all(bits.serve(setting.radix**setting.m) for setting in method.settings)
+    # What stands still where calibration begins is told by the samples before it.
+    may_begin_late = all(setting.still_after is None for setting in method.settings)
+    are_one = (
+        tuple(rule.allowed) == whole
+        or (may_begin_late and rule.fraction is None and len(rule.allowed) <= 1)
+        for rule in method.rules
     )
-    return (
-        has_bits
-        and method.is_parted
-        and all(
-            len(rule.allowed) <= 1 and (rule.fraction is None or tuple(rule.allowed) == whole)
-            for rule in method.rules
-        )
-    )
+    return has_bits and method.is_parted and all(are_one)
 
 
 class Streams:
@@ -85,7 +82,10 @@ class Streams:
         self, method: Method, running: Running, scores: bool, has_blocks: bool, lacks: bool
     ) -> None:
         self.method, self.running, self.has_blocks = method, running, has_blocks
-        self._streams = [Stream(lacks, gap) for gap in method.gaps]
+        self._streams = [
+            Stream(lacks or setting.still_after is not None, gap)
+            for setting, gap in zip(method.settings, method.gaps, strict=True)
+        ]
         self.holds, self.is_proven = True, not _vectors_prove(method, scores)
         self._sorting: dict[str, Step] = {}
         self._done: set[tuple[str, ...]] = set()
@@ -217,9 +217,10 @@ class Streams:
             return not self.running.largest(taught, "doubled")
         self._give(visits, make, cells, "channel_id", "support_id")
         # What is missing is so in any range.
+        stands = setting.still_after is not None
         read = {"lo": 0.0, "hi": 0.0, "time_from": LONG_AGO, "time_to": FAR_AHEAD}
         mine = (row for row in self.running.rows("channels") if row["settings_no"] == number)
-        lacking = [own(row, **read) for row in mine if row["missing_readings"]]
+        lacking = [own(row, **read) for row in mine if row["missing_readings"] or stands]
         for made in streamed.read_off_visits(self.method, number, bool(lacking)):
             self._replace(*made)
         if lacking:
@@ -274,7 +275,7 @@ class Streams:
 
     def _run_up(self, members: Sequence[Row], number: int, bounds: Mapping[int, Row]) -> list[Row]:
         """Return the run-up of some channels: what calibration has found of it, else a look."""
-        span = self.method.settings[number].span
+        span = self.method.settings[number].reach
         known = self._reached if span else {}
         reached = dict(known)
         unknown = [row for row in members if row["channel_id"] not in known]
@@ -303,7 +304,7 @@ class Streams:
 
     def _reach(self, row: Row) -> int:
         """Return how many samples of calibration the first scored vector of a channel reaches, or 1."""
-        return max(self.method.settings[row["settings_no"]].span, 1)
+        return max(self.method.settings[row["settings_no"]].reach, 1)
 
     def _of_each(
         self, step: str, make: Make, channels: Sequence[Own], *labels: str, **tables: str

@@ -53,7 +53,10 @@ SERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
 
 #: name -> the same, of a kind that they leave to the steps that sort
 UNSERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
-    "what stands still": ({"m": 2, "bins": 4, "window": 8, "still_after": 5}, {"fraction": 0.3}),
+    "what may stand still before calibration": (
+        {"m": 2, "bins": 4, "window": 8, "still_after": 5},
+        {"intervals": [(20, 99)]},
+    ),
     "a given start": ({"m": 2, "bins": 4, "window": 8}, {"fraction": 0.3, "score_from": 50}),
     "exclusions": ({"m": 2, "bins": 4, "window": 8}, {"fraction": 0.3, "exclude": [(9, 30)]}),
     "too many cells": ({"m": 3, "bins": 900, "window": 8}, {"fraction": 0.3}),
@@ -311,16 +314,22 @@ UNEVEN: dict[str, dict[str, Any]] = {
     "no end": {},
     "segments that end": {"max_gap": 3},
     "a reach of many samples": {"max_gap": 3, "tau": 9},
+    "what stands still": {"still_after": 4},
+    "what stands still in segments": {"still_after": 3, "max_gap": 3},
 }
 
 
 def uneven(table: list[Row]) -> list[Row]:
-    """Samples are missing here and there, or no number; one asset has them all; two pause at times."""
+    """Samples are missing here and there, or no number; one asset has them all; two pause at times.
+
+    Two stand still at times, also where calibration ends.
+    """
     odd: list[float | None] = [None, float("nan"), float("inf"), -1.5e300]
     found = []
     for place, (asset, channel, time, value) in enumerate(table):
         is_missing = asset != "c" and (place % 29 in (0, 1) or place % 97 == 5)
         later = 0 if asset == "b" else 6 * (time // 64) + 9 * (time > 2 * LENGTH - 3)
+        value = 2.75 if asset != "a" and time // 20 % 5 == 4 else value
         found.append((asset, channel, time + later, odd[place % 4] if is_missing else value))
     return found
 
@@ -330,7 +339,10 @@ def uneven(table: list[Row]) -> list[Row]:
     [
         *(("delays", more, asked) for more in UNEVEN for asked in ((), HEALTH)),
         *((case, "segments that end", ()) for case in ("one coordinate", "an interval", "a pool")),
+        *((case, "what stands still", ()) for case in ("one coordinate", "a duration", "a pool")),
         ("two sets", "segments that end", HEALTH),
+        ("two sets", "what stands still in segments", HEALTH),
+        ("one coordinate", "what stands still in segments", ()),
         ("two sets", "no end", ()),
     ],
 )
@@ -469,7 +481,7 @@ def test_any_relation_gives_the_same(
 def test_random_sources_give_the_same_as_the_steps_that_sort(data: st.DataObject) -> None:
     served = data.draw(st.sampled_from([case for case in SERVED if case != "no calibration"]))
     parameters, calibration = SERVED[served]
-    more = data.draw(st.sampled_from([{}, {"max_gap": 1}, {"max_gap": 2}]))
+    more = data.draw(st.sampled_from([{}, {"max_gap": 1}, {"max_gap": 2}, {"still_after": 2}]))
     method = harness.made(parameters | more, calibration)
     lengths = data.draw(st.lists(st.integers(30, 60), min_size=1, max_size=4))
     values = st.sampled_from([*map(float, range(-3, 7)), *[None] * data.draw(st.integers(0, 2))])
