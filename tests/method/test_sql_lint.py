@@ -781,7 +781,7 @@ def stream_once() -> None:
         monitor.score()
     values = [None, *table["value"].to_pylist()[1:]]
     with DuckSession() as session, session.lent(table.set_column(1, "value", [values])) as lent:
-        uneven = gam_db.Parameters(tau=9, max_gap=5)
+        uneven = gam_db.Parameters(tau=9, max_gap=5, still_after=25)
         study = Study(session, Source(lent.name, None, None), uneven, CALIBRATIONS[0], short_cuts=True)
         study.table("support_summary")
         study.table("bucket_health")
