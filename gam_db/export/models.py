@@ -23,7 +23,7 @@ from gam_db.export import jinja
 from gam_db.method import Method, pipeline
 from gam_db.method.adding import OfSet, add
 from gam_db.method.calibration import add_calibration
-from gam_db.method.certificate import add_certificate
+from gam_db.method.certificate import add_judgement
 from gam_db.method.judgement import add_judged, limit_slots
 from gam_db.method.source import add_rules
 from gam_db.settings.source import AnySource, under
@@ -231,7 +231,7 @@ def _learning(of: Modelled) -> Pipeline:
     add(steps, "calibration/calibrated")
     one = OfSet(steps, of.method, 0)
     add_calibration(one)
-    add_certificate(one)
+    add_judgement(one)
     add(steps, "certificate/verdicts")
     return steps
 

@@ -10,12 +10,11 @@ from dataclasses import dataclass
 
 from sqlglot import exp
 
-from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.composing.pipeline import Pipeline, union_of
 from gam_db.method.adding import OfSet, add
 from gam_db.method.bits import Bits
 from gam_db.method.calibration import add_learnt
-from gam_db.method.certificate import add_judgement
+from gam_db.method.certificate import add_judgement, add_missing_vectors
 from gam_db.method.delays import (
     CALIBRATION,
     COMPLETE,
@@ -38,8 +37,6 @@ from gam_db.method.scoring import (
     number_of,
 )
 from gam_db.method.source import add_channels, add_intervals, add_rules
-from gam_db.method.vectors import add_vectors, compared
-from gam_db.settings.calibration import Rule
 
 #: Slices of the time range at most: the samples of a slice or two are read again, which of evenly spaced
 #: ones are few, and still more slices save nothing that can be measured.
@@ -89,25 +86,6 @@ def serves(method: Method) -> bool:
     return all(
         rule.score_from is None or rule.declared_end is None or rule.score_from > rule.declared_end
         for rule in method.rules
-    )
-
-
-def is_cut(method: Method, earliest: int) -> bool:
-    """Tell whether other samples than those of calibration may come before scoring begins.
-
-    Args:
-        method: one that is served.
-        earliest: the first instant of the source.
-    """
-    return any(
-        rule.score_from is not None
-        or (
-            tuple(rule.allowed) != ((LONG_AGO, FAR_AHEAD),)
-            if rule.declared_end is None
-            else len(rule.allowed) != 1 or rule.allowed[0][0] > earliest
-        )
-        for rule in method.rules
-        if rule != Rule()
     )
 
 
@@ -176,12 +154,11 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
         parts.append(f"{INCOMPLETE}numbered")
     add_placed(one, parts, trusting=True, counted=ways.counted)
     add_bucket_counts(one)
+    if not ways.is_cut:
+        one.add("health/running", name="numbered")
+        one.add("health/window_counts")
     add_judgement(one)
-    told = compared(one.setting)
-    may_lack = exp.true() if told else exp.column("missing_readings", table="named") > 0
-    one.add("census/known_codes", {"read": may_lack, "carried": told})
-    add_vectors(one, "known_")
-    one.add("certificate/missing_vectors", tables={"vectors": "known_vectors"})
+    add_missing_vectors(one, "identified")
 
 
 def add_trusted_novelty(one: OfSet, bits: Bits | None, by_sets: bool = False) -> None:

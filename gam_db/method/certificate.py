@@ -1,14 +1,21 @@
 """What calibration says about itself, for one set (method, section 5)."""
 
+from sqlglot import exp
+
 from gam_db.composing import template
 from gam_db.composing.pipeline import union_of
 from gam_db.method.adding import OfSet, add_stacked
+from gam_db.method.vectors import add_vectors, compared
 
 
-def add_certificate(one: OfSet, by_halves: bool = False) -> None:
-    """Add what calibration says about itself, for one set, and what the channel lacks (section 5)."""
-    add_judgement(one, by_halves)
-    one.add("certificate/missing_vectors")
+def add_missing_vectors(one: OfSet, samples: str) -> None:
+    """Add how many vectors of each channel have a missing sample, be they learnt, scored or neither."""
+    told = compared(one.setting)
+    may_lack = exp.true() if told else exp.column("missing_readings", table="named") > 0
+    slots: dict[str, template.Slot] = {"read": may_lack, "carried": told}
+    one.add("certificate/known_codes", slots, tables={"samples": samples})
+    add_vectors(one, "known_")
+    one.add("certificate/missing_vectors", tables={"vectors": "known_vectors"})
 
 
 def add_judgement(one: OfSet, by_halves: bool = False) -> None:

@@ -44,7 +44,7 @@ IN_ORDER = {"rowids": "pieces", "arrays": "stored"}
 PROOFS = {None: (), "rowids": ("runs",), "arrays": ()}
 
 #: What is made of scored vectors and of the support alone.
-_HEALTH = frozenset(("bucket_health", "novel_cells"))
+_HEALTH = frozenset(("health_indicator", "bucket_health", "novel_cells"))
 
 #: The vectors that are made, by their prefix: of calibration, and the scored ones of channels without
 #: and with missing samples.

@@ -8,7 +8,7 @@ from gam_db.method.adding import OfSet, add, join_sets
 from gam_db.method.bits import Bits
 from gam_db.method.calibration import add_calibration
 from gam_db.method.census import FLOWING, OPENING, Slicing, add_census, add_census_set, add_names, kept
-from gam_db.method.certificate import add_certificate
+from gam_db.method.certificate import add_judgement, add_missing_vectors
 from gam_db.method.delays import INCOMPLETE, Ways
 from gam_db.method.judgement import add_stillness, limit_slots
 from gam_db.method.resolved import Method
@@ -54,11 +54,12 @@ def pipeline(
         one = OfSet(steps, method, number)
         add_calibration(one)
         add_support_bits(one, bits)
-        add_scoring(one, bits)
         add_run_up(one)
+        add_scoring(one, bits)
         add_buckets(one, bits=bits)
         add_bucket_counts(one)
-        add_certificate(one)
+        add_judgement(one)
+        add_missing_vectors(one, "samples")
     join_sets(steps, method, (*_JOINED_HEALTH, *_JOINED_BUCKETS, *_JOINED_CERTIFICATE))
     add_stillness(steps, method, moving_codes(method))
     add_results(steps, instant_of)
@@ -108,7 +109,11 @@ def trusting_pipeline(
         add_census_set(one, bits, ways)
     join_sets(steps, method, (*_JOINED_BUCKETS, *_JOINED_CERTIFICATE))
     add_stillness(steps, method, f"{INCOMPLETE}moving_codes")
-    _add_summaries(steps, instant_of)
+    if ways.is_cut:
+        _add_summaries(steps, instant_of)
+    else:
+        join_sets(steps, method, _JOINED_HEALTH)
+        add_results(steps, instant_of)
     return steps
 
 

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from gam_db.clock import TimeKind, length
+from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind, length
 from gam_db.errors import ParameterError
 from gam_db.settings.calibration import Calibration, Rule, resolve
 from gam_db.settings.parameters import Parameters
@@ -83,6 +83,23 @@ class Method:
     def is_parted(self) -> bool:
         """Tell whether every channel is scored from the end of its calibration on."""
         return all(rule.score_from is None for rule in self.rules)
+
+    def is_cut(self, earliest: int = LONG_AGO) -> bool:
+        """Tell whether other samples than those of calibration may come before scoring begins.
+
+        Args:
+            earliest: the first instant of the source, where it is known.
+        """
+        return any(
+            rule.score_from is not None
+            or (
+                tuple(rule.allowed) != ((LONG_AGO, FAR_AHEAD),)
+                if rule.declared_end is None
+                else len(rule.allowed) != 1 or rule.allowed[0][0] > earliest
+            )
+            for rule in self.rules
+            if rule != Rule()
+        )
 
     def is_unbroken(self, number: int) -> bool:
         """Tell whether no segment ends and no sample counts as still in one set."""

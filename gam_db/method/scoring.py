@@ -51,7 +51,15 @@ def add_novelty(
 
 def add_scoring(one: OfSet, bits: Bits | None = None) -> None:
     """Add Eq. 4 and the running counts of Eq. 2 of one set, a row per scored vector."""
-    add_numbered(one, bits)
+    if one.method.is_cut():
+        add_numbered(one, bits)
+    else:
+        _add_vectors_from_run_up(one, "", read=exp.true(), oldest=True)
+        straddling = template.case([(template.fill("score/straddling"), 1)], 0)
+        carried: list[exp.Expr] = [exp.alias_(straddling, "straddling")]
+        one.add("score/monitored", {"carried": carried, "counted": template.fill("score/counted")})
+        add_novelty(one, [_carried("straddling")], bits)
+        one.add("health/numbered", {"carried": []})
     one.add("health/window_counts")
 
 
@@ -129,12 +137,13 @@ def add_placed(
         "cell_key",
         "novel",
         "out_of_range",
+        "position",
         *(ends or {}),
         *marks,
     )
     one.steps.add(
         one.named("placed"),
-        union_of(one.steps, [one.named(part) for part in parts], columns),
+        union_of(one.steps, [one.named(part) for part in parts], list(dict.fromkeys(columns))),
         "Placed: every scored vector with its number.",
     )
     for name in dict.fromkeys(("visited", counted)):
@@ -229,13 +238,18 @@ def add_incomplete(
 
 
 def _add_vectors_from_run_up(
-    one: OfSet, prefix: str, trusting: bool = False, read: exp.Expr | None = None, still: bool = False
+    one: OfSet,
+    prefix: str,
+    trusting: bool = False,
+    read: exp.Expr | None = None,
+    still: bool = False,
+    oldest: bool = False,
 ) -> None:
     """Add codes and vectors of channels with, or without, missing samples, or of those to ``read``."""
     of_prefix = exp.column("complete", table="scale").eq(int(prefix == COMPLETE))
     slots: dict[str, template.Slot] = {"read": read or of_prefix, "carried": compared(one.setting)}
     one.add("support/codes", slots, f"{prefix}codes")
-    add_vectors(one, prefix, trusting=trusting, still=still)
+    add_vectors(one, prefix, trusting=trusting, still=still, oldest=oldest)
 
 
 def _set_key(setting: Parameters, table: str) -> list[exp.Expr]:

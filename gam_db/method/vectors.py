@@ -40,6 +40,7 @@ def add_vectors(
     marked: bool = False,
     straddling: bool = False,
     still: bool = False,
+    oldest: bool = False,
 ) -> None:
     """Add the vectors of one set (Eq. 1) over the codes of the same prefix.
 
@@ -60,6 +61,7 @@ def add_vectors(
             of a vector are.
         straddling: likewise, ``straddling`` = 1 where a coordinate is.
         still: ``still_so_far`` counts the samples that stood still, up to each vector.
+        oldest: the time of each vector's oldest sample travels as ``oldest_time``.
     """
     setting, rows = one.setting, None if round_ is None else round_.rows
     codes, over, whole = _last_codes(one, prefix, [*carried, *["calibrating"] * marked])
@@ -77,6 +79,9 @@ def add_vectors(
             *(template.fill("embedding/straddling", {"calibrating": of}) for of in touched)
         )
         said.append(exp.alias_(_flag(touching), "straddling"))
+    if oldest:
+        over["oldest_time"] = _before("time", setting.span)
+        said.append(exp.column("oldest_time"))
     if still:
         over["still_so_far"] = template.fill("embedding/still_so_far")
         said.append(exp.column("still_so_far"))

@@ -11,7 +11,7 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.method import Method
 from gam_db.method.adding import OfSet, add, add_stacked
-from gam_db.method.certificate import add_certificate
+from gam_db.method.certificate import add_judgement
 from gam_db.selection.search import Search
 from gam_db.settings.parameters import LARGEST_KEY, Override, Parameters
 
@@ -42,7 +42,7 @@ def add_budget(steps: Pipeline, method: Method, search: Search) -> None:
         "Bounds, as far as the certificate needs them: which support a learner fills.",
     )
     own_set = OfSet(steps, sets, _OWN)
-    add_certificate(own_set, by_halves=True)
+    add_judgement(own_set, by_halves=True)
     own_set.add("certificate/verdicts")
     own = {name: own_set.named(name) for name in ("verdicts", "ladder")}
     add(steps, "selection/budget", tables=own)

@@ -34,6 +34,7 @@ _OF_SET = {
     "missing_vectors": "missing_vectors",
     "visited": "visited",
     "tallied": "visited",
+    "window_counts": "window_counts",
 }
 
 #: What is told of the times of channels; quota_time is found after a collapse where there are repeats.

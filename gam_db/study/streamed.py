@@ -125,21 +125,38 @@ def scored(
         stream: what is known of its samples.
         ends: see :func:`gam_db.method.scoring.add_buckets`.
     """
+    grouped = visited_slots(setting, ends, trusting=True) | {"outside": is_outside(setting)}
+    placed = _placed(own, setting, bits, stream, list(ends or ()))
+    return _over(filled("health/visited", grouped), "placed", placed)
+
+
+def one_by_one(own: Own, setting: Parameters, bits: Bits, stream: Stream) -> exp.Query:
+    """Return the same vectors with their running counts: the step *window_counts*.
+
+    Arguments as for :func:`scored`; the slots have ``context_rows``, too.
+    """
+    counts = of_channel(
+        "window_counts", own, outside=is_outside(setting), span=setting.span, window=setting.window
+    )
+    return _over(counts, "placed", _placed(own, setting, bits, stream, ["position"]))
+
+
+def _placed(
+    own: Own, setting: Parameters, bits: Bits, stream: Stream, carried: Sequence[str]
+) -> exp.Query:
+    """Return the scored vectors of one channel, which carry some of their columns."""
     slots: dict[str, template.Slot] = {
         **counted_slots(setting, stream),
         "is_held": bits.held(exp.column("bits"), exp.column("cell_key")),
-        "carried": [*coordinates(setting), *map(exp.column, ends or ())],
+        "carried": [*coordinates(setting), *map(exp.column, carried)],
     }
     # Where every vector counts, samples of the run-up have numbers that are none.
     slots["counted"] = exp.true()
     if not stream.is_even:
         first = template.fill("streams/scored", {"first_scored": own["first_scored"]})
         slots["counted"] = exp.and_(template.fill("streams/counts"), first)
-    placed = of_channel("placed", own, **slots)
-    grouped = visited_slots(setting, ends, trusting=True) | {"outside": is_outside(setting)}
-    visited = filled("health/visited", grouped)
-    vectors = _vectors(own, setting, bool(ends), stream)
-    return _over(visited, "placed", _over(placed, "streamed", vectors))
+    vectors = _vectors(own, setting, "context_time" in carried, stream)
+    return _over(of_channel("placed", own, **slots), "streamed", vectors)
 
 
 def _vectors(own: Own, setting: Parameters, has_context: bool, stream: Stream) -> exp.Query:

@@ -26,7 +26,7 @@ from gam_db.study.streamed import Own, of_channel, of_each, own
 
 #: The steps that streams give: the cells of calibration, block by block, and supports, then the scored
 #: vectors, grouped, or, where none are asked for, from where on they would be read.
-LEARNING, SCORING, RUN_UP = ("visits", "support"), ("visited",), ("run_up",)
+LEARNING, SCORING, SINGLE, RUN_UP = ("visits", "support"), ("visited",), ("window_counts",), ("run_up",)
 
 Make = Callable[[Own], exp.Query]
 
@@ -107,7 +107,10 @@ class Streams:
     def prepare(self, step: str) -> None:
         """Give the steps before one what streams make of them, if it needs them."""
         steps, method = self.running.steps, self.method
-        giving = (LEARNING, self._learn), (SCORING, self._score), (RUN_UP, self._reach_back)
+        giving = (
+            *((LEARNING, self._learn), (SCORING, self._score)),
+            *((SINGLE, self._count_on), (RUN_UP, self._reach_back)),
+        )
         for part, give in giving:
             needed = {one.name for one in steps.needed([step], self.running.placed)}
             given = {method.named(one, number) for one in part for number in range(len(method.settings))}
@@ -232,36 +235,56 @@ class Streams:
 
     def _score(self) -> bool:
         """Give the scored vectors, grouped; tell whether they are what they should be."""
-        method, running, bits = self.method, self.running, self.running.session.engine.bits
-        assert bits is not None
-        channels = running.rows("channels")
-        for number, setting in enumerate(method.settings):
-            held, visited = (method.named(step, number) for step in ("support_bits", "visited"))
-            running.keep(held)
-            bounds = self._bounds(number)
-            members = [row for row in channels if row["channel_id"] in bounds]
-            if not members:
+        for number, setting in enumerate(self.method.settings):
+            held, visited = (self.method.named(step, number) for step in ("support_bits", "visited"))
+            self.running.keep(held)
+            if not (parts := self._scored(number)):
                 continue
-            run_up = self._run_up(members, number, bounds)
-            starts = {row["channel_id"]: row["read_from"] for row in run_up}
-            read = {"time_to": FAR_AHEAD}
-            parts = [
-                own(
-                    row,
-                    **_range(bounds[id_]),
-                    support_id=row["support_id"],
-                    time_from=starts[id_],
-                    first_scored=bounds[id_]["first_scored"],
-                    **read,
-                )
-                for row in members
-                for id_ in (row["channel_id"],)
-            ]
-            make = partial(streamed.scored, setting=setting, bits=bits, stream=self._streams[number])
+            make = partial(
+                streamed.scored, setting=setting, bits=self._bits, stream=self._streams[number]
+            )
             self._give(visited, make, parts, support_bits=held)
-            if running.largest(visited, "doubled"):
+            if self.running.largest(visited, "doubled"):
                 return False
         return True
+
+    def _count_on(self) -> bool:
+        """Give the running counts of single vectors, where there is but calibration before them."""
+        names = self.running.rows("names")
+        if self.method.is_cut(min(row["earliest"] for row in names)):
+            return True
+        for number, setting in enumerate(self.method.settings):
+            held, counts = (self.method.named(step, number) for step in ("support_bits", *SINGLE))
+            if parts := self._scored(number):
+                stream = self._streams[number]
+                make = partial(streamed.one_by_one, setting=setting, bits=self._bits, stream=stream)
+                self._replace(counts, self._of_each(counts, make, parts, support_bits=held))
+        return True
+
+    @property
+    def _bits(self) -> Bits:
+        """How supports are kept."""
+        bits = self.running.session.engine.bits
+        assert bits is not None
+        return bits
+
+    def _scored(self, number: int) -> list[Own]:
+        """Return the slots of the channels of one set that are scored."""
+        bounds = self._bounds(number)
+        members = {row["channel_id"]: row for row in self.running.rows("channels")}
+        return [
+            own(
+                members[id_],
+                **_range(bounds[id_]),
+                support_id=members[id_]["support_id"],
+                time_from=row["read_from"],
+                time_to=FAR_AHEAD,
+                first_scored=bounds[id_]["first_scored"],
+                context_rows=row["context_rows"],
+            )
+            for row in self._run_up([members[id_] for id_ in members if id_ in bounds], number, bounds)
+            for id_ in (row["channel_id"],)
+        ]
 
     def _reach_back(self) -> bool:
         """Give the run-up of all channels."""

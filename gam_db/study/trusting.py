@@ -26,7 +26,6 @@ from gam_db.method.census import (
     TAUGHT,
     UNCUT,
     Slicing,
-    is_cut,
     serves,
     slices_for,
 )
@@ -147,7 +146,7 @@ class Trust:
         if _are_odd([*first, *last]):
             self._give_up()
             return
-        if is_cut(method, min(first)):
+        if method.is_cut(min(first)):
             self._ways = replace(self._ways, is_cut=True)
             running.steps = made(self._ways)
         self._take_turns(names)
@@ -164,7 +163,9 @@ class Trust:
             return
         if step in steps.steps:
             needed = {one.name for one in steps.needed([step])}
-            if {self._step(self._ways.counted, number) for number in self._sets} <= needed:
+            # What buckets are counted from is kept; single vectors have the same proof.
+            proving = (self._ways.counted, "placed")
+            if any({self._step(of, number) for number in self._sets} <= needed for of in proving):
                 self._is_proven = self._proves()
             if self._is_proven or "series" not in needed:
                 return

@@ -48,9 +48,9 @@ def test_the_census_takes_the_widest_readings_for_what_they_are() -> None:
 
 def test_what_is_there_is_coded_where_a_single_sample_is_missing() -> None:
     found = step(
-        "census/known_codes",
-        {"settings_no": 0},
-        identified=rows("channel_id time value", (1, 5, 0.5), (1, 6, None), (2, 5, 0.5), (3, 5, None)),
+        "certificate/known_codes",
+        {"settings_no": 0, "read": exp.column("missing_readings", table="named") > 0, "carried": []},
+        samples=rows("channel_id time value", (1, 5, 0.5), (1, 6, None), (2, 5, 0.5), (3, 5, None)),
         channels=rows("channel_id missing_readings settings_no", (1, 1, 0), (2, 0, 0), (3, 1, 1)),
     )
     assert found == [(1, 5, 1), (1, 6, 0)]

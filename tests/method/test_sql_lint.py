@@ -773,6 +773,7 @@ def stream_once() -> None:
             given = source, gam_db.Parameters(), calibration
             study = Study(session, *given, short_cuts=True, asked=asked)
             study.table("bucket_health")
+            study.query("health_indicator")
             assert study.is_streamed
             study.forget()
         monitor = Monitor(session, source, gam_db.Parameters(), CALIBRATIONS[0])

@@ -115,6 +115,10 @@ def answers(
         assert ("taught" in "".join(study.running.placed)) == bool(asked and is_short)
         found = {question: study.table(step).to_pylist() for question, step in harness.STEPS.items()}
         novel = study.table("novel_cells").num_rows
+        if study.is_streamed:
+            sorts = "samples" in {step.name for step in study.steps.needed(["health_indicator"])}
+            may_sort = calibration.intervals is not None or len(study.method.settings) > 1
+            assert not sorts or may_sort, "samples before calibration, or a set without a channel"
         study.forget()
         assert macros(connection) > 0 or not study.is_streamed
     assert macros(connection) == 0
