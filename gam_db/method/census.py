@@ -169,7 +169,9 @@ def add_trusted_novelty(one: OfSet, bits: Bits | None, by_sets: bool = False) ->
 
 def kept(method: Method, ways: Ways) -> set[str]:
     """Return the steps of the census that are kept beside those of every form."""
-    own = (ways.taught, "scale", "rounds", *KEPT_BY.get(ways.delays or "", ()))
+    own = [ways.taught, "scale", "rounds", *KEPT_BY.get(ways.delays or "", ())]
+    if ways.has_room:
+        own.append(f"{INCOMPLETE}moving_codes")
     return {method.named(step, number) for step in own for number in range(len(method.settings))} | KEPT
 
 

@@ -65,6 +65,7 @@ class Ways:
             calibration are then made by windows.
         by_windows: whether segments may end or samples stand still; vectors are then made by windows.
         has_sets: whether anything of sets of parameters will be asked for, or of whole channels alone.
+        has_room: whether what is told of each sample may be kept, where several steps read it.
         round: rows of a round, where channels are taken to take turns in the order in which rows are
             stored, each once in every round; None where they are not.
     """
@@ -77,6 +78,7 @@ class Ways:
     is_cut: bool = False
     by_windows: bool = False
     has_sets: bool = True
+    has_room: bool = False
     round: int | None = None
 
     @property

@@ -53,7 +53,7 @@ def add_stillness(steps: Pipeline, method: Method, codes: str) -> None:
         add(steps, "stored/scoring/no_stillness", name="stillness", tables={"cohort": "channels"})
     elif len(method.settings) > 1:
         parts = [method.named("stillness", number) for number in numbers]
-        rows = union_of(steps, parts)
+        rows = union_of(steps, parts, ("channel_id", "still_since"))
         steps.add("stillness", rows, template.load("stored/scoring/stillness").comment)
 
 

@@ -113,6 +113,9 @@ class Study:
             bits = None
         if not any(names["missing_readings"].to_pylist()):
             ways = dataclasses.replace(ways, has_missing=False)
+        if any(one.still_after is not None for one in self.method.settings):
+            has_room = sum(names["readings"].to_pylist()) <= session.rows_at_once()
+            ways = dataclasses.replace(ways, has_room=has_room)
         self.running.steps = self._steps(bits, slicing, ways)
         self._short_cut: Streams | Trust | Counts | Turns | None = None
         self._after_all = partial(self._trust_after_all, bits, ways, names) if may_trust else None

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from sqlglot import exp
 
+from gam_db.clock import LONG_AGO
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, filled
 from gam_db.engines.session import Row, Session
@@ -141,6 +142,15 @@ def one_by_one(own: Own, setting: Parameters, bits: Bits, stream: Stream) -> exp
     return _over(counts, "placed", _placed(own, setting, bits, stream, ["position"]))
 
 
+def still_since(own: Own, setting: Parameters, stream: Stream) -> exp.Query:
+    """Return since when one channel stands still at its end: the step *stillness*.
+
+    Arguments as for :func:`scored`.
+    """
+    stillness = of_channel("stillness", own, long_ago=LONG_AGO)
+    return _over(stillness, "moving_codes", _codes(own, setting, stream))
+
+
 def _placed(
     own: Own, setting: Parameters, bits: Bits, stream: Stream, carried: Sequence[str]
 ) -> exp.Query:
@@ -161,14 +171,18 @@ def _placed(
 
 def _vectors(own: Own, setting: Parameters, has_context: bool, stream: Stream) -> exp.Query:
     """Return the vectors of one channel (Eq. 1)."""
+    slots = stream_slots(setting, has_context, stream)
+    return _over(of_channel("vectors", own, **slots), "codes", _codes(own, setting, stream))
+
+
+def _codes(own: Own, setting: Parameters, stream: Stream) -> exp.Query:
+    """Return the codes of one channel; where samples may stand still, with which ones do."""
     codes = of_channel("codes", own, **stream_codes(setting, stream))
     if setting.still_after is not None:
         codes = _over(
             of_channel("moving_codes", own, **stream_movement(setting, stream)), "codes", codes
         )
-    return _over(
-        of_channel("vectors", own, **stream_slots(setting, has_context, stream)), "codes", codes
-    )
+    return codes
 
 
 def read_off_visits(

@@ -25,8 +25,10 @@ from gam_db.study.running import Running
 from gam_db.study.streamed import Own, of_channel, of_each, own
 
 #: The steps that streams give: the cells of calibration, block by block, and supports, then the scored
-#: vectors, grouped, or, where none are asked for, from where on they would be read.
-LEARNING, SCORING, SINGLE, RUN_UP = ("visits", "support"), ("visited",), ("window_counts",), ("run_up",)
+#: vectors, grouped, and one by one; since when channels stand still; or, where no vectors are asked for,
+#: from where on they would be read.
+LEARNING, SCORING, SINGLE = ("visits", "support"), ("visited",), ("window_counts",)
+ENDING, RUN_UP = ("stillness",), ("run_up",)
 
 Make = Callable[[Own], exp.Query]
 
@@ -108,8 +110,8 @@ class Streams:
         """Give the steps before one what streams make of them, if it needs them."""
         steps, method = self.running.steps, self.method
         giving = (
-            *((LEARNING, self._learn), (SCORING, self._score)),
-            *((SINGLE, self._count_on), (RUN_UP, self._reach_back)),
+            *((LEARNING, self._learn), (SCORING, self._score), (SINGLE, self._count_on)),
+            *((ENDING, self._stand), (RUN_UP, self._reach_back)),
         )
         for part, give in giving:
             needed = {one.name for one in steps.needed([step], self.running.placed)}
@@ -259,6 +261,16 @@ class Streams:
                 stream = self._streams[number]
                 make = partial(streamed.one_by_one, setting=setting, bits=self._bits, stream=stream)
                 self._replace(counts, self._of_each(counts, make, parts, support_bits=held))
+        return True
+
+    def _stand(self) -> bool:
+        """Give since when channels stand still."""
+        for number, setting in enumerate(self.method.settings):
+            (stillness,) = (self.method.named(step, number) for step in ENDING)
+            if setting.still_after is not None and (parts := self._scored(number)):
+                stream = self._streams[number]
+                make = partial(streamed.still_since, setting=setting, stream=stream)
+                self._replace(stillness, self._of_each(stillness, make, parts))
         return True
 
     @property

@@ -2,13 +2,14 @@
 -- DuckDB, which carries the newest sample that moved along the rows as they are stored. Proof: that of the vectors
 -- (streams/vectors.sql).
 -- Reads:  codes
--- A row:  one sample.
+-- A row:  one sample; still = 1 where it stands still.
 -- Slots:  :still_after  samples
 --         :begins       whether a segment begins with the sample
 --         :carried      columns that travel with it
 SELECT
   time,
   CASE WHEN position - unmoved_from >= :still_after - 1 THEN 0 ELSE marked_code END AS code,
+  CASE WHEN position - unmoved_from >= :still_after - 1 THEN 1 ELSE 0 END AS still,
   :carried
 FROM (
   SELECT

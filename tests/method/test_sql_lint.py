@@ -786,6 +786,7 @@ def stream_once() -> None:
         study = Study(session, Source(lent.name, None, None), uneven, CALIBRATIONS[0], short_cuts=True)
         study.table("support_summary")
         study.table("bucket_health")
+        study.query("stillness")
         assert study.is_streamed
         study.forget()
 

@@ -129,9 +129,19 @@ def answers(
         questions = ("health_at_buckets", "support", "certificate")
         found = {name: study.table(harness.STEPS[name]).to_pylist() for name in questions}
         is_trusting = study.is_trusting
+        found["standing"] = standing(study)
         found["health_indicator"] = study.table("health_indicator").to_pylist()
         study.forget()
+        looking = Study(session, gam_db.Source(lent.name), *method)
+        assert found.pop("standing") == standing(looking)
+        looking.forget()
     return found, is_trusting
+
+
+def standing(study: Study) -> list[Any]:
+    """Return the channels that stand still at their end, and since when."""
+    rows = study.table("stillness").select(["channel_id", "still_since"]).to_pylist()
+    return sorted((one["channel_id"], one["still_since"]) for one in rows if one["still_since"])
 
 
 @pytest.mark.parametrize("case", [*CASES, *HELD])

@@ -333,7 +333,8 @@ def uneven(table: list[Row]) -> list[Row]:
     for place, (asset, channel, time, value) in enumerate(table):
         is_missing = asset != "c" and (place % 29 in (0, 1) or place % 97 == 5)
         later = 0 if asset == "b" else 6 * (time // 64) + 9 * (time > 2 * LENGTH - 3)
-        value = 2.75 if asset != "a" and time // 20 % 5 == 4 else value
+        stands = time // 20 % 5 == 4 or time > 2 * LENGTH - 30
+        value = 2.75 if asset != "a" and stands else value
         found.append((asset, channel, time + later, odd[place % 4] if is_missing else value))
     return found
 
@@ -359,6 +360,20 @@ def test_what_does_not_count_is_left_out_of_streams(
     found, is_streamed = answers(connection, *method, asked=asked)
     assert is_streamed
     agrees(found, table, *method)
+    by_streams, by_looking = (standing(connection, method, short_cuts) for short_cuts in (True, False))
+    assert by_streams == by_looking
+    assert bool(by_streams) == ("still" in more)
+
+
+def standing(connection: duckdb.DuckDBPyConnection, method: tuple[Any, Any], short_cuts: bool) -> Any:
+    """Return the channels that stand still at their end, and since when."""
+    with DuckSession(connection) as session:
+        study = Study(session, gam_db.Source("telemetry"), *method, short_cuts=short_cuts)
+        study.table("bucket_health")
+        rows = study.table("stillness").to_pylist()
+        study.forget()
+    assert study.is_streamed == short_cuts
+    return sorted((one["channel_id"], one["still_since"]) for one in rows if one["still_since"])
 
 
 @pytest.mark.parametrize(

@@ -21,6 +21,7 @@ from gam_db.method.alarms import add_counted, band_of
 from gam_db.method.bits import Bits
 from gam_db.method.calibration import add_learnable
 from gam_db.method.certificate import add_judgement
+from gam_db.method.delays import INCOMPLETE
 from gam_db.method.resolved import SMALL_OF_SET
 from gam_db.method.scoring import (
     add_bucket_counts,
@@ -51,7 +52,8 @@ FORMER = ("former_buckets", "former_novel")
 #: Steps of a run that are kept: what is read once, and what has few rows.
 KEPT = frozenset(
     (
-        *("identified", "timeline", "collapsed", "seen", "run_up"),
+        *("identified", "timeline", "collapsed", "seen", "run_up", "moving_codes"),
+        f"{INCOMPLETE}moving_codes",
         *("support_bits", "visited", "buckets", "new_buckets", "recount", "stillness"),
     )
 )
