@@ -24,7 +24,7 @@ def add_learnable(one: OfSet) -> None:
     """Add the vectors of one set up to where calibration ends, and which of them it teaches."""
     until = exp.column("time", table="sampled") <= exp.column("calibration_end", table="scale")
     add_marked_codes(one, "calibration_", until)
-    add_vectors(one, "calibration_", marked=True)
+    add_vectors(one, "calibration_", ["calibration_vector"])
     add_learnt(one, exp.column("calibration_vector").eq(1))
 
 

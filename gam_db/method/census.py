@@ -150,7 +150,7 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
         parts.append(f"{COMPLETE}novelty")
     if is_broken or ways.has_missing:
         add_delays(one, INCOMPLETE, ways, scored, bits is not None)
-        add_incomplete(one, ["doubled"], bits=bits, by_sets=ways.by_sets)
+        add_incomplete(one, ["doubled"], bits, ways.by_sets)
         parts.append(f"{INCOMPLETE}numbered")
     add_placed(one, parts, trusting=True, counted=ways.counted)
     add_bucket_counts(one)

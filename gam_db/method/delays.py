@@ -144,14 +144,15 @@ def add_delays(one: OfSet, prefix: str, ways: Ways, rows: str, has_bits: bool) -
         round_ = _add_round(one, prefix, ways.round, rows)
     if has_bits:
         known["cell_key"] = small_key(one.setting)
+    asked = ["doubled", *["calibration_vector"] * marked]
     # Rounds list the supports' numbers, which of frozen ones are not those of their channels.
     if one.method.pools or ways.round is not None:
         pooled = ("support_id",)
-        add_vectors(one, prefix, known, True, carried=pooled, round_=round_, marked=marked)
+        add_vectors(one, prefix, asked, pooled, known=known, round_=round_)
         return
     # Without pools each channel has its own support, whose number is the channel's and not sorted along.
     own = exp.alias_(exp.column("channel_id"), "support_id")
-    add_vectors(one, prefix, known, True, told=[own], marked=marked)
+    add_vectors(one, prefix, asked, told=[own], known=known)
 
 
 def _add_round(one: OfSet, prefix: str, length: int, rows: str) -> Round:

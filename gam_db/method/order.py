@@ -14,11 +14,10 @@ from gam_db.method.judgement import add_stillness, limit_slots
 from gam_db.method.resolved import Method
 from gam_db.method.scoring import (
     add_bucket_counts,
-    add_buckets,
+    add_placed,
     add_run_up,
     add_scoring,
     add_support_bits,
-    moving_codes,
 )
 from gam_db.method.source import add_source
 from gam_db.settings.source import TimeNode
@@ -56,12 +55,12 @@ def pipeline(
         add_support_bits(one, bits)
         add_run_up(one)
         add_scoring(one, bits)
-        add_buckets(one, bits=bits)
+        add_placed(one, ["numbered"])
         add_bucket_counts(one)
         add_judgement(one)
         add_missing_vectors(one, "samples")
     join_sets(steps, method, (*_JOINED_HEALTH, *_JOINED_BUCKETS, *_JOINED_CERTIFICATE))
-    add_stillness(steps, method, moving_codes(method))
+    add_stillness(steps, method, "moving_codes")
     add_results(steps, instant_of)
     return steps
 

@@ -10,7 +10,6 @@ from gam_db.method.adding import OfSet
 from gam_db.method.bits import Bits
 from gam_db.method.calibration import add_marked_codes
 from gam_db.method.delays import COMPLETE, INCOMPLETE
-from gam_db.method.resolved import Method
 from gam_db.method.vectors import add_vectors, compared
 from gam_db.settings.parameters import LARGEST_KEY, Parameters
 
@@ -54,12 +53,9 @@ def add_scoring(one: OfSet, bits: Bits | None = None) -> None:
     if one.method.is_cut():
         add_numbered(one, bits)
     else:
-        _add_vectors_from_run_up(one, "", read=exp.true(), oldest=True)
+        _add_vectors_from_run_up(one, "", ["oldest_time"], exp.true())
         straddling = template.case([(template.fill("score/straddling"), 1)], 0)
-        carried: list[exp.Expr] = [exp.alias_(straddling, "straddling")]
-        one.add("score/monitored", {"carried": carried, "counted": template.fill("score/counted")})
-        add_novelty(one, [_carried("straddling")], bits)
-        one.add("health/numbered", {"carried": []})
+        _add_counted(one, "", template.fill("score/counted"), straddling, bits=bits)
     one.add("health/window_counts")
 
 
@@ -69,14 +65,43 @@ def add_numbered(one: OfSet, bits: Bits | None = None, carried: Sequence[str] = 
     The vectors' ``still_so_far`` travels with them where it is ``carried``.
     """
     add_marked_codes(one, "", exp.true())
-    add_vectors(one, "", marked=True, straddling=True, still=bool(carried))
-    travelling = [_carried(name) for name in ("straddling", *carried)]
+    add_vectors(one, "", ["calibration_vector", "straddling", *carried])
     counted = exp.and_(template.fill("score/counted"), template.fill("score/untaught"))
-    slots: dict[str, template.Slot] = {"carried": travelling, "counted": counted}
-    one.add("score/monitored", slots)
-    add_novelty(one, travelling, bits)
+    _add_counted(one, "", counted, exp.column("straddling", table="vector"), carried, bits)
+
+
+def add_incomplete(
+    one: OfSet, carried: Sequence[str], bits: Bits | None = None, by_sets: bool = False
+) -> None:
+    """Add Eq. 4 of channels with missing samples, whose vectors must be numbered one by one.
+
+    Others stay as well where their mark ``doubled`` is ``carried``, and 1.
+    """
+    counted: exp.Expr = template.fill("score/counted")
+    if "doubled" in carried:
+        counted = exp.or_(counted, exp.column("doubled", table="vector").eq(1))
+    unasked = exp.cast(exp.null(), "INT")
+    _add_counted(one, INCOMPLETE, counted, unasked, carried, bits, by_sets)
+
+
+def _add_counted(
+    one: OfSet,
+    prefix: str,
+    counted: exp.Expr,
+    straddling: exp.Expr,
+    carried: Sequence[str] = (),
+    bits: Bits | None = None,
+    by_sets: bool = False,
+) -> None:
+    """Add Eq. 4 of the vectors of a prefix that are counted, and number them."""
+    renamed = {name: f"{prefix}{name}" for name in ("vectors", "novelty")}
+    travelling = [_carried(name) for name in carried]
+    said: list[exp.Expr] = [exp.alias_(straddling, "straddling"), *travelling]
+    slots: dict[str, template.Slot] = {"carried": said, "counted": counted}
+    one.add("score/monitored", slots, f"{prefix}monitored", renamed)
+    add_novelty(one, [_carried("straddling"), *travelling], bits, prefix, by_sets=by_sets)
     named: dict[str, template.Slot] = {"carried": [exp.column(name) for name in carried]}
-    one.add("health/numbered", named)
+    one.add("health/numbered", named, f"{prefix}numbered", renamed)
 
 
 def add_run_up(one: OfSet, tables: Mapping[str, str] | None = None) -> None:
@@ -101,18 +126,16 @@ def add_buckets(
         bits: for an engine that keeps a support as bits.
     """
     ends = ends or {}
-    marks = ("doubled",) if trusting else ()
     if one.method.is_parted:
+        asked = [*["doubled"] * trusting, *["still_so_far"] * ("still_so_far" in ends)]
         parts = ["incomplete_numbered"]
         # Where segments end or samples stand still, vectors are numbered as where some are missing.
         is_whole = one.method.is_unbroken(one.number)
         if is_whole:
-            _add_complete_scoring(one, marks, bits)
+            _add_complete_scoring(one, asked, bits)
             parts = ["complete_novelty", *parts]
-        still = ["still_so_far"] * ("still_so_far" in ends)
-        read = None if is_whole else exp.true()
-        _add_vectors_from_run_up(one, INCOMPLETE, trusting, read, bool(still))
-        add_incomplete(one, marks, still, bits)
+        _add_vectors_from_run_up(one, INCOMPLETE, asked, None if is_whole else exp.true())
+        add_incomplete(one, asked, bits)
     else:
         parts = ["numbered"]
     add_placed(one, parts, ends, trusting)
@@ -190,15 +213,10 @@ def add_bucket_counts(one: OfSet, tables: Mapping[str, str] | None = None) -> No
     one.add("health/bucket_counts", tables=tables)
 
 
-def moving_codes(method: Method) -> str:
-    """Return the step that says of what is scored which samples stand still."""
-    return f"{INCOMPLETE}moving_codes" if method.is_parted else "moving_codes"
-
-
 def _add_complete_scoring(one: OfSet, marks: Sequence[str], bits: Bits | None) -> None:
     """Add Eq. 1 and Eq. 4 of channels without missing samples, with their marks."""
     prefix = COMPLETE
-    _add_vectors_from_run_up(one, prefix, bool(marks))
+    _add_vectors_from_run_up(one, prefix, marks)
     travelling = [_carried(mark) for mark in marks]
     carried = [number_of(one.setting), *travelling]
     slots: dict[str, template.Slot] = {"carried": carried, "counted": exp.true()}
@@ -211,45 +229,14 @@ def number_of(setting: Parameters) -> exp.Expr:
     return exp.alias_(template.fill("score/number", {"span": setting.span}), "number")
 
 
-def add_incomplete(
-    one: OfSet,
-    marks: Sequence[str],
-    carried: Sequence[str] = (),
-    bits: Bits | None = None,
-    by_sets: bool = False,
-) -> None:
-    """Add Eq. 4 of channels with missing samples, whose vectors must be numbered one by one.
-
-    Other vectors stay as well where one of the ``marks`` is 1; these travel on, and what is ``carried``.
-    """
-    prefix = INCOMPLETE
-    renamed = {name: f"{prefix}{name}" for name in ("vectors", "novelty")}
-    counted: exp.Expr = template.fill("score/counted")
-    for mark in marks:
-        counted = exp.or_(counted, exp.column(mark, table="vector").eq(1))
-    names = (*carried, *marks)
-    travelling = [_carried(name) for name in names]
-    slots: dict[str, template.Slot] = {"carried": travelling, "counted": counted}
-    one.add("score/monitored", slots, f"{prefix}monitored", renamed)
-    unasked = exp.alias_(exp.cast(exp.null(), "INT"), "straddling")
-    add_novelty(one, [unasked, *travelling], bits, prefix, by_sets=by_sets)
-    said: dict[str, template.Slot] = {"carried": [exp.column(name) for name in names]}
-    one.add("health/numbered", said, f"{prefix}numbered", renamed)
-
-
 def _add_vectors_from_run_up(
-    one: OfSet,
-    prefix: str,
-    trusting: bool = False,
-    read: exp.Expr | None = None,
-    still: bool = False,
-    oldest: bool = False,
+    one: OfSet, prefix: str, asked: Sequence[str], read: exp.Expr | None = None
 ) -> None:
     """Add codes and vectors of channels with, or without, missing samples, or of those to ``read``."""
     of_prefix = exp.column("complete", table="scale").eq(int(prefix == COMPLETE))
     slots: dict[str, template.Slot] = {"read": read or of_prefix, "carried": compared(one.setting)}
     one.add("support/codes", slots, f"{prefix}codes")
-    add_vectors(one, prefix, trusting=trusting, still=still, oldest=oldest)
+    add_vectors(one, prefix, asked)
 
 
 def _set_key(setting: Parameters, table: str) -> list[exp.Expr]:

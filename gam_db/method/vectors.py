@@ -1,6 +1,6 @@
 """Codes and delay vectors (Eq. 1; Phi, method section 3), and what is asked of the samples before."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -32,46 +32,44 @@ class Round(NamedTuple):
 def add_vectors(
     one: OfSet,
     prefix: str,
-    known: Mapping[str, template.Slot] | None = None,
-    trusting: bool = False,
+    asked: Collection[str] = (),
     carried: Sequence[str] = (),
     told: Sequence[exp.Expr] = (),
+    known: Mapping[str, template.Slot] | None = None,
     round_: Round | None = None,
-    marked: bool = False,
-    straddling: bool = False,
-    still: bool = False,
-    oldest: bool = False,
 ) -> None:
     """Add the vectors of one set (Eq. 1) over the codes of the same prefix.
 
-    Those of a set with ``still_after`` have :func:`compared` columns.
+    Those of a set with ``still_after`` have :func:`compared` columns. What may be asked of a vector:
+
+    * ``doubled``: 1 marks each sample that shows that an instant occurs twice, be it the newest one of a
+      vector or not.
+    * ``calibration_vector``, of codes that say which samples are ``calibrating``: 1 where all are.
+    * ``straddling``, likewise: 1 where a coordinate is.
+    * ``oldest_time``: of its samples.
+    * ``still_so_far``: how many samples stood still, up to it.
 
     Args:
         one: the set.
         prefix: of the steps.
-        known: slots otherwise than usual, where it is known that all coordinates are there, or that keys
-            are small.
-        trusting: take it on trust that no instant occurs twice: ``doubled`` = 1 marks each sample that
-            shows the contrary, be it the newest one of a vector or not.
+        asked: of these.
         carried: columns of the codes that travel with the vectors.
         told: what else is told of a vector, by its own columns.
+        known: slots otherwise than usual, where it is known that all coordinates are there, or that keys
+            are small.
         round_: where channels take turns as rows are stored, a sample is a round behind the one before,
             and ``doubled`` marks what is not so, too.
-        marked: where codes say which samples are ``calibrating``: ``calibration_vector`` = 1 where all
-            of a vector are.
-        straddling: likewise, ``straddling`` = 1 where a coordinate is.
-        still: ``still_so_far`` counts the samples that stood still, up to each vector.
-        oldest: the time of each vector's oldest sample travels as ``oldest_time``.
     """
     setting, rows = one.setting, None if round_ is None else round_.rows
-    codes, over, whole = _last_codes(one, prefix, [*carried, *["calibrating"] * marked])
+    is_marked = "calibration_vector" in asked
+    codes, over, whole = _last_codes(one, prefix, [*carried, *["calibrating"] * is_marked])
     delayed: list[exp.Expr] = [exp.column(name) for name in carried]
     said = [*delayed, *told]
-    if marked:
+    if is_marked:
         over |= _over_calibration(setting)
         taught = _flag(template.fill("embedding/in_calibration"))
         said.append(exp.alias_(taught, "calibration_vector"))
-    if straddling:
+    if "straddling" in asked:
         touched = [exp.column(f"calibrating_{k}") for k in range(setting.m)]
         over |= {of.name: _before("calibrating", k * setting.tau) for k, of in enumerate(touched) if k}
         delayed.append(exp.alias_(exp.column("calibrating"), touched[0].name))
@@ -79,13 +77,13 @@ def add_vectors(
             *(template.fill("embedding/straddling", {"calibrating": of}) for of in touched)
         )
         said.append(exp.alias_(_flag(touching), "straddling"))
-    if oldest:
+    if "oldest_time" in asked:
         over["oldest_time"] = _before("time", setting.span)
         said.append(exp.column("oldest_time"))
-    if still:
+    if "still_so_far" in asked:
         over["still_so_far"] = template.fill("embedding/still_so_far")
         said.append(exp.column("still_so_far"))
-    if trusting:
+    if "doubled" in asked:
         # Where the next vector begins with the sample before this one, its time is known already.
         is_next = setting.span == 2 and setting.still_after is None
         previous = exp.column("context_time" if is_next else "previous_time")

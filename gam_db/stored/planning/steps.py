@@ -28,7 +28,6 @@ from gam_db.method.scoring import (
     add_buckets,
     add_numbered,
     add_support_bits,
-    moving_codes,
 )
 from gam_db.method.slots import code_in
 from gam_db.settings.calibration import Calibration
@@ -366,8 +365,9 @@ def _add_stillness(steps: Pipeline, setting: Setting, kind: TimeKind) -> None:
         for name in ("stillness", "still_counts"):
             add(steps, "stored/scoring/no_stillness", name=name)
         return
-    codes = {"moving_codes": moving_codes(method_of(setting, kind))}
-    add(steps, "stored/scoring/stillness", {"long_ago": LONG_AGO}, tables=codes)
+    codes = f"{INCOMPLETE}moving_codes" if can_trust(setting, kind) else "moving_codes"
+    slots, tables = {"long_ago": LONG_AGO}, {"moving_codes": codes}
+    add(steps, "stored/scoring/stillness", slots, tables=tables)
     add(steps, "stored/scoring/still_counts")
 
 
