@@ -393,7 +393,9 @@ def test_what_does_not_count_is_in_order_as_well(
     agrees(found, table, *method)
 
 
-@pytest.mark.parametrize("asked", [(), HEALTH], ids=["all", "health alone"])
+@pytest.mark.parametrize(
+    "asked", [(), HEALTH, ("health_indicator",)], ids=["all", "health alone", "single vectors"]
+)
 @pytest.mark.parametrize("dirt", [swapped, doubled, in_two_pieces, by_time])
 def test_the_vectors_themselves_show_a_wrong_proof(
     connection: duckdb.DuckDBPyConnection,
