@@ -68,13 +68,18 @@ def cell_key(setting: Parameters, term: str = "embedding/cell_term") -> exp.Expr
     )
 
 
+def novel_before(setting: Parameters, delayed: str) -> exp.Expr:
+    """Return how many vectors were novel up to the one a window before, by a file that looks back."""
+    return template.fill(delayed, {"column": exp.column("novel_so_far"), "delay": setting.window})
+
+
 _FOLLOWS: Mapping[str, Callable[[Parameters], template.Slot]] = {
     "bins": lambda setting: setting.grid,
     "window": lambda setting: setting.window,
+    "novel_before": lambda setting: novel_before(setting, "embedding/delayed"),
     "stride": lambda setting: setting.bucket_length,
     "buckets": lambda setting: setting.window // setting.bucket_length,
     "span": lambda setting: setting.span,
-    "still_after": lambda setting: setting.still_after,
     "target_floor": lambda setting: float(setting.target_floor),
     "least_vectors": lambda setting: setting.least_vectors,
     "long_ago": lambda _: LONG_AGO,

@@ -150,11 +150,18 @@ def stream_codes(setting: Parameters, stream: Stream) -> dict[str, template.Slot
     }
 
 
-def stream_movement(setting: Parameters, stream: Stream) -> dict[str, template.Slot]:
-    """Return the slots of streams/moving_codes.sql."""
-    breaking = [exp.column("breaking")] * (stream.gap is not None)
-    begins = breaking[0].eq(1) if breaking else exp.false()
-    return {"still_after": setting.still_after, "begins": begins, "carried": breaking}
+def movement(
+    still_after: int, carried: Sequence[exp.Expr], has_gaps: bool, rows: int | None = None
+) -> dict[str, template.Slot]:
+    """Return the slots of embedding/moving_codes.sql, along the ``rows`` as stored if there are any."""
+    breaking = [exp.column("breaking")] * has_gaps
+    return {
+        "begins": breaking[0].eq(1) if breaking else exp.false(),
+        "previous_value": _before("value", 1, rows),
+        "moved_at": _newest(exp.column("moving").eq(1), rows),
+        "held_from": _before("time", still_after - 1, rows),
+        "carried": [*carried, *breaking],
+    }
 
 
 @lru_cache
@@ -241,17 +248,15 @@ def _last_codes(
     setting, codes = one.setting, f"{prefix}codes"
     told_by, whole = dict[str, exp.Expr](), template.fill("embedding/whole", {"span": setting.span})
     columns: list[exp.Expr] = [exp.column(name) for name in carried]
-    begins: exp.Expr = exp.false()
-    if one.method.gaps[one.number] is not None:
+    has_gaps = one.method.gaps[one.number] is not None
+    if has_gaps:
         before, codes = codes, f"{prefix}breaking_codes"
         own: dict[str, template.Slot] = {"carried": [*columns, *compared(setting)]}
         one.add("embedding/breaking_codes", own, codes, {"codes": before})
-        columns.append(breaking := exp.column("breaking"))
-        begins = breaking.eq(1)
         told_by, whole = _in_segment(setting)
     if setting.still_after is not None:
         before, codes = codes, f"{prefix}moving_codes"
-        own = {"carried": columns, "begins": begins}
+        own = movement(setting.still_after, [exp.column("channel_id"), *columns], has_gaps)
         one.add("embedding/moving_codes", own, codes, {"codes": before})
     return codes, told_by, whole
 

@@ -15,13 +15,13 @@ from gam_db.engines.session import Row, Session
 from gam_db.method import Method
 from gam_db.method.bits import Bits
 from gam_db.method.scoring import visited_slots
-from gam_db.method.slots import block_no, coordinates
+from gam_db.method.slots import block_no, coordinates, novel_before
 from gam_db.method.vectors import (
     Stream,
     counted_slots,
     is_outside,
+    movement,
     stream_codes,
-    stream_movement,
     stream_slots,
 )
 from gam_db.settings.parameters import Parameters
@@ -136,10 +136,11 @@ def one_by_one(own: Own, setting: Parameters, bits: Bits, stream: Stream) -> exp
 
     Arguments as for :func:`scored`; the slots have ``context_rows``, too.
     """
-    counts = of_channel(
-        "window_counts", own, outside=is_outside(setting), span=setting.span, window=setting.window
-    )
-    return _over(counts, "placed", _placed(own, setting, bits, stream, ["position"]))
+    placed = _placed(own, setting, bits, stream, ["position"])
+    running = of_channel("running", own, outside=is_outside(setting), span=setting.span)
+    before = novel_before(setting, "streams/delayed")
+    counts = filled("health/window_counts", {"window": setting.window, "novel_before": before})
+    return _over(counts, "numbered", _over(running, "placed", placed))
 
 
 def still_since(own: Own, setting: Parameters, stream: Stream) -> exp.Query:
@@ -179,9 +180,8 @@ def _codes(own: Own, setting: Parameters, stream: Stream) -> exp.Query:
     """Return the codes of one channel; where samples may stand still, with which ones do."""
     codes = of_channel("codes", own, **stream_codes(setting, stream))
     if setting.still_after is not None:
-        codes = _over(
-            of_channel("moving_codes", own, **stream_movement(setting, stream)), "codes", codes
-        )
+        slots = movement(setting.still_after, (), stream.gap is not None, rows=1)
+        codes = _over(filled("embedding/moving_codes", slots), "codes", codes)
     return codes
 
 

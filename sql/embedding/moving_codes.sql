@@ -1,38 +1,26 @@
 -- Moving codes: codes, where a sample that stands still counts as missing (alarms, section 1): it and the
--- still_after - 1 before it in its segment are all equal, and none of them is missing. It looks back only.
+-- still_after - 1 before it in its segment are all equal, and none of them is missing. It looks back only: since the
+-- sample that is still_after - 1 before it, none has moved.
 -- Reads:  codes
 -- A row:  one sample; still = 1 where it stands still.
--- Slots:  :still_after  samples
---         :begins       whether a segment begins with the sample
---         :carried      columns that travel with it
+-- Slots:  :begins          whether a segment begins with the sample
+--         :previous_value  of the sample before
+--         :moved_at        when the newest sample that moved came
+--         :held_from       the time of the sample still_after - 1 before
+--         :carried         columns that travel with it
 SELECT
-  channel_id,
   time,
-  CASE WHEN position - unmoved_from >= :still_after - 1 THEN 0 ELSE marked_code END AS code,
-  CASE WHEN position - unmoved_from >= :still_after - 1 THEN 1 ELSE 0 END AS still,
+  CASE WHEN moved_at <= held_from THEN 0 ELSE marked_code END AS code,
+  CASE WHEN moved_at <= held_from THEN 1 ELSE 0 END AS still,
   :carried
 FROM (
-  SELECT
-    channel_id,
-    time,
-    marked_code,
-    :carried,
-    position,
-    MAX(CASE WHEN moving = 1 THEN position END) OVER (
-      PARTITION BY channel_id ORDER BY time ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
-    ) AS unmoved_from
+  SELECT time, marked_code, :carried, :moved_at AS moved_at, :held_from AS held_from
   FROM (
     SELECT
-      channel_id,
       time,
       code AS marked_code,
       :carried,
-      CAST(ROW_NUMBER() OVER (PARTITION BY channel_id ORDER BY time) AS BIGINT) AS position,
-      CASE
-        WHEN :begins THEN 1
-        WHEN value = LAG(value, 1) OVER (PARTITION BY channel_id ORDER BY time) THEN 0
-        ELSE 1
-      END AS moving
+      CASE WHEN :begins THEN 1 WHEN value = :previous_value THEN 0 ELSE 1 END AS moving
     FROM codes
   ) AS compared
 ) AS held

@@ -2,7 +2,8 @@
 -- window vectors is the difference of two running counts, never a frame of window rows.
 -- Reads:  numbered
 -- A row:  one scored vector.
--- Slots:  :window  W, in vectors
+-- Slots:  :window        W, in vectors
+--         :novel_before  novel_so_far of the vector W before
 SELECT
   channel_id,
   time,
@@ -23,6 +24,6 @@ FROM (
     straddling,
     number,
     novel_so_far,
-    LAG(novel_so_far, :window) OVER (PARTITION BY channel_id ORDER BY time) AS novel_before
+    :novel_before AS novel_before
   FROM numbered
 ) AS lagged

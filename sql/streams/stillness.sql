@@ -1,5 +1,6 @@
--- Stillness of one channel, in stored order: since when it stands still at its end; as stored/scoring/stillness.sql. For
--- DuckDB, by streams/moving_codes.sql. Proof: that of the vectors (streams/vectors.sql), of the same rows.
+-- Stillness of one channel, in stored order: since when it stands still at its end; as stored/scoring/stillness.sql.
+-- For DuckDB, over embedding/moving_codes.sql along the rows as stored. Proof: that of the vectors (streams/vectors.sql),
+-- of the same rows.
 -- Reads:  moving_codes, the samples of the channel from its run-up on
 -- A row:  the channel; still_since is NULL where the newest sample does not stand still.
 -- Slots:  :channel_id, :first_scored

@@ -138,6 +138,28 @@ def answers(
     return found, is_trusting
 
 
+@pytest.mark.parametrize("case", ["still", "still at once, and segments"])
+@pytest.mark.parametrize("has_room", [True, False])
+def test_what_stands_still_is_kept_where_it_has_room(
+    case: str, has_room: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Else it is told again for each step that asks; the integers are the same."""
+    session, method = engines.session("duckdb"), harness.made(*HELD[case])
+    if not has_room:
+        monkeypatch.setattr(session, "rows_at_once", lambda: len(rows()) - 1)
+    with session.lent(harness.arrow(rows())) as lent:
+        study = Study(session, gam_db.Source(lent.name), *method, short_cuts=True)
+        found = study.table("bucket_health").to_pylist()
+        assert study.is_trusting
+        assert ("incomplete_moving_codes" in study.running.placed) is has_room
+        ends = standing(study)
+        study.forget()
+        looking = Study(session, gam_db.Source(lent.name), *method)
+        assert ends == standing(looking)
+        looking.forget()
+    harness.assert_same(harness.by_reference("health_at_buckets", rows(), *method), found)
+
+
 def standing(study: Study) -> list[Any]:
     """Return the channels that stand still at their end, and since when."""
     rows = study.table("stillness").select(["channel_id", "still_since"]).to_pylist()
