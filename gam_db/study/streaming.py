@@ -252,8 +252,8 @@ class Streams:
 
     def _count_on(self) -> bool:
         """Give the running counts of single vectors, where there is but calibration before them."""
-        names = self.running.rows("names")
-        if self.method.is_cut(min(row["earliest"] for row in names)):
+        begun = [row["earliest"] for row in self.running.rows("names") if row["earliest"] is not None]
+        if self.method.is_cut(min(begun)):
             return True
         for number, setting in enumerate(self.method.settings):
             held, counts = (self.method.named(step, number) for step in ("support_bits", *SINGLE))

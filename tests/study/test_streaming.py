@@ -365,6 +365,20 @@ def test_what_does_not_count_is_left_out_of_streams(
     assert bool(by_streams) == ("still" in more)
 
 
+def test_rows_without_a_time_are_in_no_vector(connection: duckdb.DuckDBPyConnection) -> None:
+    """Where they are left out, and a name has no other."""
+    table, method = rows(), harness.made(*SERVED["delays"])
+    stored(connection, table)
+    connection.execute("INSERT INTO telemetry VALUES ('d', 'x', NULL, 1.0)")
+    with DuckSession(connection) as session:
+        given = session, gam_db.Source("telemetry"), *method
+        study = Study(*given, strict=False, short_cuts=True, asked=["health_indicator"])
+        found = study.table("health_indicator").to_pylist()
+        assert study.is_streamed
+        study.forget()
+    harness.assert_same(harness.by_reference("health_indicator", table, *method), found)
+
+
 def standing(connection: duckdb.DuckDBPyConnection, method: tuple[Any, Any], short_cuts: bool) -> Any:
     """Return the channels that stand still at their end, and since when."""
     with DuckSession(connection) as session:
