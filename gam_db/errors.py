@@ -103,13 +103,13 @@ def printable(text: str) -> str:
 
 
 def nearest(word: str, known: Iterable[str]) -> str:
-    """Return the end of a sentence that suggests what ``word`` was meant to be."""
+    """Return the end of a sentence, its stop included, that says what ``word`` was meant to be."""
     choices = list(known)
     folded = {choice.casefold(): choice for choice in reversed(choices)}
     close = difflib.get_close_matches(word.casefold(), folded, n=1, cutoff=0.5)
     if close:
         return f"; did you mean {folded[close[0]]!r}?"
     if not choices:
-        return ""
+        return "."
     shown = ", ".join(repr(choice) for choice in choices[:12])
-    return f"; there is {shown}" + (", ..." if len(choices) > 12 else "")
+    return f"; there is {shown}" + (", and others." if len(choices) > 12 else ".")

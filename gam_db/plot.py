@@ -41,7 +41,7 @@ def signal(results: Monitor | str | Path, asset: str, channel: str) -> Any:
     if (asset, channel) not in limits:
         known = [" / ".join(name) for name in limits]
         asked = f"{asset} / {channel}"
-        raise ConfigurationError(f"There is no signal {asked!r}{nearest(asked, known) or '.'}")
+        raise ConfigurationError(f"There is no signal {asked!r}{nearest(asked, known)}")
     mine = rows.filter(pa.array((_texts(rows, "asset") == asset) & (_texts(rows, "channel") == channel)))
     limit = limits[asset, channel]
     drawn = figures.Figure(

@@ -47,7 +47,7 @@ def engine_named(name: str) -> Engine:
         EngineError: there is none; the message suggests the nearest.
     """
     if name not in NAMES:
-        raise EngineError(f"There is no engine {name!r}{nearest(name, NAMES)}.")
+        raise EngineError(f"There is no engine {name!r}{nearest(name, NAMES)}")
     engine = importlib.import_module(f"gam_db.engines.{name}").ENGINE
     assert isinstance(engine, Engine)
     return engine

@@ -250,7 +250,7 @@ class Session:
 
     def _unknown(self, shown: str, hint: str) -> str:
         where = f"in this {self.engine.title} database"
-        return f"There is no table or view {shown!r} that can be read {where}{hint or '.'}"
+        return f"There is no table or view {shown!r} that can be read {where}{hint}"
 
     def _numbered(self, step: str) -> str:
         """Return a name that no other session of this process has."""

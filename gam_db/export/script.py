@@ -75,7 +75,7 @@ def render(
         UserError: the form or engine is unknown, or the source cannot be read there.
     """
     if form not in FORMS:
-        raise ParameterError(f"There is no form {form!r}{nearest(form, FORMS)}.")
+        raise ParameterError(f"There is no form {form!r}{nearest(form, FORMS)}")
     parameters, calibration = parameters or Parameters(), calibration or Calibration()
     chosen = engine_named(engine)
     if schema is not None and not chosen.schemas:

@@ -34,12 +34,12 @@ def resolved(source: AnySource, columns: dict[str, str], session: Session) -> An
     for role, column in source.columns.items():
         if column not in columns:
             hint = (
-                f"; if there is only one {role}, say {role}=None" if role in ("asset", "channel") else ""
+                f" If there is only one {role}, say {role}=None." if role in ("asset", "channel") else ""
             )
             if isinstance(source, Source) and source.columns == Source("").columns:
-                hint += "; name the columns, or give the relation itself, whose columns are guessed"
+                hint += " Name the columns, or give the relation itself, whose columns are guessed."
             raise SourceError(
-                f"The relation has no column {column!r} for {role}{nearest(column, columns)}{hint}."
+                f"The relation has no column {column!r} for {role}{nearest(column, columns)}{hint}"
             )
         _check_type(role, column, columns[column], session, source.time_unit)
     return source

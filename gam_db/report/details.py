@@ -50,7 +50,7 @@ def chosen(signals: Sequence[Row], number: int, named: Iterable[str]) -> list[Ro
         if name not in known:
             raise ConfigurationError(
                 f"There is no signal {name!r} in this monitor; give it as ASSET/CHANNEL"
-                + (nearest(name, list(known)) or ".")
+                + nearest(name, list(known))
             )
     first = [known[name] for name in dict.fromkeys(named)]
     there = {row["place"] for row in first}

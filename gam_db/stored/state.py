@@ -100,7 +100,7 @@ class State:
                 return row
         raise ConfigurationError(
             f"There is no monitor {name!r} yet in {self.tables.shown('monitor')} "
-            "(`gam calibrate` makes it)" + (nearest(name, [row["name"] for row in found]) or ".")
+            "(`gam calibrate` makes it)" + nearest(name, [row["name"] for row in found])
         )
 
     def last_numbers(self) -> dict[str, int]:

@@ -176,7 +176,7 @@ class DuckSession(Session):
     def _unknown(self, shown: str, hint: str) -> str:
         where = " in memory" if self.driver.owned and not self.files() else ""
         return (
-            f"There is no table or view {shown!r} in the database{where}{hint}. A file must end in "
+            f"There is no table or view {shown!r} in the database{where}{hint} A file must end in "
             ".parquet, .csv or .tsv."
         )
 

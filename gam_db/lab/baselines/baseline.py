@@ -84,7 +84,7 @@ def add_baseline(
         UserError: PyTorch is not installed.
     """
     if name not in BASELINES:
-        raise ParameterError(f"There is no baseline {name!r}{nearest(str(name), BASELINES)}.")
+        raise ParameterError(f"There is no baseline {name!r}{nearest(str(name), BASELINES)}")
     baseline = BASELINES[name]
     nets.torch()
     for number, setting in enumerate(study.method.settings):

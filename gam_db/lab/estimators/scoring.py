@@ -117,7 +117,7 @@ def estimator_named(name: str) -> Estimator:
     """
     ours = usual(name)
     if ours not in ESTIMATORS:
-        raise ParameterError(f"There is no estimator {name!r}{nearest(str(name), ESTIMATORS)}.")
+        raise ParameterError(f"There is no estimator {name!r}{nearest(str(name), ESTIMATORS)}")
     return ESTIMATORS[ours]
 
 

@@ -70,8 +70,8 @@ class Conventions:
 
 def _check_choice(name: str, value: object, choices: tuple[str, ...]) -> None:
     if value not in choices:
-        hint = nearest(value, choices) if isinstance(value, str) else ""
-        raise ParameterError(f"{name} is {value!r}; it takes {' or '.join(map(repr, choices))}{hint}.")
+        hint = nearest(value, choices) if isinstance(value, str) else "."
+        raise ParameterError(f"{name} is {value!r}; it takes {' or '.join(map(repr, choices))}{hint}")
 
 
 def _check_whole(name: str, value: object, least: int, most: int) -> None:

@@ -87,7 +87,7 @@ def outcomes_of(session: Session, relation: Any, kind: TimeKind | None) -> list[
     node = session.relation(relation)
     columns = session.describe(node)
     if "asset" not in columns:
-        raise SourceError(f"The outcomes have no column 'asset'{nearest('asset', columns)}.")
+        raise SourceError(f"The outcomes have no column 'asset'{nearest('asset', columns)}")
     if "failed_at" not in columns and "healthy" not in columns:
         raise SourceError("The outcomes need a column 'failed_at', a column 'healthy', or both.")
     failed = columns.get("failed_at")

@@ -48,7 +48,7 @@ def health_table(session: Session, relation: Any) -> HealthTable:
     for name in ("asset", "channel", "hi"):
         if name not in columns:
             raise SourceError(
-                f"The table of health indicators has no column {name!r}{nearest(name, columns)}; it "
+                f"The table of health indicators has no column {name!r}{nearest(name, columns)} It "
                 "takes what gam run writes, or asset, channel, index and hi."
             )
     for name in ("asset", "channel"):

@@ -75,7 +75,7 @@ def recordings(
     for name in sets:
         if name not in recorded.RECORDINGS:
             raise ConfigurationError(
-                f"--only does not know {name!r}{nearest(name, recorded.RECORDINGS)}."
+                f"--only does not know {name!r}{nearest(name, recorded.RECORDINGS)}"
             )
     with interruptible(), _shown() as show:
         rows = recorded.recordings(data, sets, names, quick, Results(results), show)

@@ -127,7 +127,7 @@ def chosen(text: str | None, among: Sequence[str]) -> list[str]:
         raise ConfigurationError(f"--methods is empty; it takes some of {', '.join(METHODS)}.")
     for name in names:
         if name not in METHODS:
-            raise ConfigurationError(f"--methods does not know {name!r}{nearest(name, METHODS)}.")
+            raise ConfigurationError(f"--methods does not know {name!r}{nearest(name, METHODS)}")
     return [name for name in METHODS if name in names]
 
 
