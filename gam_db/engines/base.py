@@ -141,6 +141,9 @@ class Engine:
     opening: Sequence[exp.Expr] = ()  # what a script begins with
     condition_note: str = ""  # what is said beside a condition of the user's that the engine refuses
     flow_hint: bool = False  # whether a WITH entry can be marked NOT MATERIALIZED
+    ignores_nulls: bool = (
+        False  # whether LAST_VALUE(... IGNORE NULLS) is to be asked for the newest of a kind
+    )
     reads_files: bool = False  # whether a Parquet or CSV path can stand in FROM
     unpivots: bool = False  # whether UNPIVOT INCLUDE NULLS is known
     macros: bool = False  # whether a script may define table macros
@@ -247,6 +250,8 @@ class Engine:
         rewritten = strip_null_order(tree.copy(), dialect)
         if not self.flow_hint:
             rewritten = drop_flow_hint(rewritten)
+        if not self.ignores_nulls:
+            rewritten = newest_as_largest(rewritten)
         if self.home is not None:
             rewritten = at_home(rewritten, self.home)
         for rewrite in self.rewrites:
@@ -291,6 +296,17 @@ def drop_flow_hint(tree: exp.Expr) -> exp.Expr:
     """Drop NOT MATERIALIZED, for engines that have no such words and let WITH entries flow anyway."""
     for entry in tree.find_all(exp.CTE):
         entry.set("materialized", None)
+    return tree
+
+
+def newest_as_largest(tree: exp.Expr) -> exp.Expr:
+    """Ask for the largest value up to a row instead of the newest one that is there.
+
+    Cause: few engines know LAST_VALUE(... IGNORE NULLS), and some take the words and ignore them.
+    Symptom: a syntax error, or NULL. Where we ask for it values grow along the order: both are the same.
+    """
+    for newest in list(tree.find_all(exp.IgnoreNulls)):
+        newest.replace(exp.Max(this=newest.this.this))
     return tree
 
 

@@ -33,6 +33,7 @@ from gam_db.method.scoring import (
     add_novelty,
     add_placed,
     add_run_up,
+    add_running,
     add_support_bits,
     number_of,
 )
@@ -155,10 +156,14 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
     add_placed(one, parts, trusting=True, counted=ways.counted)
     add_bucket_counts(one)
     if not ways.is_cut:
-        one.add("health/running", name="numbered")
+        add_running(one, parts)
         one.add("health/window_counts")
     add_judgement(one)
-    add_missing_vectors(one, "identified")
+    if ways.has_room and is_broken:
+        one.add("census/held_vectors")
+        one.add("certificate/missing_vectors", tables={"vectors": "held_vectors"})
+    else:
+        add_missing_vectors(one, "identified")
 
 
 def add_trusted_novelty(one: OfSet, bits: Bits | None, by_sets: bool = False) -> None:
@@ -171,7 +176,8 @@ def kept(method: Method, ways: Ways) -> set[str]:
     """Return the steps of the census that are kept beside those of every form."""
     own = [ways.taught, "scale", "rounds", *KEPT_BY.get(ways.delays or "", ())]
     if ways.has_room:
-        own.append(f"{INCOMPLETE}moving_codes")
+        told = ("moving_codes", "vectors")
+        own += [f"{CALIBRATION}vectors", *(f"{INCOMPLETE}{step}" for step in told)]
     return {method.named(step, number) for step in own for number in range(len(method.settings))} | KEPT
 
 

@@ -104,6 +104,22 @@ def _add_counted(
     one.add("health/numbered", named, f"{prefix}numbered", renamed)
 
 
+def add_running(one: OfSet, parts: Sequence[str]) -> None:
+    """Add the scored vectors of one set as *numbered*, over the steps that hold them with their numbers.
+
+    Every sample before the first of them is one of calibration.
+    """
+    told, placed = [], ("channel_id", "time", "cell_key", "out_of_range", "straddling", "number")
+    for part in parts:
+        is_counted = part == f"{INCOMPLETE}numbered"
+        counted = exp.column("novel_so_far", table="vector")
+        so_far = counted if is_counted else template.fill("health/novel_so_far")
+        told.append(f"{part}_running")
+        one.add("health/running", {"novel_so_far": so_far}, told[-1], {"vectors": part})
+    rows = union_of(one.steps, [one.named(step) for step in told], [*placed, "novel", "novel_so_far"])
+    one.steps.add(one.named("numbered"), rows, template.load("health/running").comment)
+
+
 def add_run_up(one: OfSet, tables: Mapping[str, str] | None = None) -> None:
     """Add from where on the channels of one set are read to be scored."""
     one.add("score/run_up", {"span": one.setting.reach}, tables=tables)

@@ -12,10 +12,6 @@ from gam_db.method.adding import OfSet
 from gam_db.method.slots import cell_key, code_in, coordinates, known, outside, place_in
 from gam_db.settings.parameters import Parameters
 
-#: Of so many samples each one is asked whether a segment begins with it: to carry the newest such
-#: instant along takes DuckDB twice as long, but no longer for more of them.
-SHORT = 8
-
 
 class Round(NamedTuple):
     """Channels that take turns as rows are stored.
@@ -140,8 +136,7 @@ def stream_codes(setting: Parameters, stream: Stream) -> dict[str, template.Slot
     """Return the slots of streams/codes.sql that follow from the parameters alone; see stream_slots."""
     carried = compared(setting)
     if stream.gap is not None:
-        begins = template.fill("streams/breaking", {"max_gap": stream.gap})
-        carried.append(exp.alias_(begins, "breaking"))
+        carried.append(exp.alias_(_breaking(stream.gap, rows=1), "breaking"))
     return {
         "value": stream.value,
         "place": place_in(setting.grid),
@@ -151,16 +146,20 @@ def stream_codes(setting: Parameters, stream: Stream) -> dict[str, template.Slot
 
 
 def movement(
-    still_after: int, carried: Sequence[exp.Expr], has_gaps: bool, rows: int | None = None
+    still_after: int, carried: Sequence[exp.Expr], breaking: exp.Expr | None, rows: int | None = None
 ) -> dict[str, template.Slot]:
-    """Return the slots of embedding/moving_codes.sql, along the ``rows`` as stored if there are any."""
-    breaking = [exp.column("breaking")] * has_gaps
+    """Return the slots of embedding/moving_codes.sql, along the ``rows`` as stored if there are any.
+
+    Where segments may end, ``breaking`` tells whether one begins with a sample.
+    """
+    begins = {} if breaking is None else {"breaking": breaking}
     return {
-        "begins": breaking[0].eq(1) if breaking else exp.false(),
+        "told": [*carried, *_named(begins)],
+        "begins": exp.false() if breaking is None else breaking.eq(1),
         "previous_value": _before("value", 1, rows),
         "moved_at": _newest(exp.column("moving").eq(1), rows),
         "held_from": _before("time", still_after - 1, rows),
-        "carried": [*carried, *breaking],
+        "carried": [*carried, *map(exp.column, begins)],
     }
 
 
@@ -248,29 +247,34 @@ def _last_codes(
     setting, codes = one.setting, f"{prefix}codes"
     told_by, whole = dict[str, exp.Expr](), template.fill("embedding/whole", {"span": setting.span})
     columns: list[exp.Expr] = [exp.column(name) for name in carried]
-    has_gaps = one.method.gaps[one.number] is not None
-    if has_gaps:
-        before, codes = codes, f"{prefix}breaking_codes"
-        own: dict[str, template.Slot] = {"carried": [*columns, *compared(setting)]}
-        one.add("embedding/breaking_codes", own, codes, {"codes": before})
+    breaking, gap = None, one.method.gaps[one.number]
+    if gap is not None:
+        breaking = _breaking(gap)
         told_by, whole = _in_segment(setting)
     if setting.still_after is not None:
         before, codes = codes, f"{prefix}moving_codes"
-        own = movement(setting.still_after, [exp.column("channel_id"), *columns], has_gaps)
+        own = movement(setting.still_after, [exp.column("channel_id"), *columns], breaking)
         one.add("embedding/moving_codes", own, codes, {"codes": before})
+    elif breaking is not None:
+        before, codes = codes, f"{prefix}breaking_codes"
+        own = {"breaking": breaking, "carried": columns}
+        one.add("embedding/breaking_codes", own, codes, {"codes": before})
     return codes, told_by, whole
+
+
+def _breaking(gap: int, rows: int | None = None) -> exp.Expr:
+    """Return 1 where a segment begins with a sample, since the step to it is longer than a gap."""
+    slots: dict[str, template.Slot] = {"previous_time": _before("time", 1, rows), "max_gap": gap}
+    return template.fill("embedding/breaking", slots)
 
 
 def _in_segment(setting: Parameters, rows: int | None = None) -> tuple[dict[str, exp.Expr], exp.Expr]:
     """Return what tells whether all samples of a vector are in one segment, and the condition."""
-    slots = {"span": setting.span}
-    if setting.span <= SHORT:
-        after = {f"breaking_{k}": _before("breaking", k, rows) for k in range(setting.span)}
-        unbroken = (template.fill("embedding/unbroken", {"breaking": exp.column(one)}) for one in after)
-        return after, exp.and_(template.fill("embedding/whole", slots), *unbroken)
+    if not setting.span:
+        return {}, template.fill("embedding/whole", {"span": 0})
     newest = _newest(exp.column("breaking").eq(1), rows)
     over = {"oldest_time": _before("time", setting.span, rows), "segment_from": newest}
-    return over, template.fill("embedding/in_segment", slots)
+    return over, template.fill("embedding/in_segment", {"span": setting.span})
 
 
 def _newest(is_such: exp.Expr, rows: int | None = None) -> exp.Expr:

@@ -180,7 +180,8 @@ def _codes(own: Own, setting: Parameters, stream: Stream) -> exp.Query:
     """Return the codes of one channel; where samples may stand still, with which ones do."""
     codes = of_channel("codes", own, **stream_codes(setting, stream))
     if setting.still_after is not None:
-        slots = movement(setting.still_after, (), stream.gap is not None, rows=1)
+        breaking = None if stream.gap is None else exp.column("breaking")
+        slots = movement(setting.still_after, (), breaking, rows=1)
         codes = _over(filled("embedding/moving_codes", slots), "codes", codes)
     return codes
 

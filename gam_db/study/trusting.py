@@ -164,7 +164,7 @@ class Trust:
         if step in steps.steps:
             needed = {one.name for one in steps.needed([step])}
             # What buckets are counted from is kept; single vectors have the same proof.
-            proving = (self._ways.counted, "placed")
+            proving = (self._ways.counted, "numbered")
             if any({self._step(of, number) for number in self._sets} <= needed for of in proving):
                 self._is_proven = self._proves()
             if self._is_proven or "series" not in needed:

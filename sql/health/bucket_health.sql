@@ -1,6 +1,6 @@
 -- Bucket health: HI (Eq. 2) at the last vector of each full bucket.
 -- Reads:  bucket_counts, channels
--- A row:  one bucket, in order.
+-- A row:  one bucket, in order: channels are numbered as their names go.
 -- Slots:  :first_time, :last_time  the instants of its first and last vector as the source tells time
 SELECT
   named.asset AS asset,
@@ -17,4 +17,4 @@ SELECT
   END AS hi
 FROM bucket_counts AS counted
 JOIN channels AS named ON named.channel_id = counted.channel_id
-ORDER BY named.asset, named.channel, counted.bucket_no
+ORDER BY counted.channel_id, counted.bucket_no

@@ -1,7 +1,7 @@
 -- Health indicator: HI(t) = (1 / W) * sum of a over the last W scored vectors (Eq. 2), NULL until
 -- there are W of them. The only division, and the last step.
 -- Reads:  window_counts, channels
--- A row:  one scored vector, in order.
+-- A row:  one scored vector, in order: channels are numbered as their names go.
 -- Slots:  :time  the instant as the source tells time
 SELECT
   named.asset AS asset,
@@ -19,4 +19,4 @@ SELECT
   END AS hi
 FROM window_counts AS counted
 JOIN channels AS named ON named.channel_id = counted.channel_id
-ORDER BY named.asset, named.channel, counted.time
+ORDER BY counted.channel_id, counted.time

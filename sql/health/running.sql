@@ -1,8 +1,9 @@
 -- Running: the scored vectors of a channel, whose numbers are known, with the novel ones counted on; as numbered. Every
 -- sample before the first of them is one of calibration.
--- Reads:  placed, run_up
+-- Reads:  vectors, run_up
 -- A row:  one scored vector; straddling = 1 if it reaches back into calibration.
--- Slots:  :span  (m-1) * tau, the samples between its oldest and its newest
+-- Slots:  :span          (m-1) * tau, the samples between its oldest and its newest
+--         :novel_so_far  the expression of health/novel_so_far.sql, or a column that holds it
 SELECT
   vector.channel_id AS channel_id,
   vector.time AS time,
@@ -11,12 +12,6 @@ SELECT
   CASE WHEN vector.position - :span <= reached.context_rows THEN 1 ELSE 0 END AS straddling,
   vector.novel AS novel,
   vector.number AS number,
-  CAST(
-    SUM(vector.novel) OVER (
-      PARTITION BY vector.channel_id
-      ORDER BY vector.time
-      ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
-    ) AS BIGINT
-  ) AS novel_so_far
-FROM placed AS vector
+  :novel_so_far AS novel_so_far
+FROM vectors AS vector
 JOIN run_up AS reached ON reached.channel_id = vector.channel_id

@@ -550,9 +550,11 @@ def trusting_steps(source: Source | WideSource, is_cut: bool = False) -> list[tu
     return trusting_in(Ways(asked=frozenset(["bucket_health"]), is_cut=is_cut), source)
 
 
-def trusting_in(ways: Ways, source: Source | WideSource = SOURCES[0]) -> list[tuple[str, exp.Query]]:
+def trusting_in(
+    ways: Ways, source: Source | WideSource = SOURCES[0], parameters: gam_db.Parameters = PARAMETERS[0]
+) -> list[tuple[str, exp.Query]]:
     """Likewise, with what engines do in ways of their own."""
-    method = Method(PARAMETERS[0], CALIBRATIONS[0], TimeKind.COUNTER)
+    method = Method(parameters, CALIBRATIONS[0], TimeKind.COUNTER)
     rows = readings(source, exp.to_table("telemetry"), lambda node: node)
     made = trusting_pipeline(method, rows, lambda node: node, Slicing.of(-7, 900), ways=ways)
     if not ways.has_sets:
@@ -857,6 +859,7 @@ def test_every_file_is_used() -> None:
         for body in (None, *KEPT):
             for is_cut in (False, True):
                 trusting_in(Ways(body, True, asked=frozenset(["bucket_health"]), is_cut=is_cut))
+        trusting_in(Ways(has_room=True), parameters=PARAMETERS[2])
         ENGINE.readings(
             WideSource("telemetry", channels=["value"] * 99), exp.to_table("t"), TimeKind.COUNTER
         )

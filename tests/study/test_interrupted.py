@@ -9,7 +9,7 @@ import engines
 import gam_db
 import harness
 from gam_db.engines.session import Session
-from gam_db.method import census, vectors
+from gam_db.method import census
 from gam_db.study import Study
 from harness import Answer, Row
 
@@ -31,12 +31,12 @@ CASES: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
         {"m": 3, "tau": 2, "bins": 4, "window": 20, "stride": 5, "max_gap": 3},
         {"fraction": 0.4},
     ),
-    "as long as a frame": (
-        {"m": 3, "tau": vectors.SHORT // 2, "bins": 3, "window": 6, "max_gap": 2},
+    "a longer vector": (
+        {"m": 3, "tau": 4, "bins": 3, "window": 6, "max_gap": 2},
         {"fraction": 0.5},
     ),
-    "longer than that": (
-        {"m": 2, "tau": vectors.SHORT + 1, "bins": 3, "window": 6, "max_gap": 2},
+    "a longer delay": (
+        {"m": 2, "tau": 9, "bins": 3, "window": 6, "max_gap": 2},
         {"fraction": 0.5},
     ),
     "one coordinate": ({"m": 1, "bins": 5, "window": 12, "stride": 4, "max_gap": 2}, {"duration": 90}),
@@ -151,13 +151,16 @@ def test_what_stands_still_is_kept_where_it_has_room(
         study = Study(session, gam_db.Source(lent.name), *method, short_cuts=True)
         found = study.table("bucket_health").to_pylist()
         assert study.is_trusting
-        assert ("incomplete_moving_codes" in study.running.placed) is has_room
+        for step in ("incomplete_moving_codes", "incomplete_vectors"):
+            assert (step in study.running.placed) is has_room
+        summary = study.table("support_summary").to_pylist()
         ends = standing(study)
         study.forget()
         looking = Study(session, gam_db.Source(lent.name), *method)
         assert ends == standing(looking)
         looking.forget()
-    harness.assert_same(harness.by_reference("health_at_buckets", rows(), *method), found)
+    for question, answer in (("health_at_buckets", found), ("support", summary)):
+        harness.assert_same(harness.by_reference(question, rows(), *method), answer, question)
 
 
 def standing(study: Study) -> list[Any]:

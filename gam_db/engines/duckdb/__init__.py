@@ -26,6 +26,20 @@ def held(bits: exp.Expr, number: exp.Expr) -> exp.Expr:
     return formula("own.GET_BIT(:bits, CAST(:number AS INT))", bits=bits, number=number)
 
 
+def counted_as_doubles(tree: exp.Expr) -> exp.Expr:
+    """Add counts up along an order as DOUBLE, which is as exact: they are below 2^53.
+
+    Cause: a running aggregate is read off a tree over the sorted rows, and where a partition does not
+    begin with one of its nodes each row asks for many of them; integers are added as 128 bits. Symptom:
+    their running sum takes twice the time of that of DOUBLE, and six times that of ROW_NUMBER.
+    """
+    for window in tree.find_all(exp.Window):
+        is_running = isinstance(window.this, exp.Sum) and window.args.get("partition_by")
+        if is_running and isinstance(window.parent, exp.Cast) and window.parent.is_type("BIGINT"):
+            window.this.set("this", exp.cast(window.this.this, "DOUBLE"))
+    return tree
+
+
 ENGINE = Engine.named(
     "duckdb",
     types=Types("duckdb", (("TIMESTAMPTZ_NS", "TIMESTAMPTZ(9)"),)),
@@ -40,5 +54,5 @@ ENGINE = Engine.named(
         ),
     },
     bits=Bits(gathered, held),
-    rewrites=(partial(compare_by_bytes, exp.var("C")),),
+    rewrites=(partial(compare_by_bytes, exp.var("C")), counted_as_doubles),
 )
