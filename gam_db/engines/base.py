@@ -300,13 +300,16 @@ def drop_flow_hint(tree: exp.Expr) -> exp.Expr:
 
 
 def newest_as_largest(tree: exp.Expr) -> exp.Expr:
-    """Ask for the largest value up to a row instead of the newest one that is there.
+    """Ask for the largest value up to a row instead of the newest one of so many rows.
 
-    Cause: few engines know LAST_VALUE(... IGNORE NULLS), and some take the words and ignore them.
-    Symptom: a syntax error, or NULL. Where we ask for it values grow along the order: both are the same.
+    Cause: few engines know LAST_VALUE(... IGNORE NULLS), some take the words and ignore them, and frames
+    that move are slow. Symptom: a syntax error, or NULL. Where we ask for it, values grow along the
+    order, and farther back than the frame they do not matter (``sql/embedding/newest.sql``).
     """
-    for newest in list(tree.find_all(exp.IgnoreNulls)):
-        newest.replace(exp.Max(this=newest.this.this))
+    for window in tree.find_all(exp.Window):
+        if isinstance(window.this, exp.IgnoreNulls):
+            window.set("this", exp.Max(this=window.this.this.this))
+            window.args["spec"].set("start", "UNBOUNDED")
     return tree
 
 

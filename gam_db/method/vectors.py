@@ -157,7 +157,7 @@ def movement(
         "told": [*carried, *_named(begins)],
         "begins": exp.false() if breaking is None else breaking.eq(1),
         "previous_value": _before("value", 1, rows),
-        "moved_at": _newest(exp.column("moving").eq(1), rows),
+        "moved_at": _newest(exp.column("moving").eq(1), max(still_after - 2, 0), rows),
         "held_from": _before("time", still_after - 1, rows),
         "carried": [*carried, *map(exp.column, begins)],
     }
@@ -231,7 +231,7 @@ def _over_calibration(setting: Parameters) -> dict[str, exp.Expr]:
     """Return what tells of a vector whether all of its samples are of calibration."""
     return {
         "oldest_time": _before("time", setting.span),
-        "last_uncalibrated": _newest(exp.column("calibrating").eq(0)),
+        "last_uncalibrated": _newest(exp.column("calibrating").eq(0), setting.span),
     }
 
 
@@ -272,15 +272,20 @@ def _in_segment(setting: Parameters, rows: int | None = None) -> tuple[dict[str,
     """Return what tells whether all samples of a vector are in one segment, and the condition."""
     if not setting.span:
         return {}, template.fill("embedding/whole", {"span": 0})
-    newest = _newest(exp.column("breaking").eq(1), rows)
+    newest = _newest(exp.column("breaking").eq(1), setting.span - 1, rows)
     over = {"oldest_time": _before("time", setting.span, rows), "segment_from": newest}
     return over, template.fill("embedding/in_segment", {"span": setting.span})
 
 
-def _newest(is_such: exp.Expr, rows: int | None = None) -> exp.Expr:
-    """Return the time of the newest sample of a kind, up to each one; along the ``rows`` as stored."""
-    path = "embedding/newest" if rows is None else "streams/newest"
-    return template.fill(path, {"is_such": is_such, "long_ago": LONG_AGO})
+def _newest(is_such: exp.Expr, before: int, rows: int | None = None) -> exp.Expr:
+    """Return the time of the newest sample of a kind, as far as it is among each one and some before.
+
+    Where it is told along the ``rows`` as stored, it may be farther back.
+    """
+    slots: dict[str, template.Slot] = {"is_such": is_such, "long_ago": LONG_AGO}
+    if rows is not None:
+        return template.fill("streams/newest", slots)
+    return template.fill("embedding/newest", {**slots, "rows": before})
 
 
 def _named(columns: Mapping[str, exp.Expr]) -> list[exp.Expr]:

@@ -18,7 +18,7 @@ FROM (
     stretched.channel_id AS channel_id,
     stretched.time AS time,
     stretched.still_after AS still_after,
-    stretched.position - LAST_VALUE(CASE WHEN stretched.moving = 1 THEN stretched.position END IGNORE NULLS) OVER (
+    stretched.position - MAX(CASE WHEN stretched.moving = 1 THEN stretched.position END) OVER (
       PARTITION BY stretched.channel_id
       ORDER BY stretched.position
       ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW

@@ -479,7 +479,10 @@ def moving_frames(checked: Checked) -> Iterator[exp.Expr]:
     W times as long; MariaDB refuses anything but a literal. Take the difference of running sums.
     """
     for frame in checked.every(exp.WindowSpec):
-        if str(frame.args.get("start")).upper() != "UNBOUNDED":
+        is_newest = isinstance(frame.parent, exp.Window) and isinstance(
+            frame.parent.this, exp.IgnoreNulls
+        )
+        if str(frame.args.get("start")).upper() != "UNBOUNDED" and not is_newest:
             yield frame
 
 
