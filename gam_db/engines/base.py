@@ -141,9 +141,7 @@ class Engine:
     opening: Sequence[exp.Expr] = ()  # what a script begins with
     condition_note: str = ""  # what is said beside a condition of the user's that the engine refuses
     flow_hint: bool = False  # whether a WITH entry can be marked NOT MATERIALIZED
-    ignores_nulls: bool = (
-        False  # whether LAST_VALUE(... IGNORE NULLS) is to be asked for the newest of a kind
-    )
+    newest_of: int = 0  # among fewer rows LAST_VALUE(... IGNORE NULLS) gives the newest of a kind
     reads_files: bool = False  # whether a Parquet or CSV path can stand in FROM
     unpivots: bool = False  # whether UNPIVOT INCLUDE NULLS is known
     macros: bool = False  # whether a script may define table macros
@@ -250,8 +248,7 @@ class Engine:
         rewritten = strip_null_order(tree.copy(), dialect)
         if not self.flow_hint:
             rewritten = drop_flow_hint(rewritten)
-        if not self.ignores_nulls:
-            rewritten = newest_as_largest(rewritten)
+        rewritten = newest_as_largest(rewritten, self.newest_of)
         if self.home is not None:
             rewritten = at_home(rewritten, self.home)
         for rewrite in self.rewrites:
@@ -299,17 +296,20 @@ def drop_flow_hint(tree: exp.Expr) -> exp.Expr:
     return tree
 
 
-def newest_as_largest(tree: exp.Expr) -> exp.Expr:
-    """Ask for the largest value up to a row instead of the newest one of so many rows.
+def newest_as_largest(tree: exp.Expr, most: int) -> exp.Expr:
+    """Ask for the largest value up to a row instead of the newest one of some rows, unless they are few.
 
-    Cause: few engines know LAST_VALUE(... IGNORE NULLS), some take the words and ignore them, and frames
-    that move are slow. Symptom: a syntax error, or NULL. Where we ask for it, values grow along the
-    order, and farther back than the frame they do not matter (``sql/embedding/newest.sql``).
+    Cause: few engines know LAST_VALUE(... IGNORE NULLS), some take the words and ignore them, and one
+    goes back row by row. Symptom: a syntax error, or NULL, or it takes as long as the frame is. Where we
+    ask for it, values grow along the order, and farther back than the frame they do not matter
+    (``sql/embedding/newest.sql``).
     """
     for window in tree.find_all(exp.Window):
         if isinstance(window.this, exp.IgnoreNulls):
-            window.set("this", exp.Max(this=window.this.this.this))
-            window.args["spec"].set("start", "UNBOUNDED")
+            frame = window.args["spec"]
+            if int(frame.args["start"].name) >= most:
+                window.set("this", exp.Max(this=window.this.this.this))
+                frame.set("start", "UNBOUNDED")
     return tree
 
 

@@ -6,6 +6,7 @@ import importlib
 import json
 from pathlib import Path
 
+import duckdb
 import pyarrow as pa
 import pytest
 from sqlglot import exp
@@ -16,6 +17,7 @@ import engines
 from evidence import version_of
 from gam_db import data
 from gam_db.cli import app
+from gam_db.composing import template
 from gam_db.engines import EVIDENCE, NAMES, engine_named
 from gam_db.engines.refusals import refusal
 from gam_db.errors import StatementError, UserError
@@ -101,3 +103,23 @@ def test_what_is_refused_is_told_though_rows_were_lent(engine: str) -> None:
     told = f"{refused.value} {refused.value.__cause__}"
     assert "nothing_such" in told.lower()
     assert session.fetch(exp.select("a").from_(session.load(rows))).num_rows == 1
+
+
+@pytest.mark.parametrize(("before", "shown"), [(4095, "LAST_VALUE"), (4096, "MAX")])
+def test_the_newest_of_many_rows_is_the_largest(before: int, shown: str) -> None:
+    """DuckDB goes back row by row: among few that costs least, among many it is told that times grow."""
+    told: dict[str, template.Slot] = {
+        "is_such": exp.column("code").eq(0),
+        "rows": before,
+        "long_ago": -1,
+    }
+    newest = template.fill("embedding/newest", told)
+    rows = ", ".join(f"(7, {time}, {int(time % 5000 > 0)})" for time in range(9000))
+    text = engine_named("duckdb").text(newest)
+    assert shown in text
+    query = f"SELECT time, {text} FROM (VALUES {rows}) AS codes (channel_id, time, code)"
+    found = dict(duckdb.execute(query).fetchall())
+    expected = {time: time - time % 5000 for time in range(9000)}
+    if shown == "LAST_VALUE":
+        expected |= {time: -1 for time in range(9000) if time % 5000 > before}
+    assert found == expected
