@@ -126,7 +126,7 @@ class Streams:
                     self._give_up()
 
     def _learn(self) -> bool:
-        """Give the timeline and the vectors of calibration; tell whether they are as they should be."""
+        """Give figures and the vectors of calibration; tell whether they are as they should be."""
         method, running = self.method, self.running
         channels = running.rows("channels")
         quotas = {
@@ -138,14 +138,15 @@ class Streams:
             return False  # a channel that teaches nothing is not scored, and no vector proves its order
         names = running.session.rows(running.query("names"))
         earliest = {(row["asset"], row["channel"]): row["earliest"] for row in names}
-        timeline = []
+        series = []
         for row in channels:
             quota = quotas[row["channel_id"]]
             before = max(quota - self._reach(row), 0)
             first = earliest[row["asset"], row["channel"]]
-            timeline.append(own(row, before=before, samples=quota - before, first_time=first))
-        self._give("timeline", partial(of_channel, "timeline"), timeline, "channel_id")
-        reached = {row["channel_id"]: row["read_from"] for row in running.rows("timeline")}
+            figures = {"samples": row["readings"], "first_time": first}
+            series.append(own(row, before=before, asked=quota - before, **figures))
+        self._give("series", partial(of_channel, "series"), series, "channel_id")
+        reached = {row["channel_id"]: row["read_from"] for row in running.rows("series")}
         pieces = {row["channel_id"]: row for row in running.rows("calibration")}
         calibrated = [
             own(row, **_times(pieces[id_]), read_from=reached[id_])

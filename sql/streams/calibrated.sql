@@ -1,6 +1,6 @@
 -- Calibrated, one channel: its range over calibration; as calibration/calibrated.sql.
 -- For DuckDB, which leaves out most rows of other channels where they lie apart: no name is joined and nothing
--- grouped. Proof: as many samples lie up to the end of calibration, and from read_from on, as streams/timeline.sql
+-- grouped. Proof: as many samples lie up to the end of calibration, and from read_from on, as streams/series.sql
 -- was asked for.
 -- Reads:  readings
 -- A row:  the channel, if it has a calibration sample.
