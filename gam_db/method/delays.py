@@ -65,7 +65,8 @@ class Ways:
             calibration are then made by windows.
         by_windows: whether segments may end or samples stand still; vectors are then made by windows.
         has_sets: whether anything of sets of parameters will be asked for, or of whole channels alone.
-        has_room: whether what is told of each sample may be kept, where several steps read it.
+        has_room: whether vectors, and what is told of each sample, may be kept where several steps read
+            them.
         round: rows of a round, where channels are taken to take turns in the order in which rows are
             stored, each once in every round; None where they are not.
     """

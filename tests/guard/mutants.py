@@ -84,6 +84,7 @@ _ABOUT = {
     "source/*_term": "test_written",
     **{f"census/{name}": "test_repeating" for name in ("proven", "repeat*")},
     "certificate/known_codes": "test_interrupted",
+    "census/held_vectors": "test_interrupted",
     "health/running": "test_trusting",
     "score/straddling": "test_agreement",
     "census/*": "test_trusting",
