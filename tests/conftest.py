@@ -12,6 +12,7 @@ import engines
 import tiny
 from gam_db.engines import storage
 
+gc.disable()  # until pytest_collection_finish, what is made stays
 tiny.judge_any_calibration()
 
 #: Counts what is compared with the NumPy reference.
@@ -79,6 +80,7 @@ def pytest_collection_finish() -> None:
     gc.collect()
     gc.freeze()
     gc.set_threshold(1_000_000, 20, 100)
+    gc.enable()
 
 
 @pytest.hookimpl(tryfirst=True)
