@@ -15,9 +15,11 @@ def channels(
     first: list[Row], final: list[Row], parameters: Any, calibration: Any
 ) -> Iterator[tuple[Channel, Pool]]:
     """Give every channel of the first rows, holding the final ones, with its frozen pool."""
+    rows: dict[tuple[str, str], list[tuple[int, float | None]]] = {}
+    for row in final:
+        rows.setdefault(row[:2], []).append(row[2:])
     for learnt, pool in reference.channels(first, parameters, calibration):
-        found = [row[2:] for row in final if row[:2] == (learnt.asset, learnt.name)]
-        times, values, conflicts = reference.collapse(found)
+        times, values, conflicts = reference.collapse(rows.get((learnt.asset, learnt.name), []))
         own = resolved(calibration, learnt)
         healthy = [any(a <= t <= b for a, b in own) for t in times]
         channel = Channel(
