@@ -13,7 +13,7 @@ SELECT
   novel,
   CAST(ROW_NUMBER() OVER (PARTITION BY channel_id ORDER BY time) AS BIGINT) AS number,
   CAST(
-    SUM(novel) OVER (
+    SUM(CASE WHEN novel = 1 THEN 1 ELSE 0 END) OVER (
       PARTITION BY channel_id ORDER BY time ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
     ) AS BIGINT
   ) AS novel_so_far,

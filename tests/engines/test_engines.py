@@ -9,6 +9,7 @@ from pathlib import Path
 import duckdb
 import pyarrow as pa
 import pytest
+import sqlglot
 from sqlglot import exp
 from typer.testing import CliRunner
 
@@ -123,3 +124,19 @@ def test_the_newest_of_many_rows_is_the_largest(before: int, shown: str) -> None
     if shown == "LAST_VALUE":
         expected |= {time: -1 for time in range(9000) if time % 5000 > before}
     assert found == expected
+
+
+def test_only_a_running_count_is_added_up_as_double() -> None:
+    """Other sums of whole numbers may be beyond 2^53, where DOUBLE leaves some out."""
+    order = "PARTITION BY c ORDER BY t ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW"
+    texts = {
+        f"CAST(SUM(CASE WHEN a = 1 THEN 1 ELSE 0 END) OVER ({order}) AS BIGINT)": True,
+        f"CAST(SUM(CASE WHEN a = 1 THEN b ELSE 0 END) OVER ({order}) AS BIGINT)": False,
+        f"CAST(SUM(CASE WHEN a = 1 THEN 1 END) OVER ({order}) AS BIGINT)": False,
+        f"CAST(SUM(CASE WHEN a = 1 THEN 9 ELSE 0 END) OVER ({order}) AS BIGINT)": False,
+        f"CAST(SUM(b) OVER ({order}) AS BIGINT)": False,
+        "CAST(SUM(CASE WHEN a = 1 THEN 1 ELSE 0 END) AS BIGINT)": False,
+    }
+    for text, is_one in texts.items():
+        tree = sqlglot.parse_one(text, dialect="duckdb")
+        assert ("DOUBLE" in engine_named("duckdb").text(tree)) is is_one, text
