@@ -74,12 +74,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 def pytest_collection_finish() -> None:
     """Keep the garbage collector off what stays: all modules, tests and parsed files of SQL.
 
-    Walking through them again and again was a third of the processor time of small tests. What tests
-    leave is mostly trees of SQL, whose nodes know each other; few of them live on when so many are made.
+    Walking through them again and again was a third of the processor time of small tests.
     """
     gc.collect()
     gc.freeze()
-    gc.set_threshold(1_000_000, 20, 100)
+    gc.set_threshold(100_000, 20, 100)
     gc.enable()
 
 
