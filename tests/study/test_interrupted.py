@@ -179,3 +179,20 @@ def test_what_is_interrupted_is_as_in_the_reference_on_trust(engine: str, case: 
     for question in harness.STEPS:
         harness.assert_same(expected[question], found[question], question)
     comparisons.compared(engine, "interrupted", table, *method)
+
+
+@pytest.mark.parametrize("last", ["support", "health_at_buckets"])
+def test_a_channel_without_a_range_is_counted_as_well(last: str) -> None:
+    """Its vectors are none that are kept: nothing is scored of it, but some lack a sample."""
+    table: list[Row] = [
+        ("a", "x", time, None if time < 60 else float(time % 4)) for time in range(LENGTH)
+    ]
+    table += [("b", "x", time, float(time * time % 11) if time % 7 else None) for time in range(LENGTH)]
+    method = harness.made(*HELD["still at once, and segments"])
+    session = engines.session("duckdb")
+    with session.lent(harness.arrow(table)) as lent:
+        study = Study(session, gam_db.Source(lent.name), *method, short_cuts=True)
+        for question in sorted(("support", "health_at_buckets"), key=last.__eq__):
+            found = study.table(harness.STEPS[question]).to_pylist()
+            harness.assert_same(harness.by_reference(question, table, *method), found, question)
+        study.forget()
