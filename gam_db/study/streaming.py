@@ -146,6 +146,7 @@ class Streams:
             figures = {"samples": row["readings"], "first_time": first}
             series.append(own(row, before=before, asked=quota - before, **figures))
         self._give("series", partial(of_channel, "series"), series, "channel_id")
+        self._replace("timeline", filled("census/trusted_timeline"), {"cohort": "channels"})
         reached = {row["channel_id"]: row["read_from"] for row in running.rows("series")}
         pieces = {row["channel_id"]: row for row in running.rows("calibration")}
         calibrated = [

@@ -102,7 +102,7 @@ _ABOUT = {
     "stored/scoring/channels": "test_outside_the_contract",
     **{f"stored/*/{name}": "test_clocks_and_replays" for name in ("plan", "seen")},
     **{f"stored/*/{name}": "test_incremental[still" for name in ("still*", "no_stillness")},
-    **{f"stored/*/{name}": "test_incremental[short" for name in ("trusted_timeline", "restart")},
+    **dict.fromkeys(("census/trusted_timeline", "stored/scoring/restart"), "test_incremental[short"),
     "stored/scoring/run_up": "test_incremental[pauses",
     "stored/*/re[lp]e*": "test_check_state",
     "stored/state/withdrawal": "test_clickhouse_writers",

@@ -8,8 +8,10 @@ from typing import Any
 
 import duckdb
 import pytest
+from sqlglot import exp
 
 from as_stored import METHODS, RUNS, compare, monitor, scored, twice_calibrated
+from gam_db.engines.duckdb.driver import DuckDriver
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.stored.planning import steps
 from gam_db.stored.scoring import groups, ordered
@@ -89,6 +91,30 @@ def test_channels_in_order_are_scored_as_they_are_stored(
     made.score()
     compare(connection, [*by_channel(), *more], METHODS[case], by_channel())
     assert made.check_state().num_rows == 0
+
+
+def test_nothing_of_what_is_stored_in_order_is_sorted(
+    connection: duckdb.DuckDBPyConnection, ways: list[bool], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Neither calibration nor a run puts the readings in order, or asks for all of their instants."""
+    sorting: set[str] = set()
+    ask = DuckDriver.keep
+
+    def noted(driver: DuckDriver, table: exp.Table, query: exp.Query) -> None:
+        read = {one.name for one in query.find_all(exp.Table)}
+        if "telemetry" in read and any(one.args.get("order") for one in query.find_all(exp.Window)):
+            sorting.add(table.name)
+        ask(driver, table, query)
+
+    monkeypatch.setattr(DuckDriver, "keep", noted)
+    scored(connection, by_channel(), "delays")
+    assert (ways, sorting) == ([True], set())
+    with duckdb.connect() as other:
+        source(other, sorted(by_channel(), key=lambda row: row[2]))
+        turning = monitor(other, METHODS["delays"])
+        turning.migrate()
+        turning.calibrate()
+    assert any(name.endswith("timeline_0") for name in sorting)
 
 
 def uneven(rows: list[Row]) -> list[Row]:

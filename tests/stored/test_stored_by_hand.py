@@ -218,7 +218,7 @@ def test_rows_beyond_the_first_of_an_instant_were_read_too() -> None:
 
 
 def test_on_trust_no_instant_is_repeated() -> None:
-    assert step("stored/scoring/trusted_timeline", cohort=rows("channel_id", (1,), (2,))) == [
+    assert step("census/trusted_timeline", cohort=rows("channel_id", (1,), (2,))) == [
         (1, 0),
         (2, 0),
     ]

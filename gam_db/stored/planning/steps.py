@@ -334,11 +334,10 @@ def _add_samples(
 ) -> OfSet:
     """Add the steps from *identified* to the samples, and return the one set of the setting."""
     of_set = OfSet(steps, method_of(setting, kind, asked), 0)
-    add(
-        steps,
-        "stored/scoring/trusted_timeline" if trusting else "stored/scoring/repeats",
-        name="timeline",
-    )
+    if trusting:
+        add(steps, "census/trusted_timeline", name="timeline")
+    else:
+        add(steps, "stored/scoring/repeats", name="timeline")
     for name in ("collapsed", "samples"):
         add(steps, f"source/{name}")
     return of_set
