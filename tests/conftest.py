@@ -8,12 +8,14 @@ import pytest
 from hypothesis import HealthCheck, Phase, settings
 from hypothesis.internal.conjecture import providers
 
+import begun
 import engines
 import tiny
 from gam_db.engines import storage
 
 gc.disable()  # until pytest_collection_finish, what is made stays
 tiny.judge_any_calibration()
+begun.begin_as_copies()
 
 #: Counts what is compared with the NumPy reference.
 pytest_plugins = ["comparisons"]
@@ -85,9 +87,10 @@ def pytest_collection_finish() -> None:
 
 
 @pytest.hookimpl(tryfirst=True)
-def pytest_runtest_setup() -> None:
-    """Keep a database small that grows slow with its tables."""
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Keep a database small that grows slow with its tables; let states begin as the test wants it."""
     engines.begin()
+    begun.is_copied = item.get_closest_marker("migrates") is None
 
 
 def pytest_unconfigure() -> None:
@@ -110,5 +113,5 @@ def without_comments(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyP
 
     They are nine of ten statements of a migration, and hundreds of tests begin with one.
     """
-    if request.node.get_closest_marker("comments") is None:
+    if request.node.get_closest_marker("migrates") is None:
         monkeypatch.setattr(storage, "_about", lambda *_: [])

@@ -319,6 +319,7 @@ def test_a_monitor_in_a_schema_and_a_copy_of_it() -> None:
     assert rows == [("hall 4",)]
 
 
+@pytest.mark.migrates
 def test_a_state_of_an_older_gam_db_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     known = migration_files.files()
     with monkeypatch.context() as older:

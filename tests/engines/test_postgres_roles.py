@@ -18,7 +18,7 @@ from gam_db.stored.schema.tables import TABLES, VIEWS
 from small_plant import readings
 from small_postgres import administrator, database, source
 
-pytestmark = pytest.mark.comments
+pytestmark = pytest.mark.migrates
 
 #: Roles with names that must be quoted.
 OWNER, WRITER, READER = "plant owner", 'the "writer"', "Reader"

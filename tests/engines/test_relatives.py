@@ -33,7 +33,7 @@ from strategies import Case, cases
 from test_spec import CASES
 from test_spec import Case as Worked
 
-pytestmark = pytest.mark.comments
+pytestmark = pytest.mark.migrates
 
 #: What this file runs or parses, and how the version of what does it is found; see test_engines.py.
 RUNS = {

@@ -9,7 +9,7 @@ import gam_db
 from gam_db.engines import NAMES
 from gam_db.export.models import ADAPTERS
 
-pytestmark = [pytest.mark.thorough, pytest.mark.comments]
+pytestmark = [pytest.mark.thorough, pytest.mark.migrates]
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -12,7 +12,7 @@ from gam_db.stored.schema.tables import TABLES as ALL
 from gam_db.stored.schema.tables import VIEWS, StateTables
 from stored_rows import Plant
 
-pytestmark = pytest.mark.comments
+pytestmark = pytest.mark.migrates
 
 TABLES = StateTables(schema="factory")
 

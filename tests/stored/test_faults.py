@@ -28,7 +28,7 @@ from nobody import as_nobody
 from small_plant import FIRST, LENGTH, begin, monitor, readings, seen, source, stored, whole
 from visible import put
 
-pytestmark = pytest.mark.thorough
+pytestmark = [pytest.mark.thorough, pytest.mark.migrates]
 
 CONFLICT = r"^Another connection changed .* Run it again"
 

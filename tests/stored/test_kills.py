@@ -30,7 +30,7 @@ from test_migrations import catalog
 from victims import Moment, Victims, carry_out
 from visible import BUCKETS, NOVEL, put, rows_of
 
-pytestmark = [pytest.mark.thorough, pytest.mark.comments]
+pytestmark = [pytest.mark.thorough, pytest.mark.migrates]
 
 #: How many running processes are killed of each command, in the first set and in the full one.
 KILLS = {"migrate": (6, 40), "calibrate": (8, 60), "score": (15, 200), "label": (3, 40)}

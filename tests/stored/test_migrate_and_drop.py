@@ -17,6 +17,8 @@ from gam_db.stored.schema.migration_files import files
 from gam_db.stored.schema.migrations import migrate, rendered, require
 from gam_db.stored.schema.tables import StateTables
 
+pytestmark = pytest.mark.migrates
+
 STATE = StateTables()
 FILE = "plant.duckdb"
 TABLES_OF_A_MONITOR = 23

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from sqlglot import exp
 
+import begun
 import dictionary
 import engines
 import migration_lint
@@ -20,7 +21,7 @@ from gam_db.stored.schema.migration_files import Migration, definitions, files
 from gam_db.stored.schema.migrations import migrate, rendered, require, status
 from gam_db.stored.schema.tables import TABLES, VIEWS, StateTables
 
-pytestmark = pytest.mark.comments
+pytestmark = pytest.mark.migrates
 
 STATE = StateTables()
 ALL = [migration.name for migration in files()]
@@ -61,6 +62,25 @@ def test_the_names_are_those_of_the_files() -> None:
 
 
 # Applying
+
+
+def test_what_other_tests_begin_with_is_what_a_migration_makes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """But for comments, which are left out there."""
+    queries = (
+        "SELECT sql FROM duckdb_tables() WHERE NOT temporary ORDER BY ALL",
+        "SELECT sql FROM duckdb_views() WHERE NOT internal ORDER BY ALL",
+        "SELECT sql FROM duckdb_indexes() ORDER BY ALL",
+        "SELECT number, name, checksum, gam_version FROM gam_migration ORDER BY ALL",
+    )
+    found = []
+    for is_copied in (False, True):
+        monkeypatch.setattr(begun, "is_copied", is_copied)
+        with DuckSession() as session:
+            assert [one.name for one in begun.migrate(session, STATE)] == [one.name for one in files()]
+            found.append([rows(session, query) for query in queries])
+            assert begun.migrate(session, STATE) == ()
+    assert found[0] == found[1]
+    assert sum(map(len, found[0])) == len({*ALL}) + len(files()) + len(found[0][2])
 
 
 def test_a_fresh_database_gets_every_table_with_its_comments(session: DuckSession) -> None:

@@ -17,7 +17,7 @@ from gam_db.stored.schema.migration_files import Migration, files
 from gam_db.stored.schema.migrations import rendered
 from gam_db.stored.schema.tables import StateTables
 
-pytestmark = [pytest.mark.thorough, pytest.mark.comments]
+pytestmark = [pytest.mark.thorough, pytest.mark.migrates]
 
 STATE = StateTables()
 ALL = [migration.name for migration in files()]

@@ -28,7 +28,7 @@ from gam_db.stored.schema.tables import StateTables
 from states import Before
 from visible import visible
 
-pytestmark = [pytest.mark.thorough, pytest.mark.comments]
+pytestmark = [pytest.mark.thorough, pytest.mark.migrates]
 
 RUNS = "SELECT run_id, version_id, buckets, novel FROM gam_run"
 BUCKETS = "SELECT run_id, version_id, novel FROM gam_bucket"
