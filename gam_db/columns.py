@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from itertools import accumulate
+from operator import itemgetter
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,9 @@ import pyarrow as pa
 from numpy.typing import NDArray
 
 COUNT, SHARE, WORD, TRUTH = pa.int64(), pa.float64(), pa.string(), pa.bool_()
+
+#: The name of the channel that a row speaks of.
+name_of = itemgetter("asset", "channel")
 
 
 def columns(*said: tuple[pa.DataType, str]) -> pa.Schema:

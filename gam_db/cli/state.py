@@ -13,7 +13,7 @@ from gam_db.engines import NAMES, engine_named
 from gam_db.errors import ConfigurationError, printable, wrong
 from gam_db.findings import Row
 from gam_db.stored import pruning
-from gam_db.stored.pruning import COUNTED, Retention
+from gam_db.stored.pruning import COUNTED
 from gam_db.stored.schema import dropping, migrations
 from gam_db.stored.schema.migrations import Status
 from gam_db.stored.schema.roles import Roles
@@ -102,9 +102,9 @@ def prune(
     is used again.
     """
     said = settings.monitor
-    retention = Retention(said.keep, said.keep_novel, keep_versions, said.lookback)
+    kept = said.keep, said.keep_novel, keep_versions, said.lookback
     with options.opened(settings) as session:
-        sizes = pruning.prune(State(session, said.tables), said.name, retention, dry_run)
+        sizes = pruning.prune(State(session, said.tables), said.name, *kept, dry_run)
     _tell_sizes(sizes, said.name, dry_run, common)
 
 

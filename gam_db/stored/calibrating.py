@@ -12,7 +12,7 @@ from typing import Any
 import pyarrow as pa
 
 from gam_db.clock import LONG_AGO, Instant
-from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns, table_of
+from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns, name_of, table_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, filled, place
 from gam_db.errors import CalibrationError
@@ -86,11 +86,11 @@ def calibrate(
     add(steps, "stored/calibrating/extent_rows", {"g": NEAR})
     add(steps, "stored/calibrating/checksum_rows", tables=_SUMMED)
     versions = {
-        (row["asset"], row["channel"]): row
+        name_of(row): row
         for row in state.rows("stored/state/active", {"monitor_id": monitor["monitor_id"]})
     }
     # Keys, and so the numbers of episodes, go by names, whatever order an engine gives rows in.
-    found = sorted(running.rows("channels"), key=lambda row: (row["asset"], row["channel"]))
+    found = sorted(running.rows("channels"), key=name_of)
     given = study.method if said is None else dataclasses.replace(study.method, calibration=said)
     for row in found:
         number = number_of(row["asset"], given.assets)
@@ -99,7 +99,7 @@ def calibrate(
     due = _due(found, versions, again)
     made: list[Row] = []
     names = running.placed["names"]
-    readings = {(row["asset"], row["channel"]): row["readings"] for row in found}
+    readings = {name_of(row): row["readings"] for row in found}
     at_once = state.session.rows_at_once()
     groups = list(whole_pools(due, readings, limit or at_once * study.taught_at_once))
     if len(groups) > 1:
@@ -119,7 +119,7 @@ def calibrate(
             made += _write(state, study, monitor, group, versions, keys)
             state.session.forget(running.placed["names"])
         running.placed["names"] = names
-    made.sort(key=lambda row: (row["asset"], row["channel"]))
+    made.sort(key=name_of)
     return table_of(made, _RESULT)
 
 
@@ -155,7 +155,7 @@ def settings_hash(method: Method, channel: Mapping[str, Any]) -> str:
     setting = method.settings[channel["settings_no"]]
     figures = _figures(setting, method.gaps[channel["settings_no"]])
     if method.asked is not None:  # what is found anew each time is no other setting
-        figures["bins"] = method.asked.of(channel["asset"], channel["channel"]).bins
+        figures["bins"] = method.asked.of(*name_of(channel)).bins
     if setting.still_after is None:  # older versions know nothing of it
         del figures["still_after"]
     if setting.least_vectors == Parameters().least_vectors:  # likewise
@@ -180,8 +180,8 @@ def differing(
     add_source(steps, method)
     with state.session.lent(names) as lent:
         chosen = state.session.rows(steps.query("channels", {"names": lent}))
-    wanted = {(row["asset"], row["channel"]): settings_hash(method, row) for row in chosen}
-    made = {(row["asset"], row["channel"]): row["settings_hash"] for row in rows}
+    wanted = {name_of(row): settings_hash(method, row) for row in chosen}
+    made = {name_of(row): row["settings_hash"] for row in rows}
     return sorted(channel for channel, hashed in made.items() if wanted[channel] != hashed)
 
 
@@ -231,7 +231,7 @@ def _due(found: Sequence[Row], versions: Mapping[tuple[str, str], Row], again: b
     due: list[Row] = []
     for pool in by("support_id", found).values():
         for row in pool:
-            version = versions.get((row["asset"], row["channel"]))
+            version = versions.get(name_of(row))
             is_other = version is not None and version["settings_hash"] != row["hash"]
             row["reason"] = "other settings" if is_other else None if version else "first calibration"
         if again or any(row["reason"] for row in pool):
@@ -251,16 +251,16 @@ def _write(
 ) -> list[Row]:
     """Calibrate a group of channels, and append its versions in one transaction."""
     running = study.running
-    local = {(row["asset"], row["channel"]): row for row in running.rows("channels")}
+    local = {name_of(row): row for row in running.rows("channels")}
     known = {
-        (row["asset"], row["channel"]): row["channel_id"]
+        name_of(row): row["channel_id"]
         for row in state.rows("stored/state/known_channels", {"monitor_id": monitor["monitor_id"]})
     }
     last, method = dict(keys), method_hash()
     numbering: list[Row] = []
     channels: list[Row] = []
     for row in group:
-        key = (row["asset"], row["channel"])
+        key = name_of(row)
         if key not in known:
             known[key] = last["channel"] + len(channels) + 1
             ids = {"channel_id": known[key], "monitor_id": monitor["monitor_id"]}

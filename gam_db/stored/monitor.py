@@ -31,10 +31,10 @@ from gam_db.stored.alarms import limits
 from gam_db.stored.alarms import told as stored_alarms
 from gam_db.stored.calibrating import calibrate, without
 from gam_db.stored.checking import Checked, check_state
-from gam_db.stored.checking.proving import Proof, keep
-from gam_db.stored.pruning import Retention, compact, prune
+from gam_db.stored.checking.proving import keep
+from gam_db.stored.pruning import compact, prune
 from gam_db.stored.schema import migrations
-from gam_db.stored.scoring import score
+from gam_db.stored.scoring import Run
 from gam_db.stored.scoring.report import Report, Wanted
 from gam_db.stored.settings import MonitorSettings
 from gam_db.stored.state import State, kind_of
@@ -192,7 +192,7 @@ class Monitor(MonitorSettings):
             chosen=lambda one, other: pattern_matches(asset, one) and pattern_matches(channel, other),
             limit=limit,
         )
-        return score(self.state, self.source, self.name, wanted, dry_run, on_step)
+        return Run(self.state, self.source, self.name, wanted, on_step).go(dry_run)
 
     def check_state(self, limit: int | None = None, on_step: Listener = unheard) -> pa.Table:
         """Compare all that is stored with the source, and with itself.
@@ -213,7 +213,7 @@ class Monitor(MonitorSettings):
         """
         found = self.checked_state(limit, on_step)
         with contextlib.suppress(EngineError):
-            self.keep_proof(found.proof)
+            keep(self.state, self.state.monitor(self.name)["monitor_id"], found.proof)
         return found.differences
 
     def checked_state(self, limit: int | None = None, on_step: Listener = unheard) -> Checked:
@@ -221,14 +221,6 @@ class Monitor(MonitorSettings):
         kind = kind_of(self._required.monitor(self.name))
         lookback = lengths.lookback(self.lookback, kind)
         return check_state(self.state, self.source, self.name, lookback, limit, on_step)
-
-    def keep_proof(self, proof: Proof) -> None:
-        """Record that the state was checked.
-
-        Raises:
-            EngineError: the database cannot be written.
-        """
-        keep(self.state, self.state.monitor(self.name)["monitor_id"], proof)
 
     def status(self) -> pa.Table:
         """Return what the state says of each channel, the most urgent first; the source is not read.
@@ -320,7 +312,7 @@ class Monitor(MonitorSettings):
         """Delete what is old, and return how much there was and is of each channel.
 
         Args:
-            keep: instead of the monitor's own; see :class:`gam_db.stored.pruning.Retention`.
+            keep: instead of the monitor's own; see :func:`gam_db.stored.pruning.prune`.
             keep_novel: the same.
             keep_versions: retired versions of each channel that stay; None for all.
             dry_run: undo it all; the result is the same.
@@ -328,13 +320,9 @@ class Monitor(MonitorSettings):
         Raises:
             UserError: there is no such monitor, a length is none, or the database cannot be written.
         """
-        retention = Retention(
-            self.keep if keep is None else keep,
-            self.keep_novel if keep_novel is None else keep_novel,
-            keep_versions,
-            self.lookback,
-        )
-        return prune(self.state, self.name, retention, dry_run)
+        kept = self.keep if keep is None else keep
+        novel = self.keep_novel if keep_novel is None else keep_novel
+        return prune(self.state, self.name, kept, novel, keep_versions, self.lookback, dry_run)
 
     def compact(self) -> pa.Table:
         """Delete the rows that nobody sees; see :func:`gam_db.stored.pruning.compact`.

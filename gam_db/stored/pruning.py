@@ -6,7 +6,6 @@ changes nothing that a later run computes.
 
 import contextlib
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import reduce
 
 import pyarrow as pa
@@ -28,25 +27,6 @@ novel and in a cell of its own, of ten million if one in a hundred is."""
 
 COUNTED = ("bucket_rows", "novel_rows", "run_rows", "support_rows")
 """The columns of sizes that count rows."""
-
-
-@dataclass(frozen=True)
-class Retention:
-    """How long what is kept, behind the newest bucket of each channel.
-
-    Attributes:
-        keep: buckets of the health indicator; None for ever.
-        keep_novel: novel cells; None for as many of the newest buckets as hold :data:`NOVEL_ROWS` rows
-            of them together. They never outlast their buckets.
-        keep_versions: retired versions of each channel; None for all.
-        lookback: how late rows may come, as in scoring: the buckets that it reaches stay. Default one
-            hour, for counters 0.
-    """
-
-    keep: Length | None = None
-    keep_novel: Length | None = None
-    keep_versions: int | None = None
-    lookback: Length | None = None
 
 
 #: The files of the steps that find what goes, in order; all are read before anything is deleted.
@@ -92,7 +72,10 @@ class _UndoneError(Exception):
 def prune(
     state: State,
     monitor: str = "default",
-    retention: Retention | None = None,
+    keep: Length | None = None,
+    keep_novel: Length | None = None,
+    keep_versions: int | None = None,
+    lookback: Length | None = None,
     dry_run: bool = False,
 ) -> pa.Table:
     """Delete what is too old and what is hidden, and return what there was and is.
@@ -111,7 +94,13 @@ def prune(
     Args:
         state: the state tables, in a session that can write, also for a dry run.
         monitor: its name; other monitors are left alone.
-        retention: how long what is kept; None is Retention().
+        keep: age behind the newest bucket of its channel up to which buckets of the health indicator
+            stay; None for ever.
+        keep_novel: the same of novel cells; None for as many of the newest buckets as hold
+            :data:`NOVEL_ROWS` rows of them together. They never outlast their buckets.
+        keep_versions: retired versions of each channel that stay; None for all.
+        lookback: how late rows may come, as in scoring: the buckets that it reaches stay. Default one
+            hour, for counters 0.
         dry_run: undo it all; the result is the same.
 
     Raises:
@@ -126,14 +115,14 @@ def prune(
             f"{state.session.engine.title} has no transaction that could be undone; leave out the dry "
             "run."
         )
-    kind, retention = kind_of(state.monitor(monitor)), retention or Retention()
+    kind = kind_of(state.monitor(monitor))
     slots: dict[str, template.Slot] = {  # in integers; 2^62 is for ever
         role: FAR_AHEAD if given is None else length(given, kind, role)
-        for role, given in (("keep", retention.keep), ("keep_novel", retention.keep_novel))
+        for role, given in (("keep", keep), ("keep_novel", keep_novel))
     }
-    slots["lookback"] = lengths.lookback(retention.lookback, kind)
-    slots["novel_rows"] = NOVEL_ROWS if retention.keep_novel is None else FAR_AHEAD
-    versions = FAR_AHEAD if retention.keep_versions is None else retention.keep_versions
+    slots["lookback"] = lengths.lookback(lookback, kind)
+    slots["novel_rows"] = NOVEL_ROWS if keep_novel is None else FAR_AHEAD
+    versions = FAR_AHEAD if keep_versions is None else keep_versions
     if isinstance(versions, bool) or not isinstance(versions, int) or versions < 0:
         raise ParameterError(f"keep_versions is {versions!r}; it is a number of versions, 0 or more.")
     return _deleted(state, monitor, {**slots, "keep_versions": versions}, dry_run)

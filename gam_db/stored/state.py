@@ -152,13 +152,10 @@ class State:
 
     def _touch(self, table: str, key: str, value: int, column: str) -> None:
         """Change a row and change it back: the same value alone would be no change to DuckDB."""
-        for change in (exp.Add, exp.Sub):
-            touched = exp.column(column)
-            again = change(this=touched.copy(), expression=exp.Literal.number(1))
-            row = exp.Where(this=exp.column(key).eq(exp.Literal.number(value)))
-            changed = exp.EQ(this=touched, expression=again)
-            target = self.tables.table(table)
-            self.session.execute(exp.Update(this=target, expressions=[changed], where=row))
+        row, touched = exp.column(key).eq(value), exp.column(column)
+        for again in (touched + 1, touched - 1):
+            changed = exp.update(self.tables.table(table), {column: again}, row)
+            self.session.execute(changed)
 
     def next_run(self) -> int:
         """Return a run id above all others, which no other writer gives at the same time."""

@@ -15,6 +15,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.clock import TimeKind
+from gam_db.columns import name_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, union_of
 from gam_db.engines.base import Engine
@@ -308,7 +309,7 @@ def _found(asked: Parameters, rough: Study) -> Parameters:
     judged = {row["channel_id"]: row for row in rough.rows("verdicts")}
     rungs, said = {}, {}
     for row in rough.rows("channels"):
-        name, verdict = (row["asset"], row["channel"]), judged[row["channel_id"]]
+        name, verdict = name_of(row), judged[row["channel_id"]]
         said[name] = asked.of(*name)
         if verdict["verdict"] not in ("no_data", "constant"):
             rungs[name] = max(verdict["finest_bins"] or 0, RUNGS[-1])

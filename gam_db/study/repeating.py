@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterable, Sequence
 
 from sqlglot import exp
 
-from gam_db.columns import COUNT, WORD, columns, counts, table_of
+from gam_db.columns import COUNT, WORD, columns, counts, name_of, table_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, union_of
 from gam_db.engines.session import Row
@@ -52,8 +52,8 @@ def found_before(running: Running, ways: Ways) -> set[int]:
     step = IN_ORDER.get(ways.delays or "")
     if step is None:
         return set()
-    named = {_name(row): row["channel_id"] for row in running.rows("channels")}
-    found = (_name(row) for row in _marked(running, step, "asset", "channel"))
+    named = {name_of(row): row["channel_id"] for row in running.rows("channels")}
+    found = (name_of(row) for row in _marked(running, step, "asset", "channel"))
     return {named[name] for name in found if name in named}
 
 
@@ -100,8 +100,8 @@ def do_again(running: Running, method: Method, careful: Pipeline, repeating: Seq
     running.rename({step: f"{_PROVEN}{step}" for step in running.kept(_COMMON)})
     members = {row["channel_id"] for row in repeating}
     staying = [row for row in running.rows("channels") if row["channel_id"] not in members]
-    earliest = {_name(row): row["earliest"] for row in running.rows("names")}
-    timeline = [{**row, "repeats": 1, "first_time": earliest[_name(row)]} for row in repeating]
+    earliest = {name_of(row): row["earliest"] for row in running.rows("names")}
+    timeline = [{**row, "repeats": 1, "first_time": earliest[name_of(row)]} for row in repeating]
     running.load("staying", table_of(staying, _STAYING))
     running.load(f"{_AGAIN}channels", table_of(repeating, _CHANNELS))
     running.load(f"{_AGAIN}timeline", table_of(timeline, TIMELINE))
@@ -123,7 +123,3 @@ def _marked(running: Running, step: str, *names: str) -> list[Row]:
     steps.fill("repeated_instants", "census/repeated_instants", asked, {"marked": step})
     rows: list[Row] = running.session.rows(steps.query("repeated_instants", running.placed))
     return rows
-
-
-def _name(row: Row) -> tuple[str, str]:
-    return row["asset"], row["channel"]

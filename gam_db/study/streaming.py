@@ -14,7 +14,7 @@ from functools import partial
 from sqlglot import exp
 
 from gam_db.clock import FAR_AHEAD, LONG_AGO
-from gam_db.columns import COUNT, SHARE, columns, table_of
+from gam_db.columns import COUNT, SHARE, columns, name_of, table_of
 from gam_db.composing.pipeline import Step, filled
 from gam_db.engines.session import Row
 from gam_db.method import Method
@@ -137,12 +137,12 @@ class Streams:
         if not self.is_proven and not all(quotas.values()):
             return False  # a channel that teaches nothing is not scored, and no vector proves its order
         names = running.session.rows(running.query("names"))
-        earliest = {(row["asset"], row["channel"]): row["earliest"] for row in names}
+        earliest = {name_of(row): row["earliest"] for row in names}
         series = []
         for row in channels:
             quota = quotas[row["channel_id"]]
             before = max(quota - self._reach(row), 0)
-            first = earliest[row["asset"], row["channel"]]
+            first = earliest[name_of(row)]
             figures = {"samples": row["readings"], "first_time": first}
             series.append(own(row, before=before, asked=quota - before, **figures))
         self._give("series", partial(of_channel, "series"), series, "channel_id")

@@ -12,7 +12,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.clock import FAR_AHEAD, LONG_AGO
-from gam_db.columns import counts, table_of
+from gam_db.columns import counts, name_of, table_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, Step
 from gam_db.engines.session import Row
@@ -62,7 +62,7 @@ class Turns:
         add(steps, "rounds/timeline", {"quota": quota})
         channels = running.rows("channels")
         looked = {row["channel_id"]: row for row in self._asked(steps, channels, "timeline")}
-        self._timeline = {_name(row): {**looked[row["channel_id"]], "repeats": 0} for row in channels}
+        self._timeline = {name_of(row): {**looked[row["channel_id"]], "repeats": 0} for row in channels}
         return all(row["misplaced"] == 0 for row in looked.values())
 
     def begin_anew(self) -> None:
@@ -78,7 +78,7 @@ class Turns:
         needed = {one.name for one in running.steps.needed([step], running.placed)}
         if self.holds and "timeline" in needed:
             timeline = [
-                {**self._timeline[_name(row)], "channel_id": row["channel_id"]}
+                {**self._timeline[name_of(row)], "channel_id": row["channel_id"]}
                 for row in running.rows("channels")
             ]
             running.load("timeline", table_of(timeline, _TIMELINE))
@@ -158,10 +158,6 @@ def _is_plain(method: Method) -> bool:
 
 def _range(bounds: Row) -> Row:
     return {"lo": bounds["calibrated_lo"], "hi": bounds["calibrated_hi"]}
-
-
-def _name(row: Row) -> tuple[str, str]:
-    return row["asset"], row["channel"]
 
 
 _TIMELINE = counts("channel_id repeats first_time quota_time")

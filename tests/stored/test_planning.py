@@ -24,7 +24,7 @@ from gam_db.stored import scoring
 from gam_db.stored.planning import Row, reading
 from gam_db.stored.planning.reading import SUMMED, near, plan_rows, searched_plan_rows
 from gam_db.stored.planning.steps import plan_steps, unmoved_steps
-from gam_db.stored.pruning import Retention, prune
+from gam_db.stored.pruning import prune
 from gam_db.stored.scoring import growing
 from gam_db.stored.scoring.growing import read_ranges
 from gam_db.stored.scoring.report import Wanted
@@ -104,7 +104,7 @@ def test_many_versions_are_bounded_by_a_range(
     for assets in ({"a", "d"}, {"b", "c"}):
         asked = Wanted(LOOKBACK, chosen=partial(among, assets))
         with monitor(plant) as mine:
-            scoring.score(mine.state, mine.source, mine.name, asked)
+            scoring.Run(mine.state, mine.source, mine.name, asked).go()
     assert seen(plant) == small_plant.whole()
 
 
@@ -217,7 +217,7 @@ def test_pruning_leaves_the_window_before_what_was_recorded(
     put(plant, readings(FIRST, 200))
     monitor(plant).score()
     with monitor(plant) as mine:
-        prune(mine.state, retention=Retention(keep=0, lookback=0))
+        prune(mine.state, keep=0, lookback=0)
     put(plant, readings(200, LENGTH))
     monitor(plant).score()
     assert searches == []

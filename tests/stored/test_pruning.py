@@ -12,7 +12,7 @@ from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import ConfigurationError, EngineError, ParameterError
 from gam_db.stored import pruning
 from gam_db.stored.planning.steps import DAY
-from gam_db.stored.pruning import COUNTED, Retention, prune
+from gam_db.stored.pruning import COUNTED, prune
 from gam_db.stored.schema import checksums
 from gam_db.stored.schema.tables import TABLES as ALL
 from gam_db.stored.schema.tables import StateTables
@@ -120,9 +120,9 @@ def test_what_is_young_or_needed_stays_and_nothing_else(
     before, told = everything(session), status(State(session, TABLES)).to_pylist()
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(pruning, "NOVEL_ROWS", most)
-        tried = prune(State(session, TABLES), retention=Retention(**said), dry_run=True)
+        tried = prune(State(session, TABLES), **said, dry_run=True)
         assert everything(session) == before
-        done = prune(State(session, TABLES), retention=Retention(**said))
+        done = prune(State(session, TABLES), **said)
     assert done.equals(tried)
 
     after = everything(session)
@@ -214,7 +214,7 @@ def test_a_version_goes_with_what_only_it_had_learnt(session: DuckSession) -> No
         )
         plant.add("ladder", support_id=learnt, bins=4, floor=0.5)
     plant.write(emptied(session, TABLES), TABLES)
-    prune(State(session, TABLES), retention=Retention(keep_versions=0))
+    prune(State(session, TABLES), keep_versions=0)
     assert [row[0] for row in rows(session, "version", "version_no, channel_id")] == [1, 3]
     assert len(rows(session, "calibration")) == len(rows(session, "run")) + 1 == 2
     assert rows(session, "horizon", "version_id") == [(version.version_id,)]
@@ -241,7 +241,7 @@ def test_records_of_runs_go_unless_they_still_tell_something(session: DuckSessio
     assert [row[0] for row in rows(session, "run", "run_id")] == left
     plant.run(version, [{}] * 4, from_bucket=5, settled_bucket=8)
     plant.write(session, TABLES)
-    prune(State(session, TABLES), retention=Retention(keep=0, lookback=0))
+    prune(State(session, TABLES), keep=0, lookback=0)
     assert differing not in [row[0] for row in rows(session, "run", "run_id")]
 
 
@@ -254,8 +254,7 @@ def test_what_was_pruned_before_that_was_recorded_is_found_when_the_state_goes_u
     )
     plant.run(version, [{0: 1}] * 8)
     plant.write(emptied(session, TABLES), TABLES)
-    ages = {"keep": 60 * STEP, "keep_novel": 30 * STEP}
-    prune(State(session, TABLES), retention=Retention(**ages, lookback=0))
+    prune(State(session, TABLES), keep=60 * STEP, keep_novel=30 * STEP, lookback=0)
     recorded = rows(session, "horizon")
     assert recorded == [(version.version_id, 1, 4)]
     session.connection.execute("DELETE FROM gam_horizon")
@@ -292,13 +291,13 @@ def test_what_cannot_be_pruned_is_refused(session: DuckSession) -> None:
     plant.monitor()
     plant.write(emptied(session, TABLES), TABLES)
     for wrong, message in (
-        (Retention(keep="soon"), "keep is 'soon'"),
-        (Retention(keep_novel=-1), "keep_novel is -1"),
-        (Retention(lookback="x"), "lookback is 'x'"),
-        (Retention(keep_versions=-1), "keep_versions is -1"),
+        ({"keep": "soon"}, "keep is 'soon'"),
+        ({"keep_novel": -1}, "keep_novel is -1"),
+        ({"lookback": "x"}, "lookback is 'x'"),
+        ({"keep_versions": -1}, "keep_versions is -1"),
     ):
         with pytest.raises(ParameterError, match=message):
-            prune(State(session, TABLES), retention=wrong)
+            prune(State(session, TABLES), **wrong)
     with pytest.raises(ConfigurationError, match="no monitor 'nobody'"):
         prune(State(session, TABLES), "nobody")
     with session.transaction(), pytest.raises(EngineError, match="transaction open"):

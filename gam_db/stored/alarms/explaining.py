@@ -9,6 +9,7 @@ from itertools import zip_longest
 
 from sqlglot import exp
 
+from gam_db.columns import name_of
 from gam_db.composing import template
 from gam_db.stored.planning import Row, assets_of, portions
 from gam_db.stored.planning.reading import Reader, cohort_of, listed
@@ -40,7 +41,7 @@ def explain(state: State, reader: Reader, monitor_id: int, plan: Iterable[Row], 
             mine.append([row])
     for together in zip_longest(*runs.values()):  # of one channel one at most
         channels = [_asked(found, known) for found in together if found]
-        counts = {(row["asset"], row["channel"]): 6 * row["window_length"] for row in channels}
+        counts = {name_of(row): 6 * row["window_length"] for row in channels}
         for group in portions(channels, counts, limit):
             _count(state, reader, group)
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from sqlglot import exp
 
 from gam_db.alarms import LIMIT, Alarms, Row, chosen_limits
-from gam_db.columns import COUNT, WORD, columns
+from gam_db.columns import COUNT, WORD, columns, name_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add
@@ -66,7 +66,7 @@ def make(
     families = sorted({row["family"] for row in rows})
     for row in rows:
         row["family"] = families.index(row["family"])
-    rows.sort(key=lambda row: (row["asset"], row["channel"]))
+    rows.sort(key=name_of)
     said, made = {"created": now(), "cause": cause, "asked": asked}, []
     for row in rows:
         before = known[row["channel_id"]]

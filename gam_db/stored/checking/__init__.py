@@ -18,7 +18,7 @@ import pyarrow as pa
 
 from gam_db import data
 from gam_db.clock import FAR_AHEAD, LONG_AGO
-from gam_db.columns import COUNT, WORD, columns, counts, table_of
+from gam_db.columns import COUNT, WORD, columns, counts, name_of, table_of
 from gam_db.settings.source import AnySource
 from gam_db.stored.checking.consistency import inconsistencies
 from gam_db.stored.checking.proving import STATE, Proof, mismatched
@@ -149,7 +149,7 @@ class _Check:
     def readings(self) -> dict[tuple[str, str], int]:
         steps = reading_steps(self.reader.readings())
         rows = self.session.rows(steps.query("names"))
-        return {(row["asset"], row["channel"]): row["readings"] for row in rows}
+        return {name_of(row): row["readings"] for row in rows}
 
     def scored(self, group: Sequence[Row], settled: Sequence[Row]) -> None:
         """Compare the buckets of a group of one setting: the settled ones, and all if no row came."""

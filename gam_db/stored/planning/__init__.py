@@ -12,6 +12,7 @@ from itertools import groupby
 from typing import Any
 
 from gam_db.clock import LONG_AGO
+from gam_db.columns import name_of
 from gam_db.stored.planning.steps import DAY, setting_of
 
 Row = dict[str, Any]
@@ -94,11 +95,9 @@ def is_due(last: int, now: int) -> bool:
 def resumed(parked: Iterable[Row], names: Iterable[Row], lookback: int) -> list[Cohort]:
     """Return the cohorts of parked channels of which the look at today's rows (*names*) found values."""
     alive = {
-        (row["asset"], row["channel"])
-        for row in names
-        if row["readings"] + row["without_time"] > row["missing_readings"]
+        name_of(row) for row in names if row["readings"] + row["without_time"] > row["missing_readings"]
     }
-    return others([row for row in parked if (row["asset"], row["channel"]) in alive], lookback)
+    return others([row for row in parked if name_of(row) in alive], lookback)
 
 
 def others(rows: Sequence[Row], lookback: int) -> list[Cohort]:
@@ -142,6 +141,11 @@ def whole_pools(
     return _below(limit, by("support_id", channels).values(), readings)
 
 
+def rows_of(channels: Iterable[Row], readings: Mapping[tuple[str, str], int]) -> int:
+    """Return how many readings of some channels were found."""
+    return sum(readings.get(name_of(row), 0) for row in channels)
+
+
 def by(column: str, rows: Iterable[Row]) -> dict[Any, list[Row]]:
     """Return rows by the value of a column, in the order of the first of each."""
     found: dict[Any, list[Row]] = {}
@@ -157,7 +161,7 @@ def _below(
     group: list[Row] = []
     total = 0
     for unit in units:
-        count = sum(readings.get((row["asset"], row["channel"]), 0) for row in unit)
+        count = rows_of(unit, readings)
         if group and total + count > limit:
             yield group
             group, total = [], 0

@@ -6,13 +6,16 @@ This module owns what a run reads and in which groups; :mod:`gam_db.stored.scori
 from dataclasses import replace
 
 from gam_db.clock import LONG_AGO, shown_instant
+from gam_db.columns import name_of
 from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
 from gam_db.errors import ParameterError, SourceError
+from gam_db.method.adding import add
 from gam_db.reading import look
 from gam_db.settings.source import AnySource
 from gam_db.stored.alarms.explaining import explain
 from gam_db.stored.checking.proving import verify, verify_daily
-from gam_db.stored.planning import Cohort, Row, others, planned, portions, resumed
+from gam_db.stored.planning import Cohort, Row, others, planned, portions, resumed, rows_of
 from gam_db.stored.planning.reading import (
     SUMMED,
     Reader,
@@ -22,11 +25,10 @@ from gam_db.stored.planning.reading import (
     searched_plan_rows,
 )
 from gam_db.stored.planning.steps import can_trust, reading_steps, setting_of
-from gam_db.stored.scoring.groups import Groups, rows_of
+from gam_db.stored.scoring.groups import Groups
 from gam_db.stored.scoring.growing import read_ranges, unmoved
 from gam_db.stored.scoring.publishing import snapshots
 from gam_db.stored.scoring.report import Report, Wanted
-from gam_db.stored.scoring.unplaced import keep_unplaced, note_unknown, undated
 from gam_db.stored.state import State, kind_of, now
 from gam_db.study.naming import counted
 from gam_db.study.running import UNSORTED, Listener, unheard
@@ -36,36 +38,22 @@ from gam_db.study.running import UNSORTED, Listener, unheard
 CAREFUL = 2
 
 
-def score(
-    state: State,
-    source: AnySource,
-    name: str,
-    wanted: Wanted,
-    dry_run: bool = False,
-    on_step: Listener = unheard,
-) -> Report:
-    """Bring the stored buckets of a monitor up to date.
+class Run:
+    """A run that brings the stored buckets of a monitor up to date; ``report`` is what it did.
 
     Args:
         state: the state tables, in a session that can write.
         source: where the telemetry lies.
         name: of the monitor.
         wanted: what is asked.
-        dry_run: look at the source and write nothing.
         on_step: called with what is done next.
 
     Raises:
-        UserError: there is no such monitor, or the source cannot be used; groups of channels that were
-            scored before stay scored.
-        ConflictError: another process changed what is stored meanwhile; likewise.
+        UserError: there is no such monitor, or the source cannot be used.
     """
-    run = _Run(state, source, name, wanted, on_step)
-    return run.go(dry_run)
 
-
-class _Run:
     def __init__(
-        self, state: State, source: AnySource, name: str, wanted: Wanted, on_step: Listener
+        self, state: State, source: AnySource, name: str, wanted: Wanted, on_step: Listener = unheard
     ) -> None:
         self.state, self.session, self.wanted, self.on_step = state, state.session, wanted, on_step
         self.monitor = state.monitor(name)
@@ -76,9 +64,15 @@ class _Run:
         self.sums, self.ranges = False, dict[int, list[Row]]()
         self.report = Report()
 
-    def go(self, dry_run: bool) -> Report:
+    def go(self, dry_run: bool = False) -> Report:
+        """Score all that is wanted; a ``dry_run`` looks at the source and writes nothing.
+
+        Raises:
+            UserError: the source cannot be used; groups of channels that were scored before stay scored.
+            ConflictError: another process changed what is stored meanwhile; likewise.
+        """
         wanted = self.wanted
-        known = {(row["asset"], row["channel"]) for row in self._known()}
+        known = {name_of(row) for row in self._known()}
         if known and not any(wanted.chosen(*channel) for channel in known):
             raise ParameterError(
                 f"No channel of the monitor {self.monitor['name']!r} matches the patterns of asset and "
@@ -95,24 +89,19 @@ class _Run:
             cohort = cohorts.pop(0)
             names = self._look(cohort)
             if cohort.everyone:
-                note_unknown(self.report, names, known)
+                self.report.note_unknown(names, known)
                 back = resumed(parked, names, wanted.lookback)
                 cohorts += back
                 again = {row["version_id"] for group in back for row in group.channels}
                 parked = [row for row in parked if row["version_id"] not in again]
-            counts = {(row["asset"], row["channel"]): row["readings"] for row in names}
-            self.groups.latest |= {(row["asset"], row["channel"]): row["latest"] for row in names}
+            counts = {name_of(row): row["readings"] for row in names}
+            self.groups.latest |= {name_of(row): row["latest"] for row in names}
             cohort, moved = self._apart(cohort)
             cohorts += moved
-            members = [(row["asset"], row["channel"]) for row in cohort.channels]
-            if members:
-                self.report.ranges.append(
-                    {
-                        "earliest": cohort.earliest,
-                        "channels": len(members),
-                        "rows": sum(counts.get(member, 0) for member in members),
-                    }
-                )
+            if members := len(cohort.channels):
+                found = rows_of(cohort.channels, counts)
+                ranged = {"earliest": cohort.earliest, "channels": members, "rows": found}
+                self.report.ranges.append(ranged)
             if dry_run:
                 continue
             self._verify(cohort)
@@ -132,9 +121,12 @@ class _Run:
                     self.groups.score(part, cohort, rows_of(part, counts), False)
         self.report.channels = self.groups.channels
         self.report.parked = len(parked)
-        self.report.undated = undated(self.session, self.reader)
+        steps = Pipeline()
+        steps.add("readings", self.reader.undated())
+        add(steps, "stored/scoring/undated")
+        self.report.undated = int(self.session.fetch(steps.query("undated"))["undated"][0].as_py())
         if not dry_run:
-            keep_unplaced(self.state, self.monitor["monitor_id"], self.started, self.report)
+            self.report.keep_unplaced(self.state, self.monitor["monitor_id"], self.started)
             most = wanted.limit or self.session.rows_at_once()
             explain(self.state, self.reader, self.monitor["monitor_id"], rows, most)
         return self.report
@@ -159,7 +151,7 @@ class _Run:
         chosen = [
             {**row, **known, "lookback": SUMMED if self._is_summed(row) else 0}
             for row in rows
-            if self.wanted.chosen(row["asset"], row["channel"])
+            if self.wanted.chosen(*name_of(row))
         ]
         later = [] if until is None else [row for row in chosen if row["read_from"] > until]
         if self.wanted.repair_from is not None or later:
@@ -189,7 +181,7 @@ class _Run:
         end = self.wanted.until
         if end is None or not later:
             return
-        kind, first = self.reader.kind, min(later, key=lambda row: (row["asset"], row["channel"]))
+        kind, first = self.reader.kind, min(later, key=name_of)
         others = f" (and of {len(later) - 1:,} more)" if len(later) > 1 else ""
         begin = shown_instant(first["read_from"], kind)
         raise ParameterError(
@@ -249,7 +241,7 @@ class _Run:
 
     def _leave_if_old(self, row: Row) -> None:
         """Read nothing of a channel of which there is nothing newer than its newest run has read."""
-        channel, newest = (row["asset"], row["channel"]), self.ranges[row["version_id"]][0]
+        channel, newest = name_of(row), self.ranges[row["version_id"]][0]
         latest = self.groups.latest.get(channel)
         if latest is not None and latest <= newest["read_to"]:
             self.groups.latest[channel] = None

@@ -12,13 +12,13 @@ from collections.abc import Mapping, Sequence
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db.columns import counts, table_of
+from gam_db.columns import counts, name_of, table_of
 from gam_db.composing.pipeline import filled, place
 from gam_db.errors import ConflictError
 from gam_db.method.bits import Bits
 from gam_db.stored.alarms.episodes import follow
 from gam_db.stored.alarms.judging import judge
-from gam_db.stored.planning import Cohort, Row, assets_of, is_due
+from gam_db.stored.planning import Cohort, Row, assets_of, is_due, rows_of
 from gam_db.stored.planning.reading import (
     Reader,
     cohort_of,
@@ -259,7 +259,7 @@ class Groups:
         What was read before is added up after that look. So whatever comes later must be no further
         behind than the lookback allows from there, which is how far the next run adds up.
         """
-        latest = self.latest.get((row["asset"], row["channel"]))
+        latest = self.latest.get(name_of(row))
         if latest is None:
             return int(row["read_from"]) - 1
         return latest if self.wanted.until is None else min(latest, self.wanted.until)
@@ -281,11 +281,6 @@ class Groups:
                     "context_expected": row["context_expected"],
                 }
             )
-
-
-def rows_of(group: Sequence[Row], counts: Mapping[tuple[str, str], int]) -> int:
-    """Return how many readings of some channels the look has found."""
-    return sum(counts.get((row["asset"], row["channel"]), 0) for row in group)
 
 
 _NO_RECOUNT = counts("channel_id calibration_readings")

@@ -1,9 +1,11 @@
 """What is asked of a run, and what it says that it did."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass, field
 
+from gam_db.columns import name_of
 from gam_db.stored.planning import Row
+from gam_db.stored.state import State
 
 
 @dataclass(frozen=True)
@@ -58,3 +60,22 @@ class Report:
     nameless: int = 0
     undated: int = 0
     ranges: list[Row] = field(default_factory=list)
+
+    def note_unknown(self, names: Sequence[Row], known: Container[tuple[str, str]]) -> None:
+        """Note the readings of names that are missing, or of no known channel."""
+        for row in names:
+            if row["asset"] is None or row["channel"] is None:
+                self.nameless += row["readings"] + row["without_time"]
+            elif name_of(row) not in known and row["readings"]:
+                self.unknown_channels[name_of(row)] = row["readings"]
+
+    def keep_unplaced(self, state: State, monitor_id: int, started: int) -> None:
+        """Append what a run gave to no channel or instant, if there was any."""
+        found = {
+            "nameless": self.nameless,
+            "undated": self.undated,
+            "strangers": sum(self.unknown_channels.values()),
+            "stranger_channels": len(self.unknown_channels),
+        }
+        if any(found.values()):
+            state.append_rows("unplaced", [{"monitor_id": monitor_id, "started": started, **found}])
