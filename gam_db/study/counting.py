@@ -7,14 +7,12 @@ first go on if not (:meth:`Counts.look_first`).
 
 from collections.abc import Callable, Collection
 
-from sqlglot import exp
-
 from gam_db.columns import table_of
 from gam_db.composing.pipeline import Pipeline
 from gam_db.method.census import EDGES
 from gam_db.study.narrowing import narrow
 from gam_db.study.repeating import TIMELINE
-from gam_db.study.running import Running
+from gam_db.study.running import Between, Running
 
 
 class Counts:
@@ -26,12 +24,7 @@ class Counts:
         between: makes the step *readings* for a range of time.
     """
 
-    def __init__(
-        self,
-        running: Running,
-        careful: Callable[[], Pipeline],
-        between: Callable[[int, int], exp.Query],
-    ) -> None:
+    def __init__(self, running: Running, careful: Callable[[], Pipeline], between: Between) -> None:
         self.running, self._careful, self._between = running, careful, between
         self._is_bounded = False
 

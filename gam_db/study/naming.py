@@ -4,15 +4,15 @@ This module owns the guess which names there are, and its proof: the rows of all
 the source has. A wrong guess costs time, never a number.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from functools import partial
 
 import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.composing import template
-from gam_db.composing.pipeline import Pipeline
-from gam_db.engines.session import Row, Session
+from gam_db.engines.session import Row
+from gam_db.study.running import Running
 from gam_db.study.streamed import of_channel, of_each
 
 #: Rows that are glanced at to guess whether channels lie one after another.
@@ -30,72 +30,49 @@ MOST_CHANNELS = 256
 _NAMES = ("asset", "channel")
 
 
-def seems_apart(
-    session: Session, steps: Pipeline, placed: Mapping[str, exp.Table] | None = None
-) -> bool:
+def seems_apart(running: Running) -> bool:
     """Tell whether the first rows of the step *readings* are of two channels at most."""
-    return len(_asked(session, steps, placed, "glance", rows=GLANCE)) <= 2
+    return len(running.asked("streams/glance", {"rows": GLANCE})) <= 2
 
 
-def counted(
-    session: Session,
-    steps: Pipeline,
-    placed: Mapping[str, exp.Table] | None = None,
-    is_proven: bool = False,
-) -> pa.Table | None:
+def counted(running: Running, is_proven: bool = False) -> pa.Table | None:
     """Return the rows of the step *names*, if the source seems to be stored channel by channel.
 
     Args:
-        session: of an engine that keeps the order of rows.
-        steps: with *readings* and *names*.
-        placed: steps that exist as tables.
+        running: the steps *readings* and *names*, on an engine that keeps the order of rows.
         is_proven: add *in_order*: 1 for a channel each of whose rows is later than the one before.
 
     Returns:
         None where channels do not seem to lie apart, or are short; with a proof also where a row has no
         name, or came meanwhile.
     """
-    if not seems_apart(session, steps, placed):
+    if not seems_apart(running):
         return None
-    guessed = _asked(session, steps, placed, "spread", every=EVERY, mask=EVERY - 1)
+    guessed = running.asked("streams/spread", {"every": EVERY, "mask": EVERY - 1})
     if not guessed or not all(row["together"] for row in guessed) or not _are_named(guessed):
         return None
     (rows,) = {row["rows_in_all"] for row in guessed}
     if len(guessed) > MOST_CHANNELS or rows < STREAMED_FROM * len(guessed):
         return None
-    found = _one_by_one(session, steps, placed, guessed, is_proven)
+    found = _one_by_one(running, guessed, is_proven)
     if _rows(found) == rows:
         return found
-    found = session.fetch(steps.query("names", placed))
+    found = running.session.fetch(running.steps.query("names", running.placed))
     if is_proven:
         rows, known = _rows(found), found.select(_NAMES).to_pylist()
         if not _are_named(known):
             return None
-        found = _one_by_one(session, steps, placed, known, is_proven)
+        found = _one_by_one(running, known, is_proven)
         return found if _rows(found) == rows else None
     return found
 
 
-def _asked(
-    session: Session, steps: Pipeline, placed: Mapping[str, exp.Table] | None, file: str, **slots: int
-) -> list[Row]:
-    steps = steps.copied()
-    steps.fill(file, f"streams/{file}", slots)
-    return session.rows(steps.query(file, placed))
-
-
-def _one_by_one(
-    session: Session,
-    steps: Pipeline,
-    placed: Mapping[str, exp.Table] | None,
-    names: Iterable[Row],
-    is_proven: bool,
-) -> pa.Table:
+def _one_by_one(running: Running, names: Iterable[Row], is_proven: bool) -> pa.Table:
     """Return the counts of some channels."""
     proof = [exp.alias_(template.fill("streams/in_order"), "in_order")] if is_proven else []
     channels = [{one: template.text(row[one]) for one in _NAMES} for row in names]
     make = partial(of_channel, "names", proof=proof)
-    return session.fetch(of_each(session, "named", make, channels, steps, placed, labels=_NAMES))
+    return running.session.fetch(of_each(running, "named", make, channels, labels=_NAMES))
 
 
 def _are_named(names: Iterable[Row]) -> bool:

@@ -4,21 +4,17 @@ This module owns the range of time in which the edges lie, and that slices are c
 too much.
 """
 
-from collections.abc import Callable
-
-from sqlglot import exp
-
 from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.engines.session import Row
 from gam_db.method.census import EDGES, Slicing, slices_for
-from gam_db.study.running import Running
+from gam_db.study.running import Between, Running
 
 #: Slices that hold so many times what they would of evenly spaced samples are cut finer: that is a pass
 #: over their rows, where to read them is a sort.
 SKEWED = 4
 
 
-def narrow(running: Running, between: Callable[[int, int], exp.Query]) -> None:
+def narrow(running: Running, between: Between) -> None:
     """Let the readings of the edges be those between their first and their last instant.
 
     Slices are cut finer as long as that halves the range of those that hold too much, as where one row
@@ -57,15 +53,11 @@ def _length(range_: Row) -> int:
 def _asked(running: Running, what: str, **range_: int) -> Row:
     """Return the only row of a file that reads the edges."""
     running.keep("edges")
-    steps = running.steps.copied()
-    steps.fill(what, f"census/{what}", range_)
-    (row,) = running.session.rows(steps.query(what, running.placed))
+    (row,) = running.asked(f"census/{what}", range_)
     return row
 
 
-def _refine(
-    running: Running, first: int, last: int, slices: int, between: Callable[[int, int], exp.Query]
-) -> None:
+def _refine(running: Running, first: int, last: int, slices: int, between: Between) -> None:
     """Cut the slices of a range of time into so many."""
     steps, slicing = running.steps.copied(), Slicing.of(first, last, slices)
     steps.add("ranged", between(first, last))

@@ -118,8 +118,5 @@ def _parted(steps: Pipeline, proven: str, again: str) -> exp.Query:
 
 def _marked(running: Running, step: str, *names: str) -> list[Row]:
     running.keep(step)
-    steps = running.steps.copied()
     asked = {"names": [exp.column(name) for name in names]}
-    steps.fill("repeated_instants", "census/repeated_instants", asked, {"marked": step})
-    rows: list[Row] = running.session.rows(steps.query("repeated_instants", running.placed))
-    return rows
+    return running.asked("census/repeated_instants", asked, {"marked": step})

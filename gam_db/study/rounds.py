@@ -5,20 +5,17 @@ works on side by side: what has no order but that of its rows it takes one after
 was right shows by the marks of the vectors (``sql/rounds/vectors.sql``).
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from functools import cached_property
 from itertools import accumulate
 from typing import NamedTuple
 
-from sqlglot import exp
-
 from gam_db.columns import COUNT, SHARE, WORD, columns
 from gam_db.composing import template
-from gam_db.composing.pipeline import Pipeline
-from gam_db.engines.session import Row, Session
+from gam_db.engines.session import Row
 from gam_db.settings.parameters import Parameters
 from gam_db.study.naming import GLANCE
-from gam_db.study.running import Running
+from gam_db.study.running import Between, Running
 from gam_db.study.streamed import stacked
 
 #: Rows that DuckDB looks back without a sort: fewer than these. Beyond, it puts all of them in order.
@@ -40,30 +37,21 @@ SCALE = columns(
 
 
 def seem_to_be(
-    session: Session,
-    steps: Pipeline,
-    placed: Mapping[str, exp.Table],
-    channels: int,
-    settings: Sequence[Parameters],
-    has_missing: bool = False,
+    running: Running, channels: int, settings: Sequence[Parameters], has_missing: bool = False
 ) -> bool:
     """Tell whether channels seem to take turns, each once in every round, and that is of use.
 
     Args:
-        session: an open session.
-        steps: with *readings*.
-        placed: those of them that exist as tables.
+        running: steps with *readings*.
         channels: how many there are.
         settings: the sets of parameters.
         has_missing: whether a sample is missing.
     """
     reach = max(1, *(setting.span for setting in settings))
     passes = len(settings) * (1 + has_missing)
-    if not session.engine.in_rounds or passes > MOST_PASSES or channels * reach >= FARTHEST:
+    if not running.session.engine.in_rounds or passes > MOST_PASSES or channels * reach >= FARTHEST:
         return False
-    steps = steps.copied()
-    steps.fill("glance", "rounds/glance", {"rows": GLANCE, "round": channels})
-    (glanced,) = session.rows(steps.query("glance", placed))
+    (glanced,) = running.asked("rounds/glance", {"rows": GLANCE, "round": channels})
     return bool(glanced["misplaced"] == 0 and glanced["channels"] == channels)
 
 
@@ -101,7 +89,7 @@ class Rounds:
         between: makes the step *readings* for a range of time.
     """
 
-    def __init__(self, running: Running, between: Callable[[int, int], exp.Query]) -> None:
+    def __init__(self, running: Running, between: Between) -> None:
         self.running, self._between = running, between
         running.keep("turns")
         turns = sorted(running.rows("turns"), key=lambda row: int(row["place"]))
@@ -177,6 +165,5 @@ class Rounds:
         steps.replace("readings", self._between(first["earliest"], reached[-1][0]["latest"]))
         names = {name: template.text(of) for name, of in self._named.items()}
         slots = {**names, "skipped": skipped - before, "samples": samples}
-        steps.fill("instants", "rounds/instants", slots)
-        (found,) = self.running.session.rows(steps.query("instants"))
+        (found,) = Running(self.running.session, steps).asked("rounds/instants", slots)
         return found["earliest"], found["latest"]

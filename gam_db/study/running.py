@@ -5,15 +5,18 @@ This module owns when a step becomes a table and when that table goes.
 
 from collections.abc import Callable, Container, Mapping
 from pathlib import Path
-from typing import Any, Self
+from typing import Any, Self, TypeAlias
 
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db.composing.pipeline import Pipeline
+from gam_db.composing.pipeline import Pipeline, Slots, Tables
 from gam_db.engines.session import Row, Session
 
 Listener = Callable[[str], None]
+
+#: Makes the step *readings* for a range of time.
+Between: TypeAlias = Callable[[int, int], exp.Query]
 
 #: Of channels that are read as they are stored, so many times the readings are worked on together that
 #: can be sorted at once. What is made of them is one transaction, and lost where it is killed.
@@ -81,6 +84,12 @@ class Running:
         """Return the same, each row by the names of its columns."""
         rows: list[Row] = self.table(step).to_pylist()
         return rows
+
+    def asked(self, path: str, slots: Slots | None = None, tables: Tables | None = None) -> list[Row]:
+        """Return the rows of a file of ``sql/`` over the steps, none of which it becomes."""
+        steps, name = self.steps.copied(), path.rpartition("/")[2]
+        steps.fill(name, path, slots, tables)
+        return self.session.rows(steps.query(name, self.placed))
 
     def largest(self, step: str, column: str) -> Any:
         """Return the largest value of a column of a step, which is kept."""

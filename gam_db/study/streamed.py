@@ -11,7 +11,7 @@ from sqlglot import exp
 from gam_db.clock import LONG_AGO
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, filled
-from gam_db.engines.session import Row, Session
+from gam_db.engines.session import Row
 from gam_db.method import Method
 from gam_db.method.bits import Bits
 from gam_db.method.scoring import visited_slots
@@ -46,39 +46,36 @@ def own(row: Row, **slots: int | float | exp.Expr | None) -> dict[str, int | flo
 
 
 def of_each(
-    session: Session,
+    running: Running,
     step: str,
     make: Callable[[Own], exp.Query],
     channels: Sequence[Own],
-    steps: Pipeline,
-    placed: Mapping[str, exp.Table] | None = None,
     tables: Mapping[str, str] | None = None,
     labels: Sequence[str] = (),
 ) -> exp.Query:
     """Return the rows of a query that is asked of each of some channels.
 
     Args:
-        session: of an engine with macros; it keeps this one until another is made for the step.
+        running: what the query reads, on an engine with macros; its session keeps this one until another
+            is made for the step.
         step: what is asked.
         make: makes the query of one channel, of its slots.
         channels: the slots of each; all have the same ones.
-        steps: what the query reads.
-        placed: those of them that exist as tables.
         tables: as for :meth:`Pipeline.add`.
         labels: slots that become the first columns.
     """
-    said = _free_names(steps, channels[0])
-    steps = steps.copied()
+    said = _free_names(running.steps, channels[0])
+    steps = running.steps.copied()
     steps.add("of_channel", make({slot: exp.column(name) for slot, name in said.items()}), tables=tables)
-    query = steps.query("of_channel", placed)
-    macro = session.define(step, query, list(said.values()))
+    query = steps.query("of_channel", running.placed)
+    macro = running.session.define(step, query, list(said.values()))
     columns = [exp.column(name) for name in query.named_selects]
     calls = []
     for slots in channels:
         arguments = [template.node_of(slots[slot]) for slot in said]
         called = exp.Table(this=exp.Anonymous(this=macro, expressions=arguments))
         calls.append(exp.select(*(_label(one, slots[one]) for one in labels), *columns).from_(called))
-    return stacked(calls, session.threads())
+    return stacked(calls, running.session.threads())
 
 
 def of_channel(file: str, own: Own, **slots: template.Slot) -> exp.Query:
@@ -215,9 +212,7 @@ def are_whole(running: Running, visits: str, expected: Mapping[int, int]) -> boo
         visits: what the step is called, which is kept.
         expected: the vectors of each channel that has one.
     """
-    steps = running.steps.copied()
-    steps.add("visited_vectors", filled("streams/visited_vectors"), tables={"visits": visits})
-    rows = running.session.rows(steps.query("visited_vectors", running.placed))
+    rows = running.asked("streams/visited_vectors", tables={"visits": visits})
     found = {row["channel_id"]: row["vectors"] for row in rows}
     return found == expected and not any(row["doubled"] for row in rows)
 

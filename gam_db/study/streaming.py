@@ -38,12 +38,12 @@ def seems_ordered(method: Method, running: Running, scores: bool) -> bool:
 
     If so, *names* is there. Where the vectors will not prove the order of all rows, it is proven.
     """
-    session, bits = running.session, running.session.engine.bits
+    bits = running.session.engine.bits
     if bits is None or not _is_plain(method, bits):
         return False
     running.prepare("names")
     is_proven = not _vectors_prove(method, scores)
-    names = naming.counted(session, running.steps, running.placed, is_proven)
+    names = naming.counted(running, is_proven)
     if names is None:
         return False
     running.load("names", names)
@@ -347,9 +347,7 @@ class Streams:
         self, step: str, make: Make, channels: Sequence[Own], *labels: str, **tables: str
     ) -> exp.Query:
         """Return what is asked of each of some channels."""
-        running = self.running
-        read = running.steps, running.placed, tables
-        return of_each(running.session, step, make, channels, *read, labels)
+        return of_each(self.running, step, make, channels, tables, labels)
 
     def _asked(self, make: Make, channels: Sequence[Own], **tables: str) -> list[Row]:
         """Ask it."""

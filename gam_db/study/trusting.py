@@ -34,7 +34,7 @@ from gam_db.study import repeating, rounds
 from gam_db.study.naming import GLANCE
 from gam_db.study.narrowing import narrow
 from gam_db.study.rounds import Range, Rounds
-from gam_db.study.running import Running
+from gam_db.study.running import Between, Running
 
 __all__ = ["Trust", "begun", "serves"]
 
@@ -136,7 +136,7 @@ class Trust:
         ways: Ways,
         made: Callable[[Ways], Pipeline],
         careful: Callable[[], Pipeline],
-        between: Callable[[int, int], exp.Query],
+        between: Between,
     ) -> None:
         self.method, self.running, self._ways, self._made = method, running, ways, made
         self._careful, self._between = careful, between
@@ -179,8 +179,8 @@ class Trust:
         are_alike = len(set(names["readings"].to_pylist())) == 1
         if not are_alike or self._ways.delays is not None or self._ways.by_windows:
             return
-        asked = self.running.session, self.running.steps, self.running.placed, names.num_rows
-        if rounds.seem_to_be(*asked, self.method.settings, self._ways.has_missing):
+        settings, has_missing = self.method.settings, self._ways.has_missing
+        if rounds.seem_to_be(self.running, names.num_rows, settings, has_missing):
             self._ways = replace(self._ways, round=names.num_rows)
             self.running.steps = self._made(self._ways)
             self._rounds = Rounds(self.running, self._between)

@@ -6,7 +6,7 @@ marks of :mod:`gam_db.study.rounds` as well. What does not hold costs time, neve
 goes on with the steps that sort.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 import pyarrow as pa
 from sqlglot import exp
@@ -21,7 +21,7 @@ from gam_db.method.adding import OfSet, add
 from gam_db.method.delays import CALIBRATION, Ways, add_delays
 from gam_db.method.slots import block_no
 from gam_db.study import rounds
-from gam_db.study.running import Running
+from gam_db.study.running import Between, Running
 from gam_db.study.streamed import are_whole, read_off_visits
 
 #: Readings of a source from which on a look at their order is worth its time.
@@ -37,9 +37,7 @@ class Turns:
         between: makes the step *readings* for a range of time.
     """
 
-    def __init__(
-        self, method: Method, running: Running, between: Callable[[int, int], exp.Query]
-    ) -> None:
+    def __init__(self, method: Method, running: Running, between: Between) -> None:
         self.method, self.running, self._between = method, running, between
         self.holds, self._has_learnt, self._round = True, False, 0
         self._timeline: dict[tuple[str, str], Row] = {}
@@ -52,8 +50,7 @@ class Turns:
         if lacks or len(counted) != 1 or not _is_plain(self.method):
             return False
         running, self._round = self.running, len(rows)
-        asked = running.session, running.steps, running.placed, self._round
-        if not rounds.seem_to_be(*asked, self.method.settings):
+        if not rounds.seem_to_be(running, self._round, self.method.settings):
             return False
         (readings,), fraction = counted, self.method.rules[0].fraction
         steps = self._steps(running.steps.steps["readings"].query)

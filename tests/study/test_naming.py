@@ -13,6 +13,7 @@ from gam_db.engines.duckdb.session import DuckSession
 from gam_db.method import opening_pipeline
 from gam_db.settings.source import Source
 from gam_db.study import naming, streamed
+from gam_db.study.running import Running
 from harness import Row
 
 pytestmark = pytest.mark.thorough
@@ -65,7 +66,7 @@ def grouped(session: DuckSession, made: Pipeline) -> list[Row]:
 def test_channels_are_counted_one_by_one(session: DuckSession, columns: str) -> None:
     """A column of the user's may be called as we call what is asked of each."""
     made = steps(session, channels(12, 12, 20), columns)
-    found = naming.counted(session, made, is_proven=True)
+    found = naming.counted(Running(session, made), is_proven=True)
     assert found is not None
     assert sorted(tuple(row[one] for one in NAMES) for row in found.to_pylist()) == grouped(
         session, made
@@ -78,7 +79,7 @@ def test_channels_are_counted_one_by_one(session: DuckSession, columns: str) -> 
 @pytest.mark.parametrize("is_proven", [False, True])
 def test_a_name_that_no_row_looked_at_has_is_found(session: DuckSession, is_proven: bool) -> None:
     made = steps(session, [*channels(12, 12, 20), ("b", "x", 0, 1.0)])
-    found = naming.counted(session, made, is_proven=is_proven)
+    found = naming.counted(Running(session, made), is_proven=is_proven)
     assert found is not None
     assert ("in_order" in found.column_names) == is_proven
     assert sorted(tuple(row[one] for one in NAMES) for row in found.to_pylist()) == grouped(
@@ -89,7 +90,7 @@ def test_a_name_that_no_row_looked_at_has_is_found(session: DuckSession, is_prov
 @pytest.mark.parametrize("is_proven", [False, True])
 def test_a_row_without_a_name_is_counted_or_all_are_left(session: DuckSession, is_proven: bool) -> None:
     made = steps(session, [*channels(12, 12, 20), (None, "x", 0, 1.0)])  # type: ignore[list-item]
-    found = naming.counted(session, made, is_proven=is_proven)
+    found = naming.counted(Running(session, made), is_proven=is_proven)
     assert (found is None) == is_proven
     if found is not None:
         assert {row["asset"]: row["readings"] for row in found.to_pylist()}[None] == 1
@@ -99,7 +100,7 @@ def test_a_row_without_a_name_is_counted_or_all_are_left(session: DuckSession, i
 def test_a_missing_name_is_not_taken_for_an_empty_one(session: DuckSession, is_proven: bool) -> None:
     """As many rows have either: counted twice, the empty name would make up for the missing one."""
     table: list[Any] = [(asset, "x", time, 1.0) for asset in ("", None) for time in range(12)]
-    assert naming.counted(session, steps(session, table), is_proven=is_proven) is None
+    assert naming.counted(Running(session, steps(session, table)), is_proven=is_proven) is None
 
 
 def test_rows_that_come_meanwhile_are_not_lost(
@@ -115,21 +116,21 @@ def test_rows_that_come_meanwhile_are_not_lost(
         return streamed.of_each(*arguments, **named)
 
     monkeypatch.setattr(naming, "of_each", later)
-    found = naming.counted(session, made)
+    found = naming.counted(Running(session, made))
     assert found is not None
     assert sum(found["readings"].to_pylist()) == 45
-    assert naming.counted(session, made, is_proven=True) is None
+    assert naming.counted(Running(session, made), is_proven=True) is None
 
 
 def test_what_seems_to_lie_otherwise_is_left(session: DuckSession) -> None:
     table = channels(12, 12, 20)
     by_time = sorted(table, key=lambda row: row[2])
     made = steps(session, by_time)
-    assert naming.counted(session, made) is None
+    assert naming.counted(Running(session, made)) is None
     session.connection.execute("DROP TABLE telemetry")
     in_pieces = [*table[8:], *table[:8]]
     made = steps(session, in_pieces)
-    assert naming.counted(session, made) is None
+    assert naming.counted(Running(session, made)) is None
     session.connection.execute("DROP TABLE telemetry")
     made = steps(session, [("a", "x", 0, 1.0)])
-    assert naming.counted(session, made) is None
+    assert naming.counted(Running(session, made)) is None

@@ -31,7 +31,7 @@ from gam_db.stored.scoring.publishing import snapshots
 from gam_db.stored.scoring.report import Report, Wanted
 from gam_db.stored.state import State, kind_of, now
 from gam_db.study.naming import counted
-from gam_db.study.running import UNSORTED, Listener, unheard
+from gam_db.study.running import UNSORTED, Listener, Running, unheard
 
 #: Channels that deserve no trust are scored in groups of so many times fewer readings: their samples are
 #: collapsed by instant and sorted once more, which takes more room for each.
@@ -199,7 +199,7 @@ class Run:
         steps = reading_steps(self.reader.readings(cohort.assets, cohort.earliest))
         is_first = cohort.channels and all(row["read_until"] == LONG_AGO for row in cohort.channels)
         # All of a source is read, which may be stored channel by channel.
-        found = counted(self.session, steps) if is_first and self.session.engine.bits else None
+        found = counted(Running(self.session, steps)) if is_first and self.session.engine.bits else None
         rows = self.session.rows(steps.query("names")) if found is None else found.to_pylist()
         if not rows and self.reader.is_empty():
             raise SourceError(look.NO_ROW)

@@ -45,10 +45,11 @@ def is_given(
     """
     session, steps = running.session, Pipeline()
     steps.add("readings", reader.readings(assets, min(row["read_from"] for row in group)))
-    if len(group) > naming.MOST_CHANNELS or not naming.seems_apart(session, steps):
+    stored = Running(session, steps)
+    if len(group) > naming.MOST_CHANNELS or not naming.seems_apart(stored):
         return False
     seen, read = partial(of_channel, "seen"), [_read(row) for row in group]
-    running.put("seen", of_each(session, "seen", seen, read, steps, labels=_LABEL))
+    running.put("seen", of_each(stored, "seen", seen, read, labels=_LABEL))
     found = {row["channel_id"]: row for row in running.rows("seen")}
     there = [
         {**row, "read_until": found[row["channel_id"]]["read_to"]}
@@ -60,7 +61,8 @@ def is_given(
         add(steps, "stored/scoring/bounds")
         exact = partial(of_channel, "exact")
         compared = [own(row, lo=row["lo"], hi=row["hi"]) for row in there]
-        exactly = session.rows(of_each(session, "exact", exact, compared, steps, running.placed))
+        stored.placed = running.placed
+        exactly = session.rows(of_each(stored, "exact", exact, compared))
         running.keep("support_bits")
         vectors = [
             own(
@@ -76,14 +78,13 @@ def is_given(
         has_more = any(row["context_rows"] > setting.span for row in found.values())
         lacks = has_more or any(row["missing_samples"] for row in found.values())
         make = partial(scored, setting=setting, bits=bits, stream=Stream(lacks, gap), ends=ENDS)
-        running.put("visited", of_each(session, "visited", make, vectors, steps, running.placed))
+        running.put("visited", of_each(stored, "visited", make, vectors))
         # The newest rows, which are summed up, are copied before all are counted again.
         since = min(max(row["read_from"], row["read_until"] - 2 * row["late_by"]) for row in there)
         newest = reading_steps(reader.readings(assets, since))
         running.put("identified", newest.query("identified", running.placed))
-        rows = session.rows(
-            of_each(session, "seen", seen, [_read(row) for row in there], steps, labels=_LABEL)
-        )
+        read = [_read(row) for row in there]
+        rows = session.rows(of_each(stored, "seen", seen, read, labels=_LABEL))
         again = {row["channel_id"]: row for row in rows}
         if all(row["is_exact"] for row in exactly) and again == found:
             return True

@@ -49,7 +49,7 @@ def is_given(
         return False
     edges, between = (min(starts), max(stops)), partial(reader.readings, assets)
     steps = _steps(between(*edges), len(group), method, Slicing.of(*edges), bits)
-    if not seem_to_be(running.session, steps, {}, len(group), method.settings):
+    if not seem_to_be(Running(running.session, steps), len(group), method.settings):
         return False
     running.keep("support_bits")
     # The newest rows, which are summed up, are copied first: where one is replaced meanwhile, the next
