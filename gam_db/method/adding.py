@@ -85,12 +85,11 @@ def add_stacked(
     path: str,
     rows: Sequence[Mapping[str, Any]],
     name: str | None = None,
-    tables: Mapping[str, str] | None = None,
 ) -> None:
     """Add a step of one file that is filled once per row of slots, one under another."""
     queries = [filled(path, slots) for slots in rows]
     query = queries[0] if len(rows) == 1 else exp.union(*queries, distinct=False)
-    steps.add(name or path.rpartition("/")[2], query, template.load(path).comment, tables)
+    steps.add(name or path.rpartition("/")[2], query, template.load(path).comment)
 
 
 def join_sets(steps: Pipeline, method: Method, names: Sequence[str]) -> None:

@@ -277,13 +277,8 @@ def studied(
 ) -> Iterator[Study]:
     """Give a study of a source, whose columns are guessed where only a relation is given.
 
-    Args:
-        source: see :func:`gam_db.reading.guess.sourced`.
-        parameters: of the method; the default ones for None.
-        calibration: likewise.
-        engine: see :func:`gam_db.engines.connecting.borrowed`.
-        short_cuts: see :class:`Study`.
-        asked: likewise.
+    The method is the default one for None; for the engine see
+    :func:`gam_db.engines.connecting.borrowed`, for all else :class:`Study`.
     """
     with borrowed(engine) as session:
         said = (parameters or Parameters(), calibration or Calibration())
@@ -296,15 +291,10 @@ def studied(
 
 
 def _found(asked: Parameters, rough: Study) -> Parameters:
-    """Return parameters with the bins that were to be found.
+    """Return parameters with the bins that a study under the finest grids finds.
 
-    Args:
-        asked: the parameters as they were said.
-        rough: a study under the finest grids.
-
-    Returns:
-        One override per pattern. A channel has the finest grid that its support's certificate accepts,
-        the coarsest if none, and the commonest if it has no certificate.
+    They have one override per pattern. A channel has the finest grid that its support's certificate
+    accepts, the coarsest if none, and the commonest if it has no certificate.
     """
     judged = {row["channel_id"]: row for row in rough.rows("verdicts")}
     rungs, said = {}, {}
@@ -362,14 +352,8 @@ def _filled(
 ) -> Pipeline:
     """Return the steps of a method, which nobody may add to; asked again, the same ones.
 
-    Args:
-        method: what the user asked for.
-        source: how the relation is read; its own relation does not matter.
-        relation: the node to read from.
-        engine: knows the way from the source's time to integers, and back.
-        has_bits: keep supports as bits, as the engine does it.
-        slicing: how times are cut, for the steps that trust; None for those that look first.
-        ways: what this engine does differently, for the steps that trust.
+    The relation is the node to read from; that of the source does not matter. Slicing and ways are for
+    the steps that trust; without slicing they look first.
     """
     kind, bits = method.kind, engine.bits if has_bits else None
     rows = engine.readings(source, relation, kind)

@@ -18,10 +18,7 @@ from gam_db.study.running import Between, Running
 class Counts:
     """The trust of a study of whole channels, whose *names* are counted by slices.
 
-    Args:
-        running: its steps at work.
-        careful: gives the steps that look first.
-        between: makes the step *readings* for a range of time.
+    What is ``careful`` gives the steps that look first.
     """
 
     def __init__(self, running: Running, careful: Callable[[], Pipeline], between: Between) -> None:

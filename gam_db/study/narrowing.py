@@ -18,11 +18,8 @@ def narrow(running: Running, between: Between) -> None:
     """Let the readings of the edges be those between their first and their last instant.
 
     Slices are cut finer as long as that halves the range of those that hold too much, as where one row
-    of long ago lets all others lie in one slice.
-
-    Args:
-        running: steps that trust, at work; nothing is to be done where they keep samples in order.
-        between: makes the step *readings* for a range of time.
+    of long ago lets all others lie in one slice. Nothing is to be done where the steps keep samples in
+    order.
     """
     steps = running.steps
     if EDGES not in steps.steps:

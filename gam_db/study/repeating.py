@@ -71,11 +71,8 @@ def members_of(channels: Collection[Row], found: Collection[int]) -> list[Row]:
 def do_again(running: Running, method: Method, careful: Pipeline, repeating: Sequence[Row]) -> None:
     """Let what is proven hold of all channels but some, whose steps are those that collapse.
 
-    Args:
-        running: the steps that trust, at work; what was kept stays.
-        method: of the study.
-        careful: the steps that look first.
-        repeating: the channels that are done again, whole pools.
+    What was kept by the steps that trust stays; the ``careful`` ones look first. The repeating channels
+    are whole pools.
     """
     trusting = running.steps
     proven, again = trusting.prefixed(_PROVEN, _COMMON), careful.prefixed(_AGAIN, _COMMON - {"channels"})

@@ -39,14 +39,7 @@ SCALE = columns(
 def seem_to_be(
     running: Running, channels: int, settings: Sequence[Parameters], has_missing: bool = False
 ) -> bool:
-    """Tell whether channels seem to take turns, each once in every round, and that is of use.
-
-    Args:
-        running: steps with *readings*.
-        channels: how many there are.
-        settings: the sets of parameters.
-        has_missing: whether a sample is missing.
-    """
+    """Tell whether so many channels seem to take turns, each once in every round, and that is of use."""
     reach = max(1, *(setting.span for setting in settings))
     passes = len(settings) * (1 + has_missing)
     if not running.session.engine.in_rounds or passes > MOST_PASSES or channels * reach >= FARTHEST:
@@ -84,9 +77,7 @@ class _Piece(NamedTuple):
 class Rounds:
     """The rounds of a study in which channels :func:`seem_to_be` at turns.
 
-    Args:
-        running: its steps, those by rounds, with *slices* of the readings.
-        between: makes the step *readings* for a range of time.
+    Its steps are those by rounds, with *slices* of the readings.
     """
 
     def __init__(self, running: Running, between: Between) -> None:
@@ -109,12 +100,7 @@ class Rounds:
     def keep(self, step: str, listed: str, scale: str, setting: Parameters, read: Range) -> None:
         """Keep a step of one set that is made of vectors; in pieces side by side, if that is worth it.
 
-        Args:
-            step: its name.
-            listed: what the step *rounds* of the set is called.
-            scale: likewise.
-            setting: its parameters.
-            read: what the vectors are made of.
+        ``listed`` and ``scale`` are what the steps *rounds* and *scale* of the set are called.
         """
         running, session = self.running, self.running.session
         running.prepare(step)

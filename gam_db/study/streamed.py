@@ -59,7 +59,7 @@ def of_each(
         running: what the query reads, on an engine with macros; its session keeps this one until another
             is made for the step.
         step: what is asked.
-        make: makes the query of one channel, of its slots.
+        make: gives the query of one channel, of its slots.
         channels: the slots of each; all have the same ones.
         tables: as for :meth:`Pipeline.add`.
         labels: slots that become the first columns.
@@ -87,12 +87,8 @@ def of_channel(file: str, own: Own, **slots: template.Slot) -> exp.Query:
 def visits(own: Own, setting: Parameters, has_blocks: bool, stream: Stream) -> exp.Query:
     """Return the cells of the calibration of one channel, in blocks or not.
 
-    Args:
-        own: slots of the channel, and ``lo``, ``hi``, ``time_from``, ``time_to``; with blocks also
-            ``support_id``, and ``vectors``, how many calibration has.
-        setting: its parameters.
-        has_blocks: whether blocks are asked for.
-        stream: what is known of its samples.
+    Its own slots are those of the channel, and ``lo``, ``hi``, ``time_from``, ``time_to``; with blocks
+    also ``support_id``, and ``vectors``, how many calibration has.
     """
     slots = counted_slots(setting, stream)
     if has_blocks:
@@ -115,13 +111,9 @@ def scored(
 ) -> exp.Query:
     """Return the scored vectors of one channel, grouped: the step *visited*.
 
-    Args:
-        own: slots of the channel, and ``lo``, ``hi``, ``time_from``, ``time_to``, ``support_id``,
-            ``first_scored``.
-        setting: its parameters.
-        bits: how a support is kept, in the step *support_bits*.
-        stream: what is known of its samples.
-        ends: see :func:`gam_db.method.scoring.add_buckets`.
+    Its own slots are those of the channel, and ``lo``, ``hi``, ``time_from``, ``time_to``,
+    ``support_id``, ``first_scored``. The step *support_bits* holds its support; for ``ends`` see
+    :func:`gam_db.method.scoring.add_buckets`.
     """
     grouped = visited_slots(setting, ends, trusting=True) | {"outside": is_outside(setting)}
     placed = _placed(own, setting, bits, stream, list(ends or ()))
@@ -205,12 +197,9 @@ def read_off_visits(
 
 
 def are_whole(running: Running, visits: str, expected: Mapping[int, int]) -> bool:
-    """Tell whether the visits of calibration are those of vectors as stored, and none is marked.
+    """Tell whether the step of visits is that of vectors as stored, and none is marked.
 
-    Args:
-        running: steps at work.
-        visits: what the step is called, which is kept.
-        expected: the vectors of each channel that has one.
+    Expected are the vectors of each channel that has one.
     """
     rows = running.asked("streams/visited_vectors", tables={"visits": visits})
     found = {row["channel_id"]: row["vectors"] for row in rows}

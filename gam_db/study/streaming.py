@@ -73,8 +73,7 @@ class Streams:
     """The streams of a study whose source :func:`seems_ordered`.
 
     Args:
-        method: of the study.
-        running: its steps at work.
+        method, running: of the study.
         scores: whether it is known that it scores.
         has_blocks: whether blocks of calibration may be asked for; if not, its cells alone are made.
         lacks: whether a sample is missing.

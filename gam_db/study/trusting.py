@@ -119,13 +119,11 @@ class Trust:
     """The trust of a study whose *names* are counted.
 
     Args:
-        method: of the study, one that is served.
-        running: its steps at work.
-        names: the rows of that step.
+        method, running, names: of the study; the method is one that is served.
         ways: what the engine does in a way of its own.
         made: gives the steps for other ways.
         careful: gives the steps that look first.
-        between: makes the step *readings* for a range of time.
+        between: gives the step *readings*.
     """
 
     def __init__(

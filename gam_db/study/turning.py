@@ -29,13 +29,7 @@ TURNED_FROM = 100_000
 
 
 class Turns:
-    """The turns of channels, of a study that looks before it trusts.
-
-    Args:
-        method: of the study.
-        running: its steps at work, with *names*.
-        between: makes the step *readings* for a range of time.
-    """
+    """The turns of channels, of a study that looks before it trusts; it has the step *names*."""
 
     def __init__(self, method: Method, running: Running, between: Between) -> None:
         self.method, self.running, self._between = method, running, between

@@ -96,12 +96,8 @@ def setting_of(version: Mapping[str, Any]) -> Setting:
 def plan_steps(monitor_id: int, lookback: int, since: int = 0) -> Pipeline:
     """Return the steps that tell from where on each version must be read; the last is *plan*.
 
-    They rely on what runs recorded, and look at no bucket.
-
-    Args:
-        monitor_id: of the monitor.
-        lookback: in the unit of time.
-        since: the first run that is looked at; a version without a later one has no restart.
+    They rely on what runs recorded, ``since`` the first run that is looked at, and look at no bucket; a
+    version without a later run has no restart. The lookback is in the unit of time.
     """
     steps = Pipeline(small=_PLANNED)
     add(steps, "stored/state/active", {"monitor_id": monitor_id})
@@ -112,10 +108,7 @@ def plan_steps(monitor_id: int, lookback: int, since: int = 0) -> Pipeline:
 def searched_plan_steps(monitor_id: int, lookback: int | None, repair_from: int | None) -> Pipeline:
     """Return steps as :func:`plan_steps` does that look at all buckets instead.
 
-    Args:
-        monitor_id: of the monitor.
-        lookback: in the unit of time; None to begin anew.
-        repair_from: the instant from which on to score anew, in any case; None for none.
+    Without a lookback they begin anew; from the instant ``repair_from`` on they do in any case.
     """
     steps = Pipeline(small=_PLANNED)
     slots = {
@@ -138,9 +131,7 @@ def _planned(steps: Pipeline, since: int) -> Pipeline:
 def reading_steps(rows: exp.Query, is_ranged: bool = True) -> Pipeline:
     """Return the only steps that read the source, up to *identified*, and *recount* after it.
 
-    Args:
-        rows: the step *readings*.
-        is_ranged: whether each channel is read in its own range only.
+    The rows are the step *readings*; each channel is read in its own range only, if ``is_ranged``.
     """
     steps = Pipeline()
     steps.add("readings", rows, template.load("source/readings").comment)
@@ -157,11 +148,8 @@ def reading_steps(rows: exp.Query, is_ranged: bool = True) -> Pipeline:
 def unmoved_steps(rows: exp.Query, counted: bool) -> Pipeline:
     """Return the steps that add up again what was read; the last is *unmoved*.
 
-    Given by the caller are *cohort*, and *ranges*: what runs have read of its channels, and its sum.
-
-    Args:
-        rows: the step *readings*.
-        counted: whether rows are only counted.
+    Given by the caller are *cohort*, and *ranges*: what runs have read of its channels, and its sum; or,
+    if rows are only ``counted``, how many they are.
     """
     steps = reading_steps(rows, is_ranged=False)
     code = code_in(exp.column("bins"))
@@ -228,13 +216,9 @@ def add_counting(
 ) -> None:
     """Add the steps from *identified* to *new_buckets* and *bucket_counts*.
 
-    Args:
-        steps: with *cohort*, and what is frozen of its channels: channels, bounds, calibration, support.
-        setting: that of all channels.
-        kind: how the source tells time.
-        has_past: whether there may be buckets that stay (*stored_visible_bucket*).
-        trusting: take it that no instant occurs twice; see :func:`scoring_steps`.
-        bits: how supports are kept as bits; None to look cells up in the table.
+    The steps hold *cohort*, and what is frozen of its channels: channels, bounds, calibration, support.
+    With ``has_past`` there may be buckets that stay (*stored_visible_bucket*). Trusting and bits are
+    those of :func:`scoring_steps`.
     """
     of_set = _add_samples(steps, setting, kind, trusting)
     add_support_bits(of_set, bits)
@@ -289,12 +273,6 @@ def relearning_steps(
 
     The last are *relearnt*, whether it would teach other cells, *certified*, what is said of supports,
     and *certified_extents*, what is said of judgements.
-
-    Args:
-        setting: that of all channels.
-        kind: how the source tells time.
-        target_floor: likewise of all.
-        least_vectors: likewise.
     """
     steps = _frozen(SMALL_OF_SET)
     asked = {"target_floor": target_floor, "least_vectors": least_vectors}

@@ -49,15 +49,7 @@ _JUDGED = {"cohort": "changed", "new_buckets": "written", "stamp": "stamp"}
 
 
 class Groups:
-    """The groups of channels of one run.
-
-    Args:
-        state: the state tables, in a session that can write.
-        reader: of the source.
-        monitor: whose channels they are.
-        wanted: what is asked.
-        started: when the run began.
-        on_step: called with what is done next.
+    """The groups of channels of one run, whose state, reader of the source and time of begin are given.
 
     Attributes:
         planned: what was known of each version before the run was planned.

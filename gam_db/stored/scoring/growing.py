@@ -20,12 +20,8 @@ _RANGES = columns((COUNT, "channel_id run_id summed_from read_to read_sum bins")
 def read_ranges(state: State, lookback: int, rows: Sequence[Row]) -> dict[int, list[Row]]:
     """Return what runs have summed of each version within ``lookback`` of the newest time, newest first.
 
-    Versions are missing of which not all of that time is known.
-
-    Args:
-        state: the state tables.
-        lookback: in the unit of time.
-        rows: of the plan; runs of late are enough if they tell all of these.
+    Versions are missing of which not all of that time is known; runs of late are enough if they tell
+    all that are in the plan. The lookback is in the unit of time.
     """
     summed = {
         row["version_id"] for row in rows if row["still_after"] is None and row["read_until"] != LONG_AGO
@@ -62,13 +58,8 @@ def unmoved(
 ) -> set[int]:
     """Return the channels in which nothing of what was read came late, went or changed.
 
-    Args:
-        state: the state tables.
-        reader: of the source.
-        read: what :func:`read_ranges` returns.
-        rows: the channels to look at, as planned.
-        assets: those of the channels, where not all are read.
-        counted: whether rows are only counted.
+    What is ``read`` is said by :func:`read_ranges`. The rows are the channels to look at, as planned,
+    with their assets where not all are read; what was read is only ``counted``, or added up.
     """
     ranges = [{**row, **one} for row in rows for one in read.get(row["version_id"], ())]
     if not ranges:

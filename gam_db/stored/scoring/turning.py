@@ -36,13 +36,7 @@ def is_given(
 ) -> bool:
     """Give *seen*, *visited* and *identified* of channels that take turns; tell whether they serve.
 
-    Args:
-        running: the steps of a run that trusts that no instant occurs twice, with its *cohort*.
-        reader: of the source.
-        assets: those of the channels, where not all are read.
-        group: rows of the plan, with ``read_until``: nothing newer is read.
-        method: of the version of all channels.
-        bits: how supports are kept.
+    Arguments as for :func:`gam_db.stored.scoring.ordered.is_given`; the method is that of all channels.
     """
     starts, stops = ({row[name] for row in group} for name in ("read_from", "read_until"))
     if len(stops) > 1 or min(stops) < max(starts):
@@ -86,13 +80,7 @@ def _steps(rows: exp.Query, channels: int, method: Method, slicing: Slicing, bit
     """Return the steps to *visited* of channels that take turns in the order in which rows are stored.
 
     Given by the caller are *cohort*, *support_bits*, and *scale*: what rounds/rounds.sql asks of each.
-
-    Args:
-        rows: the step *readings*.
-        channels: how many take turns.
-        method: of the version of all of them.
-        slicing: how times are cut, for *slices*: what is read of each channel.
-        bits: how supports are kept.
+    Times are cut for *slices*: what is read of each channel.
     """
     steps = Pipeline(small=frozenset(("turns", "slices", "rounds")))
     steps.add("readings", rows, template.load("source/readings").comment)
