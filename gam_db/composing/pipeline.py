@@ -49,11 +49,7 @@ class Step:
     def of(cls, name: str, query: exp.Query, comment: str, inputs: Mapping[str, str]) -> "Step":
         """Return a step whose tree, which is changed for it, reads its inputs by their own names.
 
-        Args:
-            name: of the step.
-            query: its tree.
-            comment: what it computes.
-            inputs: what the tree calls the steps that it reads -> the steps.
+        The inputs are the steps, by what the tree calls them.
         """
         made = _made(query, comment, inputs)
         return cls(name, lambda: made)
@@ -62,8 +58,8 @@ class Step:
         """Return the step under another name, reading steps that have other names, too."""
 
         def make() -> Made:
-            query, read = self.query.copy(), {name: names[name] for name in self.reads}
-            return _made(query, self.comment, read)
+            query, read = self.query.copy(), {name: names[name] for name in self.made.reads}
+            return _made(query, self.made.comment, read)
 
         return Step(names[self.name], make)
 
@@ -76,21 +72,6 @@ class Step:
     def query(self) -> exp.Query:
         """Its tree."""
         return self.made.query
-
-    @property
-    def comment(self) -> str:
-        """What it computes."""
-        return self.made.comment
-
-    @property
-    def reads(self) -> frozenset[str]:
-        """The steps it reads."""
-        return self.made.reads
-
-    @property
-    def tables(self) -> frozenset[str]:
-        """All names that a table may be placed for."""
-        return self.made.tables
 
 
 #: Steps that were filled, and queries that were composed, by all that they were made of. A query takes
@@ -161,7 +142,7 @@ class Pipeline:
         """Let another tree be the one of a step, in its place in the order; return the step before."""
         before = self.steps[name]
         inputs = _inputs(_names(query), tables or {}, self.steps)
-        self.put(Step.of(name, query, before.comment, inputs))
+        self.put(Step.of(name, query, before.made.comment, inputs))
         return before
 
     def put(self, step: Step) -> None:
@@ -189,7 +170,7 @@ class Pipeline:
         wanted = set(targets)
         pending = list(wanted - known)
         while pending:
-            for read in self.steps[pending.pop()].reads:
+            for read in self.steps[pending.pop()].made.reads:
                 if read not in known and read not in wanted:
                     wanted.add(read)
                     pending.append(read)
@@ -221,7 +202,7 @@ class Pipeline:
         Trees are equal where their hashes are, by sqlglot's own rule; each keeps its own.
         """
         steps = self.needed([target], placed)
-        read = {target}.union(*(step.tables for step in steps)) & placed.keys()
+        read = {target}.union(*(step.made.tables for step in steps)) & placed.keys()
         places = ((name, *(part.name for part in placed[name].parts)) for name in read)
         made = tuple((step.name, step.name in self.small, hash(step.query)) for step in steps)
         # A step is made first, and read from its table later on: then its columns are what is asked for.
@@ -249,8 +230,8 @@ class Pipeline:
             entry = exp.CTE(this=body, alias=exp.TableAlias(this=_entry(step.name).this))
             if step.name not in self.small:
                 entry.set("materialized", False)
-            if commented and step.comment:
-                body.comments = [f" {step.comment} "]
+            if commented and step.made.comment:
+                body.comments = [f" {step.made.comment} "]
             listed.append(entry)
         query.set("with_", exp.With(expressions=listed))
         return query

@@ -297,7 +297,7 @@ def _views(of: Modelled) -> list[Model]:
     placed = {f"stored_{name}": of.reference(name) for name in ("channel", "bounds", "bucket")}
     steps = Pipeline()
     target = template.node_of(float(of.method.settings[0].target_floor))
-    limits = limit_slots("learnt", target)
+    limits = limit_slots(target)
     add(steps, "export/assessed", {**limits, "stride": of.setting.stride})
     add_judged(steps)
     made, hook = [], {"pre_hook": of.adapter["before"]} if "before" in of.adapter else {}

@@ -124,14 +124,14 @@ def _view_statements(
         query = steps.query(name, placed, commented=True)
         query.set("order", None)
         yield f"{name}: {engine.name} keeps this step as a table.", _drop("TABLE", table)
-        yield steps.steps[name].comment, engine.create_table(table, query)
+        yield steps.steps[name].made.comment, engine.create_table(table, query)
         placed[name] = table
     live = {name: table for name, table in placed.items() if _table_of(name) in _LASTING}
     view = steps.query("health_indicator", live, commented=True)
     view.set("order", None)
     yield (
         "The health indicator over the live source, against what calibration found once.\n"
-        + steps.steps["health_indicator"].comment,
+        + steps.steps["health_indicator"].made.comment,
         exp.Create(this=place("health"), kind="VIEW", expression=view),
     )
     if only is not None:

@@ -21,18 +21,15 @@ from gam_db.method.delays import (
     INCOMPLETE,
     STORED,
     Ways,
-    add_coded,
     add_delays,
     add_stored,
 )
 from gam_db.method.delays import KEPT as KEPT_BY
 from gam_db.method.resolved import Method
 from gam_db.method.scoring import (
-    add_bucket_counts,
     add_incomplete,
     add_novelty,
     add_placed,
-    add_run_up,
     add_running,
     add_support_bits,
     number_of,
@@ -126,7 +123,7 @@ def add_names(steps: Pipeline, slicing: Slicing, ways: Ways) -> None:
 def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
     """Add support, buckets and certificate of one set, after :func:`add_census`."""
     one.add("support/bounds")
-    add_run_up(one, {"samples": "edge_samples"})
+    one.add("score/run_up", {"span": one.setting.reach}, tables={"samples": "edge_samples"})
     # Where segments end or samples stand still, vectors are numbered as where samples are missing.
     is_broken = not one.method.is_unbroken(one.number)
     complete = exp.Literal.number(0) if is_broken else exp.column("complete", table="reached")
@@ -135,7 +132,8 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
         one.add("rounds/rounds", {"before": 0, "after": 0, "sharp": 0})
     scored = one.named(SCORED)
     if ways.delays is not None:
-        add_coded(one, ways.delays)
+        for name in KEPT_BY[ways.delays]:  # what a body keeps for each set
+            one.add(f"{ways.delays}/{name}")
     else:
         _add_readings(one.steps, scored)
     add_delays(one, CALIBRATION, ways, TAUGHT, bits is not None)
@@ -154,7 +152,7 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
         add_incomplete(one, ["doubled"], bits, ways.by_sets)
         parts.append(f"{INCOMPLETE}numbered")
     add_placed(one, parts, trusting=True, counted=ways.counted)
-    add_bucket_counts(one)
+    one.add("health/bucket_counts")
     if not ways.is_cut:
         add_running(one, parts)
         one.add("health/window_counts")

@@ -111,17 +111,11 @@ def add_stored(steps: Pipeline, ways: Ways) -> None:
         add(steps, f"{body}/{file}", name=name)
 
 
-def add_coded(one: OfSet, body: str) -> None:
-    """Add what vectors of one set are made of, once, where a body keeps it for each set."""
-    for name in KEPT[body]:
-        one.add(f"{body}/{name}")
-
-
 def add_delays(one: OfSet, prefix: str, ways: Ways, rows: str, has_bits: bool) -> None:
     """Add the step *vectors* of a prefix, for one set.
 
     Args:
-        one: the set, with *scale*, and what :func:`add_coded` adds.
+        one: the set, with *scale*, and what the body keeps for it (:data:`KEPT`).
         prefix: one of the three above.
         ways: what is done in the way of the engine and of the source.
         rows: the step that holds the readings of the vectors, for windows.

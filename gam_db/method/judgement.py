@@ -12,12 +12,9 @@ from gam_db.method.adding import OfSet, add
 from gam_db.method.resolved import Method
 
 
-def limit_slots(learnt: str, target_floor: exp.Expr) -> dict[str, template.Slot]:
-    """Return the slots ``:hi_limit`` and ``:limit_reason``.
-
-    ``learnt`` is what the query calls the rows that hold verdict, floor and floor_max.
-    """
-    said = {name: exp.column(name, table=learnt) for name in ("verdict", "floor", "floor_max")}
+def limit_slots(target_floor: exp.Expr) -> dict[str, template.Slot]:
+    """Return the slots ``:hi_limit`` and ``:limit_reason``, over the verdict and floors of *learnt*."""
+    said = {name: exp.column(name, table="learnt") for name in ("verdict", "floor", "floor_max")}
     return {
         "hi_limit": template.fill("judgement/hi_limit", {**said, "target_floor": target_floor}),
         "limit_reason": template.fill("judgement/limit_reason", {"verdict": said["verdict"]}),

@@ -13,9 +13,7 @@ from gam_db.method.delays import INCOMPLETE, Ways
 from gam_db.method.judgement import add_stillness, limit_slots
 from gam_db.method.resolved import Method
 from gam_db.method.scoring import (
-    add_bucket_counts,
     add_placed,
-    add_run_up,
     add_scoring,
     add_support_bits,
 )
@@ -53,10 +51,10 @@ def pipeline(
         one = OfSet(steps, method, number)
         add_calibration(one)
         add_support_bits(one, bits)
-        add_run_up(one)
+        one.add("score/run_up", {"span": one.setting.reach})
         add_scoring(one, bits)
         add_placed(one, ["numbered"])
-        add_bucket_counts(one)
+        one.add("health/bucket_counts")
         add_judgement(one)
         add_missing_vectors(one, "samples")
     join_sets(steps, method, (*_JOINED_HEALTH, *_JOINED_BUCKETS, *_JOINED_CERTIFICATE))
@@ -131,7 +129,7 @@ def _add_summaries(steps: Pipeline, instant_of: TimeNode) -> None:
     add(steps, "health/bucket_health", edges)
     add(steps, "certificate/verdicts")
     target = exp.column("target_floor", table="scale")
-    add(steps, "judgement/limited", limit_slots("learnt", target))
+    add(steps, "judgement/limited", limit_slots(target))
     add(steps, "judgement/assessed")
     add(steps, "certificate/support_summary")
     add(steps, "certificate/certificate", edges)

@@ -120,11 +120,6 @@ def add_running(one: OfSet, parts: Sequence[str]) -> None:
     one.steps.add(one.named("numbered"), rows, template.load("health/running").comment)
 
 
-def add_run_up(one: OfSet, tables: Mapping[str, str] | None = None) -> None:
-    """Add from where on the channels of one set are read to be scored."""
-    one.add("score/run_up", {"span": one.setting.reach}, tables=tables)
-
-
 def add_buckets(
     one: OfSet, ends: Mapping[str, str] | None = None, trusting: bool = False, bits: Bits | None = None
 ) -> None:
@@ -222,11 +217,6 @@ def visited_slots(
         "cell": cell,
         "part": part,
     }
-
-
-def add_bucket_counts(one: OfSet, tables: Mapping[str, str] | None = None) -> None:
-    """Add Eq. 2 of one set at bucket ends, over the step *buckets* or what stands for it."""
-    one.add("health/bucket_counts", tables=tables)
 
 
 def _add_complete_scoring(one: OfSet, marks: Sequence[str], bits: Bits | None) -> None:

@@ -62,7 +62,8 @@ def add_vectors(
     delayed: list[exp.Expr] = [exp.column(name) for name in carried]
     said = [*delayed, *told]
     if is_marked:
-        over |= _over_calibration(setting)
+        over["oldest_time"] = _before("time", setting.span)
+        over["last_uncalibrated"] = _newest(exp.column("calibrating").eq(0), setting.span)
         taught = _flag(template.fill("embedding/in_calibration"))
         said.append(exp.alias_(taught, "calibration_vector"))
     if "straddling" in asked:
@@ -225,14 +226,6 @@ def _before(column: str, delay: int, rows: int | None = None) -> exp.Expr:
     """Return the value of a column that many samples before: so many ``rows`` as stored for each."""
     path = "embedding/delayed" if rows is None else "streams/delayed"
     return template.fill(path, {"column": exp.column(column), "delay": delay * (rows or 1)})
-
-
-def _over_calibration(setting: Parameters) -> dict[str, exp.Expr]:
-    """Return what tells of a vector whether all of its samples are of calibration."""
-    return {
-        "oldest_time": _before("time", setting.span),
-        "last_uncalibrated": _newest(exp.column("calibrating").eq(0), setting.span),
-    }
 
 
 def _last_codes(

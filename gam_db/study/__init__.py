@@ -34,10 +34,9 @@ from gam_db.settings.patterns import grouped
 from gam_db.settings.setting import settings_of
 from gam_db.settings.source import AnySource, is_file, paths_of, under
 from gam_db.study import trusting, turning
-from gam_db.study.counting import Counts
 from gam_db.study.running import PARTS_IN_TURN, TAUGHT, UNSORTED, Listener, Running, unheard
 from gam_db.study.streaming import Streams, seems_ordered
-from gam_db.study.trusting import Trust
+from gam_db.study.trusting import Counts, Trust
 from gam_db.study.turning import Turns
 
 #: Studies whose filled and composed steps are kept; each has a few thousand nodes of trees.
@@ -65,7 +64,7 @@ class Study:
         asked: the last steps that will be asked for, where that is known: what serves no other is made
             so that it costs least. Others may be asked for, at a price.
         counting: take it on trust likewise, for who asks for steps of whole channels alone, and looks
-            himself whether it was right (:mod:`gam_db.study.counting`); no other short cuts.
+            himself whether it was right (:class:`gam_db.study.trusting.Counts`); no other short cuts.
 
     Raises:
         UserError: anything of the source, the parameters or the calibration that cannot be used.

@@ -45,6 +45,11 @@ def own(row: Row, **slots: int | float | exp.Expr | None) -> dict[str, int | flo
     return {"channel_id": row["channel_id"], **names, **slots}
 
 
+def range_of(bounds: Row) -> dict[str, float]:
+    """Return the calibrated range of a row of *bounds*."""
+    return {name: bounds[f"calibrated_{name}"] for name in ("lo", "hi")}
+
+
 def of_each(
     running: Running,
     step: str,

@@ -22,7 +22,7 @@ from gam_db.method.bits import Bits
 from gam_db.method.vectors import Stream
 from gam_db.study import naming, streamed
 from gam_db.study.running import Running
-from gam_db.study.streamed import Own, of_channel, of_each, own
+from gam_db.study.streamed import Own, of_channel, of_each, own, range_of
 
 #: The steps that streams give: the cells of calibration, block by block, and supports, then the scored
 #: vectors, grouped, and one by one; since when channels stand still; or, where no vectors are asked for,
@@ -178,13 +178,13 @@ class Streams:
             members = [row for row in channels if row["channel_id"] in bounds.keys() & seen.keys()]
             if not members:
                 continue
-            exact = [own(row, **_range(bounds[row["channel_id"]])) for row in members]
+            exact = [own(row, **range_of(bounds[row["channel_id"]])) for row in members]
             asked = partial(of_channel, "exact")
             named = self.method.named("bounds", number)
             if not all(row["is_exact"] for row in self._asked(asked, exact, bounds=named)):
                 return False
             parts = {
-                id_: own(row, **_range(bounds[id_]), **_times(pieces[id_]))
+                id_: own(row, **range_of(bounds[id_]), **_times(pieces[id_]))
                 for row in members
                 for id_ in (row["channel_id"],)
             }
@@ -288,7 +288,7 @@ class Streams:
         return [
             own(
                 members[id_],
-                **_range(bounds[id_]),
+                **range_of(bounds[id_]),
                 support_id=members[id_]["support_id"],
                 time_from=row["read_from"],
                 time_to=FAR_AHEAD,
@@ -325,7 +325,7 @@ class Streams:
         return [
             {
                 "channel_id": id_,
-                **_range(bounds[id_]),
+                **range_of(bounds[id_]),
                 **reached[id_],
                 "complete": int(row["missing_readings"] == 0),
             }
@@ -372,10 +372,6 @@ class Streams:
 _UNSEEN = {"calibration_samples": 0, "context_samples": 0}
 
 _RUN_UP = columns((COUNT, "channel_id"), (SHARE, "lo hi"), (COUNT, "read_from context_rows complete"))
-
-
-def _range(bounds: Row) -> dict[str, float]:
-    return {name: bounds[f"calibrated_{name}"] for name in ("lo", "hi")}
 
 
 def _times(piece: Row) -> dict[str, int]:

@@ -21,6 +21,7 @@ from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.session import Row
 from gam_db.method import Method
 from gam_db.method.census import (
+    EDGES,
     OPENING,
     SCORED,
     TAUGHT,
@@ -36,7 +37,7 @@ from gam_db.study.narrowing import narrow
 from gam_db.study.rounds import Range, Rounds
 from gam_db.study.running import Between, Running
 
-__all__ = ["Trust", "begun", "serves"]
+__all__ = ["Counts", "Trust", "begun", "serves"]
 
 #: Rows at the beginning of a source by which its channels are guessed.
 GLANCED = 100_000
@@ -303,14 +304,7 @@ class Trust:
         self.holds = False
         self.running.steps = self._careful()
         self.running.forget(but=self.running.steps.steps)
-        timeline = [
-            {
-                "repeats": int(row["channel_id"] in self._repeating),
-                **{name: row[name] for name in _OF_SERIES},
-            }
-            for row in series
-        ]
-        self.running.load("timeline", table_of(timeline, repeating.TIMELINE))
+        _load_timeline(self.running, series, self._repeating)
 
     def _give_up(self) -> None:
         self.holds = False
@@ -318,4 +312,35 @@ class Trust:
         self.running.steps = self._careful()
 
 
-_OF_SERIES = ("channel_id", "first_time", "quota_time")
+class Counts:
+    """The trust of a study of whole channels alone (of ``gam check``), counted by slices.
+
+    Whoever puts the samples in order sees whether that was right, and has the steps that look first,
+    which ``careful`` gives, go on if not.
+    """
+
+    def __init__(self, running: Running, careful: Callable[[], Pipeline], between: Between) -> None:
+        self.running, self._careful, self._between = running, careful, between
+        self._is_bounded = False
+
+    def prepare(self, step: str) -> None:
+        """Bound what is read of the edges, before any step that reads them."""
+        steps = self.running.steps
+        if self._is_bounded or EDGES not in {one.name for one in steps.needed([step])}:
+            return
+        self._is_bounded = True
+        narrow(self.running, self._between)
+
+    def look_first(self, repeated: Collection[int]) -> None:
+        """Let the steps that look first go on with what is proven: where an instant occurs twice."""
+        self.prepare("series")
+        rows = self.running.rows("series")
+        self.running.forget(but=("names", "readings"))
+        self.running.steps = self._careful()
+        _load_timeline(self.running, rows, repeated)
+
+
+def _load_timeline(running: Running, series: Collection[Row], repeated: Collection[int]) -> None:
+    """Let what is known of the times of channels be their timeline: in which an instant occurs twice."""
+    timeline = [{**row, "repeats": int(row["channel_id"] in repeated)} for row in series]
+    running.load("timeline", table_of(timeline, repeating.TIMELINE))

@@ -22,7 +22,7 @@ from gam_db.method.delays import CALIBRATION, Ways, add_delays
 from gam_db.method.slots import block_no
 from gam_db.study import rounds
 from gam_db.study.running import Between, Running
-from gam_db.study.streamed import are_whole, read_off_visits
+from gam_db.study.streamed import are_whole, range_of, read_off_visits
 
 #: Readings of a source from which on a look at their order is worth its time.
 TURNED_FROM = 100_000
@@ -92,7 +92,7 @@ class Turns:
                 **row,
                 "taught_from": piece["time_from"],
                 "taught_to": piece["time_to"],
-                **_range(ranges[id_]),
+                **range_of(ranges[id_]),
             }
             for row in running.rows("channels")
             if (piece := pieces.get(id_ := row["channel_id"])) and id_ in seen
@@ -145,10 +145,6 @@ def _is_plain(method: Method) -> bool:
     is_one = rule.fraction is None or tuple(rule.allowed) == whole
     alike = not others and len(method.settings) == 1 and method.is_unbroken(0)
     return alike and is_one and len(rule.allowed) <= 1
-
-
-def _range(bounds: Row) -> Row:
-    return {"lo": bounds["calibrated_lo"], "hi": bounds["calibrated_hi"]}
 
 
 _TIMELINE = counts("channel_id repeats first_time quota_time")

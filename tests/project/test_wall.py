@@ -35,7 +35,7 @@ LAYERS = [
     ["study.streamed"],
     ["study.naming"],
     ["study.narrowing", "study.repeating", "study.rounds"],
-    ["study.counting", "study.streaming", "study.trusting", "study.turning"],
+    ["study.streaming", "study.trusting", "study.turning"],
     ["study"],
     ["alarms", "checking", "health", "selection"],
     ["alarms.backtesting", "findings", "sklearn"],

@@ -107,7 +107,7 @@ def test_a_text_file_is_parsed_once(folder: Path) -> None:
             assert study.table("bucket_health").num_rows > 0
             assert study.is_trusting
             for step in (EDGES, TAUGHT, SCORED):
-                assert study.steps.steps[step].reads == reads
+                assert study.steps.steps[step].made.reads == reads
 
 
 def test_a_choice_is_made_of_what_is_given(folder: Path) -> None:

@@ -20,7 +20,7 @@ from gam_db.stored.state import State, now
 from gam_db.study.running import Running
 
 #: States in which a number may be that of an episode again.
-_LIVE = ("open", "ended")
+LIVE = ("open", "ended")
 
 #: What is known of an episode beside its status.
 _KNOWN = (
@@ -78,7 +78,7 @@ def follow(state: State, monitor_id: int, group: Sequence[Row], judged: Mapping[
     each version that has, or had, a limit), and those of the episodes that reach them or are open.
     """
     records = records_of(state, monitor_id)
-    live = by("channel_id", (row for row in records if row["status"] in _LIVE))
+    live = by("channel_id", (row for row in records if row["status"] in LIVE))
     found, ranges = _found(state, group, live, judged)
     log = Log(monitor_id, records)
     for row in sorted(group, key=lambda row: row["channel_id"]):

@@ -6,7 +6,6 @@ may be.
 
 import datetime as dt
 from collections.abc import Sequence
-from typing import Any
 
 import pyarrow as pa
 
@@ -18,12 +17,11 @@ from gam_db.errors import ParameterError, UserError, nearest
 from gam_db.method.adding import add
 from gam_db.stored.alarms.episodes import Log, records_of
 from gam_db.stored.alarms.limits import CHOSEN
+from gam_db.stored.planning import Row
 from gam_db.stored.planning.reading import Reader
 from gam_db.stored.sources import source_of
 from gam_db.stored.state import State, kind_of, now
 from gam_db.units import told_by
-
-Row = dict[str, Any]
 
 _AXIS = ("samples_before", "place", "value_from", "value_to", "displacement")
 

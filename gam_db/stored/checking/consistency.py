@@ -17,6 +17,7 @@ from gam_db.clock import FAR_AHEAD, TimeKind
 from gam_db.columns import counts, table_of
 from gam_db.errors import ParameterError
 from gam_db.method.alarms import FAR, NEAR
+from gam_db.stored.alarms.episodes import LIVE
 from gam_db.stored.alarms.judging import buckets_of
 from gam_db.stored.alarms.limits import CHOSEN, learnt
 from gam_db.stored.alarms.told import DECISIONS, KINDS, UNREPRESENTATIVE
@@ -34,7 +35,6 @@ _LEAVES = {
     **{one: (one,) for one in ("merged", "withdrawn", "recalibrated")},
     "labelled": ("open", "ended", "recalibrated"),
 }
-_LIVE = ("open", "ended")
 
 #: Columns of an episode that follow from judgements; the rest only while those of its begin are kept.
 _ended = itemgetter("version_id", "last_judgement", "last_time", "status")
@@ -183,7 +183,7 @@ def _episodes(
     newest = [rows[-1] for rows in changes.values()]
     for rows in changes.values():
         if not all(_is_change(row, changes, channels, versions) for row in rows) or not all(
-            before["status"] in _LIVE or (row["what"], row["status"]) == ("labelled", before["status"])
+            before["status"] in LIVE or (row["what"], row["status"]) == ("labelled", before["status"])
             for before, row in pairwise(rows)
         ):
             what = "changes that do not follow from one another"
@@ -192,7 +192,7 @@ def _episodes(
     live = {
         _ended(row): row
         for row in newest
-        if row["status"] in _LIVE
+        if row["status"] in LIVE
         and row["version_id"] in active
         and row["last_judgement"] >= judged.oldest.get(row["version_id"], -FAR_AHEAD)
     }

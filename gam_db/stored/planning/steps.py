@@ -24,7 +24,6 @@ from gam_db.method.certificate import add_judgement
 from gam_db.method.delays import INCOMPLETE
 from gam_db.method.resolved import SMALL_OF_SET
 from gam_db.method.scoring import (
-    add_bucket_counts,
     add_buckets,
     add_numbered,
     add_support_bits,
@@ -235,7 +234,7 @@ def add_counting(
             union_of(steps, ["past_buckets", "new_buckets"], columns),
             "Running buckets: those of this run after the last window of those that stay.",
         )
-    add_bucket_counts(of_set, {"buckets": buckets})
+    of_set.add("health/bucket_counts", tables={"buckets": buckets})
 
 
 @cache
@@ -356,17 +355,9 @@ def method_of(setting: Setting, kind: TimeKind, asked: Mapping[str, Any] | None 
     gap: Any = setting.max_gap
     if gap is not None and not kind.is_counter:
         gap = dt.timedelta(microseconds=gap)
-    parameters = Parameters(
-        m=setting.m,
-        tau=setting.tau,
-        bins=setting.bins,
-        window=setting.window_length,
-        stride=setting.stride,
-        max_gap=gap,
-        still_after=setting.still_after,
-        **(asked or {}),
-    )
+    figures = setting._asdict() | {"max_gap": gap, "window": setting.window_length}
+    del figures["window_length"], figures["has_start"]
     start = None
     if setting.has_start:
         start = 0 if kind.is_counter else dt.date(1970, 1, 1)
-    return Method(parameters, Calibration(score_from=start), kind)
+    return Method(Parameters(**figures, **(asked or {})), Calibration(score_from=start), kind)
