@@ -35,12 +35,7 @@ class Made(NamedTuple):
 
 
 class Step:
-    """One named SELECT, made when it is asked for: of a method's steps a question needs a few.
-
-    Args:
-        name: what other steps call it.
-        make: makes it.
-    """
+    """One named SELECT, made when it is asked for: of a method's steps a question needs a few."""
 
     def __init__(self, name: str, make: Callable[[], Made]) -> None:
         self.name, self._make = name, make
@@ -96,13 +91,9 @@ class Pipeline:
     def add(
         self, name: str, query: exp.Query, comment: str = "", tables: Mapping[str, str] | None = None
     ) -> None:
-        """Add a step.
+        """Add a step; its tree is the pipeline's from now on.
 
-        Args:
-            name: its name.
-            query: its tree; it is the pipeline's from now on.
-            comment: what it computes.
-            tables: for a tree that calls its inputs otherwise: the name in the tree -> the step.
+        Where the tree calls its inputs otherwise, ``tables`` says so: the name in the tree -> the step.
         """
         self._put(Step.of(name, query, comment, _inputs(_names(query), tables or {}, self.steps)))
 
@@ -116,13 +107,8 @@ class Pipeline:
         """Add a step that is a file of ``sql/``, which is read and filled when the step is asked for.
 
         What was filled lately in the same way is not filled again: copies of trees are most of what a
-        method costs that is asked for few rows.
-
-        Args:
-            name: of the step.
-            path: of the file, as ``folder/file``.
-            slots: of the file, or what gives them.
-            tables: as in :meth:`add`, or what gives them.
+        method costs that is asked for few rows. The path is ``folder/file``; slots and tables may be
+        what gives them.
         """
         known = frozenset(self.steps)
         # Whoever gave them may go on with them before the step is made.

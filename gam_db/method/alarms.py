@@ -57,11 +57,8 @@ def band_of(key: exp.Expr, bins: exp.Expr) -> exp.Expr:
 def add_spreads(steps: Pipeline, families: Sequence[str], known: str | None = None) -> None:
     """Add the spreads of *buffered*; the last step is *learnt_limits*.
 
-    Args:
-        steps: with *buffered*.
-        families: patterns of channel names.
-        known: the step that has a row per channel with all else that calibration says; None for those
-            of a study.
+    Families are patterns of channel names. The step that is ``known`` has a row per channel with all
+    else that calibration says; without one, that is said by the steps of a study.
     """
     steps.small |= set(_SMALL)
     reads = ("channels", "limited", "bounds", "order_ratios", "lengths", "block_sizes")

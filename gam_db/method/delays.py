@@ -114,12 +114,8 @@ def add_stored(steps: Pipeline, ways: Ways) -> None:
 def add_delays(one: OfSet, prefix: str, ways: Ways, rows: str, has_bits: bool) -> None:
     """Add the step *vectors* of a prefix, for one set.
 
-    Args:
-        one: the set, with *scale*, and what the body keeps for it (:data:`KEPT`).
-        prefix: one of the three above.
-        ways: what is done in the way of the engine and of the source.
-        rows: the step that holds the readings of the vectors, for windows.
-        has_bits: whether supports are kept as bits, so that keys are small.
+    The set has *scale*, and what the body keeps for it (:data:`KEPT`). Rows is the step that holds the
+    readings of the vectors, for windows. Where supports are kept as bits, keys are small.
     """
     # Of a channel without a missing sample every coordinate is there.
     known: dict[str, template.Slot] = {"known": exp.true()} if prefix == COMPLETE else {}

@@ -87,8 +87,7 @@ class Method:
     def is_cut(self, earliest: int = LONG_AGO) -> bool:
         """Tell whether other samples than those of calibration may come before scoring begins.
 
-        Args:
-            earliest: the first instant of the source, where it is known.
+        Earliest is the first instant of the source, where it is known.
         """
         return any(
             rule.score_from is not None

@@ -129,12 +129,8 @@ def add_buckets(
     the same buckets; else *numbered* is read. A ``trusting`` run, of the former alone, takes it that no
     instant occurs twice; *visited* then has ``doubled``, the proof to the contrary.
 
-    Args:
-        one: the set.
-        ends: columns of the vector that ends a bucket, and what they are called in *visited*; they
-            travel with all vectors and cost time, so there are none unless asked for.
-        trusting: see above.
-        bits: for an engine that keeps a support as bits.
+    Ends are columns of the vector that ends a bucket, and what they are called in *visited*; they travel
+    with all vectors and cost time, so there are none unless asked for.
     """
     ends = ends or {}
     if one.method.is_parted:

@@ -10,7 +10,7 @@ from typing import Any, Self, TypeAlias
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db.composing.pipeline import Pipeline, Slots, Tables
+from gam_db.composing.pipeline import Pipeline, Slots, Tables, filled, place
 from gam_db.engines.session import Row, Session
 
 Listener = Callable[[str], None]
@@ -112,6 +112,12 @@ class Running:
         """Keep the rows of a query as the table of a step."""
         self.on_step(step)
         self._kept[step] = self.placed[step] = self.session.keep(step, query)
+
+    def make(self, path: str, slots: Slots) -> None:
+        """Keep the rows of a file of ``sql/`` over the tables there are, as the step of its name."""
+        query = filled(path, slots)
+        place(query, self.placed)
+        self.put(path.rpartition("/")[2], query)
 
     def load(self, step: str, rows: pa.Table) -> None:
         """Let an Arrow table be the table of a step, instead of what was so before."""

@@ -60,14 +60,9 @@ def of_each(
 ) -> exp.Query:
     """Return the rows of a query that is asked of each of some channels.
 
-    Args:
-        running: what the query reads, on an engine with macros; its session keeps this one until another
-            is made for the step.
-        step: what is asked.
-        make: gives the query of one channel, of its slots.
-        channels: the slots of each; all have the same ones.
-        tables: as for :meth:`Pipeline.add`.
-        labels: slots that become the first columns.
+    It is made of the slots of a channel, of which all have the same ones, over the steps at work;
+    ``labels`` become the first columns, and tables are those of :meth:`Pipeline.add`. The session, of
+    an engine with macros, keeps this one until another is made for the step.
     """
     said = _free_names(running.steps, channels[0])
     steps = running.steps.copied()

@@ -48,10 +48,7 @@ def begun(
 ) -> tuple[Slicing | None, Ways]:
     """Begin with the steps that trust, unless times are odd or nothing will be scored.
 
-    Args:
-        running: the steps that are asked first.
-        ways: what is to be done.
-        opening: gives the steps that are asked first for how times are cut, and other ways.
+    What is asked first is at work; ``opening`` gives it for how times are cut, and other ways.
 
     Returns:
         How the times of the source are cut, None where it is not trusted; and what is done in the way of

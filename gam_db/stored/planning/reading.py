@@ -52,13 +52,7 @@ class Reader:
     def readings(
         self, assets: Sequence[str] | None = None, earliest: int = LONG_AGO, latest: int = FAR_AHEAD
     ) -> exp.Query:
-        """Return the step *readings*, with literal bounds where there are any.
-
-        Args:
-            assets: to be read; None for all.
-            earliest: nothing older is read.
-            latest: nothing newer is read.
-        """
+        """Return the step *readings*, with literal bounds where there are any; no assets are all."""
         time = template.column(self._source.time)
         conditions = self._engine.in_range(self.kind, time, earliest, latest)
         if assets is not None and self._source.asset is not None:
@@ -144,11 +138,8 @@ def last_times(state: State, monitor_id: int) -> dict[int, int]:
 def near(rows: Sequence[Row], buckets_before: int = 0) -> exp.Expr:
     """Return a condition on *bucket*, in literals, that holds for all that a run touches of a group.
 
-    A join alone would do; but not every engine finds its rows by an index then.
-
-    Args:
-        rows: of the plan.
-        buckets_before: buckets before the first new one of each channel that are touched, too.
+    A join alone would do; but not every engine finds its rows by an index then. So many buckets before
+    the first new one of each channel are touched, too.
     """
     first = min(row["first_bucket"] for row in rows) - buckets_before
     number = exp.column("bucket_no", table="bucket")
@@ -169,10 +160,7 @@ def listed(column: exp.Expr, found: Iterable[int]) -> exp.Expr:
 def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
     """Return the step *cohort*: the channels of a group, by their rows of the plan.
 
-    Args:
-        rows: of the plan.
-        columns: read_until, recounted, settled and what else differs from the plan: one value for all,
-            or one for each row.
+    What differs from the plan (read_until, recounted, settled) is one value for all, or one for each.
     """
     made = []
     for number, row in enumerate(rows):

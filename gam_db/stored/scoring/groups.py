@@ -10,14 +10,13 @@ hidden go in the same. It counts only if nobody else wrote meanwhile
 from collections.abc import Mapping, Sequence
 
 import pyarrow as pa
-from sqlglot import exp
 
 from gam_db.columns import counts, name_of, table_of
-from gam_db.composing.pipeline import filled, place
+from gam_db.composing import template
 from gam_db.errors import ConflictError
 from gam_db.method.bits import Bits
 from gam_db.stored.alarms.episodes import follow
-from gam_db.stored.alarms.judging import judge
+from gam_db.stored.alarms.judging import buckets_of, judge
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due, rows_of
 from gam_db.stored.planning.reading import (
     Reader,
@@ -169,13 +168,13 @@ class Groups:
 
     def _count(self, running: Running, group: Sequence[Row], compared: bool) -> None:
         """Third stage: make the rows that are to be published, on from the buckets that stay."""
-        running.put("past_buckets", self._past(group, running))
+        buckets = buckets_of(group[0])
+        past: dict[str, template.Slot] = {"buckets": buckets, "near": near(group, buckets)}
+        running.make("stored/scoring/past_buckets", past)
         self._check_past(group, running)
         running.keep("new_buckets")
         for step in FORMER if compared else ():
-            former = filled(f"stored/scoring/{step}", {"near": near(group)})
-            place(former, running.placed)
-            running.put(step, former)
+            running.make(f"stored/scoring/{step}", {"near": near(group)})
         if not compared:
             running.placed |= {step: running.placed[made] for step, made in WRITTEN.items()}
         for part in PUBLISHED:
@@ -222,20 +221,12 @@ class Groups:
             withdraw(self.state, run_id)
             raise
 
-    def _past(self, group: Sequence[Row], running: Running) -> exp.Query:
-        """Return the query of the buckets that stay and are needed for the new ones' windows."""
-        setting = setting_of(group[0])
-        buckets = setting.window_length // setting.stride
-        past = filled("stored/scoring/past_buckets", {"buckets": buckets, "near": near(group, buckets)})
-        place(past, running.placed)
-        return past
-
     def _check_past(self, group: Sequence[Row], running: Running) -> None:
         """Refuse to sum a window of which buckets went since the run was planned."""
         counts = running.rows("past_counts")
         there = {row["channel_id"]: row["past_buckets"] for row in counts}
         for row in group:
-            wanted = min(row["first_bucket"], row["window_length"] // row["stride"])
+            wanted = min(row["first_bucket"], buckets_of(row))
             if there.get(row["channel_id"], 0) != wanted:
                 raise ConflictError(GONE)
 
