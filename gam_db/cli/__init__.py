@@ -1,14 +1,18 @@
 """The command line: ``gam``. Commands are thin: parse, call, print.
 
 A module of commands owns them and their pages; what they print is found out below. This one owns how
-errors are told.
+errors are told, and how long a command may take: it is stopped as Ctrl-C would, but told apart from it.
 """
 
+import contextlib
 import json
+import os
+import signal
 import sys
+import threading
 import time
 import traceback
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import typer
@@ -17,7 +21,6 @@ from typer.core import TyperGroup
 from gam_db.address import without_passwords
 from gam_db.cli import commands
 from gam_db.cli.exits import MEANINGS, Exit
-from gam_db.cli.limits import limited
 from gam_db.errors import (
     ConfigurationError,
     InternalError,
@@ -35,6 +38,46 @@ _UsageError: type[Exception] = typer.BadParameter.__bases__[0]
 
 #: Seconds before a command is tried again: twice as long each time, up to the longest.
 _PAUSE, _LONGEST_PAUSE = 1.0, 60.0
+
+#: Seconds after which it is interrupted again: a library may swallow an interrupt while it is imported.
+_INTERRUPTED_AGAIN = 5.0
+
+
+class OutOfTimeError(RunAgainError, code="timeout"):
+    """A command took longer than it was given; what counts already stays."""
+
+
+@contextlib.contextmanager
+def limited(seconds: float | None) -> Iterator[None]:
+    """Interrupt some work after so many seconds, as :class:`OutOfTimeError`; None for never."""
+    if seconds is None or threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    if not hasattr(signal, "setitimer"):
+        raise ConfigurationError("--timeout needs a clock that this system does not have.")
+    passed = []
+
+    def interrupt(*_: object) -> None:
+        passed.append(True)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    signal.setitimer(signal.ITIMER_REAL, seconds, _INTERRUPTED_AGAIN)
+    ended: BaseException | None = None
+    try:
+        yield
+    except (KeyboardInterrupt, Exception) as error:
+        if not passed:
+            raise
+        ended = error
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    if passed:  # Typer may have made an exit code of it
+        raise OutOfTimeError(
+            f"It took longer than --timeout {seconds:g}, and was stopped; nothing was left half "
+            "written. Run it again, with more time if need be."
+        ) from ended
 
 
 class Commands(TyperGroup):

@@ -1,4 +1,4 @@
-"""``gam alarms``, ``alarm``, ``label`` and ``limits``: what is raised, and what is said of it."""
+"""``gam alarms``, ``alarm``, ``label``, ``limits``, ``backtest``: what is raised, what is said of it."""
 
 import datetime as dt
 import operator
@@ -6,14 +6,17 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
+from gam_db.alarms import backtesting
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
-from gam_db.cli.monitors import heading, place, state_of
+from gam_db.cli.job import heading, place, reading, state_of
 from gam_db.cli.options import argument, option
 from gam_db.clock import TimeKind, told_time, zone
 from gam_db.errors import ConfigurationError, printable, wrong
 from gam_db.findings import Row
+from gam_db.settings.calibration import Calibration
+from gam_db.settings.setting import settings_of
 from gam_db.stored.alarms import limits as made
 from gam_db.stored.alarms import told as stored
 from gam_db.stored.state import kind_of
@@ -23,6 +26,7 @@ _SHOWN = 20
 
 _KINDS = ", ".join(stored.KINDS)
 _MARKS = {"proving": "?", "open": "!"}
+_RATES = ("stated", "seen", "lower", "upper", "resampled_lower", "resampled_upper")
 
 
 @options.of_state(*options.STATE, *options.PAGE, "time_zone")
@@ -168,6 +172,24 @@ def limits(
     page.tell(figures, show, common)
 
 
+@options.taking(*options.READ, *options.ALARMS, "as_json", "quiet", "threads")
+def backtest(
+    settings: Settings,
+    common: options.Common,
+    healthy: list[str] | None = option("backtest.healthy"),
+) -> None:
+    """Count how often the limits raise what follows calibration, where nothing was wrong.
+
+    Limits are made of the calibration of SOURCE for the asked rate; every full window after it is
+    judged. What is seen is set beside what is stated, with how sure it is.
+    """
+    spans = settings_of(Calibration)["intervals"].takes.read("--healthy", healthy) if healthy else None
+    with reading(settings, common) as (session, job, _):
+        method = (job.parameters, job.calibration)
+        found = backtesting.backtest(job.guess.source, *method, settings.alarms, spans, session)
+    page.tell({**job.figures(), **found}, lambda out: page.say(out, *_said_of_backtest(found)), common)
+
+
 def promised(rows: Sequence[Row]) -> Row:
     """Return what the limits of some channels promise, all together.
 
@@ -206,6 +228,26 @@ def said_of(rows: Sequence[Row]) -> Iterator[str]:
         yield f"{count} of which no rate can be stated; they are judged all the same"
     for reason, count in sorted(told["withheld"].items()):
         yield f"{number_of(count, 'channel')} without a limit: {reason}"
+
+
+def _said_of_backtest(found: Row) -> Iterator[str]:
+    """Yield what is said of the figures, a sentence a line; rates are per 1,000 judgements."""
+    said = page.WORDS["backtest"]
+    rates = {name: 1000 * found[name] for name in _RATES if found[name] is not None}
+    yield said["counted"].format(**found)
+    yield said["stated"].format(**found | rates) if "stated" in rates else "no rate can be stated"
+    yield said["seen"].format(**found | rates)
+    if found["per_day_seen"] is not None:
+        a_day = found["per_day_stated"]
+        yield said["a_day"].format(**found) + ("" if a_day is None else f", {a_day:.3g} stated")
+    for basis, one in sorted(found["basis"].items()):
+        yield said["basis"].format(basis=basis, **one)
+    for reason, count in sorted(found["withheld"].items()):
+        yield f"without a limit: {count:,} ({reason})"
+    raised = [row for row in found["by_channel"] if row["episodes"]]
+    for row in sorted(raised, key=lambda row: -row["episodes"])[:5]:
+        name = " / ".join(filter(None, (row["asset"], row["channel"])))
+        yield f"raised: {name}: {row['episodes']:,} in {row['judgements']:,} judgements"
 
 
 def _read(kind: Callable[[str], Any], text: str, refusal: str) -> Any:

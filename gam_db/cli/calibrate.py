@@ -12,8 +12,7 @@ from gam_db.address import is_url
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
-from gam_db.cli.job import Job, job_of
-from gam_db.cli.monitors import channels_of, heading, place
+from gam_db.cli.job import Job, channels_of, heading, job_of, place
 from gam_db.cli.options import option
 from gam_db.cli.progress import working
 from gam_db.engines.connecting import connect

@@ -11,8 +11,7 @@ from gam_db.checking.notes import is_heeded
 from gam_db.checking.words import instant, number_of, percent, spoken
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
-from gam_db.cli.job import Job, reading
-from gam_db.cli.monitors import watched
+from gam_db.cli.job import Job, reading, watched
 from gam_db.cli.options import option
 from gam_db.cli.progress import working
 from gam_db.clock import TimeKind, shown_instant

@@ -11,7 +11,7 @@ from gam_db.alarms import Alarms
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
-from gam_db.cli.monitors import watched
+from gam_db.cli.job import watched
 from gam_db.cli.options import option
 from gam_db.cli.progress import working
 from gam_db.engines.connecting import connect

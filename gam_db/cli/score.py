@@ -10,7 +10,7 @@ import pyarrow.compute as pc
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
-from gam_db.cli.monitors import heading, place, watched
+from gam_db.cli.job import heading, place, watched
 from gam_db.cli.options import argument, option
 from gam_db.cli.progress import working
 from gam_db.cli.status import judging, raised

@@ -9,7 +9,7 @@ import pyarrow.compute as pc
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
-from gam_db.cli.monitors import heading, place
+from gam_db.cli.job import heading, place
 from gam_db.cli.options import option
 from gam_db.clock import TimeKind, instant, shown_instant, shown_length, zone
 from gam_db.errors import ConfigurationError, printable
