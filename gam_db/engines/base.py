@@ -17,16 +17,7 @@ from gam_db import data
 from gam_db.clock import TimeKind
 from gam_db.composing import template
 from gam_db.composing.lately import Lately
-from gam_db.engines.storage import (
-    APART,
-    Addition,
-    Definition,
-    Filling,
-    Storage,
-    defined,
-    extended,
-    updated,
-)
+from gam_db.engines.storage import APART, Filling, Storage, updated
 from gam_db.engines.types import USUAL, Types
 from gam_db.errors import EngineError
 from gam_db.method.bits import Bits
@@ -46,8 +37,7 @@ _WRITTEN: Lately[str] = Lately(3000)
 
 def temporary(made: exp.Expr, query: exp.Query | None = None, *storage: exp.Expr) -> exp.Create:
     """Return a temporary table: of the rows of a query, or empty with the columns of a schema."""
-    properties = exp.Properties(expressions=[exp.TemporaryProperty(), *(one.copy() for one in storage)])
-    return exp.Create(this=made.copy(), kind="TABLE", expression=query, properties=properties)
+    return table_as(made.copy(), query, exp.TemporaryProperty(), *(one.copy() for one in storage))
 
 
 def macro(
@@ -76,9 +66,10 @@ class Texts:
     instant: Callable[[exp.Expr, str | None], exp.Expr]
 
 
-def table_as(table: exp.Table, query: exp.Query) -> exp.Create:
-    """Return CREATE TABLE ... AS, with nothing said of its storage."""
-    return exp.Create(this=table, kind="TABLE", expression=query)
+def table_as(table: exp.Expr, query: exp.Query | None, *storage: exp.Expr) -> exp.Create:
+    """Return CREATE TABLE ... AS, with what is said of its storage."""
+    said = exp.Properties(expressions=list(storage)) if storage else None
+    return exp.Create(this=table, kind="TABLE", expression=query, properties=said)
 
 
 @cache
@@ -164,7 +155,10 @@ class Engine:
     @classmethod
     def named(cls, name: str, **code: Any) -> "Engine":
         """Return an engine: what ``engines.toml`` says of it, and the rest, which takes code."""
-        said = {key: _by_kind(value) for key, value in _SAID[name].items()}
+        said = {
+            key: {TimeKind(kind): one for kind, one in of.items()} if isinstance(of, dict) else of
+            for key, of in _SAID[name].items()
+        }
         return cls(name=name, **{**said, **code})
 
     def is_too_old(self, version: str) -> bool:
@@ -216,14 +210,6 @@ class Engine:
             return formula(self.compared[kind], micros=time)
         return self.instant_of(kind, template.node_of(time))
 
-    def define(self, definition: Definition) -> list[exp.Expr]:
-        """Return the statements that make a table or view of the state, the caller's own tree."""
-        return defined(self.storage, definition)
-
-    def extend(self, addition: Addition) -> list[exp.Expr]:
-        """Return the statements that add columns to a table of the state."""
-        return extended(self.storage, addition)
-
     def text(self, tree: exp.Expr, pretty: bool = False) -> str:
         """Return a tree as SQL of this engine.
 
@@ -259,11 +245,6 @@ class Engine:
             )
         except UnsupportedError as error:
             raise EngineError(f"{self.name} has no form for part of this query: {error}") from error
-
-
-def _by_kind(said: Any) -> Any:
-    """Return a formula for each kind of time by the kinds; all else as it is."""
-    return {TimeKind(kind): one for kind, one in said.items()} if isinstance(said, dict) else said
 
 
 def _of_kind(formulas: Formulas, kind: TimeKind) -> str:
@@ -365,8 +346,7 @@ def compare_by_bytes(collation: exp.Expr, tree: exp.Expr) -> exp.Expr:
     """
     for alias in tree.find_all(exp.Alias):
         if isinstance(alias.this, exp.Cast) and alias.this.to.is_type(*exp.DataType.TEXT_TYPES):
-            collated = exp.Collate(this=alias.this.copy(), expression=collation.copy())
-            alias.set("this", collated)
+            alias.set("this", exp.Collate(this=alias.this.copy(), expression=collation.copy()))
     return tree
 
 

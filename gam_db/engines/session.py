@@ -123,10 +123,8 @@ class Session:
         try:
             self.fetch(probe.limit(0))
         except StatementError as error:
-            raise SourceError(
-                f"where is {shown!r}, which {self.engine.title} refuses: {first_line(error.__cause__)}"
-                + self.engine.condition_note
-            ) from error
+            said = first_line(error.__cause__) + self.engine.condition_note
+            raise wrong("where_refused", shown=shown, title=self.engine.title, said=said) from error
 
     def execute(self, statement: exp.Expr) -> None:
         """Run a statement that changes the database.
@@ -145,12 +143,6 @@ class Session:
         """
         self._asked(lambda: self.driver.delete(table, keys, found))
 
-    def _commit(self) -> None:
-        try:
-            self._asked(self.driver.commit)
-        except LostConnectionError as error:
-            raise wrong("commit_unknown", title=self.engine.title) from error
-
     @contextlib.contextmanager
     def transaction(self) -> Iterator[None]:
         """Do all that is executed inside as one, where the engine can; else one after another.
@@ -166,7 +158,10 @@ class Session:
         self._asked(self.driver.begin)
         try:
             yield
-            self._commit()
+            try:
+                self._asked(self.driver.commit)
+            except LostConnectionError as error:
+                raise wrong("commit_unknown", title=self.engine.title) from error
         except BaseException:
             with contextlib.suppress(*self.driver.errors):
                 self.driver.rollback()
@@ -272,8 +267,7 @@ class Session:
         try:
             return question()
         except self.driver.errors as error:
-            problem = self.driver.problem(error)
-            if problem is not None:
+            if (problem := self.driver.problem(error)) is not None:
                 raise problem from error
             raise StatementError(
                 f"{self.engine.title} refused a statement: {first_line(error)}", statement
@@ -310,8 +304,7 @@ def check_columns(table: pa.Table) -> None:
         raise SourceError("The Arrow table has no columns.")
     seen: dict[str, str] = {}
     for name in table.column_names:
-        twin = seen.get(name.casefold())
-        if twin is not None:
+        if (twin := seen.get(name.casefold())) is not None:
             raise wrong("arrow_names_alike", twin=twin, name=name)
         seen[name.casefold()] = name
 

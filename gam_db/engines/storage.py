@@ -32,6 +32,53 @@ class Storage:
     adds_twice: bool = True  # whether a column that is there can be left alone when it is added again
     replaces_views: bool = True  # whether CREATE OR REPLACE VIEW is known
 
+    def define(self, definition: "Definition") -> list[exp.Expr]:
+        """Return the statements that make a table or view of the state, the caller's own tree."""
+        create, is_view = definition.create, definition.is_view
+        target = create.this.this if isinstance(create.this, exp.Schema) else create.this
+        is_inside = self.comments == "inside" and (self.view_comments or not is_view)
+        properties = [] if is_view else list(self.properties(definition))  # the key is told by NOT NULL
+        statements: list[exp.Expr] = [create]
+        if is_view and not self.replaces_views:
+            create.set("replace", False)
+            statements.insert(0, exp.Drop(tables=[target.copy()], kind="VIEW", exists=True))
+        if is_view and is_inside:
+            named = [exp.ColumnDef(this=exp.to_identifier(name)) for name in definition.columns]
+            create.set("this", exp.Schema(this=target, expressions=named))
+        for column in create.this.expressions:
+            if not is_view:
+                self.column(column)
+            if is_inside:
+                self._comment(column, definition.columns)
+        properties += [self.note(definition.comment.copy())] if is_inside else []
+        if properties:
+            create.set("properties", exp.Properties(expressions=properties))
+        if not is_view and self.index is not None:
+            statements.append(_key_index(definition, self.index))
+        if self.comments == "apart":
+            comment = definition.comment.copy()
+            statements.append(exp.Comment(this=target.copy(), kind=create.kind, expression=comment))
+            statements += _about(target, definition.columns)
+        return statements
+
+    def extend(self, addition: "Addition") -> list[exp.Expr]:
+        """Return an ALTER TABLE for each column that is added, and the comments."""
+        statements: list[exp.Expr] = []
+        for column in addition.columns.values():
+            made = column.copy()
+            made.set("exists", self.adds_twice or None)
+            self.column(made)
+            if self.comments == "inside":
+                self._comment(made, addition.comments)
+            statements.append(exp.Alter(this=addition.table.copy(), kind="TABLE", actions=[made]))
+        apart = _about(addition.table, addition.comments) if self.comments == "apart" else []
+        return [*statements, *apart]
+
+    def _comment(self, column: exp.ColumnDef, comments: Mapping[str, exp.Expr]) -> None:
+        """Write the comment of a column inside its definition."""
+        said = self.column_note(comments[column.name].copy())
+        column.append("constraints", exp.ColumnConstraint(kind=said))
+
 
 #: As most do.
 APART = Storage()
@@ -71,15 +118,11 @@ class Addition:
 
 @dataclass(frozen=True)
 class Filling:
-    """What the rows that are there have in columns that were added.
+    """What the rows that are there have in columns that were added."""
 
-    Attributes:
-        whole: the table with them.
-        update: UPDATE ... AS kept SET column = COALESCE(kept.column, found.column), ... FROM (...) AS
-            found WHERE kept.key = found.key AND ...; there is one row of *found* at most for each key.
-    """
-
-    whole: Definition
+    whole: Definition  # the table with them
+    #: UPDATE ... AS kept SET column = COALESCE(kept.column, found.column), ... FROM (...) AS found WHERE
+    #: kept.key = found.key AND ...; there is one row of *found* at most for each key.
     update: exp.Update
 
     @property
@@ -123,56 +166,6 @@ def overwritten(filling: Filling) -> list[exp.Expr]:
     insert = filling.rows
     insert.set("overwrite", True)
     return [insert]
-
-
-def defined(storage: Storage, definition: Definition) -> list[exp.Expr]:
-    """Return the statements of a definition, the caller's own tree, as an engine wants them."""
-    create, is_view = definition.create, definition.is_view
-    target = create.this.this if isinstance(create.this, exp.Schema) else create.this
-    is_inside = storage.comments == "inside" and (storage.view_comments or not is_view)
-    properties = [] if is_view else list(storage.properties(definition))  # the key is told by NOT NULL
-    statements: list[exp.Expr] = [create]
-    if is_view and not storage.replaces_views:
-        create.set("replace", False)
-        statements.insert(0, exp.Drop(tables=[target.copy()], kind="VIEW", exists=True))
-    if is_view and is_inside:
-        named = [exp.ColumnDef(this=exp.to_identifier(name)) for name in definition.columns]
-        create.set("this", exp.Schema(this=target, expressions=named))
-    for column in create.this.expressions:
-        if not is_view:
-            storage.column(column)
-        if is_inside:
-            _comment(storage, column, definition.columns)
-    properties += [storage.note(definition.comment.copy())] if is_inside else []
-    if properties:
-        create.set("properties", exp.Properties(expressions=properties))
-    if not is_view and storage.index is not None:
-        statements.append(_key_index(definition, storage.index))
-    if storage.comments == "apart":
-        comment = definition.comment.copy()
-        statements.append(exp.Comment(this=target.copy(), kind=create.kind, expression=comment))
-        statements += _about(target, definition.columns)
-    return statements
-
-
-def extended(storage: Storage, addition: Addition) -> list[exp.Expr]:
-    """Return an ALTER TABLE for each column that is added, and the comments."""
-    statements: list[exp.Expr] = []
-    for column in addition.columns.values():
-        made = column.copy()
-        made.set("exists", storage.adds_twice or None)
-        storage.column(made)
-        if storage.comments == "inside":
-            _comment(storage, made, addition.comments)
-        statements.append(exp.Alter(this=addition.table.copy(), kind="TABLE", actions=[made]))
-    apart = _about(addition.table, addition.comments) if storage.comments == "apart" else []
-    return [*statements, *apart]
-
-
-def _comment(storage: Storage, column: exp.ColumnDef, comments: Mapping[str, exp.Expr]) -> None:
-    """Write the comment of a column inside its definition."""
-    said = storage.column_note(comments[column.name].copy())
-    column.append("constraints", exp.ColumnConstraint(kind=said))
 
 
 def _about(table: exp.Table, columns: Mapping[str, exp.Expr]) -> list[exp.Expr]:

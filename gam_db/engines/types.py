@@ -33,12 +33,7 @@ _KINDS = {
 
 def _among(kinds: set[exp.DType]) -> Callable[["Types", str], bool]:
     """Return the method that tells whether a column of a type holds one of some kinds."""
-
-    def is_among(types: "Types", type_name: str) -> bool:
-        kind = types._read(type_name)
-        return kind is not None and kind.this in kinds
-
-    return is_among
+    return lambda types, named: (kind := types._read(named)) is not None and kind.this in kinds
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,7 @@ import gam_db
 import harness
 import small_plant
 from clickhouse_server import PASSWORD, USER, Server
-from gam_db.engines.clickhouse.address import folder
+from gam_db.engines.clickhouse.driver import folder
 from gam_db.errors import EngineError, UserError
 from gam_db.stored.monitor import Monitor
 from scripts import arrive

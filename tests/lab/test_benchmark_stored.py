@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 import speed_page
 from gam_db.cli import app
-from gam_db.engines.clickhouse.address import folder
+from gam_db.engines.clickhouse.driver import folder
 from gam_db.errors import ConfigurationError, InternalError
 from gam_db.lab.benchmark import stored_run, workload
 from gam_db.lab.benchmark.cli_stored import benchmarks

@@ -25,9 +25,7 @@ _OF_NANOSECONDS = (
 
 def create_table(table: exp.Table, query: exp.Query) -> exp.Create:
     """Return CREATE TABLE ... AS with an engine; a small table needs no order."""
-    create = table_as(table, query)
-    create.set("properties", exp.Properties(expressions=_merge_tree(called("tuple"))))
-    return create
+    return table_as(table, query, *_merge_tree(called("tuple")))
 
 
 def temporary_table(table: exp.Expr, query: exp.Query | None = None) -> exp.Create:
@@ -77,7 +75,7 @@ def exchanged(filling: Filling) -> list[exp.Expr]:
     drop = exp.Drop(tables=[beside], kind="TABLE", exists=True)
     names = " AND ".join(one.sql(dialect="clickhouse") for one in (beside, filling.table))
     exchange = exp.Command(this="EXCHANGE", expression=f"TABLES {names}")
-    made = ENGINE.define(Definition(create, filling.whole.comment, filling.whole.columns))
+    made = ENGINE.storage.define(Definition(create, filling.whole.comment, filling.whole.columns))
     return [drop, *made, insert, exchange, drop.copy()]
 
 

@@ -5,11 +5,15 @@ that was killed. There are no transactions: rows are appended, and a run is visi
 """
 
 import contextlib
+import importlib
+import os
 import re
 import secrets
 import time
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Any
+from urllib.parse import parse_qsl, unquote, urlsplit
 
 import pyarrow as pa
 from sqlglot import exp
@@ -19,11 +23,21 @@ from gam_db.address import shown
 from gam_db.composing import template
 from gam_db.engines.base import deletion, with_columns
 from gam_db.engines.clickhouse import ENGINE, create_table, temporary_table
-from gam_db.engines.clickhouse.address import EXTRA, folder, is_locked, server
 from gam_db.engines.driver import Driver, by_table, is_text, usual
 from gam_db.engines.refusals import first_line, refusal
-from gam_db.errors import EngineError, UserError, wrong
+from gam_db.errors import EngineError, UserError, nearest, wrong
 from gam_db.extras import needed
+
+EXTRA = "clickhouse"
+
+_FOLDER = "chdb:///"
+_PARAMETERS = ("ca_cert", "client_cert", "client_cert_key", "verify", "connect_timeout")
+
+#: Seconds that a statement may take.
+_PATIENCE = 86_400
+
+#: What lies in a folder of chdb.
+_OF_CHDB = {"metadata", "store", "tmp"}
 
 #: What the temporary tables of a session begin with.
 MARK = "gam_"
@@ -64,8 +78,7 @@ def connected(target: Any, writable: bool) -> "ClickHouseDriver":
     address = shown(target)
     wanted = folder(target, writable) if target.startswith("chdb:") else server(target)
     try:
-        client = package.get_client(**wanted)
-        return ClickHouseDriver(client, address, owned=True)
+        return ClickHouseDriver(package.get_client(**wanted), address, owned=True)
     except package.driver.exceptions.ClickHouseError as error:
         said = "locked" if is_locked(wanted.get("path")) else str(error)
         raise (
@@ -113,8 +126,7 @@ class ClickHouseDriver(Driver):
         differing = {
             name: value for name, value in _SETTINGS.items() if name in found and found[name][0] != value
         }
-        fixed = sorted(name for name in differing if found[name][1])
-        if fixed:
+        if fixed := sorted(name for name in differing if found[name][1]):
             raise wrong("clickhouse_fixed_settings", names=", ".join(fixed[:3]))
         return differing
 
@@ -132,7 +144,6 @@ class ClickHouseDriver(Driver):
             raise
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
-        """Make a temporary table of the rows of a query, in memory."""
         try:
             self.execute(self.engine.text(temporary_table(table, query)))
         except BaseException:
@@ -239,6 +250,69 @@ class ClickHouseDriver(Driver):
 
     def _one(self, query: str, **parameters: Any) -> Any:
         return self._rows(query, **parameters)[0][0]
+
+
+def folder(address: str, writable: bool) -> dict[str, Any]:
+    """Return what opens chdb:///FOLDER or chdb:// (in memory).
+
+    Raises:
+        EngineError: it is no such address, or no folder of chdb.
+        UserError: chdb is not installed.
+    """
+    needed("chdb", EXTRA)
+    if address == "chdb://":
+        return {"interface": "chdb"}
+    if not address.startswith(_FOLDER):
+        raise wrong("chdb_names_a_server", address=address)
+    path = Path(address.removeprefix(_FOLDER))
+    if not path.is_dir() and not (writable and not path.exists() and path.parent.is_dir()):
+        raise EngineError(f"There is no folder {path.absolute()}.")
+    there = {entry.name for entry in path.iterdir()} if path.is_dir() else set()
+    if there and not there & _OF_CHDB:
+        raise EngineError(f"{path} is no folder of chdb; give an empty or a new one.")
+    return {"interface": "chdb", "path": str(path)}
+
+
+def is_locked(folder: str | None) -> bool:
+    """Tell whether another process holds a folder of chdb; the error itself does not say."""
+    if folder is None:
+        return False
+    fcntl = importlib.import_module("fcntl")  # chdb runs only where it is there
+    with contextlib.suppress(FileNotFoundError), (Path(folder) / "status").open() as status:
+        try:
+            fcntl.flock(status, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            return True
+    return False
+
+
+def server(address: str) -> dict[str, Any]:
+    """Return what opens clickhouse://user@host:8123/database, or clickhouses:// with TLS.
+
+    Raises:
+        EngineError: a part of the address is none.
+    """
+    parts = urlsplit(address)
+    said = dict(parse_qsl(parts.query))
+    for name in said:
+        if name not in _PARAMETERS:
+            raise wrong("clickhouse_parameter", name=name, hint=nearest(name, _PARAMETERS))
+    try:
+        port = parts.port
+    except ValueError:
+        raise EngineError(f"{shown(address)}: the port is no number.") from None
+    secure = parts.scheme == "clickhouses"
+    return {
+        "interface": "https" if secure else "http",
+        "host": parts.hostname or "localhost",
+        "port": port or (8443 if secure else 8123),
+        "username": unquote(parts.username or os.environ.get("CLICKHOUSE_USER") or "default"),
+        "password": unquote(parts.password or "") or os.environ.get("CLICKHOUSE_PASSWORD", ""),
+        "database": unquote(parts.path.strip("/")) or None,
+        "send_receive_timeout": _PATIENCE,
+        "query_retries": 0,
+        **said,
+    }
 
 
 def problem(error: Exception, address: str) -> UserError | None:

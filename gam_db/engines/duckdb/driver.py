@@ -170,10 +170,8 @@ class DuckDriver(Driver):
         first, *others = self._columns_by_file(found, form).items() or [("", [])]
         for path, columns in others:
             if {*columns} != {*first[1]}:
-                raise SourceError(
-                    f"{path} has the columns {', '.join(columns)}, and {first[0]} has "
-                    f"{', '.join(first[1])}; the files of a source have the same columns."
-                )
+                names, theirs = ", ".join(columns), ", ".join(first[1])
+                raise wrong("other_columns", path=path, names=names, first=first[0], theirs=theirs)
         self._columns(node, shown_relation(paths))
         return node
 

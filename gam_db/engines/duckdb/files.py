@@ -113,8 +113,7 @@ def metadata(sources: Sequence[str]) -> exp.Expr:
 
 def no_table(path: str, reason: str) -> UserError:
     """Return why a path is no table, in the user's words."""
-    extension = re.search(_SAID["extension"], reason)
-    if extension is None:
+    if (extension := re.search(_SAID["extension"], reason)) is None:
         return wrong("duckdb_no_table", path=path)
     return wrong("duckdb_extension", path=path, extension=extension[1])
 
@@ -135,8 +134,7 @@ def late_word(
 
     Of the nodes that read CSV files, that of the file at fault tells how it is written.
     """
-    found = re.search(_SAID["late"], str(error))
-    if found is None:
+    if (found := re.search(_SAID["late"], str(error))) is None:
         return None
     line, column, word, kind, file = found.groups()
     like = exp.EQ(this=template.column(column), expression=template.text(word))

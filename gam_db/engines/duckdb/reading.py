@@ -115,12 +115,13 @@ def is_text_file(path: str) -> bool:
 
 def _csv_options(form: Form) -> list[exp.Expr]:
     """Return what the reader of CSV files is told; a word that means a missing value is so anywhere."""
+    has_hour = {"%H", "%I", "%c", "%X"} & {*re.findall("%-?[A-Za-z]", form.time_format or "%H")}
     said = {
         "delim": form.delimiter,
         "decimal_separator": form.decimal or ("," if form.thousands == "." else None),
         "thousands": form.thousands,
         "skip": form.skip_rows,
-        "dateformat" if _is_date(form.time_format) else "timestampformat": form.time_format,
+        "timestampformat" if has_hour else "dateformat": form.time_format,
     }
     options = [
         _option(name, exp.Literal.number(value) if isinstance(value, int) else template.text(value))
@@ -131,8 +132,3 @@ def _csv_options(form: Form) -> list[exp.Expr]:
         words = [template.text(word) for word in ("", *form.null)]
         options.append(_option("nullstr", exp.Array(expressions=words)))
     return options
-
-
-def _is_date(time_format: str | None) -> bool:
-    """Tell whether a format has no hour."""
-    return not {"%H", "%I", "%c", "%X"} & {*re.findall("%-?[A-Za-z]", time_format or "%H")}

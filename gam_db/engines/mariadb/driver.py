@@ -14,8 +14,7 @@ from sqlglot import exp
 
 from gam_db import data
 from gam_db.address import shown
-from gam_db.engines.dbapi import DbapiDriver
-from gam_db.engines.driver import by_table
+from gam_db.engines.driver import DbapiDriver, by_table
 from gam_db.engines.mariadb import COLLATION, ENGINE
 from gam_db.engines.refusals import OPEN, refused
 from gam_db.engines.session import check_columns
@@ -92,7 +91,6 @@ class MariaDriver(DbapiDriver):
         return bool(self._asked("SELECT @@in_transaction")[0][0])
 
     def array(self, described: Sequence[Any], column: Sequence[Any]) -> pa.Array:
-        """Return a column by the type that the server says."""
         types, kind = self._types, described[1]
         if kind in (types.DOUBLE, types.FLOAT):
             return pa.array(column, pa.float64())
@@ -113,7 +111,6 @@ class MariaDriver(DbapiDriver):
         self._lent.discard(table.name)
 
     def close(self) -> None:
-        """Close the connection if it is ours, or set it as it was."""
         if not self._owned:
             with contextlib.suppress(*self.errors):
                 self._asked(_QUERIES["set"], self._before)
@@ -121,7 +118,6 @@ class MariaDriver(DbapiDriver):
         super().close()
 
     def type_of(self, arrow: pa.DataType) -> exp.DataType:
-        """Return the type of a column that is to hold Arrow's values."""
         if pa.types.is_timestamp(arrow) or pa.types.is_date(arrow):
             return exp.DataType.build("DATETIME(6)", dialect="mysql")
         return super().type_of(arrow)
@@ -135,8 +131,7 @@ class MariaDriver(DbapiDriver):
 
     def tables(self) -> list[tuple[str, ...]]:
         """Return the tables and views of all databases, and temporary ones, which no list has."""
-        listed = self._asked(_QUERIES["tables"])
-        return [*listed, *((name,) for name in self._lent)]
+        return [*self._asked(_QUERIES["tables"]), *((name,) for name in self._lent)]
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
         rows = self._asked(self.engine.text(exp.Describe(this=relation.find(exp.Table))))

@@ -40,8 +40,7 @@ def fence_reads(tree: exp.Expr) -> exp.Expr:
         return tree
     entries = {entry.alias: entry for entry in tree.find_all(exp.CTE)}
     for select in tree.find_all(exp.Select):
-        source = select.args.get("from_")
-        if source is None:
+        if (source := select.args.get("from_")) is None:
             continue
         entry = entries.get(source.this.name) if isinstance(source.this, exp.Table) else source.this
         is_kept = isinstance(entry, exp.CTE) and entry.args.get("materialized")
@@ -86,7 +85,6 @@ def fence_sets(tree: exp.Expr) -> exp.Expr:
 
 
 def _by_bytes(column: exp.ColumnDef) -> None:
-    """Let texts be compared by their bytes."""
     if column.args["kind"].is_type(*exp.DataType.TEXT_TYPES):
         by_bytes = exp.CollateColumnConstraint(this=BYTES.copy())
         column.set("constraints", [exp.ColumnConstraint(kind=by_bytes), *column.constraints])

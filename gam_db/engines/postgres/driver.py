@@ -20,8 +20,7 @@ from sqlglot import exp
 from gam_db import data
 from gam_db.composing import template
 from gam_db.engines.base import temporary, with_columns
-from gam_db.engines.dbapi import DbapiDriver
-from gam_db.engines.driver import by_table
+from gam_db.engines.driver import DbapiDriver, by_table
 from gam_db.engines.postgres import ENGINE, PATH, ROOM
 from gam_db.engines.postgres.refusals import of_connecting, of_statement
 from gam_db.engines.postgres.types import ARROW, travelling
@@ -163,7 +162,6 @@ class PostgresDriver(DbapiDriver):
         return self._connection.info.transaction_status in (status.INTRANS, status.INERROR)
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
-        """Make a temporary table of the rows of a query, and count what is in it for the planner."""
         settings = _AT_WORK["planned_alone"] | {"work_mem": f"{max(self._memory(), ROOM)}kB"}
         if self._is_long(query):
             settings |= _AT_WORK["planned_long"]
@@ -197,9 +195,9 @@ class PostgresDriver(DbapiDriver):
         if not isinstance(table, exp.Table) or table.db:
             return table
         name = exp.Table(this=table.this.copy()).sql(dialect=self.engine.dialect)
-        with self._safely(), self._connection.transaction(), self._cursor() as cursor:
+        with self._safely(), self._connection.transaction():
             self._searching(self._path)
-            ((number,),) = cursor.execute(_QUERIES["number"], (name,), prepare=False).fetchall()
+            ((number,),) = self._told(_QUERIES["number"], (name,))
             self._searching(PATH)
         found = self._asked(_QUERIES["schema"], (number,))
         if not found:
@@ -217,8 +215,7 @@ class PostgresDriver(DbapiDriver):
         Raises:
             EngineError: none is named, and the user's search_path names none that is there.
         """
-        schema = schema or self.engine.home
-        if schema is None:
+        if (schema := schema or self.engine.home) is None:
             raise wrong("postgres_no_schema")
         return by_table(self._asked(_QUERIES["relations"], (schema,)))
 
@@ -229,7 +226,6 @@ class PostgresDriver(DbapiDriver):
         return of_statement(error, self._statement, self._connection.closed)
 
     def close(self) -> None:
-        """Close the connection if it is ours; else set it as it was."""
         if not self._owned:
             with contextlib.suppress(self._psycopg.Error):
                 self._set(self._settings)
@@ -295,10 +291,7 @@ class PostgresDriver(DbapiDriver):
 
     def _searching(self, path: str, locally: bool = True) -> tuple[str, str | None]:
         """Look names up on a path; return the one before, and its current schema."""
-        with self._cursor() as cursor:
-            ((before, schema, _),) = cursor.execute(
-                _QUERIES["pin"], (path, locally), prepare=False
-            ).fetchall()
+        ((before, schema, _),) = self._told(_QUERIES["pin"], (path, locally))
         return before, schema
 
     @contextlib.contextmanager
@@ -318,11 +311,13 @@ class PostgresDriver(DbapiDriver):
 
     def _asked(self, query: Any, values: Sequence[Any] = ()) -> list[tuple[Any, ...]]:
         """Return the rows of a query of our own, a text or one that psycopg composed."""
-        with self._safely(), self._cursor() as cursor:
-            found: list[tuple[Any, ...]] = cursor.execute(
-                query, values or None, prepare=False
-            ).fetchall()
-        return found
+        with self._safely():
+            return self._told(query, values or None)
+
+    def _told(self, query: Any, values: Sequence[Any] | None) -> list[tuple[Any, ...]]:
+        """Return the same where the path is pinned, or is being pinned."""
+        with self._cursor() as cursor:
+            return list(cursor.execute(query, values, prepare=False).fetchall())
 
     def _count(self, table: exp.Table) -> None:
         """Let the planner know what is in a table that was made."""

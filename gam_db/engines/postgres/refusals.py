@@ -35,8 +35,7 @@ def of_statement(error: Any, statement: str, closed: bool) -> UserError | None:
 
 def _denied(said: str, statement: str) -> UserError:
     """Return which privilege is missing, and of what."""
-    found = _DENIED.search(said)
-    if found is None:
+    if (found := _DENIED.search(said)) is None:
         return wrong("postgres_denied", said=said)
     kind, name = found[1], found[2].strip('"')
     target = _TARGET.match(statement)

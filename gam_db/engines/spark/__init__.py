@@ -21,9 +21,7 @@ _LARGE = ("bucket_no", "cell_key")
 
 def create_table(table: exp.Table, query: exp.Query) -> exp.Create:
     """Return CREATE TABLE ... USING PARQUET AS; without a format Spark may ask for Hive."""
-    create = table_as(table, query)
-    create.set("properties", exp.Properties(expressions=[_format("PARQUET")]))
-    return create
+    return table_as(table, query, _format("PARQUET"))
 
 
 def _stored(form: str) -> Storage:

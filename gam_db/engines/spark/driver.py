@@ -17,9 +17,8 @@ from gam_db.engines.driver import Driver, usual
 from gam_db.engines.refusals import READ_ONLY, refusal
 from gam_db.engines.spark import ENGINE, OVER
 from gam_db.engines.spark.folder import Folder
-from gam_db.engines.spark.metastore import MetastoreTables, format_of
 from gam_db.engines.spark.opening import address_of, as_before, beside, quiet, scratch, started
-from gam_db.engines.spark.tables import FolderTables
+from gam_db.engines.spark.tables import FolderTables, MetastoreTables, format_of
 from gam_db.errors import EngineError, UserError
 from gam_db.extras import needed
 from gam_db.settings.form import Form
@@ -39,7 +38,7 @@ def connected(target: Any, writable: bool) -> "SparkDriver":
     """
     if isinstance(target, str):
         master, path = address_of(target)
-        folder = Folder(path, writable)
+        folder = Folder(path, writable)  # first: that there is none is said before Spark is started
         return SparkDriver(started(master), ENGINE, writable, folder)
     needed("pyspark", "spark")
     session = beside(target)
@@ -50,7 +49,7 @@ def connected(target: Any, writable: bool) -> "SparkDriver":
 class SparkDriver(Driver):
     """A session of Spark for this driver alone, and where its tables are.
 
-    That is a folder, or the metastore in a form (:func:`gam_db.engines.spark.metastore.format_of`).
+    That is a folder, or the metastore in a form (:func:`gam_db.engines.spark.tables.format_of`).
     """
 
     most_rows = 2**40  # Spark spills what does not fit, and a group of channels costs it a round of jobs
@@ -85,11 +84,13 @@ class SparkDriver(Driver):
         text = self.engine.text(query)
         self._tables.ready(text)
         frame = self._run(text)
-        if _estimated(frame) <= _SMALL:
+        # What Spark expects: after joins far too many bytes, of compressed files too few.
+        if int(str(frame._jdf.queryExecution().optimizedPlan().stats().sizeInBytes())) <= _SMALL:
             self.ingest(table, self._arrow(frame))
             return
-        if self._scratch is None:
-            self._name(table, _checkpointed(frame))
+        if self._scratch is None:  # in files if the user set a folder for them, else at the workers
+            in_files = self._session.sparkContext._jsc.sc().getCheckpointDir().isDefined()
+            self._name(table, frame.checkpoint() if in_files else frame.localCheckpoint())
             return
         place = self._scratch / f"{table.name}_{secrets.token_hex(4)}"
         frame.write.parquet(str(place))
@@ -101,7 +102,6 @@ class SparkDriver(Driver):
             self._name(table, self._session.read.parquet(str(place)), place)
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
-        """Make a view of the rows of an Arrow table."""
         with quiet(), as_before(self._session):
             self._name(table, self._session.createDataFrame(rows))
 
@@ -143,7 +143,6 @@ class SparkDriver(Driver):
         return view
 
     def problem(self, error: Exception) -> UserError | None:
-        """Return what the user can do about an error; what Java says of it is never poured out."""
         return problem(error)
 
     def close(self) -> None:
@@ -182,15 +181,3 @@ def problem(error: Exception) -> UserError | None:
     condition = said[1:].partition("]")[0].partition(".")[0] if said.startswith("[") else ""
     causes = f"{said}\n{getattr(error, '_stackTrace', '')}"
     return refusal("spark", type(error).__name__, condition, causes)
-
-
-def _estimated(frame: Any) -> int:
-    """Return the bytes that Spark expects: after joins far too many, of compressed files too few."""
-    return int(str(frame._jdf.queryExecution().optimizedPlan().stats().sizeInBytes()))
-
-
-def _checkpointed(frame: Any) -> Any:
-    """Return the rows, kept in files if the user set a folder for them, else at the workers."""
-    if frame.sparkSession.sparkContext._jsc.sc().getCheckpointDir().isDefined():
-        return frame.checkpoint()
-    return frame.localCheckpoint()

@@ -9,6 +9,7 @@ so a table is exchanged for another in one step, too.
 import contextlib
 import json
 import os
+import re
 import secrets
 import shutil
 import time
@@ -152,11 +153,5 @@ def _entry(path: Path) -> Entry:
 
 def _file_name(schema: str | None, name: str) -> str:
     """Return a name of files: letters, digits and underscores as they are, else percent codes."""
-    return ".".join(_coded(part) for part in (schema, name) if part is not None)
-
-
-def _coded(part: str) -> str:
-    return "".join(
-        sign if (sign.isalnum() and sign.isascii()) or sign == "_" else f"%{ord(sign):x}%"
-        for sign in part.casefold()
-    )
+    parts = (part.casefold() for part in (schema, name) if part is not None)
+    return ".".join(re.sub("[^a-z0-9_]", lambda sign: f"%{ord(sign[0]):x}%", part) for part in parts)

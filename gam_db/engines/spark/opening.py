@@ -49,8 +49,7 @@ def started(master: str | None) -> Any:
         EngineError: there is no Java, or a too old one, the master does not answer, Spark is too old, or
             this process runs Spark on another master already.
     """
-    context = needed("pyspark", "spark").SparkContext._active_spark_context
-    if context is None:
+    if (context := needed("pyspark", "spark").SparkContext._active_spark_context) is None:
         base = _started(master or os.environ.get("SPARK_MASTER"))
     else:
         if master not in (None, context.master):
@@ -129,7 +128,8 @@ def _started(master: str | None) -> Any:
     for name, value in settings.items():
         builder = builder.config(name, value)
     # A quarter of the memory, unless the settings of Spark say otherwise.
-    os.environ.setdefault("SPARK_DRIVER_MEMORY", f"{max(_memory() // 4, 1)}g")
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") // 2**30  # in GiB
+    os.environ.setdefault("SPARK_DRIVER_MEMORY", f"{max(memory // 4, 1)}g")
     said = scratch() / "java.log"
     try:
         with quiet(), _stderr_to(said):
@@ -146,11 +146,6 @@ def _started(master: str | None) -> Any:
 def _stop(session: Any) -> None:
     with contextlib.suppress(Exception):
         session.stop()
-
-
-def _memory() -> int:
-    """Return the memory of this machine in GiB."""
-    return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") // 2**30
 
 
 @contextlib.contextmanager

@@ -21,6 +21,15 @@ from gam_db.engines.spark.folder import Entry, Folder
 from gam_db.engines.spark.opening import scratch
 from gam_db.errors import ConflictError, EngineError
 
+#: In how many schemas tables are looked for, beside the current one.
+_SCHEMAS = 50
+
+
+def format_of(session: Any) -> str:
+    """Return the format of new tables: that of the current catalogue, by its settings."""
+    said = session.conf.get(f"spark.sql.catalog.{session.catalog.currentCatalog()}", "").lower()
+    return next((name for name in ("delta", "iceberg") if name in said), "parquet")
+
 
 class Rewriting:
     """What tables have in common, wherever a session of Spark keeps them."""
@@ -69,14 +78,10 @@ class Rewriting:
 
 def same_keys(keys: Sequence[str]) -> exp.Expr:
     """Return the condition that a row of *staying* has the keys of one of *gone*."""
-    return exp.and_(
-        *(
-            exp.column(template.name(key), table="staying").eq(
-                exp.column(template.name(key), table="gone")
-            )
-            for key in keys
-        )
+    staying, gone = (
+        [exp.column(template.name(key), table=of) for key in keys] for of in ("staying", "gone")
     )
+    return exp.and_(*map(exp.Column.eq, staying, gone))
 
 
 class FolderTables(Rewriting):
@@ -133,8 +138,7 @@ class FolderTables(Rewriting):
         """Write what a table is to have, if it is to change, to another folder, and let it be that."""
         entry = self._folder.entries()[_key(table)]
         before = _files(self._folder.place(entry))
-        rows = rows_of(entry.columns)
-        if rows is None:
+        if (rows := rows_of(entry.columns)) is None:
             return
         data = self._folder.new_data(entry.schema, entry.name)
         self.write_beside(table, entry.columns, rows, str(self._folder.path / data))
@@ -147,18 +151,14 @@ class FolderTables(Rewriting):
 
     def names(self) -> list[tuple[str, ...]]:
         """Return what can be read: (schema, name) or (name,)."""
-        return [
-            (entry.name,) if entry.schema is None else (entry.schema, entry.name)
-            for entry in self._folder.entries().values()
-        ]
+        return [(*filter(None, (one.schema, one.name)),) for one in self._folder.entries().values()]
 
     def relations(self, schema: str | None) -> Mapping[str, tuple[str, ...]]:
         """Return the tables and views of a schema with their columns, names in lower case."""
-        wanted = None if schema is None else schema.casefold()
         return {
-            entry.name.casefold(): entry.columns
-            for entry in self._folder.entries().values()
-            if (None if entry.schema is None else entry.schema.casefold()) == wanted
+            one.name.casefold(): one.columns
+            for one in self._folder.entries().values()
+            if (one.schema or "").casefold() == (schema or "").casefold()
         }
 
     def close(self) -> None:
@@ -214,16 +214,16 @@ class FolderTables(Rewriting):
             if tree.args.get("exists"):
                 return
             raise EngineError(f"There is a table or view {target.name!r} already.")
-        schema = target.db or None
-        if schema is not None:
+        if (schema := target.db or None) is not None:
             self._make_schema(schema)
         columns = tuple(column.name for column in tree.find_all(exp.ColumnDef))
-        entry = Entry(schema, target.name, "", columns, self._folder.new_data(schema, target.name))
+        data, text = self._folder.new_data(schema, target.name), tree.sql(dialect="spark")
+        entry = Entry(schema, target.name, text, columns, data)
         if tree.expression is None:
-            self._folder.put(dataclasses.replace(entry, statement=tree.sql(dialect="spark")))
+            self._folder.put(entry)
             return
-        self.ready(tree.sql(dialect="spark"))
-        self._run(self._placed(dataclasses.replace(entry, statement=tree.sql(dialect="spark"))))
+        self.ready(text)
+        self._run(self._placed(entry))
         tree.set("expression", None)
         columns = self._columns(_table(target.name, schema))
         kept = dataclasses.replace(entry, columns=columns, statement=tree.sql(dialect="spark"))
@@ -251,8 +251,7 @@ class FolderTables(Rewriting):
 
     def _drop(self, tree: exp.Drop, text: str) -> None:
         target = tree.this if tree.this is not None else tree.args["tables"][0]
-        entry = self._folder.entries().get(_key(target))
-        if entry is None:
+        if (entry := self._folder.entries().get(_key(target))) is None:
             self._run(text)
             return
         self._folder.drop(entry)
@@ -274,6 +273,77 @@ class FolderTables(Rewriting):
         properties.append("expressions", exp.LocationProperty(this=place))
         create.set("properties", properties)
         return create.sql(dialect="spark")
+
+
+class MetastoreTables(Rewriting):
+    """Tables and views of the metastore, in a form: ``parquet``, ``delta`` or ``iceberg``."""
+
+    def __init__(self, session: Any, run: Callable[[str], Any], engine: Engine, form: str) -> None:
+        super().__init__(session, run, engine)
+        self._form = form
+
+    def execute(self, text: str) -> None:
+        """Run a statement that changes something."""
+        tree = sqlglot.parse_one(text, dialect="spark") if text.startswith("INSERT OVERWRITE") else None
+        if tree is None:
+            self._run(text)
+        else:
+            columns = [column.name for column in tree.this.expressions]
+            self._exchange(tree.this.this, columns, tree.expression)
+
+    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+        """Delete rows by their keys: Delta and Iceberg do, a Parquet table is pointed to other files."""
+        if self._form != "parquet":
+            gone = exp.select(*(exp.column(template.name(key)) for key in keys)).distinct()
+            merge = exp.Merge(  # Delta's DELETE takes no query
+                this=table.copy().as_("staying"),
+                using=gone.from_(found.subquery("found")).subquery("gone"),
+                on=same_keys(keys),
+                whens=exp.Whens(expressions=[exp.When(matched=True, then=exp.var("DELETE"))]),
+            )
+            self._do(merge)
+            return
+        columns = self._columns(table)
+        if (rows := self.staying(table, columns, keys, found)) is not None:
+            self._exchange(table, columns, rows)
+
+    def _exchange(self, table: exp.Table, columns: Sequence[str], rows: exp.Query) -> None:
+        """Write what a Parquet table is to have to other files, and point it to them."""
+        asked = exp.Describe(this=table.copy(), style="EXTENDED", kind="TABLE")
+        rows_of = reversed(self._do(asked).collect())
+        before = next(str(row[1]) for row in rows_of if row[0] == "Location")
+        after = f"{before.rstrip('/')}-{secrets.token_hex(4)}"
+        self.write_beside(table, columns, rows, after)
+        moved = exp.AlterSet(location=template.text(after))
+        self._do(exp.Alter(this=table.copy(), kind="TABLE", actions=[moved]))
+        context = self._session.sparkContext
+        path = context._jvm.org.apache.hadoop.fs.Path(before)
+        path.getFileSystem(context._jsc.hadoopConfiguration()).delete(path, True)
+
+    def names(self) -> list[tuple[str, ...]]:
+        """Return what can be read: of the current catalogue, by schema, and views of the session."""
+        catalogue = self._session.catalog.currentCatalog()
+        schemas = [row[0] for row in self._run("SHOW SCHEMAS").collect()]
+        current = self._session.catalog.currentDatabase()
+        found: list[tuple[str, ...]] = []
+        for schema in [current, *(one for one in schemas[:_SCHEMAS] if one != current)]:
+            rows = self._session.catalog.listTables(template.name(schema).sql(dialect="spark"))
+            found += [(row.name,) if row.isTemporary else (catalogue, schema, row.name) for row in rows]
+        return found
+
+    def relations(self, schema: str | None) -> Mapping[str, tuple[str, ...]]:
+        """Return the tables and views of a schema with their columns, as they are now."""
+        name = schema or self._session.catalog.currentDatabase()
+        shown = template.name(name).sql(dialect="spark")
+        found: dict[str, tuple[str, ...]] = {}
+        if schema is not None and not self._session.catalog.databaseExists(schema):
+            return found
+        for row in self._session.catalog.listTables(shown):
+            if not row.isTemporary:
+                table = exp.Table(this=template.name(row.name), db=template.name(name))
+                self._do(exp.Refresh(this=table.copy(), kind="TABLE"))
+                found[row.name.casefold()] = self._columns(table)
+        return found
 
 
 def _key(table: exp.Table) -> str:

@@ -14,7 +14,7 @@ from sqlglot import exp
 
 from gam_db.composing import template
 from gam_db.engines.base import called
-from gam_db.engines.dbapi import DbapiDriver
+from gam_db.engines.driver import DbapiDriver
 from gam_db.engines.refusals import OPEN
 from gam_db.engines.sqlite import ENGINE
 from gam_db.errors import EngineError
@@ -91,7 +91,6 @@ class SqliteDriver(DbapiDriver):
         return pa.array(column)
 
     def plain(self, value: Any) -> Any:
-        """Return a value of an Arrow table as SQLite holds it."""
         if isinstance(value, dt.datetime):
             utc = value if value.tzinfo is None else value.astimezone(dt.UTC).replace(tzinfo=None)
             return utc.isoformat(sep=" ", timespec="microseconds")
@@ -111,32 +110,26 @@ class SqliteDriver(DbapiDriver):
         """
         table = relation.find(exp.Table)
         assert table is not None
-        schema = table.args.get("db")
-        info = exp.select("name", "type").from_(
-            called(
-                "PRAGMA_TABLE_INFO", *(template.text(one.name) for one in (table.this, schema) if one)
-            )
-        )
-        rows = self._asked(self.engine.text(info))
         return {
-            name: str(declared).upper() or self._first_type(relation, name) for name, declared in rows
+            name: str(declared).upper() or self._first_type(relation, name)
+            for name, declared in self._info(table.name, table.db or None)
         }
 
     def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
         """Return the tables and views of the main file with their columns; there are no schemas."""
         if schema is not None:
             raise EngineError("SQLite has no schemas; leave schema out and give another prefix.")
-        found = {}
-        for name in self._names("main"):
-            rows = self._asked("SELECT name FROM PRAGMA_TABLE_INFO(?)", [name])
-            found[name.casefold()] = tuple(column for (column,) in rows)
-        return found
+        found = {name: self._info(name) for name in self._names("main")}
+        return {name.casefold(): tuple(column for column, _ in info) for name, info in found.items()}
 
     def close(self) -> None:
-        """Close the connection if it is ours, or leave it as it was."""
         super().close()
         if not self._owned:
             self._connection.isolation_level = self._level
+
+    def _info(self, table: str, schema: str | None = None) -> list[tuple[Any, ...]]:
+        """Return the columns of a table: name and declared type."""
+        return self._asked("SELECT name, type FROM PRAGMA_TABLE_INFO(?, ?)", [table, schema])
 
     def _names(self, schema: str) -> list[str]:
         master = exp.Table(this=template.name("sqlite_master"), db=template.name(schema))

@@ -86,7 +86,7 @@ class Migration:
         if isinstance(self.definition, Addition):
             columns = self.definition.columns
             missing = {name: columns[name] for name in columns if name not in present}
-            extended = engine.extend(
+            extended = engine.storage.extend(
                 Addition(tables.table(self.name), missing, self.definition.comments)
             )
             if fresh or self.filling is None:
@@ -116,7 +116,7 @@ def placed(about: Definition, name: str, engine: Engine, tables: StateTables) ->
         for instant in list(create.find_all(exp.UnixToTime)):
             found = engine.instant_of(TimeKind.TIMESTAMP, instant.this.copy())
             instant.replace(exp.paren(found) if isinstance(instant.parent, exp.Binary) else found)
-    return engine.define(Definition(create, about.comment, about.columns))
+    return engine.storage.define(Definition(create, about.comment, about.columns))
 
 
 def record(migrations: Sequence[Migration], tables: StateTables, applied_at: int) -> exp.Expr:
