@@ -23,7 +23,8 @@ SECOND = 1_000_000
 
 _EPOCH = dt.datetime(1970, 1, 1, tzinfo=dt.UTC)
 _MICROSECOND = dt.timedelta(microseconds=1)
-_UNITS = {
+#: Units of a length, in microseconds.
+UNITS = {
     "us": 1,
     "ms": 1_000,
     "s": SECOND,
@@ -84,8 +85,7 @@ def instant(value: object, kind: TimeKind, what: str) -> int:
     """
     value = _plain(value)
     if kind.is_counter:
-        whole = _whole(value)
-        if whole is not None:
+        if (whole := _whole(value)) is not None:
             return _bounded(whole, what)
         raise wrong("instant_on_a_counter", what=what, value=value)
     if isinstance(value, str):
@@ -130,8 +130,7 @@ def length(value: object, kind: TimeKind, what: str) -> int:
     value = _plain(value)
     steps: int | None = None
     if kind.is_counter:
-        whole = _whole(value)
-        if whole is not None:
+        if (whole := _whole(value)) is not None:
             steps = whole
         elif isinstance(value, float) and math.isfinite(value):
             steps = math.floor(value)
@@ -143,10 +142,8 @@ def length(value: object, kind: TimeKind, what: str) -> int:
         # A float counts as it is written: in doubles 2.094 s would be 2093999.9999999998 microseconds.
         exact = Fraction(repr(value)) if isinstance(value, float) else value
         steps = math.floor(exact * SECOND)
-    elif isinstance(value, str):
-        found = _LENGTH.fullmatch(value.strip())
-        if found:
-            steps = math.floor(Fraction(found[1]) * _UNITS[found[2]])
+    elif isinstance(value, str) and (found := _LENGTH.fullmatch(value.strip())):
+        steps = math.floor(Fraction(found[1]) * UNITS[found[2]])
     if steps is None:
         raise wrong("no_length", what=what, value=value)
     if steps < 0:
@@ -172,8 +169,8 @@ def shown_length(steps: int, kind: TimeKind) -> str:
     if steps >= _LONG:
         return f"{steps / _YEAR:.3g} years"
     for unit in ("d", "h", "min", "s"):
-        if steps >= _UNITS[unit]:
-            return f"{steps / _UNITS[unit]:.3g} {unit}"
+        if steps >= UNITS[unit]:
+            return f"{steps / UNITS[unit]:.3g} {unit}"
     return "less than 1 s"
 
 

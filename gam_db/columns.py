@@ -42,8 +42,7 @@ _NUMBERS = {COUNT: np.int64, SHARE: np.float64}
 
 
 def _array(values: Sequence[Any], of: pa.DataType) -> pa.Array:
-    there = np.fromiter((value is not None for value in values), bool, len(values))
-    valid = _bits(there)
+    valid = _bits(np.fromiter((value is not None for value in values), bool, len(values)))
     if of == WORD:
         texts = [b"" if value is None else value.encode() for value in values]
         ends = np.fromiter(accumulate(map(len, texts), initial=0), np.int32, len(texts) + 1)

@@ -106,8 +106,7 @@ def nearest(word: str, known: Iterable[str]) -> str:
     """Return the end of a sentence, its stop included, that says what ``word`` was meant to be."""
     choices = list(known)
     folded = {choice.casefold(): choice for choice in reversed(choices)}
-    close = difflib.get_close_matches(word.casefold(), folded, n=1, cutoff=0.5)
-    if close:
+    if close := difflib.get_close_matches(word.casefold(), folded, n=1, cutoff=0.5):
         return f"; did you mean {folded[close[0]]!r}?"
     if not choices:
         return "."

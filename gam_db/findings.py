@@ -68,8 +68,7 @@ def findings(study: Study, alarms: Alarms | None = None, longest: int | None = N
     kind = study.method.kind
     alarms.asked(kind)  # a rate that does not fit is refused before all is read
     buckets = study.table("bucket_health")  # first: what it proves of the samples serves the rest
-    learnt = study.rows("support_summary")
-    supports = {(row["asset"], row["channel"]): row for row in learnt}
+    supports = {(row["asset"], row["channel"]): row for row in study.rows("support_summary")}
     settings = {
         (row["asset"], row["channel"]): study.method.settings[row["settings_no"]]
         for row in study.rows("channels")
@@ -233,7 +232,10 @@ def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
         told = "no_sample"
     elif is_short(row):
         told = "short"
-    words = {"run": span + 1, "bins": row["finest_bins"], "more": _more(row["vectors_needed"])}
+    more, needed = "how much more it takes cannot be told yet", row["vectors_needed"]
+    if needed is not None:
+        more = f"it takes about {needed:,} more vectors"
+    words = {"run": span + 1, "bins": row["finest_bins"], "more": more}
     moved = " and has moved since" * has_moved
     return [_SHORTCOMINGS[told].format(moved=moved, **words)] if told in _SHORTCOMINGS else []
 
@@ -248,9 +250,3 @@ def share(value: float | None) -> str:
     if value is None:
         return "-"
     return f"{value:.3f}" if value < 0.1 else f"{value:.2f}"
-
-
-def _more(vectors_needed: int | None) -> str:
-    if vectors_needed is None:
-        return "how much more it takes cannot be told yet"
-    return f"it takes about {vectors_needed:,} more vectors"

@@ -241,7 +241,6 @@ def assess(row: Row, day: int | None) -> None:
 
 
 def _reason(row: Row, day: int | None) -> str | None:
-    """Return why a channel has no limit."""
     if row["limit_reason"] is not None:
         return str(row["limit_reason"])
     if row["blocks"] < _JUDGED_BLOCKS:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gam_db.alarms import Alarms, judge, limits_of
+from gam_db.alarms import Alarms, Row, judge, limits_of
 from gam_db.clock import Instant
 from gam_db.errors import ParameterError, wrong
 from gam_db.method.alarms import add_backtested
@@ -20,8 +20,6 @@ from gam_db.study import studied
 
 _LEFT, _RIGHT = 0.025, 0.975
 _DRAWS = 2000
-
-Row = dict[str, Any]
 
 
 def backtest(
@@ -62,8 +60,7 @@ def backtest(
     with studied(source, parameters, calibration, engine) as study:
         rows = limits_of(study, alarms)
         frozen = judge(study, rows)
-        spans = merge(closed("healthy", healthy or (), study.method.kind))
-        add_backtested(study.steps, spans)
+        add_backtested(study.steps, merge(closed("healthy", healthy or (), study.method.kind)))
         found = study.rows("backtested")
     if not frozen:
         why = "; ".join(f"{count:,}: {reason}" for reason, count in sorted(_withheld(rows).items()))

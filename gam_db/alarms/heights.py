@@ -80,8 +80,7 @@ def by_replay(rate: float, judgements: int, episodes: Mapping[int, int]) -> Heig
     for quarters in range(LEAST, MOST + 1):
         if 10 * episodes.get(quarters, 0) + 7 <= expected * 10:
             return Height(quarters, "replay")
-    height = _carried_on(expected, episodes)
-    if height is None:
+    if (height := _carried_on(expected, episodes)) is None:
         return Height(UNSTATED, "none")
     empty = (quarters for quarters in range(LEAST, MOST + 1) if not episodes.get(quarters, 0))
     return Height(max(_in_quarters(height), next(empty, MOST)), "extrapolated")

@@ -106,25 +106,15 @@ Row = dict[str, Any]
 
 @dataclass(frozen=True)
 class Look:
-    """What was seen.
+    """What was seen."""
 
-    Attributes:
-        source: with its channels named.
-        method: the parameters and the calibration it was looked at with.
-        table: a row per (asset, channel) pair, as :func:`check` returns it.
-        channels: the rows of those that have a name and a time, in order.
-        nameless: rows of the source without asset, channel and time, by these words.
-        exact: columns of readings that are integers or decimals, not doubles.
-        number_texts: text columns that are not read and hold numbers.
-    """
-
-    source: AnySource
-    method: Method
-    table: pa.Table
-    channels: tuple[Row, ...]
-    nameless: dict[str, int]
-    exact: tuple[str, ...]
-    number_texts: tuple[str, ...]
+    source: AnySource  # with its channels named
+    method: Method  # the parameters and the calibration it was looked at with
+    table: pa.Table  # a row per (asset, channel) pair, as :func:`check` returns it
+    channels: tuple[Row, ...]  # the rows of those that have a name and a time, in order
+    nameless: dict[str, int]  # rows of the source without asset, channel and time, by these words
+    exact: tuple[str, ...]  # columns of readings that are integers or decimals, not doubles
+    number_texts: tuple[str, ...]  # text columns that are not read and hold numbers
 
     @property
     def kind(self) -> TimeKind:
@@ -151,26 +141,18 @@ def look_at(
     asked = session, source, parameters.finest(), calibration
     study = Study(*asked, on_step, strict=False, counting=True)
     add_look(study.steps, study.method, study.instant_of)
-    repeating = {row["channel_id"] for row in study.rows("movements") if row["repeats"]}
-    if repeating:
+    if repeating := {row["channel_id"] for row in study.rows("movements") if row["repeats"]}:
         study.look_first(repeating)
         add_look(study.steps, study.method, study.instant_of)
     summary = study.table(SUMMARY)
     table = summary.drop_columns(["settings_no"])
     rows = summary.drop_columns(["first_time", "last_time"]).to_pylist()
-    nameless = {
-        role: sum(row["readings"] for row in rows if row[role] is None) for role in ("asset", "channel")
-    }
+    roles = ("asset", "channel")
+    nameless = {role: sum(row["readings"] for row in rows if row[role] is None) for role in roles}
     nameless["time"] = sum(row["without_time"] for row in rows)
-    return Look(
-        source=study.source,
-        method=study.method,
-        table=table,
-        channels=tuple(row for row in rows if row["samples"] is not None),
-        nameless=nameless,
-        exact=exact_columns(study.session, study.source, study.columns),
-        number_texts=_number_texts(study),
-    )
+    channels = tuple(row for row in rows if row["samples"] is not None)
+    exact = exact_columns(study.session, study.source, study.columns)
+    return Look(study.source, study.method, table, channels, nameless, exact, _number_texts(study))
 
 
 def exact_columns(session: Session, source: AnySource, columns: Mapping[str, str]) -> tuple[str, ...]:

@@ -33,18 +33,12 @@ SENTENCES: dict[str, str] = data.table("gam_db.checking", "notes.toml")
 
 @dataclass(frozen=True)
 class Note:
-    """Something to be known of a source before it is watched.
+    """Something to be known of a source before it is watched."""
 
-    Attributes:
-        subject: one word, the same for the same finding: what programs go by.
-        must: it must be fixed, or there is no result, or a wrong one.
-        text: what it is and what to do, in plain words.
-        channels: (asset, channel) of those concerned; none where it concerns the source as a whole.
-    """
-
-    subject: str
-    must: bool
-    text: str
+    subject: str  # one word, the same for the same finding: what programs go by
+    must: bool  # it must be fixed, or there is no result, or a wrong one
+    text: str  # what it is and what to do, in plain words
+    #: (asset, channel) of those concerned; none where it concerns the source as a whole.
     channels: tuple[tuple[str, str], ...] = ()
 
 
@@ -77,7 +71,6 @@ def _noted(
 
 
 def _whole(subject: str, must: bool = False, **words: str) -> list[Note]:
-    """The note on a source as a whole."""
     return [Note(subject, must, SENTENCES[subject].format(**words))]
 
 

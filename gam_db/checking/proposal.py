@@ -33,23 +33,14 @@ class Proposed:
 
 @dataclass(frozen=True)
 class Proposal:
-    """What to set.
+    """What to set."""
 
-    Attributes:
-        max_gap: None where no channel pauses, or where no one length suits all channels.
-        gaps: channel -> max_gap, where one length does not suit all.
-        window: W, in vectors.
-        window_reason: why.
-        still: None where no channel stood still in calibration, or where not all of them can take it.
-        stills: channel -> still_after, where not all can.
-    """
-
-    max_gap: Proposed | None
-    gaps: dict[str, Proposed]
-    window: int
+    max_gap: Proposed | None  # None where no channel pauses, or where no one length suits all channels
+    gaps: dict[str, Proposed]  # channel -> max_gap, where one length does not suit all
+    window: int  # W, in vectors
     window_reason: str
-    still: Proposed | None
-    stills: dict[str, Proposed]
+    still: Proposed | None  # None where none stood still in calibration, or where not all can take it
+    stills: dict[str, Proposed]  # channel -> still_after, where not all can
 
 
 def propose(look: Look) -> Proposal:
@@ -119,7 +110,8 @@ def _window(look: Look) -> tuple[int, str]:
     room = healthy // BLOCKS
     window, reason = said, as_said
     if _SHORTEST_WINDOW <= room < said:
-        window = _rounded_down(room)
+        unit = 10 ** max(len(str(room)) - 2, 1)
+        window = room // unit * unit  # two digits and zeros
         reason = f"an eighth of the calibration, {healthy:,} samples, so that it has {BLOCKS} blocks"
     if cycle * CYCLES > window:
         window = 100 * math.ceil(cycle * CYCLES / 100)
@@ -127,9 +119,3 @@ def _window(look: Look) -> tuple[int, str]:
         if window > room:
             reason += f"; calibrate on {BLOCKS * window:,} samples or more, for {BLOCKS} blocks"
     return window, reason
-
-
-def _rounded_down(number: int) -> int:
-    """Return the largest number of two digits and zeros that is not above."""
-    unit = 10 ** max(len(str(number)) - 2, 1) if number >= 100 else 10
-    return number // unit * unit

@@ -3,11 +3,9 @@
 import datetime as dt
 from collections.abc import Sequence
 
-from gam_db.clock import SECOND, TimeKind
+from gam_db.clock import SECOND, UNITS, TimeKind
 
 _EPOCH = dt.datetime(1970, 1, 1, tzinfo=dt.UTC)
-_READ = ((SECOND * 86_400, "d", 2), (SECOND * 3_600, "h", 2), (SECOND * 60, "min", 2))
-_EXACT = (("d", 86_400_000_000), ("h", 3_600_000_000), ("min", 60_000_000), ("s", SECOND), ("ms", 1_000))
 _ROUND_SECONDS = (60, 120, 300, 600, 900, 1_800, 3_600, 7_200, 21_600, 43_200, 86_400)
 
 
@@ -15,9 +13,9 @@ def spoken(length: int, kind: TimeKind) -> str:
     """Return a length of time in few digits and the unit that suits it; counter steps as they are."""
     if kind.is_counter:
         return f"{length:,}"
-    for unit, name, most in _READ:
-        if length >= most * unit:
-            count = length / unit
+    for name in ("d", "h", "min"):
+        if length >= 2 * UNITS[name]:
+            count = length / UNITS[name]
             return f"{count:.3g} {name}" if count < 1000 else f"{count:,.0f} {name}"
     if length >= SECOND:
         return f"{length / SECOND:.4g} s"
@@ -38,10 +36,8 @@ def setting(length: int, kind: TimeKind) -> int | str:
     """Return a length exactly, as a setting: a number of counter steps, or a text such as '5 s'."""
     if kind.is_counter:
         return length
-    for unit, micros in _EXACT:
-        if length % micros == 0:
-            return f"{length // micros} {unit}"
-    return f"{length} us"
+    unit = next(one for one in ("d", "h", "min", "s", "ms", "us") if length % UNITS[one] == 0)
+    return f"{length // UNITS[unit]} {unit}"
 
 
 def roundest(least: int, below: int, wanted: int, kind: TimeKind) -> int:

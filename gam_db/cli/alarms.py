@@ -64,18 +64,13 @@ def alarms(
 
 
 @options.of_state(*options.STATE, "time_zone", "as_json", "quiet")
-def alarm(
-    settings: Settings,
-    common: options.Common,
-    episode: int = argument("alarm.episode"),
-) -> None:
+def alarm(settings: Settings, common: options.Common, episode: int = argument("alarm.episode")) -> None:
     """Say all that is known of one episode: its judgements, and where the signal went."""
     shown_in, name = zone(common.time_zone), settings.monitor.name
     with state_of(settings) as state:
         kind = kind_of(state.monitor(name))
         rows = stored.alarms(state, name).to_pylist()
-        found = next((row for row in rows if row["episode"] == episode), None)
-        if found is None:
+        if (found := next((row for row in rows if row["episode"] == episode), None)) is None:
             raise wrong("no_episode", episode=episode)
         told: Row = {
             "judgements": stored.judgements(state, found),
@@ -174,9 +169,7 @@ def limits(
 
 @options.taking(*options.READ, *options.ALARMS, "as_json", "quiet", "threads")
 def backtest(
-    settings: Settings,
-    common: options.Common,
-    healthy: list[str] | None = option("backtest.healthy"),
+    settings: Settings, common: options.Common, healthy: list[str] | None = option("backtest.healthy")
 ) -> None:
     """Count how often the limits raise what follows calibration, where nothing was wrong.
 
@@ -278,8 +271,7 @@ def _show_episodes(out: page.Out, rows: Sequence[Row], shown_in: dt.tzinfo) -> N
         "open of machine": "signals_open",
         "label": lambda row: row["label"] or "",
     }
-    left = ("channel", "status", "basis, per 1,000", "label")
-    page.table(out, rows, columns, mark, left)
+    page.table(out, rows, columns, mark, ("channel", "status", "basis, per 1,000", "label"))
     for row in {row["group"]: row for row in rows if row["signals_together"] > 1}.values():
         machine = printable(row["asset"])
         page.say(out, page.WORDS["alarms"]["together"].format(machine=machine, **row))

@@ -17,7 +17,7 @@ from gam_db.cli.options import option
 from gam_db.cli.progress import working
 from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
-from gam_db.errors import ConfigurationError, EngineError, printable, wrong
+from gam_db.errors import EngineError, printable, wrong
 from gam_db.findings import Row, need_attention, share, shortcomings
 from gam_db.reading.guess import SourceSettings, folder_or_table
 from gam_db.settings.source import AnySource, WideSource, is_file, shown_relation, slashed
@@ -29,9 +29,7 @@ from gam_db.stored.state import State
 
 @options.taking(*options.READ, *options.ALARMS, *options.STATE, *options.PAGE, "threads", state=True)
 def calibrate(
-    settings: Settings,
-    common: options.Common,
-    again: bool = option("calibrate.again", False),
+    settings: Settings, common: options.Common, again: bool = option("calibrate.again", False)
 ) -> None:
     """Learn the healthy part of every channel of SOURCE and freeze it in the database.
 
@@ -131,11 +129,8 @@ def _check_same(source: AnySource, known: Mapping[str, Any]) -> None:
         was, now = known[column], here[column]
         if was == now or (column == "source" and _absolute(was) == _absolute(str(now))):
             continue
-        raise ConfigurationError(
-            f"The monitor {known['name']!r} watches another source: its {column.replace('_', ' ')} is "
-            f"{was or 'none'}, that of this one {now or 'none'}. Give this one a monitor of its own by "
-            f"--name, or remove that one by gam drop --name {known['name']}."
-        )
+        name, column, was, now = known["name"], column.replace("_", " "), was or "none", now or "none"
+        raise wrong("monitor_of_another_source", name=name, column=column, was=was, now=now)
 
 
 def _absolute(relation: str | tuple[str, ...]) -> str | tuple[str, ...]:

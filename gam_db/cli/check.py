@@ -183,7 +183,6 @@ def _value(value: float | None) -> str | None:
 
 
 def _ending(seen: Seen) -> list[str]:
-    """Return what is to be done now."""
     proposal, look = seen.proposal, seen.look
     must = sum(note.must for note in seen.notes)
     points = f"{number_of(must, 'point')} marked ! must be fixed before anything is learnt"

@@ -328,8 +328,7 @@ def _reason(members: Sequence[Row], job: Job) -> str:
         f"tau: {counted('tau_rule', page.WORDS['tau'])}",
         f"m: {counted('fnn_status', page.WORDS['unfolds'])}",
     ]
-    floors = [row["recommended_floor"] for row in members if row["verdict"] != "needs_data"]
-    if floors:
+    if floors := [row["recommended_floor"] for row in members if row["verdict"] != "needs_data"]:
         most = f"{min(floors):.3f}" + (f" to {max(floors):.3f}" if max(floors) > min(floors) else "")
         parts.append(f"bins: the finest grid that calibration fills, floor {most}")
     if len(floors) < len(members):

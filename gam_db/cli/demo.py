@@ -28,10 +28,7 @@ _SIMULATED = Settings(
 )
 
 
-def demo(
-    keep: Path | None = option("demo.keep"),
-    report: Path | None = option("demo.report"),
-) -> None:
+def demo(keep: Path | None = option("demo.keep"), report: Path | None = option("demo.report")) -> None:
     """Simulate a machine that wears out, and print what `gam run` prints of it. Writes nothing.
 
     With --out it writes the series, with --report the page of a simulated plant, and nothing else.
@@ -45,7 +42,7 @@ def demo(
             on_step("simulating a plant")
             wishes = Wishes(title="A simulated plant", time_zone=plant.TIME_ZONE, made=plant.END)
             method = (plant.PARAMETERS, plant.CALIBRATION, Alarms())
-            figures = page_of(Source(plant.telemetry()), *method, path, wishes, on_step)
+            figures = page_of(Source(plant.telemetry()), method, path, wishes, on_step)
         told(lines, figures)
         page.say(lines, "Open it in a browser; it needs no network.")
         return

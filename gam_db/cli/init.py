@@ -96,13 +96,10 @@ def text(
 
 def _unsaid(seen: Seen, settings: Settings) -> list[tuple[str, Any, Mapping[str, Any], str]]:
     """Return what a look can propose and nobody said: for all channels, for some, or why for none."""
-    proposal = seen.proposal
+    proposal, never = seen.proposal, "never, since nothing stood still for a short part of calibration"
     every = (
         ("max_gap", proposal.max_gap, proposal.gaps, "no limit, since no pause was found"),
-        (
-            *("still_after", proposal.still, proposal.stills),
-            "never, since nothing stood still for a short part of calibration",
-        ),
+        ("still_after", proposal.still, proposal.stills, never),
     )
     return [one for one in every if one[0] not in settings.parameters]
 
@@ -129,8 +126,7 @@ def _source(seen: Seen, settings: Settings, folder: Path) -> dict[str, tuple[Any
         "relation": (placed[0] if len(placed) == 1 else placed, "the telemetry")
     }
     if database is not None and not is_file(relation):
-        address = _from(folder, shown(database))
-        said["database"] = (address, "the database that holds the table")
+        said["database"] = (_from(folder, shown(database)), "the database that holds the table")
     columns: dict[str, Any] = {"asset": source.asset, "time": source.time}
     if isinstance(source, Source):
         columns |= {"channel": source.channel, "value": source.value}

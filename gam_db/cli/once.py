@@ -104,7 +104,7 @@ def run(
             if report is not None:
                 wishes = Wishes(title=Path(job.name).name)
                 method = (job.parameters, job.calibration, settings.alarms)
-                page_of(job.guess.source, *method, report, wishes, progress.on_step)
+                page_of(job.guess.source, method, report, wishes, progress.on_step)
 
     def show_written(lines: page.Out) -> None:
         for one in written:
@@ -114,7 +114,6 @@ def run(
 
 
 def _others(estimator: str) -> Any:
-    """Return the module of the other estimators."""
     try:
         others = next(found.load() for found in entry_points(group="gam_db.estimators"))
     except (StopIteration, ModuleNotFoundError) as error:
@@ -123,11 +122,7 @@ def _others(estimator: str) -> Any:
 
 
 def show(
-    out: page.Out,
-    job: Job,
-    found: Sequence[Row],
-    everything: bool = False,
-    shown_in: dt.tzinfo = dt.UTC,
+    out: page.Out, job: Job, found: Sequence[Row], everything: bool = False, shown_in: dt.tzinfo = dt.UTC
 ) -> None:
     """Print what was found of each channel."""
     samples = sum(row["samples"] for row in found)

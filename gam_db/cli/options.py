@@ -288,8 +288,7 @@ def opened(
     Raises:
         UserError: no database was named, or it cannot be opened.
     """
-    address = settings.source.database
-    if address is None:
+    if (address := settings.source.database) is None:
         raise wrong("no_database_for_state")
     addresses.check(address)
     if must_exist and not is_url(address) and not Path(address).exists():

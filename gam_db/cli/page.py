@@ -251,18 +251,13 @@ def marked(row: Row) -> str:
     return MARKS.get(row["status"], " ")
 
 
-def _tells(rows: Sequence[Any], everything: bool) -> bool:
-    """Whether remarks are printed: one line for each channel is enough where there are several."""
-    return everything or len(rows) == 1
-
-
 def remarks(out: Console, said: Iterable[tuple[str, Iterable[str]]], everything: bool) -> None:
     """Print what is said of some channels, each remark once, with the channels it is said of.
 
     Of several channels it is only said of how many there is more to say, unless everything is asked for.
     """
     told = [(name, list(words)) for name, words in said]
-    if not _tells(told, everything):
+    if not (everything or len(told) == 1):  # one line for each channel is enough where there are several
         if more := sum(bool(words) for _, words in told):
             say(out, f"of {more:,} there is more to say: --all")
         return
@@ -331,7 +326,8 @@ def advice(supports: Sequence[Row]) -> list[str]:
 
 def legend(rows: Sequence[Row], everything: bool) -> str:
     """Return what the words of a page of channels mean, and no others."""
-    remarks = " ".join(said for row in rows for said in row["remarks"] * _tells(rows, everything))
+    told = rows if everything or len(rows) == 1 else ()
+    remarks = " ".join(said for row in told for said in row["remarks"])
     return " ".join(of for word, of in WORDS["legend"].items() if word == "always" or word in remarks)
 
 

@@ -57,16 +57,14 @@ def checked(path: Path, option: str) -> Path:
 
 def page_of(
     source: AnySource,
-    parameters: Parameters,
-    calibration: Calibration,
-    alarms: Alarms,
+    method: tuple[Parameters, Calibration, Alarms],
     path: Path,
     wishes: Wishes,
     on_step: Listener,
 ) -> dict[str, Any]:
     """Write the page of a source: calibrated and scored in memory, then forgotten."""
     with connect() as session:
-        monitor = Monitor(session, source, parameters, calibration, alarms)
+        monitor = Monitor(session, source, *method)
         monitor.migrate()
         monitor.calibrate(on_step=on_step)
         monitor.score(on_step=on_step)

@@ -140,7 +140,6 @@ def _told(tick: int | None, kind: TimeKind) -> int | str | None:
 
 
 def _lines(figures: Row, status: pa.Table | None, file: Path | None) -> Iterator[str]:
-    """Yield what is to be said of a run."""
     totals, others, late = figures["totals"], figures["other_settings"], figures["late"]
     read = f"{number_of(totals['channels'], 'channel')}, {number_of(totals['rows'], 'row')}"
     if status is None:

@@ -146,9 +146,7 @@ def _tell_sizes(sizes: pa.Table, monitor: str, dry_run: bool, common: options.Co
 
 @options.of_state("schema", "prefix")
 def drop(
-    settings: Settings,
-    name: str | None = option("drop.name"),
-    yes: bool = option("drop.yes", False),
+    settings: Settings, name: str | None = option("drop.name"), yes: bool = option("drop.yes", False)
 ) -> None:
     """Remove the state tables of a schema and prefix, or with --name the rows of one monitor.
 

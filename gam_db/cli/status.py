@@ -25,9 +25,7 @@ ASSETS = 20
 
 @options.of_state(*options.STATE, "park_after", *options.PAGE, "time_zone")
 def status(
-    settings: Settings,
-    common: options.Common,
-    asset: str | None = option("status.asset"),
+    settings: Settings, common: options.Common, asset: str | None = option("status.asset")
 ) -> None:
     """Say how every channel is: verdict, floor, indicator, trend, and what is wrong with its data.
 
@@ -113,16 +111,13 @@ def _show_assets(out: page.Out, rows: Sequence[Row], common: options.Common) -> 
 
 def _summary(channels: pa.Table, everything: bool) -> Iterator[str]:
     yield "channels: " + page.counted(channels.to_pylist())
-    silent = pc.sum(channels["silent"]).as_py()
-    if silent:
+    if silent := pc.sum(channels["silent"]).as_py():
         yield f"silent: {silent:,}"
-    differing = pc.sum(pc.greater(channels["differing_contexts"], 0)).as_py()
-    if differing:
+    if differing := pc.sum(pc.greater(channels["differing_contexts"], 0)).as_py():
         since = pc.min(channels["repair_from"]).as_py()
         since = since.isoformat() if isinstance(since, dt.datetime) else since
         yield page.WORDS["state"]["late"].format(count=differing, since=since)
-    changed = pc.sum(pc.not_equal(channels["calibration_rows_added"], 0)).as_py()
-    if changed:
+    if changed := pc.sum(pc.not_equal(channels["calibration_rows_added"], 0)).as_py():
         yield f"{changed:,} with calibration data that changed; gam calibrate --again learns it anew"
     rows = channels.select(["remarks"]).to_pylist()
     yield f"{page.legend(rows, everything)} Trend: HI now less HI a window earlier."
@@ -147,6 +142,5 @@ def judging(status: pa.Table) -> Iterator[str]:
         yield page.WORDS["state"]["mixed"].format(count=number_of(by_episode, "channel"))
     elif len(status) > status["judged_by"].null_count:
         yield "judged by the health indicator and its limit; gam limits says why"
-    asking = pc.sum(status["asking"]).as_py()
-    if asking:
+    if asking := pc.sum(status["asking"]).as_py():
         yield f"{number_of(asking, 'episode')} to look at; gam alarms shows them"

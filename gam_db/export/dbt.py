@@ -112,8 +112,7 @@ class Package:
             raise wrong("dbt_no_table")
         if isinstance(self.source, WideSource) and self.source.channels is None:
             raise SourceError("A dbt package of a wide table needs its channels named: channels=[...].")
-        node = table_names(relation)[0]
-        parts = [part.name for part in node.parts]  # type: ignore[attr-defined]
+        parts = [part.name for part in table_names(relation)[0].parts]  # type: ignore[attr-defined]
         catalog, schema, table = [None] * (3 - len(parts)) + parts
         if schema and self.schema and schema != self.schema:
             raise wrong("dbt_two_schemas", schema=schema, said=self.schema)
@@ -154,11 +153,9 @@ def _text(model: Model, engine: Engine, before: str = "") -> str:
         if tree is not None:
             jinja.check_is_free(tree)
     about = "\n".join(f"-- {line}" for line in template.load(model.about).comment.splitlines())
-    first = engine.text(model.query, pretty=True)
-    if model.later is None:
-        body = first
-    else:
-        body = jinja.in_two_forms(engine.text(model.later, pretty=True), first)
+    body = engine.text(model.query, pretty=True)
+    if model.later is not None:
+        body = jinja.in_two_forms(engine.text(model.later, pretty=True), body)
     head = [jinja.config(model.config)] if model.config else []
     head += [jinja.run(before)] if before else []
     return "\n\n".join([*head, about, body]) + "\n"
@@ -237,7 +234,6 @@ def sources(
 
 
 def _described(of: Modelled, model: Model) -> dict[str, Any]:
-    """Return the description and the tests of a model."""
     columns = []
     for column in model.query.named_selects:
         tests: list[Any] = []
@@ -260,7 +256,6 @@ def _described(of: Modelled, model: Model) -> dict[str, Any]:
 
 
 def _meaning(table: str, column: str) -> str:
-    """Return what a column means."""
     if column in _OWN:
         return _OWN[column]
     for name in (table, *_ELSEWHERE):

@@ -55,24 +55,16 @@ _PLANNED = ("active", "stored_visible_bucket", "newest", "restart", "cohort", "c
 
 @dataclass(frozen=True)
 class Model:
-    """One model, or one test that is a query.
+    """One model, or one test that is a query."""
 
-    Attributes:
-        name: without the prefix; it is that of a state table where there is one.
-        about: the template that says what it holds.
-        query, later: what the first build runs, and later ones; None if that is the same.
-        keys: columns that no two rows share.
-        values: column -> the values that there are.
-    """
-
-    name: str
+    name: str  # without the prefix; it is that of a state table where there is one
     folder: str
-    about: str
-    query: exp.Query
-    later: exp.Query | None = None
+    about: str  # the template that says what it holds
+    query: exp.Query  # what the first build runs
+    later: exp.Query | None = None  # what later ones run; None if that is the same
     config: Mapping[str, Any] = field(default_factory=dict)
-    keys: tuple[str, ...] = ()
-    values: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    keys: tuple[str, ...] = ()  # columns that no two rows share
+    values: Mapping[str, Sequence[str]] = field(default_factory=dict)  # column -> those that there are
 
 
 @dataclass(frozen=True)
@@ -199,8 +191,7 @@ def _calibration(of: Modelled) -> list[Model]:
             query = learning.query(f"{name}_rows", placed, commented=True)
             query.set("order", None)
         columns = [exp.column(exp.to_identifier(column)) for column in query.named_selects]
-        never = exp.EQ(this=exp.Literal.number(1), expression=exp.Literal.number(0))
-        nothing = exp.select(*columns).from_(jinja.THIS.copy()).where(never)
+        nothing = exp.select(*columns).from_(jinja.THIS.copy()).where(exp.Literal.number(1).eq(0))
         of_name = values.get(name, {})
         made.append(Model(name, "models/calibration", about, query, nothing, config, keys, of_name))
     return made
@@ -210,11 +201,8 @@ def _learning(of: Modelled) -> Pipeline:
     """Return the steps that learn, over the channels and intervals of the package's own models."""
     steps = Pipeline(small=frozenset(of.method.small() | set(_LEARNT)))
     allowed = [interval for rule in of.method.rules for interval in rule.allowed]
-    edges = (min(start for start, _ in allowed), max(end for _, end in allowed) + 1)
-    low, high = (
-        of.instant(template.node_of(edge + sign * of.margin))
-        for edge, sign in zip(edges, (-1, 1), strict=True)
-    )
+    edges = min(allowed)[0] - of.margin, max(end for _, end in allowed) + 1 + of.margin
+    low, high = (of.instant(template.node_of(edge)) for edge in edges)
     time = template.column(of.source.time)
     within = [exp.GTE(this=time, expression=low), exp.LT(this=time.copy(), expression=high)]
     # Samples before calibration decide nothing, unless by standing still.
@@ -238,16 +226,13 @@ def _learning(of: Modelled) -> Pipeline:
 
 def _bucket(of: Modelled) -> Model:
     """Return the model that grows: a later build reads what is new, by the restart rule."""
-    names = ("channel", "bounds", "support")
-    placed = {f"stored_{name}": of.reference(name) for name in names}
+    placed = {f"stored_{name}": of.reference(name) for name in ("channel", "bounds", "support")}
     placed["calibration"] = of.reference("calibration")
     first = _scoring(of, is_later=False).query("bucket_rows", placed, commented=True)
     steps = _scoring(of, is_later=True)
     steps.add("rows", union_of(steps, ["bucket_rows", "ended_buckets"]))
     later = steps.query("rows", {**placed, "stored_bucket": jinja.THIS}, commented=True)
-    ended = exp.Delete(
-        this=jinja.THIS.copy(), where=exp.Where(this=exp.column("last_time").is_(exp.null()))
-    )
+    ended = exp.delete(jinja.THIS.copy(), where=exp.column("last_time").is_(exp.null()))
     keys = ("channel_id", "bucket_no")
     config = {
         "materialized": "incremental",
@@ -262,8 +247,7 @@ def _bucket(of: Modelled) -> Model:
 def _scoring(of: Modelled, is_later: bool) -> Pipeline:
     setting = of.setting
     steps = Pipeline(small=KEPT | set(_PLANNED))
-    lengths = {"window": setting.window_length, "stride": setting.stride}
-    add(steps, "export/active", lengths)
+    add(steps, "export/active", {"window": setting.window_length, "stride": setting.stride})
     conditions: list[exp.Expr] = []
     if is_later:
         add(steps, "export/visible_bucket", name="stored_visible_bucket")
@@ -283,8 +267,11 @@ def _scoring(of: Modelled, is_later: bool) -> Pipeline:
         add(steps, f"stored/scoring/{name}")
     steps.add("readings", of.readings(*conditions), template.load("source/readings").comment)
     edges = [exp.column(name, table="named") for name in ("read_from", "read_until")]
-    ranged = exp.Between(this=exp.column("time", table="reading"), low=edges[0], high=edges[1])
-    add(steps, "source/identified", {"read": ranged})
+    add(
+        steps,
+        "source/identified",
+        {"read": exp.column("time", table="reading").between(edges[0], edges[1])},
+    )
     add_counting(steps, setting, of.method.kind, has_past=is_later)
     add(steps, "export/bucket_rows")
     if is_later:
@@ -293,11 +280,9 @@ def _scoring(of: Modelled, is_later: bool) -> Pipeline:
 
 
 def _views(of: Modelled) -> list[Model]:
-    """Return what is for whoever reads on."""
     placed = {f"stored_{name}": of.reference(name) for name in ("channel", "bounds", "bucket")}
     steps = Pipeline()
-    target = template.node_of(float(of.method.settings[0].target_floor))
-    limits = limit_slots(target)
+    limits = limit_slots(template.node_of(float(of.method.settings[0].target_floor)))
     add(steps, "export/assessed", {**limits, "stride": of.setting.stride})
     add_judged(steps)
     made, hook = [], {"pre_hook": of.adapter["before"]} if "before" in of.adapter else {}

@@ -117,7 +117,7 @@ class _Guesser:
     def __init__(self, columns: Mapping[str, str], said: SourceSettings, session: Session) -> None:
         self.columns = columns
         self.said = said
-        self.session = session
+        self.types = session.engine.types
         self.guessed: dict[str, str] = {}
         self.wide = said.layout == "wide" or said.channels is not None
         named = {
@@ -127,9 +127,8 @@ class _Guesser:
         }
         for role, column in [*named.items(), *(("channel", name) for name in said.channels or ())]:
             if column not in columns:
-                raise SourceError(
-                    f"There is no column {column!r} for {_WHAT[role]}{nearest(column, columns)}"
-                )
+                hint = nearest(column, columns)
+                raise SourceError(f"There is no column {column!r} for {_WHAT[role]}{hint}")
         taken = {*named.values(), *(said.channels or ())}
         self.free = [name for name in columns if name not in taken]
 
@@ -153,35 +152,32 @@ class _Guesser:
 
     def _time(self) -> str:
         """A strong name, then the only calendar column, then weak names; weak ones must fit by type."""
-        found = self._by_name("time", self.free, weak=False)
-        if found is None:
-            kinds = {name: self.session.engine.types.time_kind(self.columns[name]) for name in self.free}
+        if (found := self._by_name("time", self.free, weak=False)) is None:
+            kinds = {name: self.types.time_kind(self.columns[name]) for name in self.free}
             calendars = [name for name, kind in kinds.items() if kind and not kind.is_counter]
             if len(calendars) == 1:
                 return self._take("time", calendars[0])
             is_said = self.said.time_unit is not None  # then numbers may be times, too
             fitting = [
-                name for name, kind in kinds.items() if kind or (is_said and self._is_number(name))
+                name
+                for name, kind in kinds.items()
+                if kind or (is_said and self.types.is_numeric(self.columns[name]))
             ]
-            found = self._by_name("time", calendars or fitting or self.free)
-            if found is None:
+            if (found := self._by_name("time", calendars or fitting or self.free)) is None:
                 many = f"{_listed(calendars)} could each be" if calendars else "No column looks like"
                 raise self._unclear(f"{many} the time", ("time",))
         return self._take("time", found)
 
     def _name(self, role: str) -> str | None:
-        said = getattr(self.said, role)
-        if said is not None:
+        if (said := getattr(self.said, role)) is not None:
             return said or None
-        found = self._by_name(role, [name for name in self.free if self._can_name(name)])
-        if found is None:
-            return None
-        return self._take(role, found)
+        fitting = [name for name in self.free if self.types.is_name(self.columns[name])]
+        found = self._by_name(role, fitting)
+        return None if found is None else self._take(role, found)
 
     def _value(self, channel: str | None) -> str | None:
         """Return the column of the readings; None where the table turns out to be wide."""
-        strong = self._by_name("value", self.free, weak=False)
-        if strong is not None:
+        if (strong := self._by_name("value", self.free, weak=False)) is not None:
             return self._take("value", strong)
         numeric = self._numeric()
         if len(numeric) == 1:
@@ -191,8 +187,7 @@ class _Guesser:
         if channel is None and self.said.channel is None and self.said.layout is None:
             self.guessed["layout"] = "wide: no column names the signal, so each numeric column is one"
             return None
-        weak = self._by_name("value", numeric)
-        if weak is None:
+        if (weak := self._by_name("value", numeric)) is None:
             raise self._unclear("Several columns could be the reading", ("value",))
         return self._take("value", weak)
 
@@ -204,7 +199,8 @@ class _Guesser:
             for role, found in (("asset", asset), ("channel", channel))
             if found is None and getattr(self.said, role) is None and not (role == "channel" and is_wide)
         ]
-        texts = [name for name in self.free if self._can_name(name) and not self._is_number(name)]
+        free = ((name, self.columns[name]) for name in self.free)
+        texts = [name for name, of in free if self.types.is_name(of) and not self.types.is_numeric(of)]
         if open_roles and texts:
             what = " or ".join(_WHAT[role] for role in open_roles)
             raise self._unclear(f"{_listed(texts)} may name {what}", open_roles)
@@ -225,18 +221,11 @@ class _Guesser:
 
     def _numeric(self) -> list[str]:
         """Return what may hold readings: numbers, else truths, else texts if they were said to be."""
-        types, said = self.session.engine.types, self.said.reads_words
+        types, said = self.types, self.said.reads_words
         for holds in (types.is_numeric, types.is_truth, *([types.is_text] if said else [])):
-            found = [name for name in self.free if holds(self.columns[name])]
-            if found:
+            if found := [name for name in self.free if holds(self.columns[name])]:
                 return found
         return []
-
-    def _is_number(self, name: str) -> bool:
-        return self.session.engine.types.is_numeric(self.columns[name])
-
-    def _can_name(self, name: str) -> bool:
-        return self.session.engine.types.is_name(self.columns[name])
 
     def _unclear(self, what: str, roles: Sequence[str]) -> SourceError:
         options = "; ".join(

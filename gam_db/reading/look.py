@@ -10,7 +10,7 @@ import pyarrow as pa
 
 from gam_db.clock import FAR_AHEAD, TimeKind
 from gam_db.engines.session import Session
-from gam_db.errors import SourceError, UserError, nearest, wrong
+from gam_db.errors import SourceError, nearest, wrong
 from gam_db.settings.source import AnySource, Source, WideSource, declared_kind
 
 NO_ROW = "The source has no row (after where, if there is one)."
@@ -25,8 +25,7 @@ def resolved(source: AnySource, columns: dict[str, str], session: Session) -> An
     if isinstance(source, WideSource) and source.channels is None:
         types, others = session.engine.types, (source.asset, source.time)
         for holds in (types.is_numeric, types.is_truth):
-            found = tuple(name for name, of in columns.items() if name not in others and holds(of))
-            if found:
+            if found := tuple(name for name, of in columns.items() if name not in others and holds(of)):
                 break
         else:
             raise SourceError("The wide table has no numeric column beside asset and time.")
@@ -38,9 +37,8 @@ def resolved(source: AnySource, columns: dict[str, str], session: Session) -> An
             )
             if isinstance(source, Source) and source.columns == Source("").columns:
                 hint += " Name the columns, or give the relation itself, whose columns are guessed."
-            raise SourceError(
-                f"The relation has no column {column!r} for {role}{nearest(column, columns)}{hint}"
-            )
+            hint = nearest(column, columns) + hint
+            raise SourceError(f"The relation has no column {column!r} for {role}{hint}")
         _check_type(role, column, columns[column], session, source.time_unit)
     return source
 
@@ -51,21 +49,13 @@ def kind_of(source: AnySource, columns: dict[str, str], session: Session) -> Tim
     Raises:
         SourceError: it tells none as it is stored, or it is not what the user declared.
     """
-    kind = session.engine.types.time_kind(columns[source.time])
-    if kind is None:
-        raise _tells_no_time(source.time, columns[source.time])
+    if (kind := session.engine.types.time_kind(columns[source.time])) is None:
+        raise wrong("tells_no_time", column=source.time, type_name=columns[source.time], hint="")
     declared = declared_kind(source)
     if declared is not None and declared.is_counter != kind.is_counter:
-        raise wrong(
-            "time_kind_differs", value=declared.value, time=source.time, said=columns[source.time]
-        )
+        said = columns[source.time]
+        raise wrong("time_kind_differs", value=declared.value, time=source.time, said=said)
     return kind
-
-
-def check_kind(kind: TimeKind, expected: TimeKind, monitor: str) -> None:
-    """Refuse (SourceError) a source that tells time otherwise than its monitor was made for."""
-    if kind is not expected:
-        raise wrong("kind_of_monitor_differs", kind=kind.value, monitor=monitor, meant=expected.value)
 
 
 def check_rows(names: pa.Table) -> None:
@@ -103,18 +93,11 @@ def _check_type(role: str, column: str, type_name: str, session: Session, time_u
         if time_unit is not None and not counts:
             raise wrong("unit_of_no_number", column=column, type_name=type_name)
         if types.time_kind(type_name) is None and not is_read and not (counts and time_unit):
-            raise _tells_no_time(
-                column, type_name, "Say --time-unit (s, ms, us, ns) if it counts from 1970. " * counts
-            )
+            hint = "Say --time-unit (s, ms, us, ns) if it counts from 1970. " * counts
+            raise wrong("tells_no_time", column=column, type_name=type_name, hint=hint)
     elif role in ("asset", "channel"):
         if not types.is_name(type_name):
             raise wrong("no_name", role=role, column=column, type_name=type_name)
     elif not (types.is_numeric(type_name) or types.is_truth(type_name) or is_read):
-        raise SourceError(
-            f"The {'value' if role == 'value' else 'channel'} column {column!r} is of type "
-            f"{type_name}; readings must be numbers. Cast it in a view if that is what it holds."
-        )
-
-
-def _tells_no_time(column: str, type_name: str, hint: str = "") -> UserError:
-    return wrong("tells_no_time", column=column, type_name=type_name, hint=hint)
+        role = "value" if role == "value" else "channel"
+        raise wrong("no_number", role=role, column=column, type_name=type_name)

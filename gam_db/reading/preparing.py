@@ -44,8 +44,7 @@ def prepared(session: Session, source: AnySource) -> Prepared:
     if source.where is not None:
         session.check_condition(stored, parsed_condition(source.where), str(source.where))
     source = look.resolved(source, columns, session)
-    retyped = _retyped(session, source, columns)
-    if retyped:
+    if retyped := _retyped(session, source, columns):
         stored = session.engine.retyped(stored, retyped)
         columns = session.describe(stored)
     changes = _changes(session, source, columns, stored)
@@ -185,11 +184,8 @@ def _check_times(source: AnySource, type_name: str, found: list[Row]) -> None:
     hint = f"{proposed} would read them" if formats else "say --time-format, or --null for what is none"
     if len(formats) > 1:
         hint += ": say which is meant"
-    raise SourceError(
-        f"The time column {source.time!r} is of type {type_name}; it must be a timestamp or an integer "
-        f"counter, or each word {wanted}. {_first(found)}; {hint}. Cast it in a view otherwise "
-        "(CAST(... AS TIMESTAMP))."
-    )
+    time, said = source.time, f"{_first(found)}; {hint}"
+    raise wrong("texts_are_no_times", time=time, type_name=type_name, wanted=wanted, said=said)
 
 
 def _check_order(session: Session, source: AnySource, stored: exp.Expr) -> None:

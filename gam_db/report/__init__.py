@@ -1,6 +1,6 @@
 """The page for people who look: what the tables of a monitor know, in one HTML file.
 
-This module owns what is asked, the order of signals, and the file.
+This module owns what may be wished, what is asked, the order of signals, and the file.
 """
 
 import base64
@@ -10,22 +10,23 @@ import html
 import re
 import secrets
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gam_db.clock import SECOND, TimeKind, length
+from gam_db.clock import SECOND, Length, TimeKind, aware, length, zone
 from gam_db.composing import template
 from gam_db.data import text as text_of
 from gam_db.errors import ConfigurationError, UserError, wrong
-from gam_db.findings import by_channel
+from gam_db.findings import Row, by_channel
 from gam_db.report import details
 from gam_db.report.details import Reads
 from gam_db.report.packing import in_script, packed, strip, tick
-from gam_db.report.wishes import Wishes
 from gam_db.settings.parameters import pattern_matches
+from gam_db.settings.setting import COLUMNS, COUNT, FLAG, LENGTH, TEXT, Kind, check, declared, setting
 from gam_db.settings.source import AnySource
 from gam_db.study.running import Listener, unheard
 from gam_db.version import __version__
@@ -37,7 +38,7 @@ __all__ = ["Wishes", "page", "write"]
 DAY = 86_400 * SECOND
 
 #: Above so many signals a page gets fewer columns, and above the last one it is refused.
-COLUMNS, FEW_COLUMNS, MANY, MOST = 240, 120, 10_000, 40_000
+ALL_COLUMNS, FEW_COLUMNS, MANY, MOST = 240, 120, 10_000, 40_000
 
 #: Episodes in a page at most, and what is told of each, as the view calls it.
 MOST_ALARMS = 2000
@@ -51,7 +52,39 @@ _OF_MACHINE["notJudged"] = "not_judged"
 #: A place of the frame that is filled.
 _PLACE = re.compile(r"\{\{([a-z-]+)\}\}")
 
-Row = dict[str, Any]
+
+def _instant(name: str, given: Any) -> dt.datetime:
+    try:
+        return aware(given if isinstance(given, dt.datetime) else dt.datetime.fromisoformat(given))
+    except (TypeError, ValueError):
+        raise wrong("no_moment", name=name, given=given) from None
+
+
+#: An error names the option, or the keyword.
+_INSTANT = Kind(lambda _, name, given: _instant(name, given), read=_instant)
+
+
+@declared
+@dataclass(frozen=True)
+class Wishes:
+    """What the page is to hold.
+
+    Raises:
+        ConfigurationError: there is no such time zone, or another value cannot be used.
+    """
+
+    title: str = setting("Fleet health", TEXT)
+    details: int = setting(24, COUNT, least=0)
+    signals: Sequence[str] = setting((), replace(COLUMNS, option=list[str]))
+    since: Length | None = setting(None, LENGTH)
+    time_zone: str = setting("UTC", TEXT)
+    raw: bool = setting(True, replace(FLAG, read=lambda *_: False))
+    asset: str = setting("*", TEXT)
+    made: dt.datetime | None = setting(None, _INSTANT)
+
+    def __post_init__(self) -> None:
+        check(self, ConfigurationError)
+        zone(self.time_zone)
 
 
 def write(
@@ -91,7 +124,7 @@ def write(
         except UserError as error:
             why = f"the source could not be read: {str(error).partition(';')[0]}"
     on_step("writing the page")
-    columns = COLUMNS if len(signals) <= MANY else FEW_COLUMNS
+    columns = ALL_COLUMNS if len(signals) <= MANY else FEW_COLUMNS
     rows = []
     for row, course in zip(signals, courses, strict=True):
         spans, learnt = (course["first"], course["last"], course["hi"]), None
@@ -173,7 +206,6 @@ def _hash(text: str) -> str:
 
 
 def _signals(state: Reads, monitor: str, wishes: Wishes) -> list[Row]:
-    """Return the signals of the machines that are wanted."""
     rows = state.fetch("report/signals", {"monitor": template.text(monitor)}).to_pylist()
     rows = [row for row in rows if pattern_matches(wishes.asset, row["asset"])]
     if not rows:
@@ -240,7 +272,6 @@ def _alarms(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[str, lis
 
 
 def _courses(state: Reads, monitor: str, signals: Sequence[Row]) -> list[dict[str, NDArray[Any]]]:
-    """Return the buckets of each signal, in order."""
     rows = state.fetch("report/course", {"monitor": template.text(monitor)})
     places, nowhere = by_channel(rows), slice(0, 0)
     names = {"first": "first_tick", "last": "last_tick", "novel": "novel", "outside": "out_of_range"}

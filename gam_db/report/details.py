@@ -14,8 +14,8 @@ from sqlglot import exp
 from gam_db.clock import FAR_AHEAD
 from gam_db.composing import template
 from gam_db.composing.pipeline import filled
-from gam_db.engines.session import Session
-from gam_db.errors import ConfigurationError, nearest
+from gam_db.engines.session import Row, Session
+from gam_db.errors import nearest, wrong
 from gam_db.findings import by_channel
 from gam_db.report.packing import are_new, counts, packed, short, tick, ticks
 from gam_db.settings.calibration import Calibration
@@ -28,8 +28,6 @@ from gam_db.study import Study
 PIECE, STRETCHES, CELLS, AXES, GROWN, TOP = 1000, 700, 3000, 3, 200, 8
 
 _ENDS = ("value_from", "value_to")
-
-Row = dict[str, Any]
 
 
 class Reads(Protocol):
@@ -48,10 +46,7 @@ def chosen(signals: Sequence[Row], number: int, named: Iterable[str]) -> list[Ro
     known = {f"{row['asset']}/{row['channel']}": row for row in signals}
     for name in named:
         if name not in known:
-            raise ConfigurationError(
-                f"There is no signal {name!r} in this monitor; give it as ASSET/CHANNEL"
-                + nearest(name, list(known))
-            )
+            raise wrong("no_such_signal", name=name, hint=nearest(name, known))
     first = [known[name] for name in dict.fromkeys(named)]
     there = {row["place"] for row in first}
     rest = [row for row in signals if row["place"] not in there]
@@ -250,8 +245,7 @@ def detail(state: Reads, row: Row, course: Any, raw: tuple[Row, Row] | None) -> 
     if raw is None:
         return told
     told["envelope"], pieces = raw
-    healthy = state.fetch("report/healthy_keys", {"support_id": row["support_id"]})
-    keys = healthy["cell_key"].to_numpy()
+    keys = state.fetch("report/healthy_keys", {"support_id": row["support_id"]})["cell_key"].to_numpy()
     for name, piece in (("calm", "healthy"), ("onset", "onset")):
         time, value = pieces[piece]
         is_new = packed(are_new(time, value, row, keys), "u1")

@@ -15,7 +15,7 @@ from gam_db.columns import COUNT, SHARE, WORD, columns, table_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.session import Session
-from gam_db.reading import look
+from gam_db.errors import wrong
 from gam_db.reading.preparing import prepared
 from gam_db.settings.source import AnySource, parsed_condition, under
 from gam_db.stored.planning import Row
@@ -47,7 +47,9 @@ class Reader:
         self._session, self._engine = session, session.engine
         read = prepared(session, source)
         self._source, self._relation, self.kind = read.rows, read.relation, read.kind
-        look.check_kind(self.kind, expected, name)
+        if self.kind is not expected:
+            meant = expected.value
+            raise wrong("kind_of_monitor_differs", kind=self.kind.value, monitor=name, meant=meant)
 
     def readings(
         self, assets: Sequence[str] | None = None, earliest: int = LONG_AGO, latest: int = FAR_AHEAD
