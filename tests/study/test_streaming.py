@@ -19,10 +19,10 @@ from sqlglot import exp
 import comparisons
 import gam_db
 import harness
-from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.method.bits import Bits
 from gam_db.study import Study, naming
+from gam_db.study.running import Running
 from harness import Answer, Row
 
 pytestmark = pytest.mark.thorough
@@ -419,8 +419,8 @@ def test_the_vectors_themselves_show_a_wrong_proof(
 ) -> None:
     """Where the glance and the proof are passed over, what is computed says so itself."""
 
-    def grouped(session: DuckSession, steps: Pipeline, placed: Any, is_proven: bool) -> pa.Table:
-        names = session.fetch(steps.query("names", placed))
+    def grouped(running: Running, is_proven: bool) -> pa.Table:
+        names = running.session.fetch(running.steps.query("names", running.placed))
         return names.append_column("in_order", pa.array([1] * names.num_rows))
 
     monkeypatch.setattr(naming, "counted", grouped)
