@@ -14,7 +14,7 @@ from gam_db.checking import must_be_fixed, notes
 from gam_db.checking.words import spoken
 from gam_db.cli import options, page, toml_text
 from gam_db.cli.check import Seen, heading, looked, note_line
-from gam_db.cli.choose import calibration_lines, chosen, groups, save
+from gam_db.cli.chosen import calibration_lines, chosen, groups, save
 from gam_db.cli.config import DEFAULT_FILE, Settings
 from gam_db.cli.job import reading
 from gam_db.cli.options import option
