@@ -111,7 +111,7 @@ def recordings() -> Path:
 def without_comments(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
     """Make the tables of a state without the comments of their columns, where no test is about them.
 
-    They are nine of ten statements of a migration, and hundreds of tests begin with one.
+    They are nine of ten statements of a migration on PostgreSQL, and where DuckDB makes what is copied.
     """
     if request.node.get_closest_marker("migrates") is None:
         monkeypatch.setattr(storage, "_about", lambda *_: [])

@@ -12,7 +12,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.clock import FAR_AHEAD, LONG_AGO
-from gam_db.columns import counts, name_of, table_of
+from gam_db.columns import name_of, table_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, Step
 from gam_db.engines.session import Row
@@ -21,6 +21,7 @@ from gam_db.method.adding import OfSet, add
 from gam_db.method.delays import CALIBRATION, Ways, add_delays
 from gam_db.method.slots import block_no
 from gam_db.study import rounds
+from gam_db.study.repeating import TIMELINE
 from gam_db.study.running import Between, Running
 from gam_db.study.streamed import are_whole, range_of, read_off_visits
 
@@ -72,7 +73,7 @@ class Turns:
                 {**self._timeline[name_of(row)], "channel_id": row["channel_id"]}
                 for row in running.rows("channels")
             ]
-            running.load("timeline", table_of(timeline, _TIMELINE))
+            running.load("timeline", table_of(timeline, TIMELINE))
         if self.holds and not self._has_learnt and needed & {"visits", "support"}:
             self._has_learnt = True
             self.holds = self._learn()
@@ -145,6 +146,3 @@ def _is_plain(method: Method) -> bool:
     is_one = rule.fraction is None or tuple(rule.allowed) == whole
     alike = not others and len(method.settings) == 1 and method.is_unbroken(0)
     return alike and is_one and len(rule.allowed) <= 1
-
-
-_TIMELINE = counts("channel_id repeats first_time quota_time")

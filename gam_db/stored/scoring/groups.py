@@ -18,11 +18,7 @@ from gam_db.method.bits import Bits
 from gam_db.stored.alarms.episodes import follow
 from gam_db.stored.alarms.judging import buckets_of, judge
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due, rows_of
-from gam_db.stored.planning.reading import (
-    Reader,
-    cohort_of,
-    near,
-)
+from gam_db.stored.planning.reading import Reader, cohort_of, near
 from gam_db.stored.planning.steps import (
     FORMER,
     PUBLISHED,
