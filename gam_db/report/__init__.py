@@ -206,7 +206,7 @@ def _hash(text: str) -> str:
 
 
 def _signals(state: Reads, monitor: str, wishes: Wishes) -> list[Row]:
-    rows = state.fetch("report/signals", {"monitor": template.text(monitor)}).to_pylist()
+    rows = state.rows("report/signals", {"monitor": template.text(monitor)})
     rows = [row for row in rows if pattern_matches(wishes.asset, row["asset"])]
     if not rows:
         raise wrong("nothing_to_report", monitor=monitor, asset=wishes.asset)
@@ -247,7 +247,7 @@ def _is_new(row: Row, course: dict[str, NDArray[Any]], kind: TimeKind, newest: i
 
 def _machines(state: Reads, monitor: str, signals: Sequence[Row]) -> list[Row]:
     """Return the machines, the one with the most urgent signal first."""
-    rows = state.fetch("report/machines", {"monitor": template.text(monitor)}).to_pylist()
+    rows = state.rows("report/machines", {"monitor": template.text(monitor)})
     found = {row["asset"]: row for row in rows}
     return [
         {
@@ -262,7 +262,7 @@ def _machines(state: Reads, monitor: str, signals: Sequence[Row]) -> list[Row]:
 def _alarms(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[str, list[Any]]:
     """Return the episodes of the signals in columns, open ones first, then the newest."""
     place = {(row["asset"], row["channel"]): row["place"] for row in signals}
-    rows = state.fetch("report/alarms", {"monitor": template.text(monitor)}).to_pylist()
+    rows = state.rows("report/alarms", {"monitor": template.text(monitor)})
     rows = [row for row in rows if (row["asset"], row["channel"]) in place][:MOST_ALARMS]
     return {
         "signal": [place[row["asset"], row["channel"]] for row in rows],

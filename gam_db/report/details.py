@@ -40,6 +40,9 @@ class Reads(Protocol):
     def fetch(self, path: str, slots: Mapping[str, template.Slot] | None = None) -> pa.Table:
         """Return the rows of one file of ``sql/`` that reads state tables only."""
 
+    def rows(self, path: str, slots: Mapping[str, template.Slot] | None = None) -> list[Row]:
+        """Return the same, each row by the names of its columns."""
+
 
 def chosen(signals: Sequence[Row], number: int, named: Iterable[str]) -> list[Row]:
     """Return the signals in detail: those named, then the most urgent, spread over machines."""
@@ -184,10 +187,10 @@ def cells(state: Reads, signals: Sequence[Row], raw: bool) -> dict[int, Row]:
     }
     wanted: dict[str, template.Slot] = {"chosen": chosen["version_id"]}
     rows = state.fetch("report/cells", {**wanted, "most": CELLS, "axes": AXES})
-    near = state.fetch("report/nearest", {**wanted, "most": TOP}).to_pylist()
+    near = state.rows("report/nearest", {**wanted, "most": TOP})
     away = {(one["version_id"], one["visit_rank"]): one["away"] for one in near}
     ladder: dict[int, list[tuple[int, float]]] = {}
-    for one in state.fetch("report/ladder", {"chosen": chosen["support_id"]}).to_pylist():
+    for one in state.rows("report/ladder", {"chosen": chosen["support_id"]}):
         ladder.setdefault(one["support_id"], []).append((one["bins"], one["floor"]))
     version, kind = rows["version_id"].to_numpy(), np.array(rows["kind"].to_pylist(), dtype=object)
     found: dict[int, Row] = {}
@@ -231,7 +234,7 @@ def detail(state: Reads, row: Row, course: Any, raw: tuple[Row, Row] | None) -> 
     ``raw`` is its envelope and its pieces; None where raw readings are left out.
     """
     learnt = {"support_id": row["support_id"], "channel_id": row["channel_id"]}
-    blocks = state.fetch("report/blocks", learnt).to_pylist()
+    blocks = state.rows("report/blocks", learnt)
     told: Row = {
         "time": ticks(course["last"]),
         "first": ticks(course["first"]),

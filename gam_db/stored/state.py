@@ -134,7 +134,7 @@ class State:
                 raise ConflictError(CONFLICT)
             yield
             keys.update(self.keys())
-            if self.fetch("stored/state/doubled").num_rows:
+            if self.rows("stored/state/doubled"):
                 raise EngineError(
                     f"Another process wrote to {self.tables}* at the same time, and some channels are "
                     "there twice. Remove the monitor (`gam drop --monitor`), and calibrate it again, "

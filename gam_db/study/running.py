@@ -82,8 +82,9 @@ class Running:
 
     def rows(self, step: str) -> list[Row]:
         """Return the same, each row by the names of its columns."""
-        rows: list[Row] = self.table(step).to_pylist()
-        return rows
+        query = self.query(step)
+        self.on_step(step)
+        return self.session.rows(query)
 
     def asked(self, path: str, slots: Slots | None = None, tables: Tables | None = None) -> list[Row]:
         """Return the rows of a file of ``sql/`` over the steps, none of which it becomes."""
@@ -95,7 +96,7 @@ class Running:
         """Return the largest value of a column of a step, which is kept."""
         self.keep(step)
         largest = exp.select(exp.Max(this=exp.column(column)).as_("marked"))
-        return self.session.fetch(largest.from_(self.placed[step].copy()))["marked"][0].as_py()
+        return self.session.rows(largest.from_(self.placed[step].copy()))[0]["marked"]
 
     def write(self, step: str, path: Path, table: str) -> None:
         """Write the rows of a step as Parquet, or as a table of a DuckDB file."""

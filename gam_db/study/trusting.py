@@ -251,12 +251,12 @@ class Trust:
         session = self.running.session
         if session.engine.most_in_set is None:
             return False
-        most = session.fetch(session.engine.most_in_set)["most"][0].as_py()
+        most = session.rows(session.engine.most_in_set)[0]["most"]
         for number in self._sets:
             self.running.keep(support := self.method.named("support", number))
             cells = exp.select(exp.Count(this=exp.Star()).as_("cells"))
-            counted = session.fetch(cells.from_(self.running.placed[support].copy()))
-            if counted["cells"][0].as_py() > most:
+            counted = session.rows(cells.from_(self.running.placed[support].copy()))
+            if counted[0]["cells"] > most:
                 return True
         return False
 

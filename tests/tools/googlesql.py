@@ -3,16 +3,18 @@
 The implementation is Google's own, compiled to WebAssembly (package ``zetasql``, which names the Python
 layer); this module speaks to it directly, because the package compiles 28 MB anew in every process and
 copies byte by byte. wasmtime keeps what it compiled in the user's cache: half a minute once, then a
-quarter of a second.
+quarter of a second. Of two processes that begin one waits for the other.
 """
 
 import ctypes
 import datetime as dt
+import fcntl
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from importlib import resources
+from pathlib import Path
 from typing import Any
 
 from wasmtime import Config, Engine, Func, Linker, Module, SharedMemory, Store, WasiConfig
@@ -84,7 +86,9 @@ class _Service:
         self._store.set_wasi(system)
         linker = Linker(engine)
         linker.define_wasi()
-        module = Module.from_file(engine, str(get_wasm_path()))
+        with Path(get_wasm_path()).open("rb") as compiled:
+            fcntl.flock(compiled, fcntl.LOCK_EX)
+            module = Module(engine, compiled.read())
         self._exports = linker.instantiate(self._store, module).exports(self._store)
         memory = self._exports["memory"]
         assert isinstance(memory, SharedMemory)

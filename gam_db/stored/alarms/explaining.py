@@ -25,8 +25,8 @@ def explain(state: State, reader: Reader, monitor_id: int, plan: Iterable[Row], 
     """
     known = {row["version_id"]: row for row in plan}
     slots: dict[str, template.Slot] = {"monitor_id": monitor_id}
-    raised = state.fetch("stored/alarms/raised_versions", slots)["version_id"].to_pylist()
-    asked = [version for version in raised if version in known]
+    raised = state.rows("stored/alarms/raised_versions", slots)
+    asked = [row["version_id"] for row in raised if row["version_id"] in known]
     if not asked:
         return
     # What is of no use is skipped by an engine where that is said in literals.

@@ -67,7 +67,7 @@ class Reader:
         """Tell whether the source holds nothing at all; that nothing is new is another matter."""
         condition = parsed_condition(self._source.where)
         probe = exp.select(exp.Literal.number(1)).from_(self._relation.copy()).where(condition).limit(1)
-        return not self._session.fetch(probe).num_rows
+        return not self._session.rows(probe)
 
     def raw(self, asset: str, channel: str, earliest: int, latest: int) -> str:
         """Return the SQL that shows the rows of a channel in a range of integer time, in order."""

@@ -113,4 +113,4 @@ def _monitor_id(session: Session, tables: StateTables, monitor: str) -> int:
 
 def _count(session: Session, table: exp.Table, owned: exp.Expr | None = None) -> int:
     query = exp.select(exp.alias_(exp.Count(this=exp.Star()), "found")).from_(table.copy())
-    return int(session.fetch(query.where(owned)).column("found")[0].as_py())
+    return int(session.rows(query.where(owned))[0]["found"])

@@ -124,7 +124,7 @@ class Run:
         steps = Pipeline()
         steps.add("readings", self.reader.undated())
         add(steps, "stored/scoring/undated")
-        self.report.undated = int(self.session.fetch(steps.query("undated"))["undated"][0].as_py())
+        self.report.undated = int(self.session.rows(steps.query("undated"))[0]["undated"])
         if not dry_run:
             self.report.keep_unplaced(self.state, self.monitor["monitor_id"], self.started)
             most = wanted.limit or self.session.rows_at_once()
