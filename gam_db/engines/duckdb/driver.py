@@ -73,6 +73,7 @@ class DuckDriver(Driver):
 
     def rows(self, query: str) -> list[dict[str, Any]]:
         # Not by way of Arrow: a relation is bound when it is made, and again when its rows are read.
+        # (Of instants with a zone DuckDB makes Python's by pytz only; nothing that is read so has any.)
         found = self.connection.execute(query)
         names = [column[0] for column in found.description]
         return [dict(zip(names, row, strict=True)) for row in found.fetchall()]
