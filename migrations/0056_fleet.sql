@@ -5,7 +5,8 @@
 -- sql/judgement/, word for word. A run whose context differs has read another number of samples before its first bucket
 -- than were there when that bucket was scored: rows came later than lookback allows, or went. A later run that began to
 -- read no later speaks in its place; one that found no row at all says nothing. Only runs that tell something are put
--- in order: the newest of a version, the newest that counted its calibration, and all where a context differs.
+-- in order: the newest of a version, the newest that read anything, which says what its newest data is, the newest that
+-- counted its calibration, and all where a context differs.
 CREATE OR REPLACE VIEW stored_fleet AS
 SELECT
   watching.name AS monitor,
@@ -316,7 +317,7 @@ LEFT JOIN (
   SELECT
     version_id,
     1 AS hit,
-    MAX(run.newest_to) AS read_to,
+    MAX(CASE WHEN run_id = reading_id THEN run.read_to END) AS read_to,
     MAX(CASE WHEN run_id = newest_id THEN run.committed END) AS committed,
     CAST(SUM(differs) AS BIGINT) AS differing,
     MIN(CASE WHEN differs = 1 THEN read_from END) AS repair_from,
@@ -327,8 +328,9 @@ LEFT JOIN (
       run_id,
       counted_id,
       newest_id,
-      newest_to,
+      reading_id,
       read_from,
+      read_to,
       committed,
       calibration_readings,
       CASE
@@ -354,7 +356,7 @@ LEFT JOIN (
         ) AS read_since,
         counted_id,
         newest_id,
-        newest_to
+        reading_id
       FROM (
         SELECT
           done.version_id AS version_id,
@@ -367,14 +369,14 @@ LEFT JOIN (
           done.calibration_readings AS calibration_readings,
           every_run.counted_id AS counted_id,
           every_run.newest_id AS newest_id,
-          every_run.newest_to AS newest_to
+          every_run.reading_id AS reading_id
         FROM stored_finished_run AS done
         JOIN (
           SELECT
             version_id,
             MAX(one_run.run_id) AS newest_id,
             MAX(CASE WHEN one_run.calibration_readings IS NOT NULL THEN one_run.run_id END) AS counted_id,
-            MAX(one_run.read_to) AS newest_to,
+            MAX(CASE WHEN one_run.read_to IS NOT NULL THEN one_run.run_id END) AS reading_id,
             MAX(
               CASE WHEN one_run.read_to IS NOT NULL AND one_run.context_rows <> one_run.context_expected THEN 1 ELSE 0 END
             ) AS has_differing
@@ -383,6 +385,7 @@ LEFT JOIN (
         ) AS every_run ON every_run.version_id = done.version_id
         WHERE every_run.has_differing = 1
           OR done.run_id = every_run.newest_id
+          OR done.run_id = every_run.reading_id
           OR done.run_id = every_run.counted_id
       ) AS telling
     ) AS finished
@@ -396,6 +399,12 @@ LEFT JOIN (
 LEFT JOIN (
   SELECT reader.monitor_id AS monitor_id, MAX(done.read_to) AS newest_tick, 1 AS hit
   FROM stored_finished_run AS done
+  JOIN (
+    SELECT version_id, MAX(reading.run_id) AS newest_id
+    FROM stored_finished_run AS reading
+    WHERE reading.read_to IS NOT NULL
+    GROUP BY version_id
+  ) AS latest ON latest.version_id = done.version_id AND latest.newest_id = done.run_id
   JOIN stored_version AS made ON made.version_id = done.version_id
   JOIN stored_channel AS reader ON reader.channel_id = made.channel_id
   GROUP BY reader.monitor_id

@@ -46,7 +46,7 @@ class Scope:
         }
 
 
-@options.of_state(*options.STATE, "lookback", "append_only", "park_after", "as_json", "quiet", "threads")
+@options.of_state(*options.STATE, "lookback", "park_after", "as_json", "quiet", "threads")
 def score(
     settings: Settings,
     scope: Scope,
@@ -119,7 +119,6 @@ def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:
         },
         "ranges": told(run.ranges, "earliest"),
         "channels": told(run.channels, "read_from", "read_to"),
-        "moved": run.moved,
         "parked": run.parked,
         "not_calibrated": [
             {"asset": asset, "channel": channel, "rows": rows}
@@ -149,7 +148,6 @@ def _lines(figures: Row, status: pa.Table | None, file: Path | None) -> Iterator
     unknown = figures["not_calibrated"]
     of_unknown = number_of(sum(row["rows"] for row in unknown), "row")
     for name, count, thing, named in (
-        ("moved", figures["moved"], "channel", ()),
         ("parked", figures["parked"], "channel", ()),
         ("not_calibrated", len(unknown), "channel", unknown),
         ("rows_without_name", figures["rows_without_name"], "row", ()),

@@ -104,6 +104,7 @@ class Engine:
     #: The integer time of a column (``:time``) of a kind of calendar time, see :func:`formula`.
     micros: Formulas = field(hash=False)
     instant: Formulas = field(hash=False)  # the way back (of ``:micros``), for the last step of a query
+    now: str  # the clock of the database, in microseconds since 1970 (UTC), likewise
     #: The same as what a column of a kind is compared with, where it takes no other instant.
     compared: Mapping[TimeKind, str] = field(default_factory=dict, hash=False)
     #: The integer time of a column that counts; engines refuse the product of a timestamp.
@@ -174,6 +175,10 @@ class Engine:
     def micros_of(self, kind: TimeKind, column: exp.Expr) -> exp.Expr:
         """Return the integer time of a column that tells time in a way."""
         return formula(self.counted if kind.is_counter else _of_kind(self.micros, kind), time=column)
+
+    def clock(self) -> exp.Expr:
+        """Return the expression of this instant by the database's clock, in microseconds since 1970."""
+        return formula(self.now)
 
     def instant_of(self, kind: TimeKind, time: exp.Expr) -> exp.Expr:
         """Return an integer time as a source that tells time in a way has it."""

@@ -177,6 +177,11 @@ class Session:
         text = self.engine.text(query)
         return self._asked(lambda: self.driver.rows(text), text)
 
+    def now(self) -> int:
+        """Return this instant by the clock of the database, in microseconds since 1970 (UTC)."""
+        (row,) = self.rows(exp.select(exp.alias_(self.engine.clock(), "now")))
+        return int(row["now"])
+
     def keep(self, step: str, query: exp.Query) -> exp.Table:
         """Run a query into a temporary table and return the node that reads it."""
         table = self._new(step)

@@ -13,10 +13,21 @@ from typing import Any, Literal, TypeAlias
 
 from gam_db import data
 from gam_db.address import shown
+from gam_db.clock import Length
 from gam_db.engines.session import Session, arrow_table
 from gam_db.errors import SourceError, nearest
 from gam_db.settings.form import Form
-from gam_db.settings.setting import COLUMN, COLUMNS, FLAG, TEXT, TEXT_OR_TEXTS, declared, one_of, setting
+from gam_db.settings.setting import (
+    COLUMN,
+    COLUMNS,
+    FLAG,
+    LENGTH,
+    TEXT,
+    TEXT_OR_TEXTS,
+    declared,
+    one_of,
+    setting,
+)
 from gam_db.settings.source import AnySource, Source, WideSource, as_folder, is_file
 
 #: A column that was named, False for "there is none", None for "not said".
@@ -42,6 +53,7 @@ class SourceSettings(Form):
     where: str | None = setting(None, TEXT)
     where_any: bool | None = setting(None, FLAG)
     time_kind: str | None = setting(None, one_of("timestamp", "counter"))
+    clock_tolerance: Length | Literal[False] | None = setting(None, LENGTH, off=(False, "any time"))
 
     @property
     def shown_database(self) -> str | None:
@@ -139,6 +151,7 @@ class _Guesser:
         value = None if self.wide else self.said.value or self._value(channel)
         self._ask_about_texts(asset, channel)
         where, kind, written = self.said.where, self.said.time_kind, self.said.written
+        written = {**written, "clock_tolerance": self.said.clock_tolerance}
         source: AnySource
         if value is None:
             signals = self.said.channels or tuple(self._numeric())

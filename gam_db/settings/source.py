@@ -6,13 +6,13 @@ This module owns the two layouts and turns a source into the step *readings*. It
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import sqlglot
 from sqlglot import exp
 from sqlglot.errors import SqlglotError
 
-from gam_db.clock import TimeKind
+from gam_db.clock import Length, TimeKind
 from gam_db.composing import template
 from gam_db.errors import SourceError, wrong
 from gam_db.settings.form import Form
@@ -40,6 +40,8 @@ class Source(Form):
         where: a condition in SQL (DuckDB's dialect), applied before everything else.
         time_kind: "timestamp" or "counter"; needed only where SQL is made without looking at the
             relation, which then counts as "counter" by default.
+        clock_tolerance: a row that is later than now, by the database's clock, by more than this length
+            is left out until its time comes; default five minutes, False for none. A counter has no clock.
 
     How numbers and times are written is said by keywords, see :class:`gam_db.settings.form.Form`:
     decimal, thousands, unit, null, delimiter, skip_rows, time_format, time_unit.
@@ -52,6 +54,7 @@ class Source(Form):
     value: str = "value"
     where: str | exp.Expr | None = None
     time_kind: str | None = None
+    clock_tolerance: Length | Literal[False] | None = None
 
     def __post_init__(self) -> None:
         _check_names(self, ("asset", "channel"), ("time", "value"))
@@ -73,7 +76,8 @@ class WideSource(Form):
     """A wide table: one column per channel; a NULL cell is a missing sample, not an absent row.
 
     Attributes:
-        relation, asset, time, where, time_kind, and how things are written: as in :class:`Source`.
+        relation, asset, time, where, time_kind, clock_tolerance, and how things are written: as in
+            :class:`Source`.
         channels: the numeric columns, each a channel of that name; None for all numeric columns.
     """
 
@@ -83,6 +87,7 @@ class WideSource(Form):
     time: str = "time"
     where: str | exp.Expr | None = None
     time_kind: str | None = None
+    clock_tolerance: Length | Literal[False] | None = None
 
     def __post_init__(self) -> None:
         _check_names(self, ("asset",), ("time",))

@@ -183,7 +183,6 @@ class Monitor(MonitorSettings):
         kind = kind_of(self._required.monitor(self.name))
         wanted = Wanted(
             lookback=lengths.lookback(self.lookback, kind),
-            append_only=self.append_only,
             park_after=lengths.park_after(self.park_after, kind),
             repair_from=None if since is None else instant(since, kind, "since"),
             until=None if until is None else instant(until, kind, "until"),

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from gam_db.clock import Length
-from gam_db.settings.setting import FLAG, LENGTH, TEXT, check, declared, setting
+from gam_db.settings.setting import LENGTH, TEXT, check, declared, setting
 from gam_db.stored import lengths
 from gam_db.stored.pruning import NOVEL_ROWS
 from gam_db.stored.schema.tables import StateTables
@@ -35,9 +35,6 @@ class MonitorSettings:
         *(None, LENGTH, "how late a row may come"),
         usual=f"{lengths.LOOKBACK}, or 0 steps of a counter",
         example="1 h",
-    )
-    append_only: bool = setting(
-        *(False, FLAG, "rows only come, in order of time: those read are counted, not compared")
     )
     park_after: Length | Literal[False] | None = setting(
         *(

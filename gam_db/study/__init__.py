@@ -14,7 +14,7 @@ from typing import Any
 import pyarrow as pa
 from sqlglot import exp
 
-from gam_db.clock import TimeKind
+from gam_db.clock import FAR_AHEAD, TimeKind
 from gam_db.columns import name_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, union_of
@@ -25,7 +25,8 @@ from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
 from gam_db.method.bits import Bits
 from gam_db.method.census import Slicing
 from gam_db.method.delays import Ways
-from gam_db.reading import look
+from gam_db.errors import wrong
+from gam_db.reading import ahead, look
 from gam_db.reading.guess import sourced
 from gam_db.reading.preparing import prepared
 from gam_db.settings.calibration import Calibration
@@ -95,17 +96,20 @@ class Study:
             rough.forget()
         self.method = Method(parameters, calibration, read.kind, said)
         unread = dataclasses.replace(read.rows, relation=None)  # the node counts
-        self._asked = (self.method, unread, read.relation, session.engine)
-        self.running = Running(session, self._opening(), on_step=on_step)
-        is_even = all(map(self.method.is_unbroken, range(len(self.method.settings))))
-        slicing, ways = None, Ways(asked=frozenset(asked), by_windows=not is_even, has_sets=not counting)
-        is_streamed = short_cuts and seems_ordered(self.method, self.running, ways.scores)
-        may_trust = short_cuts and on_trust and trusting.serves(self.method)
-        if (may_trust and not is_streamed) or counting:
-            slicing, ways = trusting.begun(self.running, ways, self._opening)
-        self.running.keep("names")
-        names = session.fetch(self.steps.query("names", self.running.placed))
+        latest = ahead.latest_instant(session, self.source, read.kind)
+        #: Channels with rows that are later than now, which are left out; see :func:`ahead.rows_ahead`.
+        self.ahead: list[Row] = []
+        options = short_cuts, on_trust, asked, counting
+        slicing, ways, is_streamed, names = self._begin(unread, read.relation, on_step, *options)
+        if any(end is not None and end > latest for end in names["latest"].to_pylist()):
+            self.ahead = ahead.rows_ahead(session, self._readings(latest + 1, FAR_AHEAD), latest)
+            self.running.forget()
+            unread = ahead.without_ahead(unread, session.engine, read.kind, latest)
+            slicing, ways, is_streamed, names = self._begin(unread, read.relation, on_step, *options)
+            if not names.num_rows:
+                raise wrong("all_ahead", said=" ".join(ahead.ahead_sentences(self.ahead, len(self.ahead), session.now())))
         (look.check_rows if strict else look.check_clock)(names)
+        may_trust = short_cuts and on_trust and trusting.serves(self.method)
         # Supports are kept as bits where those of so many channels have room.
         grids = (one.radix**one.m for one in self.method.settings)
         bits = session.engine.bits
@@ -130,6 +134,30 @@ class Study:
         elif short_cuts and sum(names["readings"].to_pylist()) >= turning.TURNED_FROM:
             turns = Turns(self.method, self.running, self._readings)
             self._short_cut = turns if turns.serve(names) else None
+
+    def _begin(
+        self,
+        source: AnySource,
+        relation: exp.Expr,
+        on_step: Listener,
+        short_cuts: bool,
+        on_trust: bool,
+        asked: Collection[str],
+        counting: bool,
+    ) -> tuple[Slicing | None, Ways, bool, pa.Table]:
+        """Ask for the names of a source; return how its rows are best read, and the step *names*."""
+        session = self.session
+        self._asked = (self.method, source, relation, session.engine)
+        self.running = Running(session, self._opening(), on_step=on_step)
+        is_even = all(map(self.method.is_unbroken, range(len(self.method.settings))))
+        slicing, ways = None, Ways(asked=frozenset(asked), by_windows=not is_even, has_sets=not counting)
+        is_streamed = short_cuts and seems_ordered(self.method, self.running, ways.scores)
+        may_trust = short_cuts and on_trust and trusting.serves(self.method)
+        if (may_trust and not is_streamed) or counting:
+            slicing, ways = trusting.begun(self.running, ways, self._opening)
+        self.running.keep("names")
+        names = session.fetch(self.steps.query("names", self.running.placed))
+        return slicing, ways, is_streamed, names
 
     @property
     def steps(self) -> Pipeline:

@@ -30,7 +30,7 @@ LAYERS = [
     ["settings.source"],
     ["method"],
     ["engines"],
-    ["alarms.heights", "reading.look", "study.running"],
+    ["alarms.heights", "reading.ahead", "reading.look", "study.running"],
     ["reading.guess", "reading.preparing"],
     ["study.streamed"],
     ["study.naming"],

@@ -3,7 +3,8 @@
 This module owns what is read at all. Channels that have to be read from about the same instant on form
 a cohort, whose lower bound stands as a literal in its query; so one silent channel does not make every
 run a scan of everything. A channel that would have to be read from further back than ``park_after`` is
-parked: looked at once a day, on request, or when the newest cohort's look finds values of it.
+parked: a run asks only for values later than those that it has read, and reads the channel if there are
+any, on request, or once a day.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -61,21 +62,31 @@ def assets_of(channels: Iterable[Row]) -> list[str] | None:
 
 
 def planned(
-    rows: Sequence[Row], lookback: int, park_after: int | None, now: int, everything: bool
+    rows: Sequence[Row],
+    lookback: int,
+    park_after: int | None,
+    started: int,
+    latest: int,
+    everything: bool,
 ) -> Plan:
     """Return the plan of a run, of the rows of ``sql/stored/scoring/plan.sql``.
 
-    Lookback, and how far back a channel is read without a special reason (``park_after``; None parks
-    none), are in the unit of time, and now in microseconds. With ``everything`` no channel is parked.
+    Args:
+        rows: of that file.
+        lookback: how late a row may come, in the unit of time.
+        park_after: how far back a channel is read without a special reason, likewise; None parks none.
+        started: when the run began, in microseconds.
+        latest: the latest instant that counts; the newest data of a fleet is never later.
+        everything: no channel is parked.
     """
     fresh = [row for row in rows if row["looked_at"] == LONG_AGO]
     known = [row for row in rows if row["looked_at"] != LONG_AGO]
-    newest = max((row["read_until"] for row in known), default=LONG_AGO)
+    newest = min(max((row["read_until"] for row in known), default=LONG_AGO), latest)
     active, due, parked = [], [], []
     for row in known:
         if park_after is None or newest - row["read_from"] <= lookback + park_after:
             active.append(row)
-        elif everything or is_due(row["looked_at"], now):
+        elif everything or is_due(row["looked_at"], started):
             due.append(row)
         else:
             parked.append(row)
@@ -92,17 +103,30 @@ def is_due(last: int, now: int) -> bool:
     return not 0 <= now - last < DAY
 
 
+def unread(parked: Sequence[Row], lookback: int) -> list[Cohort]:
+    """Return cohorts of parked channels, each with where to look for rows after those that were read."""
+    ends = ((row, max(row["read_until"] + 1, row["read_from"])) for row in parked)
+    return others([{**row, "read_from": end} for row, end in ends], lookback)
+
+
 def resumed(parked: Iterable[Row], names: Iterable[Row], lookback: int) -> list[Cohort]:
-    """Return the cohorts of parked channels of which the look at today's rows (*names*) found values."""
-    alive = {
-        name_of(row) for row in names if row["readings"] + row["without_time"] > row["missing_readings"]
+    """Return the cohorts of parked channels of which values came after those that were read.
+
+    Args:
+        parked: rows of the plan.
+        names: what the look at later rows found of them.
+        lookback: in the unit of time.
+    """
+    latest = {
+        name_of(row): row["latest"] for row in names if row["readings"] > row["missing_readings"]
     }
-    return others([row for row in parked if name_of(row) in alive], lookback)
+    back = [row for row in parked if latest.get(name_of(row), row["read_until"]) > row["read_until"]]
+    return others(back, lookback)
 
 
 def others(rows: Sequence[Row], lookback: int) -> list[Cohort]:
     """Return the cohorts of channels that come in besides those of the plan."""
-    newest = max((row["read_until"] for row in rows), default=LONG_AGO)
+    newest = max((row["read_from"] for row in rows), default=LONG_AGO)
     return [_cohort(group, False) for group in alike(rows, newest, lookback)]
 
 

@@ -4,7 +4,7 @@ This module owns the conditions on the source's own columns, and the table that 
 which channels are read from where on.
 """
 
-from collections.abc import Container, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import pyarrow as pa
@@ -16,6 +16,7 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.session import Session
 from gam_db.errors import wrong
+from gam_db.reading.ahead import latest_instant
 from gam_db.reading.preparing import prepared
 from gam_db.settings.source import AnySource, parsed_condition, under
 from gam_db.stored.planning import Row
@@ -47,6 +48,8 @@ class Reader:
         self._session, self._engine = session, session.engine
         read = prepared(session, source)
         self._source, self._relation, self.kind = read.rows, read.relation, read.kind
+        #: The latest instant that counts; what is later is ahead of now, and not read.
+        self.latest = latest_instant(session, source, read.kind)
         if self.kind is not expected:
             meant = expected.value
             raise wrong("kind_of_monitor_differs", kind=self.kind.value, monitor=name, meant=meant)
@@ -55,6 +58,13 @@ class Reader:
         self, assets: Sequence[str] | None = None, earliest: int = LONG_AGO, latest: int = FAR_AHEAD
     ) -> exp.Query:
         """Return the step *readings*, with literal bounds where there are any; no assets are all."""
+        return self._between(earliest, min(latest, self.latest), assets)
+
+    def ahead(self) -> exp.Query:
+        """Return the readings that are later than now; the bound serves where the engine can use it."""
+        return self._between(min(self.latest, FAR_AHEAD - 1) + 1, FAR_AHEAD, None)
+
+    def _between(self, earliest: int, latest: int, assets: Sequence[str] | None) -> exp.Query:
         time = template.column(self._source.time)
         conditions = self._engine.in_range(self.kind, time, earliest, latest)
         if assets is not None and self._source.asset is not None:
@@ -92,26 +102,18 @@ class Reader:
         return self._engine.readings(source, self._relation, self.kind)
 
 
-#: The lookback of a run whose reads are summed up: what comes late shows there, so all is settled.
-SUMMED = -1
-
-
-def plan_rows(
-    state: State, monitor_id: int, lookback: int, among: Container[int] | None = None
-) -> list[Row]:
-    """Return from where on each version, or one among some, must be read, as its last run recorded.
+def plan_rows(state: State, monitor_id: int, lookback: int) -> list[Row]:
+    """Return from where on each version must be read, as the last run that read anything recorded.
 
     That is a run of late, or all of them are looked at. Where it allowed for rows less late than
-    ``lookback``, buckets have to be looked at, and are. That is :data:`SUMMED` where what was read is
-    added up first.
+    ``lookback``, buckets have to be looked at, and are.
     """
     rows = _planned(state, plan_steps(monitor_id, lookback, recent_run()))
     if not all(row["restarts"] for row in rows):
         rows = _planned(state, plan_steps(monitor_id, lookback))
-    rows = [row for row in rows if among is None or row["version_id"] in among]
     if any(row["read_until"] != LONG_AGO and not row["restarts"] for row in rows):
-        rows = searched_plan_rows(state, monitor_id, max(lookback, 0))
-    return [row for row in rows if among is None or row["version_id"] in among]
+        rows = searched_plan_rows(state, monitor_id, lookback)
+    return rows
 
 
 def recent_run() -> int:
@@ -170,7 +172,7 @@ def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
             name: value[number] if isinstance(value, list) else value for name, value in columns.items()
         }
         made.append(
-            {"lookback": 0, "late_by": 0, **row, "recounted": 0, "settled": 0, "novel_from": 0, **said}
+            {"lookback": 0, **row, "recounted": 0, "settled": 0, "novel_from": 0, **said}
         )
     return table_of(made, _COHORT)
 
@@ -178,7 +180,7 @@ def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
 _COHORT = columns(
     (COUNT, "channel_id version_id support_id first_bucket first_scored read_from read_until"),
     (COUNT, "context_expected calibration_end oldest_bucket recounted settled planned_from novel_from"),
-    (COUNT, "lookback late_by"),
+    (COUNT, "lookback"),
     (WORD, "asset channel"),
     (SHARE, "lo hi"),
 )

@@ -28,7 +28,6 @@ from gam_db.method.scoring import (
     add_numbered,
     add_support_bits,
 )
-from gam_db.method.slots import code_in
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
 
@@ -144,31 +143,12 @@ def reading_steps(rows: exp.Query, is_ranged: bool = True) -> Pipeline:
     return steps
 
 
-def unmoved_steps(rows: exp.Query, counted: bool) -> Pipeline:
-    """Return the steps that add up again what was read; the last is *unmoved*.
-
-    Given by the caller are *cohort*, and *ranges*: what runs have read of its channels, and its sum; or,
-    if rows are only ``counted``, how many they are.
-    """
-    steps = reading_steps(rows, is_ranged=False)
-    code = code_in(exp.column("bins"))
-    add(steps, "stored/scoring/unmoved", {"code": code, **_mark(counted)})
-    return steps
-
-
-def _mark(counted: bool) -> dict[str, exp.Expr]:
-    """Return the slots that say what one reading adds to the sum of what was read."""
-    mixed = template.node_of(0) if counted else template.fill("stored/scoring/read_mixed")
-    return {"mixed": mixed, "mark": template.fill("stored/scoring/read_mark")}
-
-
 @cache
 def scoring_steps(
     setting: Setting,
     kind: TimeKind,
     trusting: bool = False,
     bits: Bits | None = None,
-    counted: bool = False,
     compared: bool = False,
 ) -> Pipeline:
     """Return the steps from *identified* to the rows that are appended.
@@ -176,8 +156,8 @@ def scoring_steps(
     Looking whether an instant occurs twice takes a pass over all times. A ``trusting`` run takes it that
     none does, and finds out on the way: *repeated_instants* holds the channels that deserved no trust,
     whose rows must not be appended. With ``bits`` supports are kept so, and cells are looked up in them.
-    What was read is ``counted``, or summed up (stored/scoring/read_sums.sql). Buckets are ``compared``
-    with what is stored of them, and those before the first that differs not written.
+    Buckets are ``compared`` with what is stored of them, and those before the first that differs not
+    written.
 
     Given by the caller are the state tables, *identified*, *past_buckets*, *recount*, *stamp* (run_id,
     started, committed, deletes_hidden), and *cohort*: the channels, from where on each is read and
@@ -190,10 +170,6 @@ def scoring_steps(
     if trusting:
         asked: dict[str, template.Slot] = {"names": [exp.column("channel_id")]}
         add(steps, "census/repeated_instants", asked, tables={"marked": "visited"})
-    if counted or setting.still_after is None:
-        add(steps, "stored/scoring/read_sums", {"code": code_in(setting.bins), **_mark(counted)})
-    else:
-        add(steps, "stored/scoring/no_sums", name="read_sums")
     for name in ("past_counts", "new_counts", "settled"):
         add(steps, f"stored/scoring/{name}")
     if compared:

@@ -3,8 +3,6 @@
 This module owns what a run reads and in which groups; :mod:`gam_db.stored.scoring.groups` scores one.
 """
 
-from dataclasses import replace
-
 from gam_db.clock import LONG_AGO, shown_instant
 from gam_db.columns import name_of
 from gam_db.composing import template
@@ -12,21 +10,14 @@ from gam_db.composing.pipeline import Pipeline
 from gam_db.errors import ParameterError, SourceError
 from gam_db.method.adding import add
 from gam_db.reading import look
+from gam_db.reading.ahead import rows_ahead
 from gam_db.settings.source import AnySource
 from gam_db.stored.alarms.explaining import explain
 from gam_db.stored.checking.proving import verify, verify_daily
-from gam_db.stored.planning import Cohort, Row, others, planned, portions, resumed, rows_of
-from gam_db.stored.planning.reading import (
-    SUMMED,
-    Reader,
-    cohort_of,
-    last_times,
-    plan_rows,
-    searched_plan_rows,
-)
+from gam_db.stored.planning import Cohort, Row, planned, portions, resumed, rows_of, unread
+from gam_db.stored.planning.reading import Reader, cohort_of, last_times, plan_rows, searched_plan_rows
 from gam_db.stored.planning.steps import can_trust, reading_steps, setting_of
 from gam_db.stored.scoring.groups import Groups
-from gam_db.stored.scoring.growing import read_ranges, unmoved
 from gam_db.stored.scoring.publishing import snapshots
 from gam_db.stored.scoring.report import Report, Wanted
 from gam_db.stored.state import State, kind_of, now
@@ -59,9 +50,7 @@ class Run:
         self.monitor = state.monitor(name)
         self.reader = Reader(state.session, source, kind_of(self.monitor), name)
         self.started = now()
-        told = self.reader, self.monitor, wanted, self.started, on_step
-        self.groups = Groups(state, *told)
-        self.sums, self.ranges = False, dict[int, list[Row]]()
+        self.groups = Groups(state, self.reader, self.monitor, wanted, self.started, on_step)
         self.report = Report()
 
     def go(self, dry_run: bool = False) -> Report:
@@ -82,22 +71,16 @@ class Run:
             self.groups.is_thorough |= verify_daily(self.state, self.monitor)
         rows = self._plan()
         everything = wanted.everything or wanted.full or wanted.repair_from is not None
-        plan = planned(rows, wanted.lookback, wanted.park_after, self.started, everything)
-        parked = list(plan.parked)
-        cohorts = list(plan.cohorts)
-        while cohorts:
-            cohort = cohorts.pop(0)
+        latest, park_after = self.reader.latest, wanted.park_after
+        plan = planned(rows, wanted.lookback, park_after, self.started, latest, everything)
+        later = [row for group in unread(plan.parked, wanted.lookback) for row in self._look(group)]
+        back = resumed(plan.parked, later, wanted.lookback)
+        for cohort in [*plan.cohorts, *back]:
             names = self._look(cohort)
             if cohort.everyone:
                 self.report.note_unknown(names, known)
-                back = resumed(parked, names, wanted.lookback)
-                cohorts += back
-                again = {row["version_id"] for group in back for row in group.channels}
-                parked = [row for row in parked if row["version_id"] not in again]
             counts = {name_of(row): row["readings"] for row in names}
             self.groups.latest |= {name_of(row): row["latest"] for row in names}
-            cohort, moved = self._apart(cohort)
-            cohorts += moved
             if members := len(cohort.channels):
                 found = rows_of(cohort.channels, counts)
                 ranged = {"earliest": cohort.earliest, "channels": members, "rows": found}
@@ -120,7 +103,8 @@ class Run:
                 for part in portions(left, counts, wanted.limit or limit // CAREFUL):
                     self.groups.score(part, cohort, rows_of(part, counts), False)
         self.report.channels = self.groups.channels
-        self.report.parked = len(parked)
+        self.report.parked = len(plan.parked) - sum(len(cohort.channels) for cohort in back)
+        self.report.ahead = rows_ahead(self.session, self.reader.ahead(), latest)
         steps = Pipeline()
         steps.add("readings", self.reader.undated())
         add(steps, "stored/scoring/undated")
@@ -137,22 +121,14 @@ class Run:
         self.groups.planned = snapshots(self.state)
         lookback = None if self.wanted.full else self.wanted.lookback
         begin, until = self.wanted.repair_from, self.wanted.until
-        self.sums = bool(lookback) and begin is None
-        rows = [] if lookback is None else plan_rows(self.state, monitor_id, SUMMED if lookback else 0)
+        rows = [] if lookback is None else plan_rows(self.state, monitor_id, lookback)
         if until is not None and any(row["first_scored"] > until for row in rows):
             # What lies after the end does not stay.
             begin = until + 1 if begin is None else min(begin, until + 1)
         if lookback is None or begin is not None:
-            self.sums = False
             rows = searched_plan_rows(self.state, monitor_id, lookback, begin)
-        if self.sums:
-            self.ranges = read_ranges(self.state, self.wanted.lookback, rows)
-        known = {"late_by": self.wanted.lookback, "is_reread": False}
-        chosen = [
-            {**row, **known, "lookback": SUMMED if self._is_summed(row) else 0}
-            for row in rows
-            if self.wanted.chosen(*name_of(row))
-        ]
+        allowed = {"lookback": self.wanted.lookback}
+        chosen = [{**row, **allowed} for row in rows if self.wanted.chosen(*name_of(row))]
         later = [] if until is None else [row for row in chosen if row["read_from"] > until]
         if self.wanted.repair_from is not None or later:
             ends = last_times(self.state, monitor_id)
@@ -204,47 +180,6 @@ class Run:
         if not rows and self.reader.is_empty():
             raise SourceError(look.NO_ROW)
         return rows
-
-    def _apart(self, cohort: Cohort) -> tuple[Cohort, list[Cohort]]:
-        """Take out the channels that are to be read again as far as rows may come late.
-
-        Of others that have no newer row nothing is read: what is stored of them stays as it is.
-        """
-        asked = [
-            row
-            for row in cohort.channels
-            if self.sums and not row["is_reread"] and row["read_until"] != LONG_AGO
-        ]
-        if any(row["version_id"] in self.ranges for row in asked):
-            self.on_step("adding up what was read")
-        counted = self.wanted.append_only
-        same = unmoved(self.state, self.reader, self.ranges, asked, cohort.assets, counted)
-        moved = {row["version_id"] for row in asked if row["channel_id"] not in same}
-        for row in asked:
-            if row["channel_id"] in same:
-                self._leave_if_old(row)
-        if not moved:
-            return cohort, []
-        self.report.moved += len(moved) if counted else 0
-        lookback = self.wanted.lookback
-        usual = plan_rows(self.state, self.monitor["monitor_id"], lookback, moved)
-        known = {"late_by": lookback, "is_reread": True}
-        again = [
-            {**row, **known, "lookback": SUMMED if self._is_summed(row) else lookback} for row in usual
-        ]
-        left = tuple(row for row in cohort.channels if row["version_id"] not in moved)
-        return replace(cohort, channels=left), others(again, lookback)
-
-    def _is_summed(self, row: Row) -> bool:
-        """Tell whether what is read of a version is added up by the next run."""
-        return bool(self.wanted.lookback) and (self.wanted.append_only or row["still_after"] is None)
-
-    def _leave_if_old(self, row: Row) -> None:
-        """Read nothing of a channel of which there is nothing newer than its newest run has read."""
-        channel, newest = name_of(row), self.ranges[row["version_id"]][0]
-        latest = self.groups.latest.get(channel)
-        if latest is not None and latest <= newest["read_to"]:
-            self.groups.latest[channel] = None
 
     def _verify(self, cohort: Cohort) -> None:
         """Refuse to score by versions that are no longer what calibration froze."""

@@ -29,7 +29,6 @@ from gam_db.stored.planning.steps import (
     scoring_steps,
     setting_of,
 )
-from gam_db.stored.scoring import turning
 from gam_db.stored.scoring.ordered import is_given
 from gam_db.stored.scoring.publishing import GONE, NOTHING, Snapshots, publication, withdraw
 from gam_db.stored.scoring.report import Wanted
@@ -99,9 +98,9 @@ class Groups:
             return []
         setting = setting_of(group[0])
         bits = self._bits(group, read)
-        # Where rows came late, or may have, not all that is read again has changed.
-        compared = any(row["is_reread"] and row["restarts"] for row in group)
-        asked = setting, self.reader.kind, trusting, bits, self.wanted.append_only, compared
+        # Of what lies within the lookback hardly anything has changed; only that is written anew.
+        compared = not self.wanted.is_anew and any(row["restarts"] for row in group)
+        asked = setting, self.reader.kind, trusting, bits, compared
         steps = scoring_steps(*asked)
         with Running(self.session, steps, self.state.tables.placed(), self.on_step) as running:
             # A part of a cohort is found by name, or each part would read the rows of all.
@@ -143,15 +142,12 @@ class Groups:
     def _in_order(
         self, running: Running, group: Sequence[Row], assets: Sequence[str] | None, bits: Bits
     ) -> bool:
-        """Give the vectors of channels as they are stored, if they are in order or take turns."""
+        """Give the vectors of channels as they are stored, if they are in order."""
         asked = [{**row, "read_until": self._until(row)} for row in group]
         method = method_of(setting_of(group[0]), self.reader.kind)
         if method.settings[0].still_after is not None:
             return False
-        told = running, self.reader, assets, asked
-        if is_given(*told, method.settings[0], bits, method.gaps[0]):
-            return True
-        return method.is_unbroken(0) and turning.is_given(*told, method, bits)
+        return is_given(running, self.reader, assets, asked, method.settings[0], bits, method.gaps[0])
 
     def _repeating(self, running: Running, group: Sequence[Row]) -> list[Row]:
         """Second stage: return the channels that did not deserve trust, and leave them out."""
@@ -235,8 +231,8 @@ class Groups:
     def _until(self, row: Row) -> int:
         """Return the last instant of a channel that is read: the newest one that the look has found.
 
-        What was read before is added up after that look. So whatever comes later must be no further
-        behind than the lookback allows from there, which is how far the next run adds up.
+        So a row that comes while the run is at work is no further behind what was read than the lookback
+        allows, and the next run reads it.
         """
         latest = self.latest.get(name_of(row))
         if latest is None:

@@ -15,7 +15,7 @@ from gam_db.method.vectors import Stream
 from gam_db.settings.parameters import Parameters
 from gam_db.stored.planning import Row
 from gam_db.stored.planning.reading import Reader
-from gam_db.stored.planning.steps import ENDS, reading_steps
+from gam_db.stored.planning.steps import ENDS
 from gam_db.study import naming
 from gam_db.study.running import Running
 from gam_db.study.streamed import Own, of_channel, of_each, own, scored
@@ -32,7 +32,7 @@ def is_given(
     bits: Bits,
     gap: int | None,
 ) -> bool:
-    """Give *seen*, *visited* and *identified* of channels as they are stored; tell whether they serve.
+    """Give *seen* and *visited* of channels as they are stored; tell whether they serve.
 
     Args:
         running: the steps of a run that trusts that no instant occurs twice, with its *cohort*.
@@ -79,10 +79,6 @@ def is_given(
         lacks = has_more or any(row["missing_samples"] for row in found.values())
         make = partial(scored, setting=setting, bits=bits, stream=Stream(lacks, gap), ends=ENDS)
         running.put("visited", of_each(stored, "visited", make, vectors))
-        # The newest rows, which are summed up, are copied before all are counted again.
-        since = min(max(row["read_from"], row["read_until"] - 2 * row["late_by"]) for row in there)
-        newest = reading_steps(reader.readings(assets, since))
-        running.put("identified", newest.query("identified", running.placed))
         read = [_read(row) for row in there]
         rows = session.rows(of_each(stored, "seen", seen, read, labels=_LABEL))
         again = {row["channel_id"]: row for row in rows}

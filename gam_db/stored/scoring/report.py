@@ -14,8 +14,6 @@ class Wanted:
 
     Attributes:
         lookback: how far behind the newest bucket late rows are looked for, in the unit of time.
-        append_only: what was read within the lookback is counted; else it is summed up, which costs more
-            and tells a changed value, too. It is read again where that differs.
         park_after: see :mod:`gam_db.stored.planning`; None parks no channel.
         repair_from: score anew from this instant on; None for what the lookback asks for.
         until: read nothing newer; None for all there is.
@@ -26,7 +24,6 @@ class Wanted:
     """
 
     lookback: int
-    append_only: bool = False
     park_after: int | None = None
     repair_from: int | None = None
     until: int | None = None
@@ -34,6 +31,11 @@ class Wanted:
     everything: bool = False
     chosen: Callable[[str, str], bool] = lambda asset, channel: True
     limit: int | None = None
+
+    @property
+    def is_anew(self) -> bool:
+        """Tell whether buckets are to be written anew even where nothing seems to have changed."""
+        return self.full or self.repair_from is not None
 
 
 @dataclass
@@ -44,21 +46,21 @@ class Report:
         channels: a row per channel that was read: asset, channel, first_bucket, buckets (new or written
             anew), read_from, read_to (integer time; None where nothing was read, since there is nothing
             new), rows_read, context_rows, context_expected.
-        moved: of a source that is said to grow only: channels in which rows came late or went all the
-            same, or of which that is not known, so that they were read again as far as lookback.
         parked: channels that were not read.
         unknown_channels: rows of today that belong to no calibrated channel, by (asset, channel).
         nameless: rows of today without asset or channel.
         undated: rows of the source without a time.
+        ahead: a row per channel with rows that are later than now; see
+            :func:`gam_db.reading.ahead.rows_ahead`. They were not read.
         ranges: of each query: earliest instant, channels, rows in the range.
     """
 
     channels: list[Row] = field(default_factory=list)
-    moved: int = 0
     parked: int = 0
     unknown_channels: dict[tuple[str, str], int] = field(default_factory=dict)
     nameless: int = 0
     undated: int = 0
+    ahead: list[Row] = field(default_factory=list)
     ranges: list[Row] = field(default_factory=list)
 
     def note_unknown(self, names: Sequence[Row], known: Container[tuple[str, str]]) -> None:

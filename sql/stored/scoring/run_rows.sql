@@ -1,5 +1,5 @@
 -- Run rows: what commits a run, one row per version; appended last of all.
--- Reads:  cohort, changed, seen, recount, settled, stillness, read_sums, stamp
+-- Reads:  cohort, changed, seen, recount, settled, stillness, stamp
 -- A row:  one version that was looked at. One without any row in its range, not even its context, hides
 --         nothing: from_bucket is beyond all buckets, and what was settled is what an earlier run says. Where
 --         no new bucket is settled, it is the one that stayed, after which this run began. hides = 0 where no row of an
@@ -39,8 +39,6 @@ SELECT
   stamp.committed AS committed,
   member.planned_from AS planned_from,
   CASE WHEN calm.hit = 1 THEN calm.still_since END AS still_since,
-  CASE WHEN summed.hit = 1 THEN summed.summed_from END AS summed_from,
-  CASE WHEN summed.hit = 1 THEN summed.read_sum END AS read_sum,
   CASE WHEN CASE WHEN ranged.hit = 1 THEN stamp.deletes_hidden ELSE 1 END = 1 THEN CAST(0 AS BIGINT) END AS hides,
   CASE WHEN ranged.hit = 1 THEN member.first_bucket END AS made_from
 FROM cohort AS member
@@ -62,7 +60,3 @@ LEFT JOIN (
   SELECT channel_id, still_since, 1 AS hit
   FROM stillness
 ) AS calm ON calm.channel_id = member.channel_id
-LEFT JOIN (
-  SELECT channel_id, summed_from, read_sum, 1 AS hit
-  FROM read_sums
-) AS summed ON summed.channel_id = member.channel_id

@@ -1,0 +1,113 @@
+"""Rows that are later than now: they are left out, counted and named.
+
+A clock that runs ahead must decide nothing: no newest time, no share of calibration. This module owns the
+latest instant that counts, and the sentences about rows after it. A counter has no clock.
+"""
+
+from collections import Counter
+from collections.abc import Sequence
+
+from sqlglot import exp
+
+from gam_db.clock import FAR_AHEAD, UNITS, TimeKind, length, shown_instant
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
+from gam_db.engines.base import Engine
+from gam_db.engines.session import Row, Session
+from gam_db.errors import printable
+from gam_db.method.adding import add
+from gam_db.settings.source import AnySource, under
+
+#: How far a row may be ahead of the database's clock, where the source does not say.
+TOLERANCE = "5 min"
+
+#: Channels that a sentence names.
+_NAMED = 3
+
+_HALF_HOUR = UNITS["min"] * 30
+#: Zones are at most so many half hours ahead of UTC.
+_MOST_HALF_HOURS = 28
+#: The newest row of a live channel is at most so old.
+_DELAY = UNITS["min"] * 10
+
+
+def tolerance(source: AnySource, kind: TimeKind) -> int | None:
+    """Return by how many microseconds a row may be ahead of now; None if it may be by any time.
+
+    Raises:
+        ParameterError: it is no length of time.
+    """
+    if kind.is_counter or source.clock_tolerance is False:
+        return None
+    value = TOLERANCE if source.clock_tolerance is None else source.clock_tolerance
+    return length(value, kind, "clock_tolerance")
+
+
+def latest_instant(session: Session, source: AnySource, kind: TimeKind) -> int:
+    """Return the latest instant of a source that counts now, in microseconds; FAR_AHEAD for no limit."""
+    allowed = tolerance(source, kind)
+    return FAR_AHEAD if allowed is None else session.now() + allowed
+
+
+def without_ahead(source: AnySource, engine: Engine, kind: TimeKind, latest: exp.Expr | int) -> AnySource:
+    """Return a source without the rows that are later than an instant; rows without a time stay."""
+    slots = {"time": engine.micros_of(kind, template.column(source.time)), "latest": latest}
+    return under(source, template.fill("source/is_in_time", slots))
+
+
+def rows_ahead(session: Session, readings: exp.Query, latest: int) -> list[Row]:
+    """Return asset, channel, ahead_rows and ahead_to of each channel with rows later than an instant.
+
+    Args:
+        session: of the source.
+        readings: the step *readings*, at least from that instant on.
+        latest: the instant, in microseconds.
+    """
+    steps = Pipeline()
+    steps.add("readings", readings)
+    add(steps, "source/ahead", {"latest": latest})
+    return session.rows(steps.query("ahead"))
+
+
+def zone_hours(rows: Sequence[Row], channels: int, now: int) -> float | None:
+    """Return the hours by which most channels are ahead alike, as local times are; None if none are.
+
+    Args:
+        rows: as :func:`rows_ahead` returns them.
+        channels: how many channels the source has.
+        now: this instant, in microseconds.
+    """
+    leads = Counter[int]()
+    for row in rows:
+        half_hours = -((now - row["ahead_to"]) // _HALF_HOUR)
+        if half_hours <= _MOST_HALF_HOURS and half_hours * _HALF_HOUR + now - row["ahead_to"] <= _DELAY:
+            leads[half_hours] += 1
+    half_hours, channels_alike = max(leads.items(), key=lambda lead: lead[1], default=(0, 0))
+    return half_hours / 2 if 2 * channels_alike > channels else None
+
+
+def ahead_sentences(rows: Sequence[Row], channels: int, now: int) -> list[str]:
+    """Return what a user must know of rows that are later than now, in plain words; empty for none.
+
+    Arguments as for :func:`zone_hours`.
+    """
+    if not rows:
+        return []
+    furthest = sorted(rows, key=lambda row: -row["ahead_to"])
+    each = [
+        f"{printable(str(row['asset']))} {printable(str(row['channel']))}: {row['ahead_rows']:,}, "
+        f"the latest {shown_instant(row['ahead_to'], TimeKind.TIMESTAMP)} UTC"
+        for row in furthest[:_NAMED]
+    ]
+    more = f"; and {len(rows) - _NAMED:,} more channels" if len(rows) > _NAMED else ""
+    total = sum(row["ahead_rows"] for row in rows)
+    sentences = [
+        f"{total:,} row{'s are' if total > 1 else ' is'} later than now and left out until then "
+        f"({'; '.join(each)}{more}). Correct the clock, or delete the row{'s' * (total > 1)}."
+    ]
+    if (hours := zone_hours(rows, channels, now)) is not None:
+        sentences.append(
+            f"Most channels are {hours:g} h ahead of now, so their times look local: "
+            "--source-time-zone NAME (such as Europe/Berlin) reads them."
+        )
+    return sentences
