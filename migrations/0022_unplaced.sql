@@ -1,4 +1,5 @@
--- Unplaced: rows of the source that a run could give to no channel, or to no instant.
+-- Unplaced: how many rows of the source a run could give to no channel or instant; the newest row says when the last
+-- run was.
 CREATE TABLE IF NOT EXISTS stored_unplaced (
   monitor_id BIGINT NOT NULL,
   started BIGINT NOT NULL,
@@ -9,7 +10,7 @@ CREATE TABLE IF NOT EXISTS stored_unplaced (
 );
 
 COMMENT ON TABLE stored_unplaced
-  IS 'Rows that a run could give to no channel or instant; one row per run that found any';
+  IS 'Rows that a run could give to no channel or instant; one row per run';
 COMMENT ON COLUMN stored_unplaced.monitor_id IS 'The monitor';
 COMMENT ON COLUMN stored_unplaced.started
   IS 'When the run began, in microseconds since 1970 (UTC); also in its rows of run';

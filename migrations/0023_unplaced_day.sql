@@ -22,6 +22,7 @@ FROM (
     run.strangers AS strangers,
     run.stranger_channels AS stranger_channels
   FROM stored_unplaced AS run
+  WHERE run.nameless + run.undated + run.strangers > 0
 ) AS found
 JOIN stored_monitor AS watching ON watching.monitor_id = found.monitor_id
 GROUP BY watching.name, found.day_start;

@@ -13,6 +13,7 @@ from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.session import Session
 from gam_db.method import Method
 from gam_db.method.adding import add, add_stacked
+from gam_db.reading.ahead import Clock
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
 from gam_db.settings.source import AnySource, TimeNode, parsed_condition, read_from
@@ -115,6 +116,10 @@ class Look:
     nameless: dict[str, int]  # rows of the source without asset, channel and time, by these words
     exact: tuple[str, ...]  # columns of readings that are integers or decimals, not doubles
     number_texts: tuple[str, ...]  # text columns that are not read and hold numbers
+    clock: Clock  # of the database, as it was read
+    ahead: tuple[
+        Row, ...
+    ]  # channels with rows later than now, see :func:`gam_db.reading.ahead.rows_ahead`
 
     @property
     def kind(self) -> TimeKind:
@@ -152,7 +157,8 @@ def look_at(
     nameless["time"] = sum(row["without_time"] for row in rows)
     channels = tuple(row for row in rows if row["samples"] is not None)
     exact = exact_columns(study.session, study.source, study.columns)
-    return Look(study.source, study.method, table, channels, nameless, exact, _number_texts(study))
+    read = study.source, study.method, table, channels, nameless, exact, _number_texts(study)
+    return Look(*read, study.clock, tuple(study.ahead))
 
 
 def exact_columns(session: Session, source: AnySource, columns: Mapping[str, str]) -> tuple[str, ...]:

@@ -12,6 +12,7 @@ from gam_db.checking.look import REGULAR_WITHIN, Look, Row, is_irregular, is_on_
 from gam_db.checking.proposal import BLOCKS, CYCLES, MOST_STILL, Proposal
 from gam_db.checking.words import extent, instant, number_of, percent, reaching, spoken
 from gam_db.clock import SECOND, SINCE_1970, TimeKind, epoch_unit, is_of_our_time
+from gam_db.reading.ahead import ahead_sentences
 
 PART = 0.1
 """Share of a machine's recording that a channel may lack at either end before it is said."""
@@ -90,6 +91,7 @@ def _on_times(look: Look, proposal: Proposal) -> list[Note]:
     short, long = step(min, "short_step"), step(max, "long_step")
     return [
         *_noted("one_instant", alike, must=len(alike) == len(look.channels)),
+        *_ahead(look),
         *_clock(look),
         *_repeated(look),
         *_noted("short_gap", cut, must=True, usual=usual),
@@ -97,6 +99,16 @@ def _on_times(look: Look, proposal: Proposal) -> list[Note]:
         *_noted("on_change", on_change, short=short, long=long),
         *_noted("irregular", irregular, short=short, long=long),
         *_rates(spaced, look.kind),
+    ]
+
+
+def _ahead(look: Look) -> list[Note]:
+    """Rows that are later than now; where most channels are ahead alike, times are local."""
+    sentences = ahead_sentences(look.ahead, len(look.channels), look.clock)
+    names = tuple((row["asset"], row["channel"]) for row in look.ahead)
+    return [
+        Note(subject, subject == "local_times", sentence, names)
+        for subject, sentence in zip(("ahead", "local_times"), sentences, strict=False)
     ]
 
 

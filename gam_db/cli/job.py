@@ -2,7 +2,7 @@
 
 import contextlib
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from gam_db.checking.look import exact_columns
@@ -169,6 +169,8 @@ def watched(
     known = state.monitor(settings.monitor.name)
     relation = folder_or_table(relation, session)
     source = source_of(known, channels_of(state, known), relation)
+    # What is ahead is a question of each run, not of the monitor.
+    source = replace(source, clock_tolerance=settings.source.clock_tolerance)
     return Monitor(session, source, asked=settings.alarms, **vars(settings.monitor)), known
 
 

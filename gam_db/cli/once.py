@@ -22,14 +22,16 @@ from gam_db.cli.job import Job, job_of
 from gam_db.cli.options import option
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.cli.report import checked, page_of
-from gam_db.clock import SINCE_1970, epoch_unit, zone
+from gam_db.clock import SINCE_1970, epoch_unit, shown_instant, zone
 from gam_db.engines.connecting import connect
 from gam_db.engines.duckdb.files import SOURCE_MARK
 from gam_db.errors import ConfigurationError, printable, wrong
 from gam_db.findings import Row, findings, need_attention
+from gam_db.reading.ahead import ahead_sentences
 from gam_db.report import Wishes
 from gam_db.settings.source import FILE_ENDINGS, is_file, paths_of
 from gam_db.stored.lengths import park_after
+from gam_db.study import Study
 
 #: The estimator that is the method itself; others come by the entry points ``gam_db.estimators``.
 DSE = "dse"
@@ -97,6 +99,8 @@ def run(
                 shows = partial(others.show_scores, job=job, **asked)
         if not (common.as_json or common.quiet):
             shows(page.console())
+            page.say(page.console(), *ahead_sentences(study.ahead, len(told["channels"]), study.clock))
+        told["ahead"] = ahead_of(study)
         with Progress(session, common.quiet) as progress:
             for result in results:
                 progress.on_step(f"writing {result}")
@@ -111,6 +115,12 @@ def run(
             lines.print(f"written: {printable(one)}", soft_wrap=True)
 
     page.tell({**job.figures(), **told, "written": written}, show_written, common, urgent)
+
+
+def ahead_of(study: Study) -> list[Row]:
+    """Return the channels of a study with rows that are later than now, as --json prints them."""
+    kind = study.method.kind
+    return [{**row, "ahead_to": shown_instant(row["ahead_to"], kind)} for row in study.ahead]
 
 
 def _others(estimator: str) -> Any:

@@ -17,6 +17,7 @@ from gam_db.cli.status import judging, raised
 from gam_db.clock import LONG_AGO, TimeKind, instant, shown_instant
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, need_attention
+from gam_db.reading.ahead import ahead_sentences
 from gam_db.settings.setting import FLAG, INSTANT, TEXT, setting
 from gam_db.settings.source import shown_relation
 from gam_db.stored.calibrating import differing
@@ -97,7 +98,7 @@ def score(
                 "rows": "rows",
             }
             page.table(out, figures["ranges"], columns)
-        page.say(out, *_lines(figures, status, settings.file))
+        page.say(out, *_lines(figures, run, status, settings.file))
 
     page.tell(figures, show, common, urgent=urgent)
 
@@ -121,11 +122,12 @@ def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:
         "channels": told(run.channels, "read_from", "read_to"),
         "parked": run.parked,
         "not_calibrated": [
-            {"asset": asset, "channel": channel, "rows": rows}
-            for (asset, channel), rows in sorted(run.unknown_channels.items())
+            {"asset": asset, "channel": channel, "rows": row["readings"]}
+            for (asset, channel), row in sorted(run.unknown_channels.items())
         ],
         "rows_without_name": run.nameless,
         "rows_without_time": run.undated,
+        "ahead": told(run.ahead, "ahead_to"),
         "late": {"channels": 0 if late is None else len(late), "repair_from": _told(since, kind)},
         "status": [] if status is None else status.select(of_channels),
         **({} if status is None else raised(status)),
@@ -138,13 +140,14 @@ def _told(tick: int | None, kind: TimeKind) -> int | str | None:
     return tick if kind.is_counter else shown_instant(tick, kind)
 
 
-def _lines(figures: Row, status: pa.Table | None, file: Path | None) -> Iterator[str]:
+def _lines(figures: Row, run: Report, status: pa.Table | None, file: Path | None) -> Iterator[str]:
     totals, others, late = figures["totals"], figures["other_settings"], figures["late"]
     read = f"{number_of(totals['channels'], 'channel')}, {number_of(totals['rows'], 'row')}"
     if status is None:
         yield f"would read {read}; nothing was written"
     else:
         yield f"read {read}; wrote {number_of(totals['buckets'], 'bucket')}, new or anew"
+    yield from ahead_sentences(run.ahead, len(status) if status is not None else 0, run.clock)
     unknown = figures["not_calibrated"]
     of_unknown = number_of(sum(row["rows"] for row in unknown), "row")
     for name, count, thing, named in (

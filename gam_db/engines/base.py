@@ -184,9 +184,11 @@ class Engine:
         """Return an integer time as a source that tells time in a way has it."""
         return time if kind.is_counter else formula(_of_kind(self.instant, kind), micros=time)
 
-    def readings(self, source: AnySource, relation: exp.Expr, kind: TimeKind) -> exp.Query:
-        """Return the step *readings* of a source that tells time in a way."""
-        return readings(source, relation, partial(self.micros_of, kind), self.unpivots)
+    def readings(
+        self, source: AnySource, relation: exp.Expr, kind: TimeKind, latest: exp.Expr | None = None
+    ) -> exp.Query:
+        """Return the step *readings* of a source that tells time in a way, up to the latest instant."""
+        return readings(source, relation, partial(self.micros_of, kind), self.unpivots, latest)
 
     def in_range(
         self, kind: TimeKind, column: exp.Expr, earliest: int | None, latest: int | None

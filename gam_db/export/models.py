@@ -26,6 +26,7 @@ from gam_db.method.calibration import add_calibration
 from gam_db.method.certificate import add_judgement
 from gam_db.method.judgement import add_judged, limit_slots
 from gam_db.method.source import add_rules
+from gam_db.reading.ahead import latest_live
 from gam_db.settings.source import AnySource, under
 from gam_db.stored.calibrating import method_hash
 from gam_db.stored.planning.steps import DAY, KEPT, Setting, add_counting
@@ -125,8 +126,8 @@ class Modelled:
 
     def readings(self, *conditions: exp.Expr) -> exp.Query:
         """Return the step *readings* under conditions on the source's own columns."""
-        source = under(self.source, *conditions)
-        return self.engine.readings(source, _SOURCE_NODE, self.method.kind)
+        source, kind = under(self.source, *conditions), self.method.kind
+        return self.engine.readings(source, _SOURCE_NODE, kind, latest_live(source, self.engine, kind))
 
     def instant(self, time: exp.Expr) -> exp.Expr:
         """Return an integer time as the source tells it."""

@@ -19,6 +19,7 @@ from gam_db.engines.base import Engine, macro
 from gam_db.errors import EngineError, ParameterError, SourceError, nearest, wrong
 from gam_db.method import Method, pipeline
 from gam_db.reading import look
+from gam_db.reading.ahead import latest_live
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
 from gam_db.settings.setting import settings_of
@@ -168,7 +169,7 @@ def _only_channel(source: AnySource) -> exp.Expr:
 
 def _steps(method: Method, source: AnySource, relation: exp.Expr, engine: Engine) -> Pipeline:
     kind = method.kind
-    rows = engine.readings(source, relation, kind)
+    rows = engine.readings(source, relation, kind, latest_live(source, engine, kind))
     return pipeline(method, rows, lambda node: engine.instant_of(kind, node))
 
 

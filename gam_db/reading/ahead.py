@@ -1,11 +1,12 @@
 """Rows that are later than now: they are left out, counted and named.
 
-A clock that runs ahead must decide nothing: no newest time, no share of calibration. This module owns the
-latest instant that counts, and the sentences about rows after it. A counter has no clock.
+A clock that runs ahead must decide nothing: no newest time, no share of calibration. This module owns
+the latest instant that counts, and the sentences about rows after it. A counter has no clock.
 """
 
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from sqlglot import exp
 
@@ -43,16 +44,40 @@ def tolerance(source: AnySource, kind: TimeKind) -> int | None:
     return length(value, kind, "clock_tolerance")
 
 
-def latest_instant(session: Session, source: AnySource, kind: TimeKind) -> int:
-    """Return the latest instant of a source that counts now, in microseconds; FAR_AHEAD for no limit."""
-    allowed = tolerance(source, kind)
-    return FAR_AHEAD if allowed is None else session.now() + allowed
+@dataclass(frozen=True)
+class Clock:
+    """The clock of a database, as it was read once.
+
+    Attributes:
+        now: in microseconds since 1970 (UTC); None where rows may be later than that.
+        latest: the latest instant of a row that counts, likewise; FAR_AHEAD for no limit.
+    """
+
+    now: int | None
+    latest: int
+
+    @classmethod
+    def read(cls, session: Session, source: AnySource, kind: TimeKind) -> "Clock":
+        """Read the clock of a session, for a source that has times of a kind."""
+        allowed = tolerance(source, kind)
+        if allowed is None:
+            return cls(None, FAR_AHEAD)
+        now = session.now()
+        return cls(now, now + allowed)
 
 
-def without_ahead(source: AnySource, engine: Engine, kind: TimeKind, latest: exp.Expr | int) -> AnySource:
+def without_ahead(
+    source: AnySource, engine: Engine, kind: TimeKind, latest: exp.Expr | int
+) -> AnySource:
     """Return a source without the rows that are later than an instant; rows without a time stay."""
     slots = {"time": engine.micros_of(kind, template.column(source.time)), "latest": latest}
     return under(source, template.fill("source/is_in_time", slots))
+
+
+def latest_live(source: AnySource, engine: Engine, kind: TimeKind) -> exp.Expr | None:
+    """Return the latest instant that counts when a query is run, in microseconds; None for no limit."""
+    allowed = tolerance(source, kind)
+    return None if allowed is None else engine.clock() + template.node_of(allowed)
 
 
 def rows_ahead(session: Session, readings: exp.Query, latest: int) -> list[Row]:
@@ -69,24 +94,25 @@ def rows_ahead(session: Session, readings: exp.Query, latest: int) -> list[Row]:
     return session.rows(steps.query("ahead"))
 
 
-def zone_hours(rows: Sequence[Row], channels: int, now: int) -> float | None:
+def zone_hours(rows: Sequence[Row], channels: int, clock: Clock) -> float | None:
     """Return the hours by which most channels are ahead alike, as local times are; None if none are.
 
     Args:
         rows: as :func:`rows_ahead` returns them.
         channels: how many channels the source has.
-        now: this instant, in microseconds.
+        clock: as it was read.
     """
     leads = Counter[int]()
-    for row in rows:
-        half_hours = -((now - row["ahead_to"]) // _HALF_HOUR)
-        if half_hours <= _MOST_HALF_HOURS and half_hours * _HALF_HOUR + now - row["ahead_to"] <= _DELAY:
+    for row in rows if clock.now is not None else ():
+        lead = row["ahead_to"] - clock.now
+        half_hours = -(-lead // _HALF_HOUR)
+        if half_hours <= _MOST_HALF_HOURS and half_hours * _HALF_HOUR - lead <= _DELAY:
             leads[half_hours] += 1
     half_hours, channels_alike = max(leads.items(), key=lambda lead: lead[1], default=(0, 0))
     return half_hours / 2 if 2 * channels_alike > channels else None
 
 
-def ahead_sentences(rows: Sequence[Row], channels: int, now: int) -> list[str]:
+def ahead_sentences(rows: Sequence[Row], channels: int, clock: Clock) -> list[str]:
     """Return what a user must know of rows that are later than now, in plain words; empty for none.
 
     Arguments as for :func:`zone_hours`.
@@ -105,7 +131,7 @@ def ahead_sentences(rows: Sequence[Row], channels: int, now: int) -> list[str]:
         f"{total:,} row{'s are' if total > 1 else ' is'} later than now and left out until then "
         f"({'; '.join(each)}{more}). Correct the clock, or delete the row{'s' * (total > 1)}."
     ]
-    if (hours := zone_hours(rows, channels, now)) is not None:
+    if (hours := zone_hours(rows, channels, clock)) is not None:
         sentences.append(
             f"Most channels are {hours:g} h ahead of now, so their times look local: "
             "--source-time-zone NAME (such as Europe/Berlin) reads them."

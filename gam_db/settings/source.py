@@ -41,7 +41,8 @@ class Source(Form):
         time_kind: "timestamp" or "counter"; needed only where SQL is made without looking at the
             relation, which then counts as "counter" by default.
         clock_tolerance: a row that is later than now, by the database's clock, by more than this length
-            is left out until its time comes; default five minutes, False for none. A counter has no clock.
+            is left out until its time comes; default five minutes, False for any time. A counter has no
+            clock.
 
     How numbers and times are written is said by keywords, see :class:`gam_db.settings.form.Form`:
     decimal, thousands, unit, null, delimiter, skip_rows, time_format, time_unit.
@@ -134,18 +135,24 @@ def declared_kind(source: AnySource) -> TimeKind | None:
 
 
 def readings(
-    source: AnySource, relation: exp.Expr, micros_of: TimeNode, unpivots: bool = False
+    source: AnySource,
+    relation: exp.Expr,
+    micros_of: TimeNode,
+    unpivots: bool = False,
+    latest: exp.Expr | None = None,
 ) -> exp.Query:
     """Return the step *readings*: the rows of the source, its channels named, in the method's words.
 
     *micros_of* turns the time column into integer microseconds, or leaves a counter as it is; *unpivots*
-    says whether the engine can make a row of each of many columns by itself.
+    says whether the engine can make a row of each of many columns by itself. Rows later than *latest*,
+    an integer time, are left out.
     """
     condition = parsed_condition(source.where)
     asset = named_by(source.asset, ONLY_ASSET)
     if unpivots and len(source.value_columns) >= UNPIVOTED_FROM:
         time = micros_of(template.column(source.time))
-        return _unpivoted(source, relation, {"asset": asset, "time": time, "condition": condition})
+        said = {"asset": asset, "time": time, "condition": condition}
+        return _up_to(_unpivoted(source, relation, said), "time", latest)
     branches: list[exp.Query] = []
     for value in source.value_columns:
         slots: dict[str, template.Slot] = {
@@ -157,13 +164,18 @@ def readings(
         }
         filled = template.fill("source/readings", slots)
         read_from(relation, filled)
-        branches.append(filled)  # type: ignore[arg-type]
+        branches.append(_up_to(filled, "instant", latest))  # type: ignore[arg-type]
     if len(branches) > MOST_BRANCHES:
         starts = range(0, len(branches), MOST_BRANCHES)
         parts = [_stacked(branches[start : start + MOST_BRANCHES]) for start in starts]
         columns = [exp.column(name) for name in parts[0].named_selects]
         branches = [exp.select(*columns).from_(part.subquery("stacked", copy=False)) for part in parts]
     return _stacked(branches)
+
+
+def _up_to(rows: exp.Query, time: str, latest: exp.Expr | None) -> exp.Query:
+    """Leave out rows whose column of that name is later than an integer time; in place."""
+    return rows if latest is None else rows.where(exp.column(time) <= latest, copy=False)
 
 
 def _stacked(branches: Sequence[exp.Query]) -> exp.Query:

@@ -35,7 +35,7 @@ _FILES = (
     *("pruning/staying_buckets", "pruning/staying_novel", "pruning/staying_judgements"),
     *("pruning/expired_runs", "pruning/expired_band_visits", "pruning/expired_versions"),
     *("pruning/expired_supports", "pruning/expired_unplaced", "pruning/new_horizons"),
-    "pruning/expired_horizons",
+    *("pruning/expired_horizons", "pruning/expired_left_out"),
 )
 
 #: State tables whose rows a later run writes again -> what their steps are called by: of each those that
@@ -54,6 +54,7 @@ _UNPLACED = 365 * DAY
 _EXPIRED = {
     **{one: f"expired_{one}s" for one in ("bucket", "judgement", "run", "horizon", "band_visit")},
     **{"novel": "expired_novel", "unplaced": "expired_unplaced"},
+    "left_out": "expired_left_out",
     **dict.fromkeys(
         ("calibration", "buffered", "band", "extent", "limit", "checksum"), "expired_versions"
     ),

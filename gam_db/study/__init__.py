@@ -21,11 +21,11 @@ from gam_db.composing.pipeline import Pipeline, union_of
 from gam_db.engines.base import Engine
 from gam_db.engines.connecting import borrowed
 from gam_db.engines.session import Row, Session
+from gam_db.errors import wrong
 from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
 from gam_db.method.bits import Bits
 from gam_db.method.census import Slicing
 from gam_db.method.delays import Ways
-from gam_db.errors import wrong
 from gam_db.reading import ahead, look
 from gam_db.reading.guess import sourced
 from gam_db.reading.preparing import prepared
@@ -96,9 +96,10 @@ class Study:
             rough.forget()
         self.method = Method(parameters, calibration, read.kind, said)
         unread = dataclasses.replace(read.rows, relation=None)  # the node counts
-        latest = ahead.latest_instant(session, self.source, read.kind)
+        self.clock = ahead.Clock.read(session, self.source, read.kind)
         #: Channels with rows that are later than now, which are left out; see :func:`ahead.rows_ahead`.
         self.ahead: list[Row] = []
+        latest = self.clock.latest
         options = short_cuts, on_trust, asked, counting
         slicing, ways, is_streamed, names = self._begin(unread, read.relation, on_step, *options)
         if any(end is not None and end > latest for end in names["latest"].to_pylist()):
@@ -107,7 +108,8 @@ class Study:
             unread = ahead.without_ahead(unread, session.engine, read.kind, latest)
             slicing, ways, is_streamed, names = self._begin(unread, read.relation, on_step, *options)
             if not names.num_rows:
-                raise wrong("all_ahead", said=" ".join(ahead.ahead_sentences(self.ahead, len(self.ahead), session.now())))
+                sentences = ahead.ahead_sentences(self.ahead, len(self.ahead), self.clock)
+                raise wrong("all_ahead", said=" ".join(sentences))
         (look.check_rows if strict else look.check_clock)(names)
         may_trust = short_cuts and on_trust and trusting.serves(self.method)
         # Supports are kept as bits where those of so many channels have room.

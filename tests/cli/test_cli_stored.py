@@ -229,17 +229,6 @@ def test_rows_that_came_too_late_are_told_with_what_mends_them() -> None:
     assert stored() == of_one_run(tau=5)
 
 
-def test_rows_that_came_late_into_a_source_that_only_grows_are_told() -> None:
-    grows = (*STATE, "--lookback", "300", "--append-only")
-    gam("calibrate", saved(900, drop=range(850, 851)), *STATE, *SMALL, *HEALTHY)
-    assert "came late" not in said(gam("score", *grows))
-    saved(1000)
-    told = said(gam("score", *grows))
-    assert "2 channels in which rows came late or went, though the source is said only to grow" in told
-    assert stored() == of_one_run()
-    assert figures("score", *grows)["moved"] == 0
-
-
 def test_rows_that_belong_to_no_channel_are_told() -> None:
     calibrated()
     fleet = {("R9", f"x{number}"): healthy(900) for number in range(7)}

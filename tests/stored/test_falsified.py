@@ -57,7 +57,7 @@ MAY_DIFFER = {
         for column in ("lo", "hi")
     },
     **{
-        ("run", f"{column}{null}"): "where it differs, the rows are read again"
+        ("run", f"{column}{null}"): "empty since runs read the lookback again; nobody reads it"
         for column in ("summed_from", "read_sum")
         for null in ("", " IS NULL")
     },
@@ -66,6 +66,10 @@ MAY_DIFFER = {
         for column in (
             *("monitor_id", "started", "nameless", "undated", "strangers", "stranger_channels"),
         )
+    },
+    **{
+        ("left_out", column): "a record of what the newest run met; nothing is computed from it"
+        for column in ("monitor_id", "started", "kind", "asset", "channel", "readings", "latest")
     },
     ("limit", "created"): "a clock",
     ("limit", "cause"): "told for people",
@@ -114,7 +118,7 @@ CHOSEN: dict[str, dict[str, Callable[[Rows], dict[str, Any]]]] = {
 MAY_DOUBLE = ("horizon", "band_visit")
 
 #: Tables whose rows are not of one channel; each of their columns is falsified alone.
-SHARED = ("migration", "monitor", "channel", "proof", "unplaced", "episode", "label")
+SHARED = ("migration", "monitor", "channel", "proof", "unplaced", "left_out", "episode", "label")
 
 
 TYPES = {"BIGINT": pa.int64(), "DOUBLE": pa.float64(), "TEXT": pa.string(), "VARCHAR": pa.string()}

@@ -25,7 +25,6 @@ EXAMPLES, CHANNELS = 4, 130
 def play(connection: duckdb.DuckDBPyConnection, monitor: Monitor, history: History) -> None:
     """Let a history happen."""
     # Said here, since Hypothesis draws by the text of the test itself: other draws, fewer comparisons.
-    monitor.append_only = history.append_only
     put(connection, history.first)
     monitor.calibrate(limit=history.limit)
     for batch in history.batches:

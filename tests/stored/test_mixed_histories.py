@@ -53,7 +53,6 @@ class Course:
 
     def monitor(self) -> Monitor:
         reach: dict[str, Any] = {"lookback": self.told.lookback, "park_after": self.told.park_after}
-        reach["append_only"] = self.told.append_only
         source = gam_db.Source(self.table.name)
         return Monitor(self.session, source, *self.method, prefix=self.prefix, **reach)
 

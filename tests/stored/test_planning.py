@@ -22,11 +22,9 @@ from gam_db.engines.base import deletion
 from gam_db.errors import ParameterError
 from gam_db.stored import scoring
 from gam_db.stored.planning import Row, reading
-from gam_db.stored.planning.reading import SUMMED, near, plan_rows, searched_plan_rows
-from gam_db.stored.planning.steps import plan_steps, unmoved_steps
+from gam_db.stored.planning.reading import near, plan_rows, searched_plan_rows
+from gam_db.stored.planning.steps import plan_steps
 from gam_db.stored.pruning import prune
-from gam_db.stored.scoring import growing
-from gam_db.stored.scoring.growing import read_ranges
 from gam_db.stored.scoring.report import Wanted
 from small_plant import FIRST, LENGTH, LOOKBACK, monitor, readings, seen, source
 from test_views import scanned
@@ -72,9 +70,8 @@ def test_what_was_recorded_is_what_a_search_finds(
     for start, end in zip([FIRST, *stops], stops, strict=False):
         put(plant, readings(start, end))
         monitor(plant).score()
-        recorded, found = planned(plant, SUMMED, False), planned(plant, 0, True)
-        # A search leaves out the last bucket, in which a row of the newest instant may still come.
-        assert [row["first_bucket"] for row in recorded] == [row["first_bucket"] + 1 for row in found]
+        recorded = planned(plant, LOOKBACK, False)
+        assert recorded == planned(plant, LOOKBACK, True)
         ends = plant.execute(
             "SELECT last_time + 1, context_time FROM gam_visible_bucket "
             "JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id) "
@@ -83,7 +80,7 @@ def test_what_was_recorded_is_what_a_search_finds(
         ).fetchall()
         assert [(row["first_scored"], row["read_from"]) for row in recorded] == ends
     assert searches == []
-    assert max(row["first_bucket"] for row in planned(plant, SUMMED, False)) > 20
+    assert max(row["first_bucket"] for row in planned(plant, LOOKBACK, False)) > 20
     assert seen(plant) == small_plant.whole()
 
 
@@ -119,19 +116,18 @@ def test_a_run_that_reads_nothing_leaves_the_record_as_it_was(
 ) -> None:
     put(plant, readings(FIRST, LENGTH))
     monitor(plant).score()
-    before = planned(plant, SUMMED, False)
+    before = planned(plant, LOOKBACK, False)
     plant.execute("CREATE TABLE aside AS FROM telemetry; DELETE FROM telemetry WHERE asset <> 'a'")
     monitor(plant).score()
     plant.execute("DELETE FROM telemetry; INSERT INTO telemetry FROM aside")
     kept = ("asset", "first_bucket", "first_scored", "read_from")
-    after = planned(plant, SUMMED, False)
+    after = planned(plant, LOOKBACK, False)
     assert [[row[name] for name in kept] for row in after] == [
         [row[name] for name in kept] for row in before
     ]
-    assert searches == [LOOKBACK], "of what went, all is read that lookback reaches"
     monitor(plant).score()
     assert seen(plant) == small_plant.whole()
-    assert searches == [LOOKBACK]
+    assert searches == []
 
 
 def test_runs_of_late_are_enough_or_all_are_looked_at(
@@ -140,27 +136,16 @@ def test_runs_of_late_are_enough_or_all_are_looked_at(
     for start in range(FIRST, LENGTH - 20, 5):
         put(plant, readings(start, start + 5))
         monitor(plant).score()
-    whole = planned(plant, SUMMED, False)
+    whole = planned(plant, LOOKBACK, False)
     with monitor(plant) as mine:
-        told = read_ranges(mine.state, LOOKBACK, whole)
         runs = plant.execute("SELECT DISTINCT run_id FROM gam_run ORDER BY run_id").fetchall()
         for (since,) in [*runs, (runs[-1][0] + 1,)]:
-            for module in (reading, growing):
-                monkeypatch.setattr(module, "recent_run", lambda since=since: since)
-            assert planned(plant, SUMMED, False) == whole
-            assert read_ranges(mine.state, LOOKBACK, whole) == told
-        steps = [plan_steps(1, SUMMED, since) for since in (runs[-1][0], runs[-1][0] + 1)]
+            monkeypatch.setattr(reading, "recent_run", lambda since=since: since)
+            assert planned(plant, LOOKBACK, False) == whole
+        steps = [plan_steps(1, LOOKBACK, since) for since in (runs[-1][0], runs[-1][0] + 1)]
         plans = [mine.session.rows(one.query("plan", mine.state.tables.placed())) for one in steps]
         assert [{row["restarts"] for row in plan} for plan in plans] == [{1}, {0}]
         assert {row["read_until"] for row in plans[1]} == {LONG_AGO}
-        for lookback, since, are_known in (
-            (LOOKBACK, runs[-3][0], True),
-            (LOOKBACK, runs[-1][0] + 1, False),
-            (3 * LOOKBACK, 0, True),
-            (3 * LOOKBACK, runs[-1][0], False),  # of which one run alone knows too little
-        ):
-            known = growing._ranges(mine.state, lookback, since)
-            assert set(known) == ({row["version_id"] for row in whole} if are_known else set())
     put(plant, readings(LENGTH - 20, LENGTH))
     monitor(plant).score()
     assert seen(plant) == small_plant.whole()
@@ -170,8 +155,10 @@ def test_where_nothing_is_new_nothing_is_written_anew(plant: duckdb.DuckDBPyConn
     """Of one channel, or of all; the next rows go on from what is stored."""
     every = "SELECT * FROM gam_bucket ORDER BY ALL"
     newest = """
-        SELECT channel_id, from_bucket, read_to, hides
-        FROM gam_run JOIN gam_version USING (version_id)
+        SELECT from_bucket - buckets, hides
+        FROM gam_run JOIN (
+            SELECT version_id, COUNT(*) AS buckets FROM gam_visible_bucket GROUP BY version_id
+        ) AS stored USING (version_id)
         QUALIFY ROW_NUMBER() OVER (PARTITION BY version_id ORDER BY run_id DESC) = 1
         ORDER BY ALL
     """
@@ -180,12 +167,12 @@ def test_where_nothing_is_new_nothing_is_written_anew(plant: duckdb.DuckDBPyConn
     stored = plant.execute(every).fetchall()
     monitor(plant).score()
     assert plant.execute(every).fetchall() == stored
-    assert {row[1:] for row in plant.execute(newest).fetchall()} == {(2**62, None, 0)}
+    assert set(plant.execute(newest).fetchall()) == {(0, 0)}
     put(plant, [row for row in readings(200, 220) if row[0] == "a"])
     report = monitor(plant).score()
-    read = {(row["asset"], row["channel"]): row["rows_read"] for row in report.channels}
-    assert {channel for channel, rows in read.items() if rows} == {
-        channel for channel in read if channel[0] == "a"
+    written = {(row["asset"], row["channel"]): row["buckets"] for row in report.channels}
+    assert {channel for channel, buckets in written.items() if buckets} == {
+        channel for channel in written if channel[0] == "a"
     }
     put(plant, [row for row in readings(200, 220) if row[0] != "a"])
     put(plant, readings(220, LENGTH))
@@ -207,7 +194,7 @@ def test_later_rows_than_the_last_run_allowed_for_are_searched_for(
         longer.score()
     assert searches == [50, 50]
     assert planned(plant, 50, False) == planned(plant, 50, True)
-    assert searches == [50, 50, 50], "what was summed up is settled up to its last bucket"
+    assert searches == [50, 50], "the last run allowed for them"
     assert seen(plant) == small_plant.whole()
 
 
@@ -317,24 +304,6 @@ def test_sqlite_finds_what_is_stored_by_its_key() -> None:
                 plan = [row[3] for row in connection.execute(text)]
                 assert any("gam_bucket_key (version_id=? AND bucket_no>?)" in step for step in plan)
                 assert not [step for step in plan if step in ("SCAN written", "SCAN gam_bucket")]
-
-
-def test_sqlite_adds_up_what_was_read_in_one_pass() -> None:
-    """Not in one for each channel, all of whose rows it would read each time."""
-    with closing(sqlite3.connect(":memory:")) as connection, gam_db.connect(connection) as session:
-        connection.execute("CREATE TABLE telemetry (asset TEXT, channel TEXT, time BIGINT, value REAL)")
-        connection.execute("CREATE TABLE cohort (channel_id, asset, channel, read_from, read_until)")
-        connection.execute(
-            "CREATE TABLE ranges (channel_id, run_id, summed_from, read_to, read_sum, bins, lo, hi)"
-        )
-        rows = exp.select("asset", "channel", "time", exp.column("value").as_("reading"))
-        steps = unmoved_steps(rows.from_("telemetry"), False)
-        asked = steps.query("unmoved", {name: exp.to_table(name) for name in ("cohort", "ranges")})
-        text = f"EXPLAIN QUERY PLAN {session.engine.text(asked)}"
-        plan = [row[3] for row in connection.execute(text)]
-        walked = [step for step in plan if step.startswith("SCAN")]
-        assert "SCAN telemetry" in walked
-        assert "SCAN scale" not in walked
 
 
 def test_what_was_scored_after_an_end_is_hidden_until_the_next_run(

@@ -1,6 +1,5 @@
 """Files of ``sql/stored`` one at a time, over a few rows: what a whole history rarely asks of them."""
 
-import itertools
 from typing import Any
 
 import pytest
@@ -8,7 +7,6 @@ from sqlglot import exp
 
 from by_hand import rows, step
 from gam_db.composing.template import column, fill, text
-from gam_db.method.slots import code_in
 
 BEFORE_ALL = -(2**62)
 
@@ -46,12 +44,6 @@ def test_the_newest_run_says_when_a_version_was_read_and_any_how_far() -> None:
 
 
 #: The slots of what was read, added up.
-SUMMED: dict[str, Any] = {
-    "code": code_in(4),
-    "mixed": fill("stored/scoring/read_mixed"),
-    "mark": fill("stored/scoring/read_mark"),
-}
-
 BUCKET = "bucket_no first_time last_time context_time samples novel out_of_range"
 
 
@@ -521,50 +513,6 @@ def test_a_version_is_checked_with_what_the_newest_records_say_of_it() -> None:
     ]
 
 
-def test_what_was_read_comes_to_a_sum_of_times_and_codes_twice_as_far_as_rows_may_come_late() -> None:
-    """One integer for each row, as Python makes it.
-
-    Of the second channel all is summed, of the third all but what it began with.
-    """
-    seen = rows("channel_id read_to", (1, 90), (2, 9), (3, 9))
-    cohort = rows(
-        "channel_id first_bucket read_from first_scored late_by lo hi",
-        (1, 5, -60, -50, 25, 0.0, 8.0),
-        (2, 0, -8, 2, 25, 0.0, 8.0),
-        (3, 1, -8, 2, 25, 0.0, 8.0),
-    )
-    times = {1: (-60, 39, 40, 90), 2: (-8, 9), 3: (1, 2, 9)}
-    values = {1: (1.0, 2.0, -1.0, 9.0), 2: (8.0, None), 3: (1.0, 2.0, -1.0)}
-    codes = {1: (2, 3, 1, 6), 2: (5, 0), 3: (2, 3, 1)}
-    read = [
-        (channel, time, value)
-        for channel in times
-        for time, value in zip(times[channel], values[channel], strict=True)
-    ]
-    found = step(
-        "stored/scoring/read_sums",
-        SUMMED,
-        identified=rows("channel_id time value", *read),
-        cohort=cohort,
-        seen=seen,
-    )
-    sums = {
-        channel: sum(
-            marked(time, code)
-            for time, code in zip(times[channel], codes[channel], strict=True)
-            if time >= since
-        )
-        for channel, since in ((1, 40), (2, -8), (3, 2))
-    }
-    assert found == [(1, 40, sums[1]), (2, -8, sums[2]), (3, 2, sums[3])]
-    assert len({marked(time, code) for time in range(50) for code in range(9)}) == 450
-
-
-def test_where_samples_that_stand_still_are_told_no_sum_is_kept() -> None:
-    """Codes do not say what stands still, so none may look as if it had been added up."""
-    assert step("stored/scoring/no_sums", {}, cohort=rows("channel_id", (1,), (2,))) == []
-
-
 def test_what_is_read_in_stored_order_is_context_up_to_the_first_scored_instant() -> None:
     readings = rows(
         "asset channel time reading",
@@ -590,38 +538,6 @@ def test_calibration_is_counted_one_by_one_where_an_instant_occurs_twice() -> No
         timeline=rows("channel_id repeats", (1, 0), (2, 1), (3, 4)),
     )
     assert sorted(found) == [(2, 0, 9), (3, 5, 9), (3, 12, 20)]
-
-
-def marked(time: int, code: int) -> int:
-    """Return the integer of one reading; a remainder has the sign of what is divided, as in SQL."""
-    one = remainder(remainder(time, 2147483647) * 1103515245 + code + 1, 2147483647)
-    other = remainder(remainder(time, 2147483629) * 1140671485 + code + 1, 2147483629)
-    return 1 + remainder(one * other, 2147483587) ** 2 % 2147483647
-
-
-def remainder(number: int, divisor: int) -> int:
-    return abs(number) % divisor * (1 if number >= 0 else -1)
-
-
-@pytest.mark.parametrize("apart", [1, 10, 1_000_000])
-@pytest.mark.parametrize("since", [-4, 0, 560, 1_764_201_600_000_000])
-def test_codes_that_change_places_between_neighbours_come_to_another_sum(since: int, apart: int) -> None:
-    """All ways in which three codes stand at seven instants, each a channel."""
-    values = list(itertools.product((1.0, 2.0, 8.0), repeat=7))
-    read = [
-        (channel, since + apart * place, value)
-        for channel, standing in enumerate(values)
-        for place, value in enumerate(standing)
-    ]
-    channels = [(channel, 0, since, since, 10**9, 0.0, 8.0) for channel in range(len(values))]
-    found = step(
-        "stored/scoring/read_sums",
-        SUMMED,
-        identified=rows("channel_id time value", *read),
-        cohort=rows("channel_id first_bucket read_from first_scored late_by lo hi", *channels),
-        seen=rows("channel_id read_to", *((channel, since + 6 * apart) for channel, *_ in channels)),
-    )
-    assert len({read_sum for _, _, read_sum in found}) == len(values) == 3**7
 
 
 def test_a_run_writes_from_the_first_bucket_that_is_not_stored_so() -> None:

@@ -52,7 +52,6 @@ def test_any_history_ends_in_the_tables_of_one_full_run(engine: str) -> None:
         session = engines.session(engine)
         table = scripts.telemetry(session, told.first)
         reach: dict[str, Any] = {"lookback": told.lookback, "park_after": told.park_after}
-        reach["append_only"] = told.append_only
         prefix = engines.fresh_name("state")
         source = gam_db.Source(table.name)
         monitor = Monitor(session, source, parameters, calibration, prefix=prefix, **reach)

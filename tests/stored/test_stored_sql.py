@@ -20,7 +20,6 @@ from gam_db.stored.planning.steps import (
     relearning_steps,
     scoring_steps,
     searched_plan_steps,
-    unmoved_steps,
 )
 from gam_db.stored.schema.checksums import matching_steps
 from gam_db.stored.schema.migration_files import definitions
@@ -97,11 +96,6 @@ def test_filled_steps_break_no_rule(setting: Setting) -> None:
         assert rough == [[step, " rough_decisions"] for step in ("outlook", "outlook", "verdicts")]
         if can_trust(setting, kind):
             assert broken(scoring_steps(setting, kind, trusting=True), dict(known)) == []
-    ranges = ("channel_id", "run_id", "summed_from", "read_to", "read_sum", "bins")
-    scale = dict.fromkeys(("lo", "hi"), Kind.DOUBLE)
-    read = given() | {"ranges": {**dict.fromkeys(ranges, Kind.INTEGER), **scale}}
-    for counted in (True, False):
-        assert broken(unmoved_steps(rows, counted), read) == []
     assert broken(plan_steps(1, 5), given()) == []
     assert broken(soundness_steps(1, True), given()) == []
     wanted = {"wanted": {"version_id": Kind.INTEGER}}

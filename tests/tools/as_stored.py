@@ -24,7 +24,7 @@ METHODS: dict[str, dict[str, Any]] = {
 
 RUNS = """
     SELECT asset, channel, from_bucket, read_from, read_to, rows_read, context_rows, context_expected,
-        settled_bucket, settled_time, settled_context, summed_from, read_sum
+        settled_bucket, settled_time, settled_context
     FROM gam_run JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
     ORDER BY ALL
 """

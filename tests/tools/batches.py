@@ -62,7 +62,6 @@ class History:
         is_pruned: whether old buckets go in between; else, in a mixed history, rows come too late, and
             a repair follows.
         final: all rows, each once.
-        append_only: whether the source is said to grow only, which is then not so.
     """
 
     parameters: Arguments
@@ -73,7 +72,6 @@ class History:
     limit: int
     final: list[Row]
     is_pruned: bool = False
-    append_only: bool = False
     batches: list[Batch] = field(default_factory=list)
 
 
@@ -110,7 +108,6 @@ def history(kind: str, seed: int, channels: int = CHANNELS, mixed: bool = False)
         late = [("from", min(row[2] for row in arrivals.late))] if arrivals.late else []
         made.batches.append(Batch(arrivals.next(left <= 0), late + runs(chance, kinds)))
     made.batches.append(Batch([], [("everything", 0)]))
-    made.append_only = chance.random() < 0.5
     return made
 
 

@@ -52,7 +52,6 @@ class StoredJob:
         lookback, park_after: ticks; None for what a monitor takes without a word.
         memory_limit: of DuckDB; None for its own.
         left_out: assets that the monitor is not to watch.
-        append_only: of the monitor.
     """
 
     task: str
@@ -68,7 +67,6 @@ class StoredJob:
     park_after: int | None = None
     memory_limit: str | None = None
     left_out: tuple[str, ...] = ()
-    append_only: bool = False
 
     def run(self) -> dict[str, Any]:
         """Do the job in a fresh process and return its figures."""
@@ -81,7 +79,6 @@ def done(job: StoredJob) -> dict[str, Any]:
         "telemetry": _telemetry,
         "prepare": _prepare,
         "leave_out": _leave_out,
-        "again": _again,
         "score": _score,
         "extract": _extract,
         "compare_hour": _compare_hour,
@@ -131,7 +128,6 @@ def _monitor(job: StoredJob, session: DuckSession) -> Monitor:
         PARAMETERS,
         calibration,
         lookback=_length(job.lookback),
-        append_only=job.append_only,
         park_after=_length(job.park_after),
     )
 
@@ -147,13 +143,6 @@ def _prepare(job: StoredJob) -> dict[str, Any]:
         monitor.migrate()
         monitor.calibrate()
         monitor.score(until=FIRST + dt.timedelta(seconds=job.history - 1))
-    return {}
-
-
-def _again(job: StoredJob) -> dict[str, Any]:
-    """Score all but the last hour once more: from then on a source that only grows is not read again."""
-    with _session(job) as session:
-        _monitor(job, session).score(until=FIRST + dt.timedelta(seconds=job.history - 1))
     return {}
 
 

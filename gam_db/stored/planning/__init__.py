@@ -117,9 +117,7 @@ def resumed(parked: Iterable[Row], names: Iterable[Row], lookback: int) -> list[
         names: what the look at later rows found of them.
         lookback: in the unit of time.
     """
-    latest = {
-        name_of(row): row["latest"] for row in names if row["readings"] > row["missing_readings"]
-    }
+    latest = {name_of(row): row["latest"] for row in names if row["readings"] > row["missing_readings"]}
     back = [row for row in parked if latest.get(name_of(row), row["read_until"]) > row["read_until"]]
     return others(back, lookback)
 

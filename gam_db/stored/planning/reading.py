@@ -16,7 +16,7 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.session import Session
 from gam_db.errors import wrong
-from gam_db.reading.ahead import latest_instant
+from gam_db.reading.ahead import Clock
 from gam_db.reading.preparing import prepared
 from gam_db.settings.source import AnySource, parsed_condition, under
 from gam_db.stored.planning import Row
@@ -48,8 +48,7 @@ class Reader:
         self._session, self._engine = session, session.engine
         read = prepared(session, source)
         self._source, self._relation, self.kind = read.rows, read.relation, read.kind
-        #: The latest instant that counts; what is later is ahead of now, and not read.
-        self.latest = latest_instant(session, source, read.kind)
+        self.clock = Clock.read(session, source, read.kind)
         if self.kind is not expected:
             meant = expected.value
             raise wrong("kind_of_monitor_differs", kind=self.kind.value, monitor=name, meant=meant)
@@ -58,11 +57,11 @@ class Reader:
         self, assets: Sequence[str] | None = None, earliest: int = LONG_AGO, latest: int = FAR_AHEAD
     ) -> exp.Query:
         """Return the step *readings*, with literal bounds where there are any; no assets are all."""
-        return self._between(earliest, min(latest, self.latest), assets)
+        return self._between(earliest, min(latest, self.clock.latest), assets)
 
     def ahead(self) -> exp.Query:
         """Return the readings that are later than now; the bound serves where the engine can use it."""
-        return self._between(min(self.latest, FAR_AHEAD - 1) + 1, FAR_AHEAD, None)
+        return self._between(min(self.clock.latest, FAR_AHEAD - 1) + 1, FAR_AHEAD, None)
 
     def _between(self, earliest: int, latest: int, assets: Sequence[str] | None) -> exp.Query:
         time = template.column(self._source.time)
@@ -171,9 +170,7 @@ def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
         said = {
             name: value[number] if isinstance(value, list) else value for name, value in columns.items()
         }
-        made.append(
-            {"lookback": 0, **row, "recounted": 0, "settled": 0, "novel_from": 0, **said}
-        )
+        made.append({"lookback": 0, **row, "recounted": 0, "settled": 0, "novel_from": 0, **said})
     return table_of(made, _COHORT)
 
 

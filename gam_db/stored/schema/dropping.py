@@ -97,7 +97,8 @@ def _conditions(tables: StateTables, monitor_id: int) -> dict[str, exp.Expr]:
         **dict.fromkeys(("checksum", "buffered", "band", "band_visit", "extent", "limit"), of_versions),
         **dict.fromkeys(("block", "ladder", "support", "bounds"), of_supports),
         "version": of_channels,
-        **dict.fromkeys(("proof", "episode", "label", "channel", "unplaced", "monitor"), of_monitor),
+        **dict.fromkeys(("proof", "episode", "label", "channel", "unplaced", "left_out"), of_monitor),
+        "monitor": of_monitor,
     }
 
 

@@ -233,8 +233,8 @@ def _check_record(applied: Sequence[Applied], tables: StateTables) -> None:
         if row.checksum != files()[place_of - 1].checksum:
             raise StateError(
                 f"Migration {row.number} ({row.name}) was applied by gam-db {row.gam_version} with "
-                f"another text than gam-db {__version__} has; install the gam-db that made the state, "
-                "or a released one."
+                f"another text than gam-db {__version__} has. Drop the state (gam drop --yes), then gam "
+                "calibrate makes it anew."
             )
 
 

@@ -21,6 +21,7 @@ ROLES = ("owner", "writer", "reader")
 _DELETED = (
     *("version", "calibration", "bounds", "block", "support", "bucket", "novel", "run", "unplaced"),
     *("checksum", "horizon", "ladder", "judgement", "buffered", "band", "extent", "limit", "band_visit"),
+    "left_out",
 )
 
 #: Where one writer waits for another: a column of one row is written, and stays what it was.
@@ -33,7 +34,16 @@ _COUNTING = (
 )
 
 #: What the status is made of.
-_STATUS = ("migration", "monitor", "proof", "visible_bucket", "fleet", "stillness")
+_STATUS = (
+    "migration",
+    "monitor",
+    "proof",
+    "visible_bucket",
+    "fleet",
+    "stillness",
+    "left_out",
+    "unplaced",
+)
 
 #: The views that are for whoever reads on, and what other commands of a reader take.
 _SHOWN = (

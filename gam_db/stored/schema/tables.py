@@ -17,6 +17,7 @@ TABLES = (
     *("migration", "monitor", "channel", "version", "calibration", "bounds", "block", "support"),
     *("bucket", "novel", "run", "unplaced", "checksum", "horizon", "proof", "ladder"),
     *("buffered", "extent", "limit", "judgement", "episode", "label", "band", "band_visit"),
+    "left_out",
 )
 #: Each after those that it reads.
 VIEWS = (

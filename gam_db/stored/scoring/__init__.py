@@ -51,7 +51,7 @@ class Run:
         self.reader = Reader(state.session, source, kind_of(self.monitor), name)
         self.started = now()
         self.groups = Groups(state, self.reader, self.monitor, wanted, self.started, on_step)
-        self.report = Report()
+        self.report = Report(clock=self.reader.clock)
 
     def go(self, dry_run: bool = False) -> Report:
         """Score all that is wanted; a ``dry_run`` looks at the source and writes nothing.
@@ -71,7 +71,7 @@ class Run:
             self.groups.is_thorough |= verify_daily(self.state, self.monitor)
         rows = self._plan()
         everything = wanted.everything or wanted.full or wanted.repair_from is not None
-        latest, park_after = self.reader.latest, wanted.park_after
+        latest, park_after = self.reader.clock.latest, wanted.park_after
         plan = planned(rows, wanted.lookback, park_after, self.started, latest, everything)
         later = [row for group in unread(plan.parked, wanted.lookback) for row in self._look(group)]
         back = resumed(plan.parked, later, wanted.lookback)
@@ -110,7 +110,7 @@ class Run:
         add(steps, "stored/scoring/undated")
         self.report.undated = int(self.session.rows(steps.query("undated"))[0]["undated"])
         if not dry_run:
-            self.report.keep_unplaced(self.state, self.monitor["monitor_id"], self.started)
+            self.report.keep_unplaced(self.state, self.monitor, self.started)
             most = wanted.limit or self.session.rows_at_once()
             explain(self.state, self.reader, self.monitor["monitor_id"], rows, most)
         return self.report

@@ -4,6 +4,8 @@ from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass, field
 
 from gam_db.columns import name_of
+from gam_db.composing import template
+from gam_db.reading.ahead import Clock
 from gam_db.stored.planning import Row
 from gam_db.stored.state import State
 
@@ -43,11 +45,13 @@ class Report:
     """What a run did, or would do.
 
     Attributes:
+        clock: of the database, as the run read it.
         channels: a row per channel that was read: asset, channel, first_bucket, buckets (new or written
             anew), read_from, read_to (integer time; None where nothing was read, since there is nothing
             new), rows_read, context_rows, context_expected.
         parked: channels that were not read.
-        unknown_channels: rows of today that belong to no calibrated channel, by (asset, channel).
+        unknown_channels: readings (of today) and latest (their newest time) of channels that have no
+            calibration, by (asset, channel).
         nameless: rows of today without asset or channel.
         undated: rows of the source without a time.
         ahead: a row per channel with rows that are later than now; see
@@ -55,9 +59,10 @@ class Report:
         ranges: of each query: earliest instant, channels, rows in the range.
     """
 
+    clock: Clock
     channels: list[Row] = field(default_factory=list)
     parked: int = 0
-    unknown_channels: dict[tuple[str, str], int] = field(default_factory=dict)
+    unknown_channels: dict[tuple[str, str], Row] = field(default_factory=dict)
     nameless: int = 0
     undated: int = 0
     ahead: list[Row] = field(default_factory=list)
@@ -69,15 +74,43 @@ class Report:
             if row["asset"] is None or row["channel"] is None:
                 self.nameless += row["readings"] + row["without_time"]
             elif name_of(row) not in known and row["readings"]:
-                self.unknown_channels[name_of(row)] = row["readings"]
+                self.unknown_channels[name_of(row)] = {
+                    name: row[name] for name in ("readings", "latest")
+                }
 
-    def keep_unplaced(self, state: State, monitor_id: int, started: int) -> None:
-        """Append what a run gave to no channel or instant, if there was any."""
-        found = {
+    def keep_unplaced(self, state: State, monitor: Row, started: int) -> None:
+        """Append what a run gave to no channel or instant, and of which channels it left rows out."""
+        counts = {
             "nameless": self.nameless,
             "undated": self.undated,
-            "strangers": sum(self.unknown_channels.values()),
+            "strangers": sum(row["readings"] for row in self.unknown_channels.values()),
             "stranger_channels": len(self.unknown_channels),
         }
-        if any(found.values()):
-            state.append_rows("unplaced", [{"monitor_id": monitor_id, "started": started, **found}])
+        run = {"monitor_id": monitor["monitor_id"], "started": started}
+        with state.session.transaction():
+            state.append_rows("unplaced", [{**run, **counts}])
+            if state.session.transactions:  # else pruning does it now and then
+                before = {"monitor": template.text(monitor["name"])}
+                expired = state.query("stored/pruning/expired_left_out", before)
+                state.session.delete(state.tables.table("left_out"), expired.named_selects, expired)
+            if self.left_out:
+                state.append_rows("left_out", [{**run, **row} for row in self.left_out])
+
+    @property
+    def left_out(self) -> list[Row]:
+        """The channels of which rows were left out: kind, asset, channel, readings and latest."""
+        ahead = [
+            {
+                "kind": "ahead",
+                "asset": row["asset"],
+                "channel": row["channel"],
+                "readings": row["ahead_rows"],
+                "latest": row["ahead_to"],
+            }
+            for row in self.ahead
+        ]
+        unknown = [
+            {"kind": "unknown", "asset": asset, "channel": channel, **row}
+            for (asset, channel), row in self.unknown_channels.items()
+        ]
+        return ahead + unknown
