@@ -11,7 +11,7 @@ from gam_db import data
 from gam_db.checking.look import REGULAR_WITHIN, Look, Row, is_irregular, is_on_change
 from gam_db.checking.proposal import BLOCKS, CYCLES, MOST_STILL, Proposal
 from gam_db.checking.words import extent, instant, number_of, percent, reaching, spoken
-from gam_db.clock import SECOND, SINCE_1970, TimeKind, epoch_unit, is_of_our_time
+from gam_db.clock import JUMP, SECOND, SINCE_1970, TimeKind, epoch_unit, is_of_our_time
 from gam_db.reading.ahead import ahead_sentences
 
 PART = 0.1
@@ -79,6 +79,11 @@ def _on_times(look: Look, proposal: Proposal) -> list[Note]:
     spaced = [row for row in look.channels if row["typical_step"] is not None]
     alike = [row for row in look.channels if row["samples"] == 1 and row["repeated"]]
     cut = [row for row in spaced if (gap := look.gap(row)) is not None and gap < row["typical_step"]]
+    jumping = [
+        row
+        for row in spaced
+        if look.kind.is_counter and (row["longest_pause"] or 0) > JUMP * row["typical_step"]
+    ]
     on_change = [row for row in spaced if is_on_change(row)]
     irregular = [row for row in spaced if is_irregular(row) and not is_on_change(row)]
 
@@ -93,6 +98,7 @@ def _on_times(look: Look, proposal: Proposal) -> list[Note]:
         *_noted("one_instant", alike, must=len(alike) == len(look.channels)),
         *_ahead(look),
         *_clock(look),
+        *_noted("jump", jumping, usual=usual, longest_pause=step(max, "longest_pause")),
         *_repeated(look),
         *_noted("short_gap", cut, must=True, usual=usual),
         *_pauses(look, spaced, proposal, usual),
