@@ -38,6 +38,7 @@ def filled(session: DuckSession, tables: StateTables = TABLES) -> DuckSession:
     plant.add("proof", monitor_id=monitor, proved_at=1, extent="state", **counted)
     counts = {"nameless": 1, "undated": 0, "strangers": 2, "stranger_channels": 1}
     plant.add("unplaced", monitor_id=monitor, started=0, **counts)
+    plant.add("left_out", monitor_id=monitor, started=0, kind="unknown", readings=2, latest=9)
     of = {"version_id": version.version_id}
     plant.add("buffered", **of, block=0, g=1, vectors=10, novel_buffered=1)
     plant.add("band", **of, g=1, band=0, visits=10, novel_buffered=1)

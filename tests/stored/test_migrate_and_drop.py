@@ -21,7 +21,7 @@ pytestmark = pytest.mark.migrates
 
 STATE = StateTables()
 FILE = "plant.duckdb"
-TABLES_OF_A_MONITOR = 23
+TABLES_OF_A_MONITOR = 24
 
 
 @pytest.fixture(autouse=True)
@@ -59,6 +59,10 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
         )
         connection.execute(
             f"INSERT INTO gam_unplaced VALUES ({monitor}, 0, 1, 2, 3, 4), ({monitor}, 1, 1, 2, 3, 4)"
+        )
+        connection.execute(
+            f"INSERT INTO gam_left_out VALUES ({monitor}, 1, 'unknown', 'z', 'c', 3, 9), "
+            f"({monitor}, 1, 'ahead', 'a', 'c', 1, 10)"
         )
         for key in (10 * monitor, 10 * monitor + 1):
             for table, values in {

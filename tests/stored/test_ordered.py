@@ -198,14 +198,14 @@ def test_rows_that_come_meanwhile_are_noticed(
 ) -> None:
     """One of before the end is there when channels are counted again: then all is copied and sorted."""
     late: Row = ("a", "x", 301, 99.0)
-    begun = steps.reading_steps
+    begun = ordered.Stream
 
     def meanwhile(*asked: Any) -> Any:
         put(connection, [late])
-        monkeypatch.setattr(ordered, "reading_steps", begun)
+        monkeypatch.setattr(ordered, "Stream", begun)
         return begun(*asked)
 
-    monkeypatch.setattr(ordered, "reading_steps", meanwhile)
+    monkeypatch.setattr(ordered, "Stream", meanwhile)
     source(connection, by_channel())
     made = monitor(connection, METHODS["delays"])
     made.migrate()

@@ -49,10 +49,12 @@ class Plan:
     Attributes:
         cohorts: to be read; the first holds the channels of today.
         parked: rows of the plan that are not read now.
+        since: a channel with a value from this instant on is not silent.
     """
 
     cohorts: tuple[Cohort, ...]
     parked: tuple[Row, ...]
+    since: int
 
 
 def assets_of(channels: Iterable[Row]) -> list[str] | None:
@@ -82,9 +84,10 @@ def planned(
     fresh = [row for row in rows if row["looked_at"] == LONG_AGO]
     known = [row for row in rows if row["looked_at"] != LONG_AGO]
     newest = min(max((row["read_until"] for row in known), default=LONG_AGO), latest)
+    since = LONG_AGO if park_after is None else newest - lookback - park_after
     active, due, parked = [], [], []
     for row in known:
-        if park_after is None or newest - row["read_from"] <= lookback + park_after:
+        if row["read_from"] >= since:
             active.append(row)
         elif everything or is_due(row["looked_at"], started):
             due.append(row)
@@ -94,8 +97,9 @@ def planned(
     if fresh:
         groups.append(fresh)
     if not groups and parked:
-        return Plan((Cohort((), newest - lookback, True),), tuple(parked))
-    return Plan(tuple(_cohort(group, number == 0) for number, group in enumerate(groups)), tuple(parked))
+        return Plan((Cohort((), newest - lookback, True),), tuple(parked), since)
+    cohorts = tuple(_cohort(group, number == 0) for number, group in enumerate(groups))
+    return Plan(cohorts, tuple(parked), since)
 
 
 def is_due(last: int, now: int) -> bool:
@@ -103,22 +107,29 @@ def is_due(last: int, now: int) -> bool:
     return not 0 <= now - last < DAY
 
 
-def unread(parked: Sequence[Row], lookback: int) -> list[Cohort]:
-    """Return cohorts of parked channels, each with where to look for rows after those that were read."""
-    ends = ((row, max(row["read_until"] + 1, row["read_from"])) for row in parked)
-    return others([{**row, "read_from": end} for row, end in ends], lookback)
+def unread(plan: Plan, lookback: int) -> list[Cohort]:
+    """Return cohorts of parked channels, each with where to look for values that were not read.
+
+    That is what came after all that was read; of a channel that still sends rows, whatever is new enough
+    not to be parked: if there is a value, it is only slow.
+    """
+    looks = (min(row["read_until"] + 1, plan.since) for row in plan.parked)
+    looked = zip(plan.parked, looks, strict=True)
+    return others([{**row, "read_from": max(look, row["read_from"])} for row, look in looked], lookback)
 
 
-def resumed(parked: Iterable[Row], names: Iterable[Row], lookback: int) -> list[Cohort]:
-    """Return the cohorts of parked channels of which values came after those that were read.
+def resumed(cohorts: Iterable[Cohort], names: Iterable[Row], plan: Plan, lookback: int) -> list[Cohort]:
+    """Return the cohorts of parked channels that have values in the range where they were looked for.
 
     Args:
-        parked: rows of the plan.
-        names: what the look at later rows found of them.
+        cohorts: of :func:`unread`.
+        names: what the look at them found.
+        plan: of the run.
         lookback: in the unit of time.
     """
     latest = {name_of(row): row["latest"] for row in names if row["readings"] > row["missing_readings"]}
-    back = [row for row in parked if latest.get(name_of(row), row["read_until"]) > row["read_until"]]
+    looks = {name_of(row): row["read_from"] for cohort in cohorts for row in cohort.channels}
+    back = [row for row in plan.parked if latest.get(name := name_of(row), LONG_AGO) >= looks[name]]
     return others(back, lookback)
 
 

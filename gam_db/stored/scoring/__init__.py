@@ -73,8 +73,9 @@ class Run:
         everything = wanted.everything or wanted.full or wanted.repair_from is not None
         latest, park_after = self.reader.clock.latest, wanted.park_after
         plan = planned(rows, wanted.lookback, park_after, self.started, latest, everything)
-        later = [row for group in unread(plan.parked, wanted.lookback) for row in self._look(group)]
-        back = resumed(plan.parked, later, wanted.lookback)
+        looks = unread(plan, wanted.lookback)
+        values = [row for cohort in looks for row in self._look(cohort)]
+        back = resumed(looks, values, plan, wanted.lookback)
         for cohort in [*plan.cohorts, *back]:
             names = self._look(cohort)
             if cohort.everyone:
