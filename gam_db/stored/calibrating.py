@@ -1,18 +1,14 @@
 """Calibrating: new versions of channels, frozen with what calibration taught.
 
-This module owns which channels need a version, and the order in which all that a call makes is written:
-the rows in ``gam_version`` come last, after the limits, so that versions and limits are there together
-or not at all.
+This module owns which channels need a version, and what each is taught.
 """
 
 import dataclasses
 import hashlib
-from collections import defaultdict
 from collections.abc import Mapping, Sequence
-from typing import Any, Self
+from typing import Any
 
 import pyarrow as pa
-from sqlglot import exp
 
 from gam_db.alarms import Alarms
 from gam_db.clock import LONG_AGO, Instant
@@ -27,7 +23,7 @@ from gam_db.method.judgement import add_judged
 from gam_db.method.source import add_source
 from gam_db.settings.calibration import Calibration, subtract
 from gam_db.settings.parameters import Parameters, pattern_matches
-from gam_db.stored.alarms import limits
+from gam_db.stored.draft import TAUGHT, Draft
 from gam_db.stored.planning import Row, by, whole_pools
 from gam_db.stored.schema import checksums
 from gam_db.stored.sources import described
@@ -36,12 +32,6 @@ from gam_db.study import Study
 
 #: The folders of ``sql/`` that decide what the numbers of a version are.
 _METHOD = ("source", "calibration", "embedding", "support", "certificate", "score", "health")
-
-#: What is appended, in this order, before limits and versions.
-_TAUGHT = (
-    *("calibration", "bounds", "block", "ladder", "support"),
-    *("buffered", "band", "extent", "checksum"),
-)
 
 #: What a checksum is made of: of a version that is being written, the steps that its tables are given.
 _SUMMED = {
@@ -117,7 +107,7 @@ def calibrate(
         # Five steps read a group's rows. Unless the engine can leave out what they do not need (other
         # groups, or what follows calibration, which it cannot tell by timestamps), they are copied once.
         steps.small |= {"identified"}
-    with _Draft(state, keys) as draft:
+    with Draft(state, keys) as draft:
         for group in groups:
             study.begin_anew()
             with state.session.lent(table_of(group, _NAMED)) as wanted:
@@ -251,76 +241,8 @@ def _due(found: Sequence[Row], versions: Mapping[tuple[str, str], Row], again: b
     return due
 
 
-class _Draft:
-    """What calibration made and nobody sees yet.
-
-    Where there are transactions, it waits in temporary tables for one that writes all of it. Elsewhere
-    the rows of a group are appended at once, but for those of versions, without which they are not seen.
-
-    Attributes:
-        last: the largest key in use, of each kind, those of the draft included.
-    """
-
-    def __init__(self, state: State, keys: dict[str, int]) -> None:
-        self.state, self._keys = state, keys
-        # A call that was cut short where there are no transactions leaves rows of versions that are not
-        # there. Their numbers are not given again.
-        begun = max(keys["version"], keys["calibration"], keys["extent"])
-        self.last = {**keys, "version": begun}
-        self._channels: list[Row] = []
-        self._kept: dict[str, list[exp.Select]] = defaultdict(list)
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        for rows in self._kept.values():
-            for one in rows:
-                self.state.session.forget(one.args["from_"].this)
-
-    def add(self, channels: Sequence[Row], parts: Mapping[str, exp.Query]) -> None:
-        """Take what a group of channels was taught: rows of new channels, and a query for each table."""
-        if self.state.session.transactions:
-            self._channels += channels
-            for part, query in parts.items():
-                self._keep(part, query)
-            return
-        with self.state.alone(self._keys):
-            if channels:
-                self.state.append_rows("channel", channels)
-            for part in _TAUGHT:
-                self.state.append(part, parts[part])
-        self._keep("version", parts["version"])
-
-    def publish(self, name: str, alarms: Alarms, parameters: Parameters) -> None:
-        """Write what waits, and limits of a monitor for all versions without one, together."""
-        if not self._kept:
-            limits.make(self.state, name, alarms, parameters)
-            return
-        with self.state.alone(self._keys):
-            if self._channels:
-                self.state.append_rows("channel", self._channels)
-            for part in _TAUGHT:
-                self._append(part)
-            new = self._kept["version"]
-            there = exp.select(*new[0].selects).from_(self.state.tables.table("version"))
-            versions = self.state.session.keep("versions", exp.union(there, *new, distinct=False))
-            limits.make(self.state, name, alarms, parameters, versions=versions)
-            self.state.session.forget(versions)
-            self._append("version")
-
-    def _keep(self, part: str, query: exp.Query) -> None:
-        names = [exp.column(exp.to_identifier(name)) for name in query.named_selects]
-        kept = self.state.session.keep(f"{part}_rows", query)
-        self._kept[part].append(exp.select(*names).from_(kept))
-
-    def _append(self, part: str) -> None:
-        for rows in self._kept[part]:
-            self.state.append(part, rows)
-
-
 def _learn(
-    draft: _Draft,
+    draft: Draft,
     study: Study,
     monitor: Row,
     group: Sequence[Row],
@@ -365,7 +287,7 @@ def _learn(
     with state.session.lent(table_of(numbering, _NUMBERING)) as loaded:
         running.placed["numbering"] = loaded
         # The support first: what reads its cells reads channels in stored order, where they can be.
-        parts = ("support", *_TAUGHT, "version")
+        parts = ("support", *TAUGHT, "version")
         queries = {part: study.query(f"{part}_rows") for part in parts}
         running.on_step("writing")
         draft.add(channels, queries)
