@@ -1,7 +1,9 @@
 -- Run rows: what commits a run, one row per version; appended last of all.
 -- Reads:  cohort, changed, seen, recount, settled, stillness, read_sums, stamp
--- A row:  one version that was looked at. One without any row in its range, not even its context, hides
---         nothing: from_bucket is beyond all buckets, and what was settled is what an earlier run says. Where
+-- A row:  one version of which something was read, for which calibration was counted anew, or at which no run has
+--         looked yet; else there is nothing to record. (Who is looked at once a day is counted anew then.) One without
+--         any row in its range, not even its context, hides nothing: from_bucket is beyond all buckets, and what was
+--         settled is what an earlier run says. Where
 --         no new bucket is settled, it is the one that stayed, after which this run began. hides = 0 where no row of an
 --         earlier run is left that it hides: it deletes them in the same commit, or there can be none.
 SELECT
@@ -66,3 +68,4 @@ LEFT JOIN (
   SELECT channel_id, summed_from, read_sum, 1 AS hit
   FROM read_sums
 ) AS summed ON summed.channel_id = member.channel_id
+WHERE ranged.hit = 1 OR member.recounted = 1 OR member.planned_from = 0
