@@ -43,7 +43,7 @@ def invoked(*words: str, room: int | None = None) -> Any:
 
 def names_what_is_full(answer: Any, what: str) -> None:
     assert answer.exit_code == Exit.RUN_AGAIN, answer.output
-    assert re.fullmatch(rf"gam: .*{what}.*; make room, and run it again\.\n", answer.stderr)
+    assert re.fullmatch(rf"gam: [^\n]*{what}[^\n]*\.\n", answer.stderr)
 
 
 @pytest.fixture
@@ -112,7 +112,7 @@ def test_results_that_find_no_room(
     full_disk: Path, recording: str, words: tuple[str, ...], name: str
 ) -> None:
     answer = invoked("run", recording, *METHOD, *(word.format(full_disk) for word in words))
-    names_what_is_full(answer, re.escape(name))
+    names_what_is_full(answer, rf"{re.escape(name)}.*disk is full")
     there = {one.name for one in full_disk.iterdir()}
     assert there <= {"health.parquet", "report.html", "copy.duckdb", "ballast"}
     assert all((full_disk / one).read_text() == "before" for one in there - {"ballast"})
@@ -124,7 +124,7 @@ def test_a_copy_that_finds_no_room(full_disk: Path, tmp_path: Path, recording: s
     answer = invoked(
         "score", "--database", database, "--copy", str(full_disk / "copy.duckdb"), "--quiet"
     )
-    names_what_is_full(answer, r"copy\.duckdb")
+    names_what_is_full(answer, r"copy\.duckdb.*is full")
     assert {one.name for one in full_disk.iterdir()} == {
         *("health.parquet", "report.html", "copy.duckdb", "ballast")
     }
@@ -170,7 +170,6 @@ def test_each_engine_says_that_a_disk_is_full(of: str, said: str) -> None:
     found = refusal(of, said, path="plant", place="plant", address="plant", grant="", name="")
     assert isinstance(found, FullError)
     assert "full" in str(found) or "so much there" in str(found)
-    assert str(found).endswith("make room, and run it again.")
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,7 @@ from gam_db.composing import template
 from gam_db.engines.duckdb.driver import DuckDriver
 from gam_db.engines.duckdb.files import metadata
 from gam_db.engines.duckdb.journal import Journal, put_back
-from gam_db.engines.refusals import refusal, refused
+from gam_db.engines.refusals import refused
 from gam_db.engines.session import Session
 from gam_db.errors import FullError, SourceError, StatementError
 
@@ -111,9 +111,9 @@ class DuckSession(Session):
         try:
             self._run(attach)
         except (duckdb.IOException, duckdb.BinderException) as error:
-            full = refusal("duckdb", str(error), place=path)
-            refusing = SourceError(f"{path} cannot be opened as a DuckDB file for writing.")
-            raise full or refusing from error
+            if isinstance(full := refused("results", str(error), path=path), FullError):
+                raise full from error
+            raise SourceError(f"{path} cannot be opened as a DuckDB file for writing.") from error
         journal = Journal(self.connection, catalog.name)
         try:
             with _written(path):
