@@ -79,6 +79,12 @@ def test_a_parked_channel_is_looked_at_once_a_day(monkeypatch: pytest.MonkeyPatc
     assert runs(begun)["d"] == before["d"] + 1
     assert begun.score().parked == 1
     assert runs(begun)["d"] == before["d"] + 1
+    later += DAY // 24  # the clock stands an hour ahead
+    assert begun.score(everything=True).parked == 0
+    later -= DAY // 24
+    assert [begun.score().parked, begun.score().parked] == [0, 1], (
+        "once, and not until that hour is over"
+    )
 
 
 def test_a_channel_without_a_row_is_recorded_once() -> None:

@@ -96,11 +96,11 @@ def test_novel_cells_that_differ_are_those_of_either_side() -> None:
 
 def test_numbers_go_on_from_the_largest() -> None:
     two = rows("monitor_id channel_id version_id support_id run_id", (2, 4, 6, 8, 10), (1, 3, 5, 7, 9))
-    names = ("monitor", "channel", "version", "calibration", "bounds", "run")
+    names = ("monitor", "channel", "version", "calibration", "extent", "bounds", "run")
     found = step("stored/state/last_numbers", **{f"stored_{name}": two for name in names})
     assert dict(found) == {
         **{"monitor": 2, "channel": 4, "version": 6},
-        **{"calibration": 6, "support": 8, "run": 10},
+        **{"calibration": 6, "extent": 6, "support": 8, "run": 10},
     }
 
 
