@@ -2,6 +2,7 @@
 
 import contextlib
 import secrets
+import shutil
 import tomllib
 from functools import cache
 from importlib import resources
@@ -33,6 +34,8 @@ def put(path: Path, content: bytes) -> None:
     unfinished = target.with_name(f".{target.name}.{secrets.token_hex(4)}")
     try:
         unfinished.write_bytes(content)
+        if target.exists():
+            shutil.copymode(target, unfinished)
         unfinished.replace(target)
     finally:
         with contextlib.suppress(OSError):

@@ -213,9 +213,8 @@ def _of_user(error: Exception) -> Exception:
     """Return the error for the user where a file, or what is printed, found no room."""
     if not isinstance(error, OSError) or error.errno not in NO_ROOM:
         return error
-    if (
-        error.filename is None
-    ):  # Python would try again to print it, at its end, and change the exit code
+    if error.filename is None:
+        # Python would try again to print it, at its end, and change the exit code.
         with contextlib.suppress(OSError, ValueError):
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return unwritable(error.filename or "What this command prints", error)

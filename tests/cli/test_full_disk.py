@@ -17,6 +17,7 @@ from typer.testing import CliRunner
 
 import gam_db
 import harness
+from gam_db import data
 from gam_db.cli import app
 from gam_db.cli.exits import Exit
 from gam_db.engines.refusals import refusal
@@ -79,7 +80,10 @@ def counted(database: str) -> dict[str, int]:
 
 @pytest.mark.parametrize(
     ("address", "what"),
-    [("{}/plant.duckdb", "The disk of .* is full"), ("sqlite:///{}/plant.db", "The disk of the SQLite")],
+    [
+        ("{}/plant.duckdb", "The disk of .* is full"),
+        ("sqlite:///{}/plant.db", "The SQLite database, .* full"),
+    ],
     ids=["duckdb", "sqlite"],
 )
 def test_a_database_that_may_not_grow(tmp_path: Path, address: str, what: str) -> None:
@@ -189,3 +193,15 @@ def test_a_file_that_python_writes(number: int) -> None:
     other = unwritable("page.html", OSError(errno.EACCES, "Permission denied"), SourceError)
     assert isinstance(other, SourceError)
     assert str(other) == "page.html cannot be written: Permission denied."
+
+
+def test_a_file_that_is_written_anew_keeps_its_mode_and_its_link(tmp_path: Path) -> None:
+    path, link = tmp_path / "script.sql", tmp_path / "link.sql"
+    link.symlink_to(path)
+    data.put(link, b"one")
+    path.chmod(0o600)
+    data.put(link, b"two")
+    assert path.read_bytes() == b"two"
+    assert path.stat().st_mode & 0o777 == 0o600
+    assert link.is_symlink()
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["link.sql", "script.sql"]
