@@ -20,7 +20,7 @@ Length: TypeAlias = int | float | str | dt.timedelta
 LONG_AGO = -(2**62)
 FAR_AHEAD = 2**62
 SECOND = 1_000_000
-#: A counter that goes on by more than so many usual steps at once has jumped: no clock tells what is right.
+#: A counter that goes on by more than so many usual steps at once has jumped.
 JUMP = 1_000
 
 _EPOCH = dt.datetime(1970, 1, 1, tzinfo=dt.UTC)

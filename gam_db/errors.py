@@ -9,6 +9,7 @@ should be.
 """
 
 import difflib
+import errno
 from collections.abc import Iterable
 
 from gam_db import data
@@ -63,6 +64,10 @@ class LostConnectionError(RunAgainError, code="connection"):
     """The server went away, has no room, or is not there yet."""
 
 
+class FullError(RunAgainError, code="full"):
+    """A disk, or what may be written there, is full; what was there before is as it was."""
+
+
 class StateError(UserError, code="state"):
     """The state tables are missing, were changed, or are of another gam-db."""
 
@@ -93,6 +98,20 @@ def wrong(key: str, /, **words: object) -> UserError:
             error: UserError = globals()[name](said[key].format(**words))
             return error
     raise InternalError(f"There is no error {key!r} in errors.toml.")
+
+
+#: What the system says where a disk, a quota, or a limit on the size of files leaves no room.
+NO_ROOM = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG})
+
+
+def unwritable(path: object, error: OSError, otherwise: type[UserError] | None = None) -> UserError:
+    """Return why a file or folder cannot be written, as another error where there is room for it."""
+    if error.errno in NO_ROOM:
+        return FullError(
+            f"{path} cannot be written: its disk is full, or you may not write so much there. Nothing "
+            "is half written; make room, and run it again."
+        )
+    return (otherwise or ConfigurationError)(f"{path} cannot be written: {error.strerror}.")
 
 
 def printable(text: str) -> str:

@@ -111,7 +111,7 @@ def _of_file(path: Path) -> tuple[pa.Table, pa.Table]:
     """Return the indicator and the support that ``gam run`` wrote."""
     wanted = ("asset", "channel", "time", "hi"), ("asset", "channel", "hi_limit")
     if path.suffix in (".duckdb", ".db"):
-        tables = ("gam_health_indicator", "gam_support")
+        tables = ("gam_health_indicator", "gam_support_summary")
         with connect(path, writable=False) as session:
             health, support = (
                 session.fetch(exp.select(*columns).from_(name))

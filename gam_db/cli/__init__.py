@@ -22,12 +22,14 @@ from gam_db.address import without_passwords
 from gam_db.cli import commands
 from gam_db.cli.exits import MEANINGS, Exit
 from gam_db.errors import (
+    NO_ROOM,
     ConfigurationError,
     InternalError,
     RunAgainError,
     StatementError,
     UserError,
     printable,
+    unwritable,
 )
 from gam_db.extras import begin_process
 from gam_db.version import __version__
@@ -121,10 +123,15 @@ class Commands(TyperGroup):
                     continue
                 code = _told(error, debug, as_json)
             except Exception as error:
-                code = _told(error, debug, as_json)
+                code = _told(_of_user(error), debug, as_json)
             except KeyboardInterrupt:
                 code = Exit.INTERRUPTED
             break
+        try:
+            sys.stdout.flush()
+        except OSError as error:
+            if error.errno in NO_ROOM:
+                code = _told(_of_user(error), debug, False)
         if code == Exit.INTERRUPTED:
             print("gam: interrupted; no file was left half written.", file=sys.stderr)
         sys.exit(code if isinstance(code, int) else Exit.FINE)
@@ -200,6 +207,17 @@ def main() -> None:
     """Run the command line."""
     begin_process()
     app()
+
+
+def _of_user(error: Exception) -> Exception:
+    """Return the error for the user where a file, or what is printed, found no room."""
+    if not isinstance(error, OSError) or error.errno not in NO_ROOM:
+        return error
+    if error.filename is None:
+        # Python would try again to print it, at its end, and change the exit code.
+        with contextlib.suppress(OSError, ValueError):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return unwritable(error.filename or "What this command prints", error)
 
 
 def _told(error: Exception, debug: bool, as_json: bool) -> int:

@@ -146,7 +146,9 @@ def limits(
     with state_of(settings, writable=again) as state:
         if reason is not None:
             with state.session.transaction():
-                made.make(state, settings.monitor.name, settings.alarms, reason, lambda _: True)
+                parameters, _ = settings.method()
+                asked = (settings.alarms, parameters, reason)
+                made.make(state, settings.monitor.name, *asked, lambda _: True)
         rows = stored.limits(state, settings.monitor.name)
 
     def show(out: page.Out) -> None:

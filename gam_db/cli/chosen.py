@@ -19,7 +19,7 @@ from gam_db.cli.config import Settings, load
 from gam_db.cli.job import Job
 from gam_db.cli.progress import working
 from gam_db.engines.connecting import connect
-from gam_db.errors import ConfigurationError, wrong
+from gam_db.errors import ConfigurationError, unwritable, wrong
 from gam_db.findings import Row
 from gam_db.selection.search import Search
 from gam_db.selection.select import Selection, Studied, alone, selected_by_all
@@ -154,7 +154,7 @@ def save(path: Path, text: str) -> None:
         load(unfinished).method()
         unfinished.replace(path)
     except OSError as error:
-        raise ConfigurationError(f"{path} cannot be written: {error.strerror}.") from error
+        raise unwritable(path, error) from error
     finally:
         unfinished.unlink(missing_ok=True)
 

@@ -14,6 +14,7 @@ from typing import Any, Literal
 
 from pyarrow import ArrowInvalid, parquet
 
+from gam_db.address import is_url
 from gam_db.checking.notes import EXACT_UP_TO, SENTENCES
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
@@ -75,7 +76,8 @@ def run(
     written = [str(one) for one in (*results, *([] if report is None else [report]))]
     shows: Callable[[page.Out], None]
     files, everything = [result.path for result in results], common.everything
-    opened = connect(settings.source.database, common.threads, False, files)
+    is_own = any(_is_same(one, settings.source.database) for one in files)
+    opened = connect(settings.source.database, common.threads, is_own, files)
     with interruptible(), opened as session:
         with Progress(session, common.quiet) as progress:
             job = job_of(session, settings, relation)
@@ -196,7 +198,8 @@ def results_of(
 ) -> list[Result]:
     """Return what is written where; refuse, before any work, what cannot be written."""
     health = ("bucket_health", "health_at_buckets") if every == "stride" else ("health_indicator",) * 2
-    steps = {health[0]: health[1], "support_summary": "support", "certificate": "certificate"}
+    # No table is called like one of the state of a monitor, which may lie in the same file.
+    steps = {health[0]: health[1], **{step: step for step in ("support_summary", "certificate")}}
     if estimator != DSE:
         steps = {
             f"score_{health[0]}" if every == "stride" else "score_health": f"{health[1]}_{estimator}"
@@ -218,14 +221,26 @@ def results_of(
             raise ConfigurationError(f"--out is {path}; you may not write {one}.")
     if out is None and not _is_database(path):
         _check_theirs(path, relation)
+    results = [
+        Result(step, one, f"gam_{table}")
+        for (step, table), one in zip(steps.items(), paths[: len(steps)], strict=True)
+    ]
+    if _is_same(path, database) and _is_database(path):
+        # Tables are made beside those that are read.
+        if str(relation).casefold().rpartition(".")[2] in {one.table for one in results}:
+            raise ConfigurationError(
+                f"{relation} would be overwritten while it is read; give another --out."
+            )
+        return results
     read = {Path(one).resolve() for one in (*paths_of(relation), database) if one is not None}
     for one in paths:
         if one.resolve() in read and not (isinstance(relation, tuple) and _made_from(one)):
             raise ConfigurationError(f"{one} would be overwritten while it is read; give another --out.")
-    return [
-        Result(step, one, f"gam_{table}")
-        for (step, table), one in zip(steps.items(), paths[: len(steps)], strict=True)
-    ]
+    return results
+
+
+def _is_same(path: Path, database: str | None) -> bool:
+    return database is not None and not is_url(database) and path.resolve() == Path(database).resolve()
 
 
 def _check_theirs(path: Path, relation: Any) -> None:

@@ -6,12 +6,13 @@ from typing import Any, Literal
 
 import typer
 
+from gam_db import data
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
 from gam_db.cli.options import argument, option
 from gam_db.engines import EVIDENCE, NAMES, engine_named
 from gam_db.engines.connecting import connect
-from gam_db.errors import ConfigurationError, wrong
+from gam_db.errors import ConfigurationError, unwritable, wrong
 from gam_db.export import Package, write
 from gam_db.export import grafana as dashboards
 from gam_db.export.models import ADAPTERS
@@ -48,9 +49,9 @@ def compile(
         print(script, end="")
         return
     try:
-        out.write_text(script, encoding="utf-8")
+        data.put(out, script.encode())
     except OSError as error:
-        raise ConfigurationError(f"{out} cannot be written: {error.strerror}.") from error
+        raise unwritable(out, error) from error
 
 
 def described(settings: Settings) -> AnySource:

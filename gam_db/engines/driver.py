@@ -96,6 +96,10 @@ class Driver(Protocol):
         """
         raise SourceError(self.no_files.format(path=shown_relation(relation)))
 
+    def expect_conditions(self) -> None:
+        """Be ready for statements that run a condition of the user's, from now on."""
+        return
+
     def rows_at_once(self) -> int:
         """Return how many readings can be worked on at once."""
         return self.most_rows
@@ -180,7 +184,8 @@ class DbapiDriver(Driver):
         return value
 
     def problem(self, error: Exception) -> UserError | None:
-        return refusal(self.engine.name, *map(str, error.args[:1]))
+        named = getattr(error, "sqlite_errorname", "")
+        return refusal(self.engine.name, *map(str, error.args), named)
 
     def close(self) -> None:
         if self._owned:

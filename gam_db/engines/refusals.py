@@ -12,7 +12,8 @@ from gam_db.errors import UserError
 
 READ_ONLY = "The database is open for reading only; it cannot be changed."
 OPEN = "The connection has a transaction open; commit it or roll it back first."
-FULL = "The database cannot be written; is its disk full? What was there before is as it was."
+UNWRITTEN = "The database cannot be written; is its disk full? What was there before is as it was."
+FULL = "What was there before is as it was; make room, and run it again."
 CONFLICT = (
     "Another connection changed the same tables at the same time; what was to be written here was not. "
     "Run it again."
@@ -21,7 +22,7 @@ CONFLICT = (
 _TABLE = list(csv.DictReader(data.text("gam_db.engines", "refusals.csv").splitlines()))
 
 #: What several engines say.
-_SHARED = {"conflict": CONFLICT, "full": FULL, "read_only": READ_ONLY}
+_SHARED = {"conflict": CONFLICT, "full": FULL, "unwritten": UNWRITTEN, "read_only": READ_ONLY}
 
 
 def refusal(of: str, *told: str, **words: object) -> UserError | None:

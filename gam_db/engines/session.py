@@ -119,6 +119,7 @@ class Session:
         Raises:
             SourceError: the engine refuses it; the message shows it as the user wrote it.
         """
+        self.driver.expect_conditions()
         probe = exp.select(exp.Literal.number(1).as_("tried")).from_(relation.copy()).where(condition)
         try:
             self.fetch(probe.limit(0))

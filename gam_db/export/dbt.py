@@ -16,7 +16,7 @@ from gam_db.clock import Length, TimeKind
 from gam_db.composing import template
 from gam_db.engines import engine_named
 from gam_db.engines.base import Engine
-from gam_db.errors import ConfigurationError, SourceError, wrong
+from gam_db.errors import SourceError, unwritable, wrong
 from gam_db.export import jinja, yaml_text
 from gam_db.export.models import ADAPTERS, CALIBRATED, SOURCE, TABLE, Model, Modelled, checks, models
 from gam_db.method import Method
@@ -133,9 +133,9 @@ def write(package: Package, folder: Path) -> list[Path]:
         _check_folder(folder, package.prefix)
         for path, text in files.items():
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
-            (folder / path).write_text(text, encoding="utf-8")
+            data.put(folder / path, text.encode())
     except OSError as error:
-        raise ConfigurationError(f"{folder} cannot be written: {error.strerror}.") from error
+        raise unwritable(folder, error) from error
     return [folder / path for path in files]
 
 

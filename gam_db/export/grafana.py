@@ -15,7 +15,7 @@ from gam_db import data
 from gam_db.composing import template
 from gam_db.composing.pipeline import filled, place
 from gam_db.engines import engine_named
-from gam_db.errors import ConfigurationError, wrong
+from gam_db.errors import unwritable, wrong
 from gam_db.export import yaml_text
 from gam_db.stored.schema.tables import StateTables
 
@@ -45,9 +45,9 @@ def write(
     try:
         folder.mkdir(parents=True, exist_ok=True)
         for name, text in made.items():
-            (folder / name).write_text(text, encoding="utf-8")
+            data.put(folder / name, text.encode())
     except OSError as error:
-        raise ConfigurationError(f"{folder} cannot be written: {error.strerror}.") from error
+        raise unwritable(folder, error) from error
     return [folder / name for name in made]
 
 

@@ -8,7 +8,7 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, filled
 from gam_db.method.adding import OfSet, add, add_stacked, join_sets
 from gam_db.method.resolved import Method
-from gam_db.method.source import named_like
+from gam_db.method.source import by_override, named_like
 from gam_db.settings.source import TimeNode
 
 #: Beyond how many blocks another one vouches for a cell: usually, for the order ratio, under drift.
@@ -19,15 +19,22 @@ _SMALL = (
     *("judged_windows", "opened", "merged"),
 )
 
+#: The number of the parameters that a channel has.
+_SETTINGS_NO = exp.column("settings_no")
+
 
 def add_learnt_limits(steps: Pipeline, method: Method, families: Sequence[str]) -> None:
     """Add what calibration says of the judgements of each channel; the last step is *learnt_limits*.
 
-    Families are patterns of channel names.
+    Families are patterns of channel names. Bins that were found make no family.
     """
     join_sets(steps, method, ("visits", "block_sizes"))
     add_counted(steps, method.has_instants)
-    add_spreads(steps, families)
+    others: exp.Expr = _SETTINGS_NO
+    if method.asked is not None:
+        variants = list(dict.fromkeys(method.asked.variants()))
+        others = by_override(method.asked, variants.index)
+    add_spreads(steps, families, others=others)
 
 
 def add_counted(steps: Pipeline, has_instants: bool = True, bounds: str = "bounds") -> None:
@@ -54,18 +61,24 @@ def band_of(key: exp.Expr, bins: exp.Expr) -> exp.Expr:
     return template.fill("alarms/band", {"key": key, "bins": bins})
 
 
-def add_spreads(steps: Pipeline, families: Sequence[str], known: str | None = None) -> None:
+def add_spreads(
+    steps: Pipeline,
+    families: Sequence[str],
+    known: str | None = None,
+    others: exp.Expr = _SETTINGS_NO,
+) -> None:
     """Add the spreads of *buffered*; the last step is *learnt_limits*.
 
-    Families are patterns of channel names. The step that is ``known`` has a row per channel with all
-    else that calibration says; without one, that is said by the steps of a study.
+    Families are patterns of channel names; others is the number of a channel's family that none of them
+    names. The step that is ``known`` has a row per channel with all else that calibration says; without
+    one, that is said by the steps of a study.
     """
     steps.small |= set(_SMALL)
     reads = ("channels", "limited", "bounds", "order_ratios", "lengths", "block_sizes")
     tables = {} if known is None else dict.fromkeys(reads, known)
     add(steps, "alarms/block_roots", {"root": _root("novel")}, tables=tables)
     add(steps, "alarms/spreads", _figures())
-    rows = exp.union(*(_learnt(g, families) for g in (NEAR, FAR)), distinct=False)
+    rows = exp.union(*(_learnt(g, families, others) for g in (NEAR, FAR)), distinct=False)
     steps.add("learnt_limits", rows, template.load("alarms/learnt_limits").comment, tables)
 
 
@@ -158,8 +171,8 @@ def _chance(visited_blocks: int) -> dict[str, template.Slot]:
     return {"visited_blocks": visited_blocks, "g": ORDERED, "product": product}
 
 
-def _learnt(g: int, families: Sequence[str]) -> exp.Query:
-    others = exp.Add(this=exp.column("settings_no"), expression=exp.Literal.number(len(families)))
+def _learnt(g: int, families: Sequence[str], number: exp.Expr) -> exp.Query:
+    others = exp.Add(this=number.copy(), expression=exp.Literal.number(len(families)))
     asked = ((named_like("channel", pattern) or exp.true(), n) for n, pattern in enumerate(families))
     family = template.case(asked, others)
     for column in family.find_all(exp.Column):

@@ -1,6 +1,6 @@
 """Steps of whole channels: names, samples, calibration intervals (method, sections 2 and 4)."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from sqlglot import exp
 
@@ -9,6 +9,7 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add, add_stacked
 from gam_db.method.resolved import Method
+from gam_db.settings.parameters import Parameters
 
 
 def add_source(steps: Pipeline, method: Method) -> None:
@@ -25,15 +26,24 @@ def add_source(steps: Pipeline, method: Method) -> None:
 
 def add_channels(steps: Pipeline, method: Method) -> None:
     """Add the channels, each with the numbers of its parameters, its rule and its pool."""
-    _, *variants = method.parameters.variants()
-    settings = [
-        (one.asset, one.channel, method.settings.index(variant))
-        for one, variant in zip(method.parameters.overrides, variants, strict=True)
-    ]
     rules = [(asset, "*", number) for number, asset in enumerate(method.assets, start=1)]
     pools = [(asset, "*", n) for n, group in enumerate(method.pools, start=1) for asset in group]
-    numbers = {"settings_no": settings, "calibration_no": rules, "pool_no": pools}
-    add(steps, "source/channels", {name: _chosen(cases) for name, cases in numbers.items()})
+    numbers = {
+        "settings_no": by_override(method.parameters, method.settings.index),
+        "calibration_no": _chosen(rules),
+        "pool_no": _chosen(pools),
+    }
+    add(steps, "source/channels", numbers)
+
+
+def by_override(parameters: Parameters, number_of: Callable[[Parameters], int]) -> exp.Expr:
+    """Return a number of the parameters that a channel has, by the columns asset and channel."""
+    general, *variants = parameters.variants()
+    cases = [
+        (one.asset, one.channel, number_of(variant))
+        for one, variant in zip(parameters.overrides, variants, strict=True)
+    ]
+    return _chosen(cases, number_of(general))
 
 
 def add_intervals(steps: Pipeline) -> None:
@@ -61,8 +71,8 @@ def add_rules(steps: Pipeline, method: Method) -> None:
         add(steps, "calibration/undeclared", name="declared")
 
 
-def _chosen(cases: Sequence[tuple[str, str, int]]) -> exp.Expr:
-    """Return the number of the first case whose patterns of asset and channel are met, else 0."""
+def _chosen(cases: Sequence[tuple[str, str, int]], other: int = 0) -> exp.Expr:
+    """Return the number of the first case whose patterns of asset and channel are met, else another."""
     asked: list[tuple[exp.Expr, int]] = []
     for asset, channel, number in cases:
         met = (named_like("asset", asset), named_like("channel", channel))
@@ -70,7 +80,7 @@ def _chosen(cases: Sequence[tuple[str, str, int]]) -> exp.Expr:
         if not conditions:
             return template.case(asked, number)
         asked.append((exp.and_(*conditions), number))
-    return template.case(asked, 0)
+    return template.case(asked, other)
 
 
 def named_like(column: str, pattern: str) -> exp.Expr | None:

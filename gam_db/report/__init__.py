@@ -8,7 +8,6 @@ import datetime as dt
 import hashlib
 import html
 import re
-import secrets
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -19,8 +18,9 @@ from numpy.typing import NDArray
 
 from gam_db.clock import SECOND, Length, TimeKind, aware, length, zone
 from gam_db.composing import template
+from gam_db.data import put
 from gam_db.data import text as text_of
-from gam_db.errors import ConfigurationError, UserError, wrong
+from gam_db.errors import ConfigurationError, UserError, unwritable, wrong
 from gam_db.findings import Row, by_channel
 from gam_db.report import details
 from gam_db.report.details import Reads
@@ -161,13 +161,10 @@ def write(
         "details": {str(place): one for place, one in sorted(shown.items())},
     }
     text = page(data, wishes.title).encode()
-    unfinished = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
     try:
-        unfinished.write_bytes(text)
-        unfinished.replace(path)
+        put(path, text)
     except OSError as error:
-        unfinished.unlink(missing_ok=True)
-        raise ConfigurationError(f"{path} cannot be written: {error.strerror}.") from error
+        raise unwritable(path, error) from error
     return {
         "path": str(path),
         "bytes": len(text),

@@ -1,7 +1,6 @@
 """Calibrating: new versions of channels, frozen with what calibration taught.
 
-This module owns which channels need a version, and the order in which one is written: its row in
-``gam_version`` comes last, so that a version is there as a whole or not at all.
+This module owns which channels need a version, and what each is taught.
 """
 
 import dataclasses
@@ -11,6 +10,7 @@ from typing import Any
 
 import pyarrow as pa
 
+from gam_db.alarms import Alarms
 from gam_db.clock import LONG_AGO, Instant
 from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns, name_of, table_of
 from gam_db.composing import template
@@ -23,6 +23,7 @@ from gam_db.method.judgement import add_judged
 from gam_db.method.source import add_source
 from gam_db.settings.calibration import Calibration, subtract
 from gam_db.settings.parameters import Parameters, pattern_matches
+from gam_db.stored.draft import TAUGHT, Draft
 from gam_db.stored.planning import Row, by, whole_pools
 from gam_db.stored.schema import checksums
 from gam_db.stored.sources import described
@@ -31,12 +32,6 @@ from gam_db.study import Study
 
 #: The folders of ``sql/`` that decide what the numbers of a version are.
 _METHOD = ("source", "calibration", "embedding", "support", "certificate", "score", "health")
-
-#: What is appended, in this order; a version is committed by its own row.
-_WRITTEN = (
-    *("calibration", "bounds", "block", "ladder", "support"),
-    *("buffered", "band", "extent", "checksum", "version"),
-)
 
 #: What a checksum is made of: of a version that is being written, the steps that its tables are given.
 _SUMMED = {
@@ -49,16 +44,18 @@ def calibrate(
     state: State,
     study: Study,
     name: str,
+    alarms: Alarms,
     again: bool = False,
     limit: int | None = None,
     said: Calibration | None = None,
 ) -> pa.Table:
-    """Make a version of every channel that has none with these settings (method, section 4).
+    """Make a version of every channel that has none with these settings (method, section 4), and limits.
 
     A pool is calibrated as a whole, and a monitor made if it is not there. What is resolved is frozen: a
     later call with the same settings leaves a version as it is, unless it is asked for ``again``. At
     most ``limit`` readings are worked on at once; None for what memory allows. Where more is taken out
-    of the study's calibration than the user ``said``, that is no other setting.
+    of the study's calibration than the user ``said``, that is no other setting. Each version without a
+    limit gets one, by ``alarms``. All of it is committed together.
 
     Returns:
         One row per new version, ordered: asset, channel, version_no, reason, m, tau, bins,
@@ -110,15 +107,18 @@ def calibrate(
         # Five steps read a group's rows. Unless the engine can leave out what they do not need (other
         # groups, or what follows calibration, which it cannot tell by timestamps), they are copied once.
         steps.small |= {"identified"}
-    for group in groups:
-        study.begin_anew()
-        with state.session.lent(table_of(group, _NAMED)) as wanted:
-            asked = filled("stored/calibrating/wanted_names")
-            place(asked, {"names": names, "wanted": wanted})
-            running.placed["names"] = state.session.keep("wanted_names", asked)
-            made += _write(state, study, monitor, group, versions, keys)
-            state.session.forget(running.placed["names"])
-        running.placed["names"] = names
+    with Draft(state, keys) as draft:
+        for group in groups:
+            study.begin_anew()
+            with state.session.lent(table_of(group, _NAMED)) as wanted:
+                asked = filled("stored/calibrating/wanted_names")
+                place(asked, {"names": names, "wanted": wanted})
+                running.placed["names"] = state.session.keep("wanted_names", asked)
+                made += _learn(draft, study, monitor, group, versions)
+                state.session.forget(running.placed["names"])
+            running.placed["names"] = names
+        running.on_step("limits")
+        draft.publish(name, alarms, study.method.asked or study.method.parameters)
     made.sort(key=name_of)
     return table_of(made, _RESULT)
 
@@ -241,37 +241,38 @@ def _due(found: Sequence[Row], versions: Mapping[tuple[str, str], Row], again: b
     return due
 
 
-def _write(
-    state: State,
+def _learn(
+    draft: Draft,
     study: Study,
     monitor: Row,
     group: Sequence[Row],
     versions: Mapping[tuple[str, str], Row],
-    keys: dict[str, int],
 ) -> list[Row]:
-    """Calibrate a group of channels, and append its versions in one transaction."""
-    running = study.running
+    """Calibrate a group of channels into a draft; return a row for each."""
+    running, state = study.running, draft.state
     local = {name_of(row): row for row in running.rows("channels")}
     known = {
         name_of(row): row["channel_id"]
         for row in state.rows("stored/state/known_channels", {"monitor_id": monitor["monitor_id"]})
     }
-    last, method = dict(keys), method_hash()
+    last, method = draft.last, method_hash()
     numbering: list[Row] = []
     channels: list[Row] = []
     for row in group:
         key = name_of(row)
         if key not in known:
-            known[key] = last["channel"] + len(channels) + 1
+            last["channel"] += 1
+            known[key] = last["channel"]
             ids = {"channel_id": known[key], "monitor_id": monitor["monitor_id"]}
             channels.append({**ids, "asset": row["asset"], "channel": row["channel"]})
         before = versions.get(key)
         number = row["settings_no"]
+        last["version"] += 1
         numbering.append(
             {
                 "channel_id": local[key]["channel_id"],
                 "stored_channel_id": known[key],
-                "version_id": last["version"] + len(numbering) + 1,
+                "version_id": last["version"],
                 "stored_support_id": last["support"] + local[key]["support_id"],
                 "parent_id": None if before is None else before["version_id"],
                 "version_no": 1 if before is None else before["version_no"] + 1,
@@ -282,16 +283,14 @@ def _write(
                 "method_hash": method,
             }
         )
+    last["support"] = max(row["stored_support_id"] for row in numbering)
     with state.session.lent(table_of(numbering, _NUMBERING)) as loaded:
         running.placed["numbering"] = loaded
         # The support first: what reads its cells reads channels in stored order, where they can be.
-        queries = {part: study.query(f"{part}_rows") for part in ("support", *_WRITTEN)}
+        parts = ("support", *TAUGHT, "version")
+        queries = {part: study.query(f"{part}_rows") for part in parts}
         running.on_step("writing")
-        with state.alone(keys):
-            if channels:
-                state.append_rows("channel", channels)
-            for part in _WRITTEN:
-                state.append(part, queries[part])
+        draft.add(channels, queries)
         learnt = {row["channel_id"]: row for row in running.rows("bounds")}
         for row in running.rows("unscored"):
             learnt[row["channel_id"]] |= row

@@ -140,12 +140,9 @@ class Monitor(MonitorSettings):
         study = Study(self.session, self.source, *asked, short_cuts=True, on_trust=False)
         try:
             self.asked.asked(study.method.kind)
-            made = calibrate(self.state, study, self.name, again, limit, self.calibration)
+            return calibrate(self.state, study, self.name, self.asked, again, limit, self.calibration)
         finally:
             study.running.forget()
-        on_step("limits")
-        limits.make(self.state, self.name, self.asked)
-        return made
 
     def score(
         self,
@@ -291,7 +288,7 @@ class Monitor(MonitorSettings):
         self._required.monitor(self.name)
         if again:
             with self.session.transaction():
-                limits.make(self.state, self.name, self.asked, reason, lambda _: True)
+                limits.make(self.state, self.name, self.asked, self.parameters, reason, lambda _: True)
         return table_of(stored_alarms.limits(self.state, self.name), limits.SHOWN)
 
     def _repr_html_(self) -> str:

@@ -453,8 +453,12 @@ def test_a_duckdb_file_gets_tables_and_keeps_its_own() -> None:
         figures(source, "--out", "results.duckdb", "--every", every)
         with duckdb.connect("results.duckdb") as connection:
             tables = {row[0] for row in connection.execute("SHOW TABLES").fetchall()}
-            (rows,) = connection.execute("SELECT count(*) FROM gam_support").fetchone() or (None,)
-        assert tables == {"mine", "gam_health_indicator", "gam_support", "gam_certificate"} | extra
+            (rows,) = connection.execute("SELECT count(*) FROM gam_support_summary").fetchone() or (
+                None,
+            )
+        assert (
+            tables == {"mine", "gam_health_indicator", "gam_support_summary", "gam_certificate"} | extra
+        )
         assert rows == 1
 
 

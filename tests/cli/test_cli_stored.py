@@ -446,3 +446,46 @@ def test_calibrate_says_what_labels_left_out() -> None:
     assert gam("label", "R1", "100", "149", "maintenance", *STATE).exit_code == 0
     told = said(gam("calibrate", source, *SMALL, *HEALTHY, *STATE, "--again"))
     assert "left out of calibration, as true_fault or maintenance: 2 intervals of R1" in told
+
+
+@pytest.mark.parametrize("order", ["results first", "state first"])
+@pytest.mark.parametrize("inside", [False, True], ids=["a file", "a table of the same file"])
+def test_results_and_a_monitor_live_in_one_file(order: str, inside: bool) -> None:
+    """No table of one is taken for one of the other, however often each is written."""
+    source, database = saved(1500), STATE
+    if inside:
+        with duckdb.connect("plant.duckdb") as connection:
+            connection.execute(f"CREATE TABLE telemetry AS FROM '{source}'")
+        source = "telemetry"
+    ran = ("run", source, *(STATE if inside else ()), *SMALL, *HEALTHY, "--out", "plant.duckdb")
+    learnt = ("calibrate", source, *database, *SMALL, *HEALTHY)
+    for command in (ran, learnt) if order == "results first" else (learnt, ran):
+        assert gam(*command, "--quiet").exit_code in (0, 2)
+    figures("score", *STATE)
+    shown = figures("status", *STATE)["channels"]
+    assert [row["hi"] is None for row in shown] == [False, False]
+    written = figures(*ran)["written"]
+    assert written == [
+        f"plant.duckdb (table gam_{name})"
+        for name in ("health_indicator", "support_summary", "certificate")
+    ]
+    assert figures("status", *STATE)["channels"] == shown
+    assert gam("check", "--state", *STATE).exit_code == 0
+    with duckdb.connect("plant.duckdb") as connection:
+        (count,) = connection.execute("SELECT COUNT(*) FROM gam_health_indicator").fetchall()
+    with duckdb.connect() as connection:
+        alone = figures("run", saved(1500), *SMALL, *HEALTHY)
+        (expected,) = connection.execute(f"SELECT COUNT(*) FROM '{alone['written'][0]}'").fetchall()
+    assert count == expected
+    assert gam("drop", *STATE, "--yes").exit_code == 0
+    with duckdb.connect("plant.duckdb") as connection:
+        left = {name for (name,) in connection.execute("SHOW TABLES").fetchall()}
+    assert left - {"telemetry"} == {"gam_health_indicator", "gam_support_summary", "gam_certificate"}
+
+
+def test_results_never_replace_what_is_read() -> None:
+    with duckdb.connect("plant.duckdb") as connection:
+        connection.execute(f"CREATE TABLE gam_certificate AS FROM '{saved(900)}'")
+    refused = gam("run", "gam_certificate", *STATE, *SMALL, "--out", "plant.duckdb")
+    assert refused.exit_code == 1
+    assert "would be overwritten while it is read" in refused.output

@@ -330,5 +330,5 @@ def test_a_full_disk_is_told_as_such(folder: Path, monkeypatch: pytest.MonkeyPat
 
     monkeypatch.setattr(DuckSession, "_run", without_room)
     answer = invoked("run", "t.parquet", "--window", "40", "--out", target)
-    assert answer.exit_code == 1
+    assert answer.exit_code == 75
     assert answer.stderr == f"gam: {target} cannot be written: its disk is full.\n"

@@ -98,8 +98,14 @@ def test_a_line_that_is_lost(server: Server) -> None:
             "necessary to have the grant CREATE TEMPORARY TABLE ON *.*. (ACCESS_DENIED)",
             r"GRANT CREATE TEMPORARY TABLE ON \*\.\* TO the user",
         ),
-        ("Code: 243. DB::Exception: Cannot reserve 1.00 MiB (NOT_ENOUGH_SPACE)", "disk full"),
-        ("Code: 1001. DB::Exception: write: No space left on device (STD_EXCEPTION)", "disk full"),
+        (
+            "Code: 243. DB::Exception: Cannot reserve 1.00 MiB (NOT_ENOUGH_SPACE)",
+            "disk of ClickHouse is full",
+        ),
+        (
+            "Code: 1001. DB::Exception: write: No space left on device (STD_EXCEPTION)",
+            "disk of ClickHouse is full",
+        ),
         ("Code: 241. DB::Exception: Memory limit exceeded (MEMORY_LIMIT_EXCEEDED)", "max_memory_usage"),
         ("Code: 159. DB::Exception: Timeout exceeded (TIMEOUT_EXCEEDED)", "TIMEOUT_EXCEEDED"),
         ("Code: 164. DB::Exception: Cannot execute query in readonly mode (READONLY)", "readonly = 0"),

@@ -19,7 +19,7 @@ from sqlglot import exp
 from gam_db.engines.duckdb import driver as duckdb_driver
 from gam_db.engines.duckdb.journal import HEADERS, Journal, journal_of, put_back
 from gam_db.engines.duckdb.session import DuckSession
-from gam_db.errors import EngineError, SourceError
+from gam_db.errors import EngineError, FullError
 from nobody import as_nobody
 
 PAGE = 4096
@@ -210,7 +210,7 @@ def test_without_room_for_the_journal_the_log_stays(path: Path) -> None:
     with DuckSession() as session:
         resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, hard))
         try:
-            with pytest.raises(SourceError, match="you may not write so much there"):
+            with pytest.raises(FullError, match="you may not write so much there"):
                 session.write(exp.select("1 AS one"), path, "results")
         finally:
             resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))

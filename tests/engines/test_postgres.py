@@ -306,7 +306,8 @@ def test_a_session_that_may_only_read(plant: Any) -> None:
 @pytest.mark.parametrize(
     ("state", "message"),
     [
-        ("DiskFull", "is its disk full"),
+        ("DiskFull", "^The disk of the PostgreSQL server is full"),
+        ("IoError", "is its disk full"),
         ("ConfigurationLimitExceeded", "temp_file_limit"),
         ("QueryCanceled", "statement_timeout"),
         ("SerializationFailure", "^Another connection changed the same tables"),

@@ -15,6 +15,7 @@ import postgres_traps
 from gam_db.cli import app
 from gam_db.errors import EngineError, SourceError
 from gam_db.stored.schema.tables import VIEWS
+from gam_db.study import Study
 from small_plant import readings
 from small_postgres import administrator, database, source
 
@@ -242,6 +243,38 @@ def test_the_path_after_a_refusal_within_the_users_transaction(connection: Any) 
                 assert mine.execute("SHOW search_path").fetchall() == [("second",)]
         mine.commit()
         assert mine.execute("SHOW search_path").fetchall() == [("second",)]
+
+
+@pytest.mark.parametrize("locally", ["false", "true"])
+def test_a_condition_that_sets_the_path_leaves_it_pinned(connection: Any, locally: str) -> None:
+    """Neither what gam-db runs after it finds names elsewhere, nor what the user does."""
+    settings = "SELECT current_setting('search_path'), current_setting('TimeZone')"
+    where = (
+        f"set_config('search_path', 'first, pg_catalog', {locally}) <> '' "
+        f"AND set_config('TimeZone', 'Asia/Tokyo', {locally}) <> ''"
+    )
+    setting = gam_db.Source(("second", "telemetry"), where=where)
+    with gam_db.connect(url(connection)) as session:
+        monitor = gam_db.Monitor(session, setting, PARAMETERS, HEALTHY, schema="second")
+        monitor.migrate()
+        for step in (monitor.check, monitor.calibrate, monitor.score, monitor.check_state):
+            step()
+            raw = session.driver._connection.execute(settings).fetchall()  # type: ignore[attr-defined]
+            assert raw == [("pg_catalog, pg_temp", "UTC")], step
+        with session.transaction():
+            study = Study(session, setting, PARAMETERS, HEALTHY)
+            assert study.rows("channels")
+            raw = session.driver._connection.execute(settings).fetchall()  # type: ignore[attr-defined]
+            assert raw == [("pg_catalog, pg_temp", "UTC")]
+    for autocommit in (True, False):
+        with psycopg.connect(url(connection), autocommit=autocommit) as mine:
+            mine.execute("SET search_path = second")
+            mine.commit()
+            with gam_db.connect(mine) as session:
+                gam_db.support(setting, PARAMETERS, HEALTHY, session)
+                assert mine.execute("SHOW search_path").fetchall() == [("second",)]
+                mine.commit()
+                assert mine.execute("SHOW search_path").fetchall() == [("second",)]
 
 
 # Functions of others that the user does mean

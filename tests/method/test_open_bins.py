@@ -126,3 +126,34 @@ def test_a_script_which_reads_nothing_has_none() -> None:
 def test_other_words_are_refused(bins: str) -> None:
     with pytest.raises(ParameterError, match="it takes an integer, or 'auto'"):
         Parameters(bins=bins)
+
+
+def test_bins_that_are_found_make_no_family(engine: str) -> None:
+    """Alarms, section 3: settings that calibration resolved by itself do not split a family."""
+    rows, session = plant(), engines.session(engine)
+    named = Override(asset="b", channel="slow", bins=5)
+    parameters = Parameters(m=2, bins="auto", window=20, target_floor=0.1, overrides=[named])
+    table = scripts.telemetry(session, rows)
+    source = gam_db.Source(table.name)
+    monitor = Monitor(session, source, parameters, HALF, prefix=engines.fresh_name("state"))
+    monitor.migrate()
+    made = monitor.calibrate().to_pylist()
+    assert len({row["bins"] for row in made}) >= 3, "or the case says nothing"
+    monitor.limits(again=True)
+    stored = """
+        SELECT asset, channel, limit_no, family FROM gam_limit
+        JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+    """
+    families: dict[Any, set[Any]] = {}
+    for row in visible(monitor, stored):
+        is_named = (row["asset"], row["channel"]) == ("b", "slow")
+        families.setdefault((row["limit_no"], is_named), set()).add(row["family"])
+    assert sorted(families) == [(1, False), (1, True), (2, False), (2, True)]
+    assert all(len(one) == 1 for one in families.values())
+    assert families[1, False] != families[1, True]
+    assert families[2, False] != families[2, True]
+    if engine == "duckdb":
+        alone = gam_db.limits(gam_db.Source(harness.arrow(rows)), parameters, HALF).to_pylist()
+        others = {row["family"] for row in alone if (row["asset"], row["channel"]) != ("b", "slow")}
+        assert len(others) == 1
+        assert len({row["family"] for row in alone}) == 2

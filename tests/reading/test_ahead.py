@@ -71,7 +71,7 @@ def test_no_share_and_no_window_holds_a_row_that_is_ahead(
             for table in (plain, mixed)
         ]
         assert answers[0], question
-        harness.assert_same(*answers, question)
+        harness.assert_same(answers[0], answers[1], question)
 
 
 @pytest.mark.usefixtures("clock")
@@ -100,7 +100,7 @@ def test_a_script_leaves_out_what_is_ahead_whenever_it_runs(engine: str) -> None
         script = gam_db.render("exact", engine, source, PARAMETERS, calibration)
         answers.append(scripts.fetched(session, script))
     assert answers[0]
-    harness.assert_same(*answers, "exact script")
+    harness.assert_same(answers[0], answers[1], "exact script")
 
 
 def test_a_counter_has_no_clock() -> None:

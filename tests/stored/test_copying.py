@@ -1,5 +1,7 @@
 """Copying: a file of its own, whole or not at all, for those who read while scoring goes on."""
 
+import subprocess
+import sys
 from pathlib import Path
 
 import duckdb
@@ -115,6 +117,46 @@ def test_the_copy_before_stays_where_a_new_one_fails(
             copy(session, TABLES, path)
     assert path.read_text() == "the copy before"
     assert [file.name for file in tmp_path.iterdir()] == [path.name]
+
+
+def test_what_a_killed_copy_left_is_removed_by_the_next_one(tmp_path: Path) -> None:
+    path = tmp_path / "copy.duckdb"
+    left = tmp_path / ".copy.duckdb.gam_0123abcd"
+    with duckdb.connect(left) as connection:
+        connection.execute("CREATE TABLE half AS SELECT 1 AS reading")
+    damaged = tmp_path / ".copy.duckdb.gam_89abcdef"
+    damaged.write_bytes(b"half a header")
+    logs = [tmp_path / ".copy.duckdb.gam_00000000.wal", damaged.with_name(f"{damaged.name}.wal")]
+    others = [tmp_path / ".other.duckdb.gam_0123abcd", tmp_path / ".copy.duckdb.gam_mine"]
+    for file in (*logs, *others):
+        file.write_bytes(b"")
+    busy = tmp_path / ".copy.duckdb.gam_11111111"
+    holding = "import duckdb, sys; held = duckdb.connect(sys.argv[1]); print(); sys.stdin.read()"
+    with (
+        filled(DuckSession(tmp_path / "plant.duckdb", writable=True)) as session,
+        subprocess.Popen(
+            [sys.executable, "-c", holding, str(busy)], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+        ) as holder,
+    ):
+        assert holder.stdout is not None
+        holder.stdout.readline()
+        copy(session, TABLES, path)
+        holder.communicate()
+    there = {file.name for file in tmp_path.iterdir() if file.name.startswith(".")}
+    assert there == {busy.name, *(file.name for file in others)}, "what another process writes stays"
+    assert path.exists()
+
+
+def test_a_copy_keeps_the_mode(tmp_path: Path) -> None:
+    own, path = tmp_path / "plant.duckdb", tmp_path / "copy.duckdb"
+    with filled(DuckSession(own, writable=True)) as session:
+        own.chmod(0o600)
+        copy(session, TABLES, path)
+        assert path.stat().st_mode & 0o777 == 0o600, "that of the database"
+        for mode in (0o640, 0o444):
+            path.chmod(mode)
+            copy(session, TABLES, path)
+            assert path.stat().st_mode & 0o777 == mode, "that of the copy before"
 
 
 def test_what_cannot_be_copied_is_refused(tmp_path: Path) -> None:

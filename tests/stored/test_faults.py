@@ -18,7 +18,7 @@ import pytest
 
 import gam_db
 from gam_db.engines.duckdb.session import DuckSession
-from gam_db.errors import ConflictError, EngineError, UserError
+from gam_db.errors import ConflictError, EngineError, FullError, UserError
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.schema import migrations
 from gam_db.stored.schema.migration_files import files
@@ -205,7 +205,10 @@ def endure(folder: Path, tightness: Callable[[Path, int], Any], expected: list[A
             if not refused:
                 break
             failures[command] += 1
-            assert re.fullmatch(r".*is its disk full\?.*", str(refused[0]))
+            assert isinstance(refused[0], FullError)
+            assert re.fullmatch(
+                r"The disk of .* is full\. What was .*; make room, and .*", str(refused[0])
+            )
             with DuckSession(path, writable=True) as session:
                 after = stored(session.connection)
             grown = [table for table in after if after[table] != before.get(table, [])]

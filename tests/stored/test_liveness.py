@@ -1,8 +1,8 @@
 """Liveness: whatever clocks do, what the source holds is scored, or a command names what is not.
 
 Rows are three hours late, an hour ahead, or of 1970, 2038 or 2099; or a gateway sends its newest row
-first and the others after it. After one plain run the buckets of a channel are those of one full run over the
-rows that are not ahead, or the check of the state names the channel.
+first and the others after it. After one plain run the buckets of a channel are those of one full run
+over the rows that are not ahead, or the check of the state names the channel.
 """
 
 import random

@@ -13,7 +13,7 @@ from sqlglot import exp
 from as_stored import METHODS, RUNS, compare, monitor, scored, twice_calibrated
 from gam_db.engines.duckdb.driver import DuckDriver
 from gam_db.engines.duckdb.session import DuckSession
-from gam_db.stored.planning import steps
+from gam_db.method.vectors import Stream
 from gam_db.stored.scoring import groups, ordered
 from gam_db.study import naming
 from gam_db.study.running import TAUGHT
@@ -198,7 +198,7 @@ def test_rows_that_come_meanwhile_are_noticed(
 ) -> None:
     """One of before the end is there when channels are counted again: then all is copied and sorted."""
     late: Row = ("a", "x", 301, 99.0)
-    begun = ordered.Stream
+    begun = Stream
 
     def meanwhile(*asked: Any) -> Any:
         put(connection, [late])

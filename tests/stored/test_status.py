@@ -154,8 +154,8 @@ def test_a_counter_stays_a_counter(session: DuckSession) -> None:
     monitor, learnt = plant.monitor("default", "counter"), plant.support()
     version = plant.version(plant.channel(monitor, "R1", "j1"), learnt)
     plant.run(version, [QUIET] * 4)
-    newest = {"context_rows": 7, "read_from": 40, "calibration_readings": 995, "read_to": 2**61}
-    plant.run(version, [QUIET] * 2, 3, **newest)
+    newest: dict[str, Any] = {"context_rows": 7, "read_from": 40, "calibration_readings": 995}
+    plant.run(version, [QUIET] * 2, 3, read_to=2**61, **newest)
     lagging = plant.version(plant.channel(monitor, "R1", "j2"), learnt)
     plant.run(lagging, [QUIET], read_to=5)
     table = status(session, plant)

@@ -88,11 +88,11 @@ def test_novel_cells_that_differ_are_those_of_either_side() -> None:
 
 def test_numbers_go_on_from_the_largest() -> None:
     two = rows("monitor_id channel_id version_id support_id run_id", (2, 4, 6, 8, 10), (1, 3, 5, 7, 9))
-    names = ("monitor", "channel", "version", "calibration", "bounds", "run")
+    names = ("monitor", "channel", "version", "calibration", "extent", "bounds", "run")
     found = step("stored/state/last_numbers", **{f"stored_{name}": two for name in names})
     assert dict(found) == {
         **{"monitor": 2, "channel": 4, "version": 6},
-        **{"calibration": 6, "support": 8, "run": 10},
+        **{"calibration": 6, "extent": 6, "support": 8, "run": 10},
     }
 
 
@@ -561,7 +561,7 @@ def test_a_run_writes_from_the_first_bucket_that_is_not_stored_so() -> None:
         former_novel=rows(cell, *former),
     )
     firsts = {1: 5, 2: 4, 3: 3, 4: 4, 5: 3, 6: 3, 7: 4}
-    assert sorted(found) == [(n, n + 10, first) for n, first in firsts.items()]
+    assert sorted(found) == [(n, n + 10, first, int(n not in (1, 6))) for n, first in firsts.items()]
 
 
 def test_what_is_stored_of_new_buckets_is_what_is_seen_of_them() -> None:

@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import re
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
@@ -17,7 +18,7 @@ from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb.files import late_word, leaves, matching, no_table, unalike, without_results
 from gam_db.engines.duckdb.journal import Journal, journal_of, put_back
 from gam_db.engines.duckdb.reading import file_reader, is_csv_reader, is_text_file
-from gam_db.engines.refusals import FULL, first_line, refusal, refused
+from gam_db.engines.refusals import UNWRITTEN, first_line, refusal, refused
 from gam_db.errors import EngineError, SourceError, UserError, wrong
 from gam_db.settings.form import Form
 from gam_db.settings.source import paths_of, shown_relation
@@ -26,6 +27,8 @@ from gam_db.settings.source import paths_of, shown_relation
 LARGE_LOG = 2**24
 
 _UNITS = {"bytes": 1, "KiB": 2**10, "MiB": 2**20, "GiB": 2**30, "TiB": 2**40}
+
+_FILE = re.compile(r'file "([^"]+)"')
 
 #: What one reading takes while it is scored, in bytes: kept once, sorted in a window, joined.
 _PER_READING = 100
@@ -111,7 +114,7 @@ class DuckDriver(Driver):
             except (duckdb.TransactionException, OSError):
                 pass  # another connection is at work, or there is no room: it stays in the log
             except duckdb.Error as error:
-                raise EngineError(FULL) from error
+                raise self.problem(error) or EngineError(UNWRITTEN) from error
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
         self.connection.execute(self.engine.text(temporary(table, query)))
@@ -215,7 +218,8 @@ class DuckDriver(Driver):
             said := late_word(self.connection, error, self._readers)
         ):
             return said
-        if (told := refusal(self.engine.name, type(error).__name__)) is not None:
+        what = (type(error).__name__, str(error))
+        if (told := refusal(self.engine.name, *what, place=_place(str(error)))) is not None:
             return told
         if isinstance(error, duckdb.Error) and (differing := unalike(error)):
             return differing
@@ -240,6 +244,12 @@ class DuckDriver(Driver):
     def asked(self, query: str, *values: Any) -> list[tuple[Any, ...]]:
         """Return the rows of a query on the catalogue."""
         return self.connection.execute(_QUERIES[query], values).fetchall()
+
+
+def _place(said: str) -> str:
+    """Return which file DuckDB speaks of, as far as it says so."""
+    found = _FILE.search(said)
+    return found[1] if found else "the DuckDB file, or of its temporary files,"
 
 
 def _opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:

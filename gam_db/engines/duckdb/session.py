@@ -16,7 +16,7 @@ from gam_db.engines.duckdb.files import metadata
 from gam_db.engines.duckdb.journal import Journal, put_back
 from gam_db.engines.refusals import refused
 from gam_db.engines.session import Session
-from gam_db.errors import SourceError, StatementError
+from gam_db.errors import FullError, SourceError, StatementError
 
 #: What DuckDB writes beside a database file.
 _BESIDE = ("", ".wal", ".wal.checkpoint", ".wal.recovery")
@@ -50,6 +50,11 @@ class DuckSession(Session):
         """Return the database files that are open here, by their full paths."""
         rows = self.driver.asked("files")
         return frozenset(Path(path).resolve() for (path,) in rows if path is not None)
+
+    def file(self) -> Path | None:
+        """Return the file of the current database; None for one in memory."""
+        ((path,),) = self.driver.asked("current_file")
+        return None if path is None else Path(path)
 
     def check_condition(self, relation: exp.Expr, condition: exp.Expr, shown: str) -> None:
         """Try a user's condition on no row; from then on no other files are opened."""
@@ -106,6 +111,8 @@ class DuckSession(Session):
         try:
             self._run(attach)
         except (duckdb.IOException, duckdb.BinderException) as error:
+            if isinstance(full := refused("results", str(error), path=path), FullError):
+                raise full from error
             raise SourceError(f"{path} cannot be opened as a DuckDB file for writing.") from error
         journal = Journal(self.connection, catalog.name)
         try:
@@ -151,18 +158,28 @@ class DuckSession(Session):
             self.connection.execute("SET checkpoint_on_detach = ?", before)
 
     def _write_table(self, query: exp.Query, path: Path, table: str) -> None:
-        with self.attached(path) as catalog:
-            if (catalog.name, "main", "gam_migration") in self.driver.tables():
-                raise SourceError(f"{path} holds the state of a monitor; write results to another file.")
-            target = exp.Table(this=template.name(table), db=template.name("main"), catalog=catalog)
-            self._run(exp.Create(this=target, kind="TABLE", replace=True, expression=query))
+        target = exp.Table(this=template.name(table), db=template.name("main"))
+        made = exp.Create(this=target, kind="TABLE", replace=True, expression=query)
+        if path.resolve() in self.files():  # it is read, too
+            with _written(path):
+                self._run(made)
+            return
+        is_new = not path.exists()
+        try:
+            with self.attached(path) as catalog:
+                target.set("catalog", catalog)
+                self._run(made)
+        except BaseException:
+            for end in _BESIDE if is_new else ():
+                Path(f"{path}{end}").unlink(missing_ok=True)
+            raise
 
     def _run(self, tree: exp.Expr) -> None:
         """Run what writes a file; whoever asks says why one cannot be written."""
         text = self.engine.text(tree)
         try:
             self._asked(lambda: self.connection.execute(text), text)
-        except StatementError as error:
+        except (StatementError, FullError) as error:
             if isinstance(error.__cause__, (duckdb.IOException, duckdb.BinderException)):
                 raise error.__cause__ from None
             raise

@@ -107,7 +107,9 @@ class MariaDriver(DbapiDriver):
         self._lent.add(table.name)
 
     def drop(self, table: exp.Table) -> None:
-        super().drop(table)
+        """Drop a temporary table; without that word the server would commit what is open."""
+        dropped = exp.Drop(tables=[table.copy()], kind="TABLE", temporary=True, exists=True)
+        self.execute(self.engine.text(dropped))
         self._lent.discard(table.name)
 
     def close(self) -> None:

@@ -100,6 +100,7 @@ class PostgresDriver(DbapiDriver):
         self._settings: dict[str, str] = {}
         self._path = ""
         self._home: str | None = None
+        self._runs_conditions = False
         self._check()
         try:
             if owned:
@@ -219,6 +220,13 @@ class PostgresDriver(DbapiDriver):
             raise wrong("postgres_no_schema")
         return by_table(self._asked(_QUERIES["relations"], (schema,)))
 
+    def expect_conditions(self) -> None:
+        """Set the path, and how times are read, again after each statement.
+
+        A condition may call set_config.
+        """
+        self._runs_conditions = True
+
     def rows_at_once(self) -> int:
         return max(self._memory() * 1024 // _PER_READING, _AT_LEAST)
 
@@ -276,6 +284,7 @@ class PostgresDriver(DbapiDriver):
         """
         if self._owned or self._transaction is not None:
             yield
+            self._pin_again(PATH, locally=not self._owned)
             return
         status = self._psycopg.pq.TransactionStatus
         idle = self._connection.info.transaction_status == status.IDLE
@@ -284,10 +293,16 @@ class PostgresDriver(DbapiDriver):
             yield
             if not idle:
                 self._searching(self._path)
+            self._pin_again(self._path, locally=False)
 
     def _pin(self, locally: bool) -> None:
         """Look names up in PostgreSQL itself only; remember where they were looked up before."""
         self._path, self._home = self._searching(PATH, locally)
+
+    def _pin_again(self, path: str, locally: bool) -> None:
+        """Set what a condition of the user's may have set otherwise, by set_config."""
+        if self._runs_conditions:
+            self._told(_QUERIES["pin_again"], (path, locally))
 
     def _searching(self, path: str, locally: bool = True) -> tuple[str, str | None]:
         """Look names up on a path; return the one before, and its current schema."""

@@ -17,8 +17,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from gam_db.engines.refusals import FULL, READ_ONLY
-from gam_db.errors import EngineError, wrong
+from gam_db.engines.refusals import READ_ONLY
+from gam_db.errors import EngineError, unwritable, wrong
 
 _CATALOGUE = "gam_catalogue"
 _SCRATCH = "gam_scratch"
@@ -63,7 +63,7 @@ class Folder:
                 self._write(self._catalogue / "probe", "")
                 (self._catalogue / "probe").unlink(missing_ok=True)
         except OSError as error:
-            raise EngineError(f"The folder {path} cannot be written: {error.strerror}.") from error
+            raise unwritable(f"The folder {path}", error, EngineError) from error
         if not path.is_dir():
             raise EngineError(f"There is no folder {path}.")
 
@@ -104,7 +104,9 @@ class Folder:
         try:
             self._write(self._file(entry), json.dumps(said, indent=1))
         except OSError as error:
-            raise EngineError(READ_ONLY if isinstance(error, PermissionError) else FULL) from error
+            if isinstance(error, PermissionError):
+                raise EngineError(READ_ONLY) from error
+            raise unwritable(f"The folder {self.path}", error, EngineError) from error
 
     def drop(self, entry: Entry) -> None:
         """Remove a table or view: its file first, then its rows."""

@@ -13,6 +13,8 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_spreads
+from gam_db.method.source import by_override
+from gam_db.settings.parameters import AUTO, Parameters
 from gam_db.stored.state import State, kind_of, now
 from gam_db.study.running import Running
 
@@ -21,32 +23,48 @@ CHOSEN = ("centre", "spread", "reference", "height", "cap", "quarters", "basis",
 
 
 def learnt(
-    state: State, monitor_id: int, families: Sequence[str] = (), is_heeding: bool = False
+    state: State,
+    monitor_id: int,
+    families: Sequence[str] = (),
+    is_heeding: bool = False,
+    parameters: Parameters | None = None,
+    versions: exp.Table | None = None,
 ) -> Running:
     """Return the steps *limit_channels* and *learnt_limits*, over the active versions of a monitor.
 
     Where it ``is_heeding``, one with a false alarm right after calibration gets no limit any more.
+    Where the parameters leave bins to be found, they make no family. Versions stands for the table of
+    all versions, with some that are not written yet.
     """
     steps = Pipeline(small=frozenset({"active", "limit_channels", "buffered"}))
     add(steps, "stored/state/active", {"monitor_id": monitor_id})
     verdict = {"verdict": exp.column("verdict", table="learnt")}
     reason = template.fill("judgement/limit_reason", verdict)
-    add(steps, "stored/alarms/limit_channels", {"limit_reason": reason, "heeding": int(is_heeding)})
+    finds = by_override(parameters or Parameters(), lambda one: int(one.bins == AUTO))
+    for column in finds.find_all(exp.Column):
+        column.set("table", exp.to_identifier("member"))
+    slots: dict[str, template.Slot] = {"limit_reason": reason, "finds_bins": finds}
+    slots["heeding"] = int(is_heeding)
+    add(steps, "stored/alarms/limit_channels", slots)
     add(steps, "stored/alarms/kept_buffered", name="buffered")
     add_spreads(steps, families, "limit_channels")
-    return Running(state.session, steps, state.tables.placed())
+    given = {} if versions is None else {"stored_version": versions}
+    return Running(state.session, steps, {**state.tables.placed(), **given})
 
 
 def make(
     state: State,
     name: str,
     alarms: Alarms,
+    parameters: Parameters,
     cause: str = "calibrated",
     wanted: Callable[[Row], bool] = lambda row: row["limit_no"] == 0,
+    versions: exp.Table | None = None,
 ) -> list[Row]:
     """Make limits, from all active versions, and keep those of the wanted ones, with their cause.
 
     Wanted is asked of a channel's row (asset, channel, limit_no: 0 for none yet); others keep theirs.
+    Parameters and versions are as in :func:`learnt`.
 
     Returns:
         One row per channel that got one, ordered, as :func:`gam_db.limits` returns them.
@@ -57,7 +75,8 @@ def make(
     monitor = state.monitor(name)
     kind = kind_of(monitor)
     asked = alarms.asked(kind)
-    with learnt(state, monitor["monitor_id"], alarms.family, is_heeding=True) as work:
+    about = (alarms.family, True, parameters, versions)
+    with learnt(state, monitor["monitor_id"], *about) as work:
         known = {row["channel_id"]: row for row in work.rows("limit_channels")}
         chosen = {channel for channel, row in known.items() if wanted(row)}
         if not chosen:

@@ -4,6 +4,9 @@ While one process writes a DuckDB file, no other can open it. A copy is as it wa
 holds nothing but the state: no telemetry, and no room left by rows that are gone.
 """
 
+import contextlib
+import re
+import shutil
 from pathlib import Path
 
 from sqlglot import exp
@@ -11,7 +14,7 @@ from sqlglot import exp
 from gam_db.composing import template
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
-from gam_db.errors import EngineError, SourceError
+from gam_db.errors import EngineError, LockedError, SourceError, unwritable
 from gam_db.stored.schema import migrations
 from gam_db.stored.schema.tables import TABLES, StateTables, insertion
 
@@ -20,7 +23,9 @@ def copy(session: Session, tables: StateTables, path: Path) -> None:
     """Write all state tables and views into a DuckDB file of their own.
 
     It is written beside and renamed, so that a reader finds the old copy or the new one, whole; who has
-    the old one open keeps reading that. The tables lie in the copy as they do in the database.
+    the old one open keeps reading that. The tables lie in the copy as they do in the database. It has
+    the permissions of the copy before, or else those of the database. What a copy that was killed left
+    beside it is removed.
 
     Raises:
         StateError: there is no state, or it is not of this gam-db.
@@ -49,19 +54,49 @@ def copy(session: Session, tables: StateTables, path: Path) -> None:
         )
     unfinished = session.unfinished(path)
     try:
+        _remove_left(path)
         with DuckSession(unfinished, writable=True) as target:
             migrations.migrate(target, tables)
+        unfinished.chmod(0o600)  # until it has those of the file that it copies
         with session.attached(unfinished) as catalog, session.transaction():
             for name in TABLES:
                 if name != "migration":
                     _fill(session, tables, name, catalog)
+        like = path if path.exists() else session.file()
+        if like is not None:
+            shutil.copymode(like, unfinished)
         unfinished.replace(path)
     except OSError as error:
-        raise SourceError(f"{path} cannot be written: {error.strerror}.") from error
+        raise unwritable(path, error, SourceError) from error
     finally:
         for left in path.parent.iterdir():
             if left.name.startswith(unfinished.name):
                 left.unlink()
+
+
+def _remove_left(path: Path) -> None:
+    """Remove what copies to this path left that were killed; one at work has its file open."""
+    mark = re.compile(re.escape(f".{path.name}.") + "gam_[0-9a-f]{8}")
+    left: dict[str, list[Path]] = {}
+    for file in path.parent.iterdir():
+        if found := mark.match(file.name):
+            left.setdefault(found[0], []).append(file)
+    for name, files in left.items():
+        with contextlib.suppress(LockedError):
+            if path.with_name(name) in files:
+                _check_unlocked(path.with_name(name))
+            for file in files:
+                file.unlink(missing_ok=True)
+
+
+def _check_unlocked(path: Path) -> None:
+    """Raise a LockedError if another process has a database file open; it may be no whole one."""
+    try:
+        DuckSession(path).close()
+    except LockedError:
+        raise
+    except EngineError:
+        pass
 
 
 def _fill(session: DuckSession, tables: StateTables, name: str, catalog: exp.Identifier) -> None:

@@ -240,8 +240,12 @@ class Groups:
         return latest if self.wanted.until is None else min(latest, self.wanted.until)
 
     def _is_due(self, row: Row) -> bool:
-        """Tell whether the rows of a channel's calibration are to be counted anew."""
-        return self.wanted.everything or is_due(row["counted_at"], self.started)
+        """Tell whether the rows of a channel's calibration are to be counted anew.
+
+        That records a look as well: so they are where the last one was while the clock stood ahead.
+        """
+        is_ahead = row["looked_at"] > self.started
+        return self.wanted.everything or is_ahead or is_due(row["counted_at"], self.started)
 
     def _note(self, group: Sequence[Row], made: Mapping[int, Row], seen: Mapping[int, Row]) -> None:
         for row in group:

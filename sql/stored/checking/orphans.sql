@@ -73,7 +73,7 @@ FROM (
     SELECT DISTINCT 'extent' AS of_table, version_id, 1 AS is_written_first
     FROM stored_extent
     UNION ALL
-    SELECT DISTINCT 'limit' AS of_table, version_id, 0 AS is_written_first
+    SELECT DISTINCT 'limit' AS of_table, version_id, 1 AS is_written_first
     FROM stored_limit
     UNION ALL
     SELECT DISTINCT 'judgement' AS of_table, version_id, 0 AS is_written_first

@@ -2,11 +2,12 @@
 -- among it; else the one after the last. What is stored from there on is no more. Of a bucket with as many novel
 -- vectors as before no cell is missing where each is there again.
 -- Reads:  cohort, new_buckets, still_counts, novel_cells, former_buckets, former_novel
--- A row:  one channel.
+-- A row:  one channel; differs = 1 if there is such a bucket.
 SELECT
   member.channel_id AS channel_id,
   member.version_id AS version_id,
-  CASE WHEN found.hit = 1 THEN found.first_bucket ELSE member.first_bucket END AS first_bucket
+  CASE WHEN found.hit = 1 THEN found.first_bucket ELSE member.first_bucket END AS first_bucket,
+  CASE WHEN found.hit = 1 THEN found.differs ELSE 0 END AS differs
 FROM cohort AS member
 LEFT JOIN (
   SELECT
@@ -15,6 +16,7 @@ LEFT JOIN (
       MIN(CASE WHEN made_rows <> former_rows THEN bucket_no END),
       MAX(bucket_no) + 1
     ) AS first_bucket,
+    MAX(CASE WHEN made_rows <> former_rows THEN 1 ELSE 0 END) AS differs,
     1 AS hit
   FROM (
     SELECT
