@@ -105,6 +105,7 @@ class Modelled:
     def settings_hash(self) -> str:
         """What tells whether tables were built under the settings of this package."""
         read = {key: said for key, said in described(self.source).items() if key != "source"}
+        read |= self.source.written
         calibration = self.method.calibration
         said = (
             self.setting,

@@ -22,17 +22,19 @@ from gam_db.engines.base import Engine
 from gam_db.engines.connecting import borrowed
 from gam_db.engines.session import Row, Session
 from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
+from gam_db.method.adding import add
 from gam_db.method.bits import Bits
 from gam_db.method.census import Slicing
 from gam_db.method.delays import Ways
 from gam_db.reading import look
 from gam_db.reading.guess import sourced
 from gam_db.reading.preparing import prepared
+from gam_db.reading.undated import Undated, undated
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import AUTO, RUNGS, Override, Parameters
 from gam_db.settings.patterns import grouped
 from gam_db.settings.setting import settings_of
-from gam_db.settings.source import AnySource, is_file, paths_of, under
+from gam_db.settings.source import AnySource, is_file, paths_of
 from gam_db.study import trusting, turning
 from gam_db.study.running import PARTS_IN_TURN, TAUGHT, UNSORTED, Listener, Running, unheard
 from gam_db.study.streaming import Streams, seems_ordered
@@ -105,7 +107,10 @@ class Study:
             slicing, ways = trusting.begun(self.running, ways, self._opening)
         self.running.keep("names")
         names = session.fetch(self.steps.query("names", self.running.placed))
-        (look.check_rows if strict else look.check_clock)(names)
+        if strict:
+            look.check_rows(names, source, self.undated, session.engine)
+        else:
+            look.check_clock(names)
         # Supports are kept as bits where those of so many channels have room.
         grids = (one.radix**one.m for one in self.method.settings)
         bits = session.engine.bits
@@ -206,6 +211,21 @@ class Study:
     def instant_of(self, time: exp.Expr) -> exp.Expr:
         """Return integer time as the source has it."""
         return self.session.engine.instant_of(self.method.kind, time)
+
+    def undated(self) -> Undated:
+        """Return which rows of the source tell no time, or two."""
+        method, source, relation, _ = self._asked
+        return undated(self.session, source, relation, method.kind)
+
+    def invalid(self) -> dict[tuple[str, str], int]:
+        """Return for how many rows of each channel the condition on readings does not hold."""
+        method, source, relation, engine = self._asked
+        if source.valid_when is None:
+            return {}
+        steps = Pipeline()
+        steps.add("readings", engine.readings(source, relation, method.kind, validity=True))
+        add(steps, "source/validity")
+        return {name_of(row): row["invalid"] for row in self.session.rows(steps.query("validity"))}
 
     def forget(self) -> None:
         """Drop the tables that were kept, and let go of an Arrow table: the session stays open."""
@@ -335,8 +355,7 @@ def _ranged(
     source: AnySource, relation: exp.Expr, engine: Engine, kind: TimeKind, earliest: int, latest: int
 ) -> exp.Query:
     """Return the step *readings* for a range of time; arguments as for :func:`_filled`."""
-    conditions = engine.in_range(kind, template.column(source.time), earliest, latest)
-    return engine.readings(under(source, *conditions), relation, kind)
+    return engine.readings(source, relation, kind, earliest, latest)
 
 
 @lru_cache(maxsize=LATELY)

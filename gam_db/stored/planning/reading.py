@@ -17,6 +17,7 @@ from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.session import Session
 from gam_db.errors import wrong
 from gam_db.reading.preparing import prepared
+from gam_db.reading.undated import Undated, undated
 from gam_db.settings.source import AnySource, parsed_condition, under
 from gam_db.stored.planning import Row
 from gam_db.stored.planning.steps import DAY, plan_steps, searched_plan_steps
@@ -55,13 +56,25 @@ class Reader:
         self, assets: Sequence[str] | None = None, earliest: int = LONG_AGO, latest: int = FAR_AHEAD
     ) -> exp.Query:
         """Return the step *readings*, with literal bounds where there are any; no assets are all."""
-        time = template.column(self._source.time)
-        conditions = self._engine.in_range(self.kind, time, earliest, latest)
+        return self._engine.readings(self._of(assets), self._relation, self.kind, earliest, latest)
+
+    def validity(self, earliest: int = LONG_AGO) -> exp.Query:
+        """Return the same from an instant on, the reading being 1 or 0: whether it is valid."""
+        asked = self._source, self._relation, self.kind
+        return self._engine.readings(*asked, earliest, validity=True)
+
+    @property
+    def has_validity(self) -> bool:
+        """Tell whether there is a condition under which readings count."""
+        return self._source.valid_when is not None
+
+    def _of(self, assets: Sequence[str] | None) -> AnySource:
+        """Return the source with the rows of some assets; None are all."""
         if assets is not None and self._source.asset is not None:
             named = exp.cast(template.column(self._source.asset), "VARCHAR")
             texts = [template.text(asset) for asset in assets]
-            conditions.append(exp.In(this=named, expressions=texts))
-        return self._under(conditions)
+            return under(self._source, exp.In(this=named, expressions=texts))
+        return self._source
 
     def is_empty(self) -> bool:
         """Tell whether the source holds nothing at all; that nothing is new is another matter."""
@@ -78,18 +91,14 @@ class Reader:
             column = exp.cast(template.column(name), "VARCHAR")
             conditions.append(exp.EQ(this=column, expression=template.text(names[name])))
         time = template.column(source.time)
-        conditions += self._engine.in_range(self.kind, time, earliest, latest)
+        conditions += self._engine.near(source, self.kind, earliest, latest)
         rows = exp.select("*").from_(self._relation.copy())
         where = under(source, *conditions).where
         return self._engine.text(rows.where(where).order_by(time.copy()), pretty=True)
 
-    def undated(self) -> exp.Query:
-        """Return the readings without a time."""
-        return self._under([exp.Is(this=template.column(self._source.time), expression=exp.null())])
-
-    def _under(self, conditions: Sequence[exp.Expr]) -> exp.Query:
-        source = under(self._source, *conditions)
-        return self._engine.readings(source, self._relation, self.kind)
+    def undated(self) -> Undated:
+        """Return how many rows of the source tell no time, and why."""
+        return undated(self._session, self._source, self._relation, self.kind, among_all=False)
 
 
 #: The lookback of a run whose reads are summed up: what comes late shows there, so all is settled.

@@ -4,6 +4,7 @@ from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass, field
 
 from gam_db.columns import name_of
+from gam_db.reading.undated import Undated
 from gam_db.stored.planning import Row
 from gam_db.stored.state import State
 
@@ -49,7 +50,9 @@ class Report:
         parked: channels that were not read.
         unknown_channels: rows of today that belong to no calibrated channel, by (asset, channel).
         nameless: rows of today without asset or channel.
-        undated: rows of the source without a time.
+        undated: rows of the source without a time; ``skipped`` of them tell a local time that does not
+            exist, between ``first_skipped`` and ``last_skipped``.
+        invalid: readings for which ``valid_when`` does not hold, of the ``held`` ones that were read.
         ranges: of each query: earliest instant, channels, rows in the range.
     """
 
@@ -59,6 +62,11 @@ class Report:
     unknown_channels: dict[tuple[str, str], int] = field(default_factory=dict)
     nameless: int = 0
     undated: int = 0
+    skipped: int = 0
+    first_skipped: int | None = None
+    last_skipped: int | None = None
+    held: int = 0
+    invalid: int = 0
     ranges: list[Row] = field(default_factory=list)
 
     def note_unknown(self, names: Sequence[Row], known: Container[tuple[str, str]]) -> None:
@@ -69,13 +77,20 @@ class Report:
             elif name_of(row) not in known and row["readings"]:
                 self.unknown_channels[name_of(row)] = row["readings"]
 
+    def note_undated(self, found: Undated) -> None:
+        """Note the rows that tell no time."""
+        self.undated, self.skipped = found.count, found.skipped
+        self.first_skipped, self.last_skipped = found.first_skipped, found.last_skipped
+
     def keep_unplaced(self, state: State, monitor_id: int, started: int) -> None:
-        """Append what a run gave to no channel or instant, if there was any."""
+        """Append what a run gave to no channel or instant, and what was not valid, if there was any."""
         found = {
             "nameless": self.nameless,
             "undated": self.undated,
             "strangers": sum(self.unknown_channels.values()),
             "stranger_channels": len(self.unknown_channels),
         }
-        if any(found.values()):
-            state.append_rows("unplaced", [{"monitor_id": monitor_id, "started": started, **found}])
+        validity = {"held": self.held or None, "invalid": self.invalid if self.held else None}
+        if any(found.values()) or self.held:
+            row = {"monitor_id": monitor_id, "started": started, **found, **validity}
+            state.append_rows("unplaced", [row])
