@@ -82,7 +82,8 @@ class LocalTime:
         starts = {first for first, _, _ in shown} | {last + 1 for _, last, _ in shown[:-1]}
         found: list[Piece] = []
         for start in sorted(starts):
-            shifts = [shift for first, last, shift in shown if first <= start <= last] or [None]
+            there = [shift for first, last, shift in shown if first <= start <= last]
+            shifts: Sequence[Shift] = there or (None,)
             piece = Piece(start, shifts[0], shifts[-1])
             if not found or (found[-1].shift, found[-1].second) != (piece.shift, piece.second):
                 found.append(piece)

@@ -13,7 +13,7 @@ from odd import LENGTH, ROWS, columns, database, expected, health, refused, secr
 def test_rows_without_a_name_or_a_time_are_counted_and_refused(role: str) -> None:
     holes = [None if i in (2, 5, 7) else value for i, value in enumerate(columns()[role])]
     refused(
-        f'3 without {role} .* where="{role} IS NOT NULL"',
+        f'3 without {role}.* where="{role} IS NOT NULL"',
         lambda: support(Source(table(**{role: holes}, value=secret()))),
     )
     whole = Source(table(**{role: holes}), where=f"{role} IS NOT NULL")

@@ -9,6 +9,7 @@ import duckdb
 import pyarrow as pa
 import pytest
 from sqlglot import exp
+from typer.testing import CliRunner
 
 import comparisons
 import dbt_builder
@@ -19,6 +20,7 @@ import harness
 import local_reference
 import reference
 import scripts
+from gam_db.cli import app
 from gam_db.clock import TimeKind
 from gam_db.engines.session import Session
 from gam_db.errors import SourceError
@@ -38,7 +40,7 @@ TYPES = {
     "sqlite": "TEXT",
     "postgres": "TIMESTAMP",
     "mariadb": "DATETIME(6)",
-    "clickhouse": "DateTime",
+    "clickhouse": "DateTime64(6)",
     "spark": "TIMESTAMP_NTZ",
 }
 METHOD = harness.made({"m": 2, "tau": 3, "bins": 4, "window": 20, "stride": 5}, {"fraction": 0.3})
@@ -77,24 +79,35 @@ def told(session: Session) -> exp.Expr:
     )
 
 
+def telemetry(session: Session, rows: list[Row]) -> exp.Table:
+    """Make a table of local times that say no zone."""
+    if session.engine.name != "clickhouse":
+        return scripts.telemetry(session, rows, told(session))
+    # A column that is made of a query keeps the zone of what it is made of.
+    name = engines.fresh_name("telemetry")
+    columns = "asset String, channel String, time DateTime64(6), value Nullable(Float64)"
+    session.driver.execute(f"CREATE TABLE {name} ({columns}) ENGINE = MergeTree ORDER BY tuple()")
+    scripts.arrive(session, exp.to_table(name), rows, told(session))
+    return exp.to_table(name)
+
+
 def with_ticks(answer: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Return an answer with its times as integers."""
+    """Return an answer with its times as integers; where an engine names their zone, it is UTC."""
     return [
-        {
-            name: (value - EPOCH) // dt.timedelta(microseconds=1)
-            if isinstance(value, dt.datetime)
-            else value
-            for name, value in row.items()
-        }
+        {name: _tick(value) if isinstance(value, dt.datetime) else value for name, value in row.items()}
         for row in answer
     ]
+
+
+def _tick(time: dt.datetime) -> int:
+    return (time.replace(tzinfo=None) - EPOCH) // dt.timedelta(microseconds=1)
 
 
 @pytest.mark.parametrize("zone", SPANS)
 def test_both_passes_of_the_autumn_hour_are_read(engine: str, zone: str) -> None:
     session = engines.session(engine)
     rows = [row for _, row in readings(*SPANS[zone], zone)]
-    table = scripts.telemetry(session, rows, told(session))
+    table = telemetry(session, rows)
     source = gam_db.Source(table.name, source_time_zone=zone)
     meant = local_reference.in_utc(rows, zone)
     assert len({row[:3] for row in meant}) == len(rows)  # no reading collapses with another
@@ -109,7 +122,7 @@ def test_scripts_read_the_same_instants(engine: str) -> None:
     zone = "Europe/Berlin"
     session = engines.session(engine)
     rows = [row for _, row in readings(*SPANS[zone], zone)]
-    table, prefix = scripts.telemetry(session, rows, told(session)), engines.fresh_name("script")
+    table, prefix = telemetry(session, rows), engines.fresh_name("script")
     source = gam_db.Source(table.name, source_time_zone=zone)
     meant = reference.health_indicator(local_reference.in_utc(rows, zone), *METHOD)
     exact = scripts.fetched(session, gam_db.render("exact", engine, source, *METHOD))
@@ -132,7 +145,7 @@ def test_hourly_runs_end_in_the_tables_of_one_over_all(engine: str, change: str,
         chance = random.Random(2)
         arriving.sort(key=lambda one: one[0] + chance.randrange(19) * MINUTE)
     begun = [row for instant, row in arriving if instant < first + 3 * HOUR]
-    table, time = scripts.telemetry(session, begun, told(session)), told(session)
+    table, time = telemetry(session, begun), told(session)
     source = gam_db.Source(table.name, source_time_zone=zone)
     prefix = engines.fresh_name("state")
     monitor = Monitor(session, source, *METHOD, lookback=lookback, prefix=prefix)
@@ -143,11 +156,12 @@ def test_hourly_runs_end_in_the_tables_of_one_over_all(engine: str, change: str,
     for start in range(0, len(rest), every):
         scripts.arrive(session, table, rest[start : start + every], time)
         monitor.score()
-    asked = [local_reference.in_utc(rows, zone) for rows in (begun, begun + rest)]
-    harness.assert_same(frozen.buckets(*asked, *METHOD), visible(monitor, BUCKETS), "buckets")
-    harness.assert_same(frozen.novel_cells(*asked, *METHOD), visible(monitor, NOVEL), "novel cells")
+    frozen_at, final = (local_reference.in_utc(rows, zone) for rows in (begun, begun + rest))
+    asked = frozen_at, final, *METHOD
+    harness.assert_same(frozen.buckets(*asked), visible(monitor, BUCKETS), "buckets")
+    harness.assert_same(frozen.novel_cells(*asked), visible(monitor, NOVEL), "novel cells")
     assert not monitor.check_state().num_rows
-    comparisons.compared(engine, "stored", asked[1], *METHOD, asked[0])
+    comparisons.compared(engine, "stored", final, *METHOD, frozen_at)
 
 
 def test_a_dbt_package_reads_the_same_instants() -> None:
@@ -224,6 +238,45 @@ def test_an_hour_that_does_not_exist_is_refused_and_its_remedies_help() -> None:
     assert gam_db.support(all_year, *METHOD)["samples"].to_pylist() == [1500]
 
 
+def test_a_run_leaves_the_hour_out_that_does_not_exist(engine: str) -> None:
+    session, first = engines.session(engine), SPRING
+    step = (first + minute * MINUTE for minute in range(600))
+    rows: list[Row] = [("a", "x", time + HOUR, float(time // MINUTE % 7)) for time in step]
+    begun = [row for row in rows if row[2] < first + 4 * HOUR]
+    table = telemetry(session, begun)
+    source = gam_db.Source(table.name, source_time_zone="Europe/Berlin")
+    monitor = Monitor(session, source, *METHOD, prefix=engines.fresh_name("state"))
+    monitor.migrate()
+    monitor.calibrate()
+    scripts.arrive(session, table, rows[len(begun) :], told(session))
+    report = monitor.score()
+    assert (report.undated, report.skipped) == (60, 60)
+    hour = micros(2026, 3, 29, 2)
+    assert (report.first_skipped, report.last_skipped) == (hour, hour + 59 * MINUTE)
+    meant = [local_reference.in_utc(some, "Europe/Berlin") for some in (begun, rows)]
+    assert len(meant[1]) == len(rows) - 60
+    expected = frozen.buckets(meant[0], meant[1], METHOD[0], METHOD[1])
+    harness.assert_same(expected, visible(monitor, BUCKETS), "buckets")
+
+
+def test_what_local_time_leaves_open_is_told_by_check(tmp_path: Path) -> None:
+    start = dt.datetime(2026, 10, 24, 22)
+    utc = [start + dt.timedelta(minutes=minute) for minute in range(600)]
+    shown = [
+        local_reference.shown((one - EPOCH) // dt.timedelta(microseconds=1), "Europe/Berlin")
+        for one in utc
+    ]
+    lines = [f"{EPOCH + dt.timedelta(microseconds=time)},{n % 5}" for n, time in enumerate(shown)]
+    path = tmp_path / "autumn.csv"
+    path.write_text("\n".join(["ts,value", *lines]))
+    words = ["check", str(path), "--source-time-zone", "Europe/Berlin", "--window", "50"]
+    done = CliRunner().invoke(app, words)
+    said = " ".join(done.output.split())
+    assert "120 rows have a local time that comes twice in Europe/Berlin" in said
+    assert "repeat an instant" not in said
+    assert "written with source_time_zone='Europe/Berlin'" in said
+
+
 @pytest.mark.parametrize(
     ("column", "said"),
     [
@@ -271,7 +324,7 @@ def test_text_files_are_read_in_local_time_too(tmp_path: Path) -> None:
         for n, time in enumerate(rows)
     ]
     path.write_text("\n".join(["ts;value", *lines]))
-    said = {"time_format": "%d.%m.%Y %H:%M", "source_time_zone": "Europe/Berlin"}
+    said: dict[str, Any] = {"time_format": "%d.%m.%Y %H:%M", "source_time_zone": "Europe/Berlin"}
     found = gam_db.support(gam_db.Source(str(path), None, None, "ts", **said), *METHOD)
     assert found["samples"].to_pylist() == [600]
 
