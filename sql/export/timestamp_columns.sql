@@ -1,5 +1,6 @@
 -- Timestamp columns: whether the time column is one whose values a session reads in its own time zone. For MariaDB.
 -- Dialect: mysql
+-- Reads:  columns, the catalogue of the database.
 -- A row:  the column, if it is.
 -- Slots:  :schema  the schema of the source
 --         :table   its name

@@ -20,14 +20,16 @@ FROM (
     reading,
     :shift AS shift,
     :second AS second_shift,
-    ROW_NUMBER() OVER (
-      PARTITION BY asset, channel, time
-      ORDER BY
-        CASE WHEN reading BETWEEN CAST(-1e300 AS DOUBLE) AND CAST(1e300 AS DOUBLE) THEN 0 ELSE 1 END,
-        CASE
-          WHEN reading BETWEEN CAST(-1e300 AS DOUBLE) AND CAST(1e300 AS DOUBLE) THEN reading
-          ELSE CAST(0 AS DOUBLE)
-        END
+    CAST(
+      ROW_NUMBER() OVER (
+        PARTITION BY asset, channel, time
+        ORDER BY
+          CASE WHEN reading BETWEEN CAST(-1e300 AS DOUBLE) AND CAST(1e300 AS DOUBLE) THEN 0 ELSE 1 END,
+          CASE
+            WHEN reading BETWEEN CAST(-1e300 AS DOUBLE) AND CAST(1e300 AS DOUBLE) THEN reading
+            ELSE CAST(0 AS DOUBLE)
+          END
+      ) AS BIGINT
     ) AS place
   FROM source
 ) AS clocked

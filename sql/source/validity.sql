@@ -1,5 +1,6 @@
--- Validity: for how many rows of each channel the user's condition on readings does not hold.
--- Reads:  readings, with 1 or 0 as the reading: whether it holds
+-- Validity: for how many rows of each channel the user's condition on readings does not hold; here a reading is 1 where it
+-- holds, else 0.
+-- Reads:  readings
 -- A row:  one (asset, channel) pair; all of its rows count.
 SELECT
   asset,
