@@ -6,7 +6,9 @@ CREATE TABLE IF NOT EXISTS stored_unplaced (
   nameless BIGINT NOT NULL,
   undated BIGINT NOT NULL,
   strangers BIGINT NOT NULL,
-  stranger_channels BIGINT NOT NULL
+  stranger_channels BIGINT NOT NULL,
+  held BIGINT,
+  invalid BIGINT
 );
 
 COMMENT ON TABLE stored_unplaced
@@ -18,3 +20,6 @@ COMMENT ON COLUMN stored_unplaced.nameless IS 'Rows of its range without asset o
 COMMENT ON COLUMN stored_unplaced.undated IS 'Rows of the source without a time';
 COMMENT ON COLUMN stored_unplaced.strangers IS 'Rows of its range of channels that have no calibration';
 COMMENT ON COLUMN stored_unplaced.stranger_channels IS 'How many such channels there were';
+COMMENT ON COLUMN stored_unplaced.held
+  IS 'Readings of its range that were held to valid_when; NULL where the source has no such condition';
+COMMENT ON COLUMN stored_unplaced.invalid IS 'Those of them for which it does not hold, so that they are missing';

@@ -8,12 +8,15 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.clock import TimeKind
+from gam_db.columns import name_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
+from gam_db.engines.base import Engine
 from gam_db.engines.session import Session
 from gam_db.method import Method
 from gam_db.method.adding import add, add_stacked
 from gam_db.reading.ahead import Clock
+from gam_db.reading.undated import Undated
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
 from gam_db.settings.source import AnySource, TimeNode, parsed_condition, read_from
@@ -116,10 +119,10 @@ class Look:
     nameless: dict[str, int]  # rows of the source without asset, channel and time, by these words
     exact: tuple[str, ...]  # columns of readings that are integers or decimals, not doubles
     number_texts: tuple[str, ...]  # text columns that are not read and hold numbers
+    undated: Undated | None  # rows that tell no time, or two; None where there can be none
+    engine: Engine  # that was asked
     clock: Clock  # of the database, as it was read
-    ahead: tuple[
-        Row, ...
-    ]  # channels with rows later than now, see :func:`gam_db.reading.ahead.rows_ahead`
+    ahead: tuple[Row, ...]  # of :func:`gam_db.reading.ahead.rows_ahead`
 
     @property
     def kind(self) -> TimeKind:
@@ -157,8 +160,12 @@ def look_at(
     nameless["time"] = sum(row["without_time"] for row in rows)
     channels = tuple(row for row in rows if row["samples"] is not None)
     exact = exact_columns(study.session, study.source, study.columns)
-    read = study.source, study.method, table, channels, nameless, exact, _number_texts(study)
-    return Look(*read, study.clock, tuple(study.ahead))
+    undated = study.undated() if nameless["time"] or source.source_time_zone is not None else None
+    invalid = study.invalid()
+    for row in channels if study.source.valid_when is not None else ():
+        row["invalid"] = invalid.get(name_of(row), 0)
+    others = _number_texts(study), undated, session.engine, study.clock, tuple(study.ahead)
+    return Look(study.source, study.method, table, channels, nameless, exact, *others)
 
 
 def exact_columns(session: Session, source: AnySource, columns: Mapping[str, str]) -> tuple[str, ...]:

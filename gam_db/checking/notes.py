@@ -1,6 +1,7 @@
 """All notes on a source, what must be fixed first; what each says is in ``notes.toml``."""
 
 import json
+import shlex
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import groupby
@@ -13,6 +14,7 @@ from gam_db.checking.proposal import BLOCKS, CYCLES, MOST_STILL, Proposal
 from gam_db.checking.words import extent, instant, number_of, percent, reaching, spoken
 from gam_db.clock import JUMP, SECOND, SINCE_1970, TimeKind, epoch_unit, is_of_our_time
 from gam_db.reading.ahead import ahead_sentences
+from gam_db.reading.look import nowhere
 
 PART = 0.1
 """Share of a machine's recording that a channel may lack at either end before it is said."""
@@ -162,7 +164,8 @@ def _repeated(look: Look) -> list[Note]:
         hours = [row["repeated"] * (row["typical_step"] or 0) / _HOUR for row in found]
         is_calendar = look.kind in (TimeKind.TIMESTAMP, TimeKind.NANOSECONDS)
         if is_calendar and all(1 <= round(one) <= 12 and abs(one - round(one)) <= 0.02 for one in hours):
-            return "; about an hour of them, as local time has when clocks go back: store UTC"
+            said = "; about an hour of them, as local time has when clocks go back"
+            return f"{said}: say --source-time-zone, or store UTC"
         return ""
 
     return [
@@ -205,13 +208,26 @@ def _rates(rows: Sequence[Row], kind: TimeKind) -> list[Note]:
     return _whole("rates", rates=", ".join(said)) if len(said) > 1 else []
 
 
+def _invalid(look: Look) -> list[Note]:
+    """How many rows are missing by the condition on readings."""
+    if (condition := look.source.valid_when) is None:
+        return []
+    rows = [row for row in look.channels if row["invalid"]]
+    if not rows:
+        return _whole("valid", condition=condition)
+    return _noted("invalid", rows, share=_share_of("invalid", "readings"), condition=condition)
+
+
 def _on_amounts(look: Look, proposal: Proposal) -> list[Note]:
     """Rows that belong nowhere, calibration, the window."""
     found = []
-    if nameless := {role: count for role, count in look.nameless.items() if count}:
-        counts = ", ".join(f"{count:,} without {role}" for role, count in nameless.items())
-        column = look.source.columns[next(iter(nameless))]
-        found += _whole("nameless", True, found=counts, column=column)
+    if any(look.nameless.values()):
+        said, where, advice = nowhere(look.source, look.nameless, look.undated, look.engine)
+        found += _whole("nameless", True, found=said, where=shlex.quote(where), advice=advice)
+    if look.undated is not None and look.undated.twice:
+        zone, count = look.source.source_time_zone or "", f"{look.undated.twice:,}"
+        found += _whole("twice", zone=zone, count=count)
+    found += _invalid(look)
     if not look.channels:
         why = "; is the condition right?" * (look.source.where is not None)
         found += _whole("nothing", True, why=why)

@@ -73,7 +73,7 @@ class Settings:
         one another, and so do the two layouts with what belongs to each.
 
         Raises:
-            UserError: ``where`` is no condition, or asks other tables and was not let.
+            UserError: ``where`` or ``valid_when`` is no condition, or asks other tables and was not let.
         """
         columns, calibration = said.get("source", {}), said.get("calibration", {})
         source, kept = self.source, dict(self.calibration)
@@ -124,14 +124,16 @@ def load(path: Path | None = None, folder: Path | None = None) -> Settings:
 
 def _check_where(source: SourceSettings) -> None:
     """Refuse a condition that reads other tables or files, unless that is wanted."""
-    if source.where is None or source.where_any:
+    said = {"where": source.where, "valid_when": source.valid_when}
+    if source.where_any or not any(said.values()):
         return
     from sqlglot import exp  # most commands need neither
 
     from gam_db.settings.source import parsed_condition
 
-    if parsed_condition(source.where).find(exp.Query):
-        raise wrong("where_asks_other_tables", where=source.where)
+    for called, condition in said.items():
+        if parsed_condition(condition, called).find(exp.Query):
+            raise wrong("where_asks_other_tables", called=called, where=condition)
 
 
 def _check_owner(path: Path) -> None:

@@ -13,7 +13,7 @@ from gam_db.cli.config import Settings
 from gam_db.cli.job import heading, place, watched
 from gam_db.cli.options import argument, option
 from gam_db.cli.progress import working
-from gam_db.cli.status import judging, raised
+from gam_db.cli.status import judging, raised, validity
 from gam_db.clock import LONG_AGO, TimeKind, instant, shown_instant
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, need_attention
@@ -128,6 +128,12 @@ def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:
         "rows_without_name": run.nameless,
         "rows_without_time": run.undated,
         "ahead": told(run.ahead, "ahead_to"),
+        "rows_skipped_by_clock": {
+            "rows": run.skipped,
+            "first": _told(run.first_skipped, kind),
+            "last": _told(run.last_skipped, kind),
+        },
+        "valid_when": {"held": run.held, "invalid": run.invalid},
         "late": {"channels": 0 if late is None else len(late), "repair_from": _told(since, kind)},
         "status": [] if status is None else status.select(of_channels),
         **({} if status is None else raised(status)),
@@ -148,20 +154,23 @@ def _lines(figures: Row, run: Report, status: pa.Table | None, file: Path | None
     else:
         yield f"read {read}; wrote {number_of(totals['buckets'], 'bucket')}, new or anew"
     yield from ahead_sentences(run.ahead, len(status) if status is not None else 0, run.clock)
-    unknown = figures["not_calibrated"]
+    unknown, skipped = figures["not_calibrated"], figures["rows_skipped_by_clock"]
     of_unknown = number_of(sum(row["rows"] for row in unknown), "row")
     for name, count, thing, named in (
         ("parked", figures["parked"], "channel", ()),
         ("not_calibrated", len(unknown), "channel", unknown),
         ("rows_without_name", figures["rows_without_name"], "row", ()),
-        ("rows_without_time", figures["rows_without_time"], "row", ()),
+        ("rows_without_time", figures["rows_without_time"] - skipped["rows"], "row", ()),
+        ("rows_skipped", skipped["rows"], "row", ()),
         ("late", late["channels"], "channel", ()),
         ("other_settings", len(others), "channel", others),
     ):
         if count:
             names = page.some(sorted(printable(f"{row['asset']} {row['channel']}") for row in named))
             more = {"rows": of_unknown, "since": late["repair_from"], "file": file, "names": names}
+            more |= {"first": skipped["first"], "last": skipped["last"]}
             yield page.WORDS["score"][name].format(count=number_of(count, thing), **more)
+    yield from validity(figures["valid_when"])
     if figures["copy"] is not None:
         yield f"copied to {figures['copy']}"
     if status is None:

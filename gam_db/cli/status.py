@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 import pyarrow as pa
 import pyarrow.compute as pc
 
-from gam_db.checking.words import number_of
+from gam_db.checking.words import number_of, percent
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
 from gam_db.cli.job import heading, place
@@ -39,6 +39,7 @@ def status(
         state = State(session, settings.monitor.tables)
         channels = stored_status.status(state, name, silence)
         proof = stored_status.proved(state, name)
+        held = stored_status.validity(state, name)
     unheard = stored_status.unheard_for(channels, silence, dt.datetime.now(dt.UTC))
     if asset is not None:
         named = [pattern_matches(asset, one) for one in channels["asset"].to_pylist()]
@@ -57,6 +58,7 @@ def status(
         "channels": channels,
         "assets": assets,
         **raised(channels),
+        "valid_when": held,
         "needs_attention": urgent,
     }
 
@@ -67,7 +69,7 @@ def status(
         if unheard is not None:
             length = shown_length(unheard, TimeKind.TIMESTAMP)
             page.say(out, f"no data at all for {length}: is the source filled, and is gam score run?")
-        page.say(out, _proof(proof, dt.datetime.now(dt.UTC)))
+        page.say(out, _proof(proof, dt.datetime.now(dt.UTC)), *validity(held))
         out.print()
         if not rows:
             page.say(out, "no channel is calibrated yet; run gam calibrate")
@@ -131,6 +133,15 @@ def raised(status: pa.Table) -> Row:
         "judged_by_episode": sum(row["judged_by"] == "episode" for row in rows),
         "episodes": [row["episode"] for row in rows if row["asking"]],
     }
+
+
+def validity(held: Row) -> Iterator[str]:
+    """Yield which share of the readings does not count, where a condition says which do."""
+    if held["held"]:
+        part = percent(held["invalid"] / held["held"])
+        yield page.WORDS["state"]["valid_when"].format(
+            share=part, held=number_of(held["held"], "reading")
+        )
 
 
 def judging(status: pa.Table) -> Iterator[str]:

@@ -10,6 +10,7 @@ from gam_db import data
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
 from gam_db.cli.options import argument, option
+from gam_db.clock import TimeKind
 from gam_db.engines import EVIDENCE, NAMES, engine_named
 from gam_db.engines.connecting import connect
 from gam_db.errors import ConfigurationError, unwritable, wrong
@@ -42,9 +43,10 @@ def compile(
     """
     parameters, calibration = settings.method()
     if settings.source.database is None and engine_named(engine).reads_files:
-        source = dataclasses.replace(settings.source, relation=as_folder(settings.source.relation))
-        settings = dataclasses.replace(settings, source=source)
-    script = render(form, engine, described(settings), parameters, calibration, prefix, schema)
+        placed = dataclasses.replace(settings.source, relation=as_folder(settings.source.relation))
+        settings = dataclasses.replace(settings, source=placed)
+    source = described(settings, engine_named(engine).guard is not None)
+    script = render(form, engine, source, parameters, calibration, prefix, schema)
     if out is None:
         print(script, end="")
         return
@@ -54,8 +56,11 @@ def compile(
         raise unwritable(out, error) from error
 
 
-def described(settings: Settings) -> AnySource:
-    """Return the source with its columns: looked at where it can be seen, else as named."""
+def described(settings: Settings, tells_zones: bool = False) -> AnySource:
+    """Return the source with its columns: looked at where it can be seen, else as named.
+
+    A script may have to tell timestamps with a zone from those without one.
+    """
     relation, database = settings.source.relation, settings.source.database
     if relation is None:
         raise ConfigurationError("Name a SOURCE: the table that the engine holds, or a file.")
@@ -65,7 +70,9 @@ def described(settings: Settings) -> AnySource:
         columns = session.describe(session.relation(relation, settings.source))
         source = guess(relation, columns, settings.source, session).source
         kind = look.kind_of(source, columns, session)
-    return dataclasses.replace(source, time_kind="counter" if kind.is_counter else "timestamp")
+    if not (tells_zones and kind is TimeKind.TIMESTAMP_WITH_ZONE):
+        kind = TimeKind.COUNTER if kind.is_counter else TimeKind.TIMESTAMP
+    return dataclasses.replace(source, time_kind=kind.value)
 
 
 def _as_named(relation: Any, said: SourceSettings) -> AnySource:
@@ -74,11 +81,12 @@ def _as_named(relation: Any, said: SourceSettings) -> AnySource:
     if said.layout == "wide" or said.channels is not None:
         if not said.channels:
             raise wrong("unseen_wide_table")
-        return WideSource(relation, said.channels, asset, time, said.where, said.time_kind)
+        return WideSource(
+            relation, said.channels, asset, time, said.where, said.time_kind, **said.written
+        )
     channel = None if said.channel is False else said.channel or "channel"
-    return Source(
-        relation, asset, channel, time, said.value or "value", said.where, time_kind=said.time_kind
-    )
+    value, kind = said.value or "value", said.time_kind
+    return Source(relation, asset, channel, time, value, said.where, kind, **said.written)
 
 
 export = typer.Typer(

@@ -14,7 +14,7 @@ from sqlglot.dialects.dialect import Dialect
 from sqlglot.errors import ErrorLevel, UnsupportedError
 
 from gam_db import data
-from gam_db.clock import TimeKind
+from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.composing import template
 from gam_db.composing.lately import Lately
 from gam_db.engines.storage import APART, Filling, Storage, updated
@@ -22,7 +22,8 @@ from gam_db.engines.types import USUAL, Types
 from gam_db.errors import EngineError
 from gam_db.method.bits import Bits
 from gam_db.settings.form import Form
-from gam_db.settings.source import AnySource, readings
+from gam_db.settings.local_rows import ranged_readings, undated
+from gam_db.settings.source import AnySource, clock_of
 
 Rewrite = Callable[[exp.Expr], exp.Expr]
 #: A formula for each kind of time: that of TIMESTAMP for all that have none of their own.
@@ -109,6 +110,16 @@ class Engine:
     compared: Mapping[TimeKind, str] = field(default_factory=dict, hash=False)
     #: The integer time of a column that counts; engines refuse the product of a timestamp.
     counted: str = "CAST(:time * 1 AS BIGINT)"
+    #: Whether a column of times tells none.
+    timeless: str = ":time IS NULL"
+    #: How a column (``{column}``) is compared with a timestamp in a user's condition, and the condition
+    #: that it tells an instant.
+    comparable: str = "{column}"
+    dated: str = "{column} BETWEEN TIMESTAMP '1900-01-01 00:00:00' AND TIMESTAMP '2200-01-01 00:00:00'"
+    #: What a script begins with that stops it where sessions read the time column each in its zone.
+    guard: Callable[[exp.Table, str], exp.Expr] | None = None
+    #: Whether a text tells a time with its zone; None where no column of text tells time.
+    zoned: Rewrite | None = None
     #: Conditions on a column of times, where its own order is not that of the instants.
     range_of: RangeRewrite | None = None
     types: Types = USUAL  # what those of its columns mean
@@ -185,10 +196,32 @@ class Engine:
         return time if kind.is_counter else formula(_of_kind(self.instant, kind), micros=time)
 
     def readings(
-        self, source: AnySource, relation: exp.Expr, kind: TimeKind, latest: exp.Expr | None = None
+        self,
+        source: AnySource,
+        relation: exp.Expr,
+        kind: TimeKind,
+        earliest: int = LONG_AGO,
+        latest: int = FAR_AHEAD,
+        validity: bool = False,
+        until: exp.Expr | int | None = None,
     ) -> exp.Query:
-        """Return the step *readings* of a source that tells time in a way, up to the latest instant."""
-        return readings(source, relation, partial(self.micros_of, kind), self.unpivots, latest)
+        """Return the step *readings* of a source that tells time in a way, of a range of instants.
+
+        Rows later than ``until``, an integer time, are left out; rows without a time stay.
+        """
+        within = partial(self.in_range, kind, template.column(source.time))
+        said = partial(self.micros_of, kind), within, self.unpivots
+        return ranged_readings(source, relation, *said, earliest, latest, validity, until)
+
+    def near(self, source: AnySource, kind: TimeKind, earliest: int, latest: int) -> list[exp.Expr]:
+        """Return conditions on the time column that hold for all rows of a range, perhaps for others."""
+        clock = clock_of(source)
+        ends = (earliest, latest) if clock is None else (clock.earliest(earliest), clock.latest(latest))
+        return self.in_range(kind, template.column(source.time), *ends)
+
+    def undated(self, source: AnySource, relation: exp.Expr, kind: TimeKind) -> exp.Query:
+        """Return what counts the rows of a source that tell no time, by their cause."""
+        return undated(source, relation, partial(self.micros_of, kind))
 
     def in_range(
         self, kind: TimeKind, column: exp.Expr, earliest: int | None, latest: int | None

@@ -113,8 +113,10 @@ class Session:
         """
         return self._asked(lambda: self.driver.relations(schema))
 
-    def check_condition(self, relation: exp.Expr, condition: exp.Expr, shown: str) -> None:
-        """Try a user's condition on no row.
+    def check_condition(
+        self, relation: exp.Expr, condition: exp.Expr, shown: str, called: str = "where"
+    ) -> None:
+        """Try a user's condition, which a message calls so, on no row.
 
         Raises:
             SourceError: the engine refuses it; the message shows it as the user wrote it.
@@ -125,7 +127,9 @@ class Session:
             self.fetch(probe.limit(0))
         except StatementError as error:
             said = first_line(error.__cause__) + self.engine.condition_note
-            raise wrong("where_refused", shown=shown, title=self.engine.title, said=said) from error
+            raise wrong(
+                "where_refused", called=called, shown=shown, title=self.engine.title, said=said
+            ) from error
 
     def execute(self, statement: exp.Expr) -> None:
         """Run a statement that changes the database.

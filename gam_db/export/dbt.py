@@ -22,7 +22,15 @@ from gam_db.export.models import ADAPTERS, CALIBRATED, SOURCE, TABLE, Model, Mod
 from gam_db.method import Method
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
-from gam_db.settings.source import AnySource, WideSource, declared_kind, is_file, table_names
+from gam_db.settings.source import (
+    AnySource,
+    WideSource,
+    check_zone,
+    declared_kind,
+    is_file,
+    repeat_of,
+    table_names,
+)
 from gam_db.stored import lengths
 from gam_db.stored.schema.migration_files import definitions
 from gam_db.stored.schema.tables import StateTables
@@ -84,7 +92,8 @@ class Package:
         kind = declared_kind(self.source) or TimeKind.COUNTER
         method = Method(self.parameters, self.calibration, kind)
         prefix = StateTables("any", self.prefix).prefix
-        lookback = lengths.lookback(self.lookback, kind)
+        check_zone(self.source, kind)
+        lookback = lengths.lookback(self.lookback, kind, repeat_of(self.source))
         of = Modelled(self.source, method, engine, adapter, prefix, lookback)
         silent = None if kind.is_counter else lengths.park_after(self.silent_after, kind)
         made = models(of)
@@ -108,6 +117,8 @@ class Package:
     def _place(self) -> tuple[str | None, str | None, str]:
         """Return catalogue, schema and name of the source table."""
         relation = self.source.relation
+        if self.source.of_words:
+            raise wrong("script_reads_no_words", names=", ".join(self.source.of_words))
         if is_file(relation) or not isinstance(relation, (str, tuple, list)):
             raise wrong("dbt_no_table")
         if isinstance(self.source, WideSource) and self.source.channels is None:

@@ -106,6 +106,7 @@ class Modelled:
     def settings_hash(self) -> str:
         """What tells whether tables were built under the settings of this package."""
         read = {key: said for key, said in described(self.source).items() if key != "source"}
+        read |= self.source.written
         calibration = self.method.calibration
         said = (
             self.setting,
@@ -127,7 +128,8 @@ class Modelled:
     def readings(self, *conditions: exp.Expr) -> exp.Query:
         """Return the step *readings* under conditions on the source's own columns."""
         source, kind = under(self.source, *conditions), self.method.kind
-        return self.engine.readings(source, _SOURCE_NODE, kind, latest_live(source, self.engine, kind))
+        until = latest_live(source, self.engine, kind)
+        return self.engine.readings(source, _SOURCE_NODE, kind, until=until)
 
     def instant(self, time: exp.Expr) -> exp.Expr:
         """Return an integer time as the source tells it."""

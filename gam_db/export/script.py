@@ -91,9 +91,16 @@ def render(
         "A cell is novel if healthy operation never visited it; the health indicator is the share of "
         "novel vectors among the last W scored ones.",
     ]
+    begin = chosen.beginning()
+    if (
+        chosen.guard is not None
+        and not (kind.is_counter or kind.has_zone)
+        and isinstance(relation, exp.Table)
+    ):
+        begin += f"{chosen.text(chosen.guard(relation, source.time))};\n"
     if form == "exact":
         query = chosen.text(steps.query("health_indicator", commented=True), pretty=True)
-        return f"{_commented(head)}\n{chosen.beginning()}{query};\n"
+        return f"{_commented(head)}\n{begin}{query};\n"
     only = None
     if chosen.macros:
         named = dataclasses.replace(source, where=_only_channel(source))
@@ -110,7 +117,7 @@ def render(
         f"{_commented(comment.splitlines())}\n{chosen.text(statement, pretty=True)};\n"
         for comment, statement in parts
     )
-    return f"{_commented(head)}\n{chosen.beginning()}\n{body}"
+    return f"{_commented(head)}\n{begin}\n{body}"
 
 
 def _view_statements(
@@ -169,7 +176,7 @@ def _only_channel(source: AnySource) -> exp.Expr:
 
 def _steps(method: Method, source: AnySource, relation: exp.Expr, engine: Engine) -> Pipeline:
     kind = method.kind
-    rows = engine.readings(source, relation, kind, latest_live(source, engine, kind))
+    rows = engine.readings(source, relation, kind, until=latest_live(source, engine, kind))
     return pipeline(method, rows, lambda node: engine.instant_of(kind, node))
 
 
@@ -191,8 +198,8 @@ def _looked_at(
 ) -> tuple[AnySource, TimeKind, bool]:
     """Return the source with its channels named, its kind of time, and whether that is known."""
     declared = declared_kind(source)
-    if source.written:
-        raise wrong("script_reads_no_words", names=", ".join(source.written))
+    if source.of_words:
+        raise wrong("script_reads_no_words", names=", ".join(source.of_words))
     if is_file(source.relation) and engine.reads_files:
         from gam_db.engines.duckdb.session import DuckSession
 

@@ -17,7 +17,7 @@ from gam_db.engines.base import Engine
 from gam_db.engines.session import Row, Session
 from gam_db.errors import printable
 from gam_db.method.adding import add
-from gam_db.settings.source import AnySource, under
+from gam_db.settings.source import AnySource
 
 #: How far a row may be ahead of the database's clock, where the source does not say.
 TOLERANCE = "5 min"
@@ -64,14 +64,6 @@ class Clock:
             return cls(None, FAR_AHEAD)
         now = session.now()
         return cls(now, now + allowed)
-
-
-def without_ahead(
-    source: AnySource, engine: Engine, kind: TimeKind, latest: exp.Expr | int
-) -> AnySource:
-    """Return a source without the rows that are later than an instant; rows without a time stay."""
-    slots = {"time": engine.micros_of(kind, template.column(source.time)), "latest": latest}
-    return under(source, template.fill("source/is_in_time", slots))
 
 
 def latest_live(source: AnySource, engine: Engine, kind: TimeKind) -> exp.Expr | None:

@@ -52,7 +52,7 @@ class SourceSettings(Form):
     channels: tuple[str, ...] | None = setting(None, COLUMNS)
     where: str | None = setting(None, TEXT)
     where_any: bool | None = setting(None, FLAG)
-    time_kind: str | None = setting(None, one_of("timestamp", "counter"))
+    time_kind: str | None = setting(None, one_of("timestamp", "timestamp with time zone", "counter"))
     clock_tolerance: Length | Literal[False] | None = setting(None, LENGTH, off=(False, "any time"))
 
     @property

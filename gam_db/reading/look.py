@@ -4,14 +4,17 @@ This module owns what is refused of a source (method, section 2) and says so in 
 """
 
 import dataclasses
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import pyarrow as pa
 
 from gam_db.clock import FAR_AHEAD, TimeKind
+from gam_db.engines.base import Engine
 from gam_db.engines.session import Session
 from gam_db.errors import SourceError, nearest, wrong
-from gam_db.settings.source import AnySource, Source, WideSource, declared_kind
+from gam_db.reading.undated import Undated, shown_column, without
+from gam_db.settings.source import AnySource, Source, WideSource, check_zone, declared_kind
 
 NO_ROW = "The source has no row (after where, if there is one)."
 
@@ -51,6 +54,7 @@ def kind_of(source: AnySource, columns: dict[str, str], session: Session) -> Tim
     """
     if (kind := session.engine.types.time_kind(columns[source.time])) is None:
         raise wrong("tells_no_time", column=source.time, type_name=columns[source.time], hint="")
+    check_zone(source, kind)
     declared = declared_kind(source)
     if declared is not None and declared.is_counter != kind.is_counter:
         said = columns[source.time]
@@ -58,8 +62,14 @@ def kind_of(source: AnySource, columns: dict[str, str], session: Session) -> Tim
     return kind
 
 
-def check_rows(names: pa.Table) -> None:
-    """Refuse a source with rows that belong nowhere; ``names`` is the step of that name.
+def check_rows(names: pa.Table, source: AnySource, ask: Callable[[], Undated], engine: Engine) -> None:
+    """Refuse a source with rows that belong nowhere.
+
+    Args:
+        names: the step of that name.
+        source: the source.
+        ask: returns which rows tell no time.
+        engine: that reads it.
 
     Raises:
         SourceError: rows without asset, channel or time (the counts are given), a counter beyond
@@ -73,9 +83,34 @@ def check_rows(names: pa.Table) -> None:
         for role in ("asset", "channel")
     }
     nameless["time"] = sum(row["without_time"] for row in rows)
-    if found := {role: f"{count} without {role}" for role, count in nameless.items() if count}:
-        raise wrong("nameless_rows", names=", ".join(found.values()), role=next(iter(found)))
+    if any(nameless.values()):
+        undated = ask() if nameless["time"] else None
+        found, where, advice = nowhere(source, nameless, undated, engine)
+        raise wrong("nameless_rows", names=found, where=where, advice=advice)
     check_clock(names)
+
+
+def nowhere(
+    source: AnySource, nameless: Mapping[str, int], undated: Undated | None, engine: Engine
+) -> tuple[str, str, str]:
+    """Return what is said of rows that belong nowhere, the condition that leaves them out, and advice.
+
+    Args:
+        source: the source.
+        nameless: how many rows lack an asset, a channel.
+        undated: the rows that tell no time; None for none.
+        engine: that reads it.
+    """
+    found, conditions, advice = [], [], ""
+    for role in ("asset", "channel"):
+        if nameless[role]:
+            found.append(f"{nameless[role]:,} without {role}")
+            conditions.append(f"{shown_column(source.columns[role])} IS NOT NULL")
+    if undated is not None and undated.count:
+        found.append(f"{undated.count:,} without time ({undated.causes(source)})")
+        conditions.append(undated.condition(source, engine))
+        advice = undated.advice(source)
+    return ", ".join(found), without(source, *conditions), advice
 
 
 def check_clock(names: pa.Table) -> None:

@@ -44,6 +44,17 @@ def prepared(session: Session, source: AnySource) -> Prepared:
     if source.where is not None:
         session.check_condition(stored, parsed_condition(source.where), str(source.where))
     source = look.resolved(source, columns, session)
+    made = _made(session, source, columns, stored)
+    if (condition := source.valid_when) is not None:
+        valid = parsed_condition(condition, "valid_when")
+        session.check_condition(made.relation, valid, condition, "valid_when")
+    if source.source_time_zone is not None:
+        _check_local(session, source, made.columns, made.stored)
+    return made
+
+
+def _made(session: Session, source: AnySource, columns: dict[str, str], stored: exp.Expr) -> Prepared:
+    """Return a source of which it is known that its columns are there."""
     if retyped := _retyped(session, source, columns):
         stored = session.engine.retyped(stored, retyped)
         columns = session.describe(stored)
@@ -111,6 +122,18 @@ def _changes(
     elif texts is not None and not source.time_format and not types.is_numeric(time):
         _check_order(session, source, stored)
     return changes
+
+
+def _check_local(session: Session, source: AnySource, columns: dict[str, str], stored: exp.Expr) -> None:
+    """Refuse a time zone of a source in whose texts times have one."""
+    engine = session.engine
+    of_texts = engine.texts is None or engine.types.is_text(columns[source.time])
+    if engine.zoned is None or not of_texts:
+        return
+    condition = exp.and_(parsed_condition(source.where), engine.zoned(template.column(source.time)))
+    found = exp.select(exp.Literal.number(1).as_("one")).from_(stored.copy()).where(condition).limit(1)
+    if session.rows(found):
+        raise wrong("zone_of_no_local_time", time=source.time, kind="times with a zone")
 
 
 def _but_nulls(column: exp.Expr, nulls: Sequence[str] | None) -> exp.Expr:

@@ -153,6 +153,7 @@ def write(
         "last": tick(last),
         "columns": columns,
         "noRaw": why,
+        "validity": _validity(state, monitor),
         "machines": {name: [row[name] for row in machines] for name in machines[0]},
         "machine": [place_of[row["asset"]] for row in signals],
         "signals": {name: [one[name] for one in said] for name in said[0]},
@@ -254,6 +255,12 @@ def _machines(state: Reads, monitor: str, signals: Sequence[Row]) -> list[Row]:
         }
         for name in dict.fromkeys(row["asset"] for row in signals)
     ]
+
+
+def _validity(state: Reads, monitor: str) -> Row | None:
+    """Return how many readings the newest run held to valid_when, and how many did not meet it."""
+    rows = state.rows("stored/state/validity", {"monitor": template.text(monitor)})
+    return rows[0] if rows else None
 
 
 def _alarms(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[str, list[Any]]:

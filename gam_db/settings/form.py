@@ -11,8 +11,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from gam_db.clock import SINCE_1970
-from gam_db.errors import ParameterError, printable
+from gam_db.clock import SINCE_1970, zone
+from gam_db.errors import ConfigurationError, ParameterError, printable
 from gam_db.settings.setting import (
     COUNT,
     TEXT,
@@ -48,10 +48,21 @@ def _words(_: Setting, name: str, value: Any) -> tuple[str, ...]:
 _WORDS = Kind(_words, option=list[str], read=lambda _, given: tuple(given))
 
 
+def _zone(_: Setting, name: str, value: Any) -> str:
+    try:
+        zone(value)
+    except (ConfigurationError, TypeError, AttributeError):
+        raise ParameterError(f"{name} is {value!r}; it takes a name such as Europe/Berlin.") from None
+    return str(value)
+
+
+_ZONE = Kind(_zone)
+
+
 @declared
 @dataclass(frozen=True, kw_only=True)
 class Form:
-    """How numbers and times are written in a source."""
+    """How numbers and times are written in a source, and which of its readings count."""
 
     decimal: str | None = setting(None, one_of(",", "."))
     thousands: str | None = setting(None, one_of(".", ",", " ", "'"))
@@ -61,12 +72,19 @@ class Form:
     skip_rows: int | None = setting(None, COUNT)
     time_format: str | None = setting(None, TEXT)
     time_unit: str | None = setting(None, one_of(*SINCE_1970))
+    source_time_zone: str | None = setting(None, _ZONE)
+    valid_when: str | None = setting(None, TEXT)
 
     @property
     def written(self) -> dict[str, Any]:
         """What was said of how things are written, by name."""
         said = {name: getattr(self, name) for name in settings_of(Form)}
         return {name: value for name, value in said.items() if value}
+
+    @property
+    def of_words(self) -> tuple[str, ...]:
+        """The names of what was said that only a reader of text heeds, not the SQL of every engine."""
+        return tuple(name for name in self.written if name not in ("source_time_zone", "valid_when"))
 
     @property
     def reads_words(self) -> bool:

@@ -16,6 +16,7 @@ from gam_db.clock import Length, TimeKind
 from gam_db.composing import template
 from gam_db.errors import SourceError, wrong
 from gam_db.settings.form import Form
+from gam_db.settings.local_time import LocalTime, local_time
 from gam_db.settings.setting import check
 
 ONLY_ASSET = "asset"
@@ -45,7 +46,8 @@ class Source(Form):
             clock.
 
     How numbers and times are written is said by keywords, see :class:`gam_db.settings.form.Form`:
-    decimal, thousands, unit, null, delimiter, skip_rows, time_format, time_unit.
+    decimal, thousands, unit, null, delimiter, skip_rows, time_format, time_unit, source_time_zone,
+    valid_when.
     """
 
     relation: Any
@@ -125,13 +127,40 @@ MOST_BRANCHES = 400
 
 
 def declared_kind(source: AnySource) -> TimeKind | None:
-    """Return the way of telling time that the user declared, if any."""
+    """Return the way of telling time that the user declared, if any; a zone is that of timestamps.
+
+    Raises:
+        SourceError: it is none, or a time zone is declared of a source that tells none or another one.
+    """
     if source.time_kind is None:
-        return None
+        return None if source.source_time_zone is None else TimeKind.TIMESTAMP
     try:
-        return TimeKind(source.time_kind)
+        kind = TimeKind(source.time_kind)
     except ValueError:
         raise wrong("time_kind", time_kind=source.time_kind) from None
+    check_zone(source, kind)
+    return kind
+
+
+def check_zone(source: AnySource, kind: TimeKind) -> None:
+    """Refuse (SourceError) a time zone of a source that counts, or one whose timestamps have one."""
+    if source.source_time_zone is None:
+        return
+    if source.time_unit is not None:
+        raise wrong("zone_of_no_local_time", time=source.time, kind="numbers since 1970, which are UTC")
+    if kind.is_counter or kind.has_zone:
+        raise wrong("zone_of_no_local_time", time=source.time, kind=f"a {kind.value}")
+
+
+def clock_of(source: AnySource) -> LocalTime | None:
+    """Return the clock by which a source tells time; None if that is UTC."""
+    return None if source.source_time_zone is None else local_time(source.source_time_zone)
+
+
+def repeat_of(source: AnySource) -> int:
+    """Return how far apart the instants of one local time may be, in microseconds."""
+    clock = clock_of(source)
+    return 0 if clock is None else clock.longest_repeat
 
 
 def readings(
@@ -139,46 +168,62 @@ def readings(
     relation: exp.Expr,
     micros_of: TimeNode,
     unpivots: bool = False,
-    latest: exp.Expr | None = None,
+    validity: bool = False,
+    until: exp.Expr | int | None = None,
 ) -> exp.Query:
     """Return the step *readings*: the rows of the source, its channels named, in the method's words.
 
     *micros_of* turns the time column into integer microseconds, or leaves a counter as it is; *unpivots*
-    says whether the engine can make a row of each of many columns by itself. Rows later than *latest*,
-    an integer time, are left out.
+    says whether the engine can make a row of each of many columns by itself. With *validity* a reading
+    is 1 or 0, as the user's condition on readings holds or not. Rows later than *until*, an integer
+    time, are left out; rows without a time stay.
     """
     condition = parsed_condition(source.where)
     asset = named_by(source.asset, ONLY_ASSET)
     if unpivots and len(source.value_columns) >= UNPIVOTED_FROM:
         time = micros_of(template.column(source.time))
         said = {"asset": asset, "time": time, "condition": condition}
-        return _up_to(_unpivoted(source, relation, said), "time", latest)
+        return up_to(_unpivoted(source, relation, said, validity), "time", until)
     branches: list[exp.Query] = []
     for value in source.value_columns:
         slots: dict[str, template.Slot] = {
             "asset": asset,
             "channel": named_by(source.channel if isinstance(source, Source) else None, value),
             "time": micros_of(template.column(source.time)),
-            "reading": template.column(value),
+            "reading": _reading(source, value, validity),
             "condition": condition,
         }
         filled = template.fill("source/readings", slots)
         read_from(relation, filled)
-        branches.append(_up_to(filled, "instant", latest))  # type: ignore[arg-type]
+        branches.append(up_to(filled, "instant", until))  # type: ignore[arg-type]
     if len(branches) > MOST_BRANCHES:
         starts = range(0, len(branches), MOST_BRANCHES)
-        parts = [_stacked(branches[start : start + MOST_BRANCHES]) for start in starts]
+        parts = [stacked(branches[start : start + MOST_BRANCHES]) for start in starts]
         columns = [exp.column(name) for name in parts[0].named_selects]
         branches = [exp.select(*columns).from_(part.subquery("stacked", copy=False)) for part in parts]
-    return _stacked(branches)
+    return stacked(branches)
 
 
-def _up_to(rows: exp.Query, time: str, latest: exp.Expr | None) -> exp.Query:
-    """Leave out rows whose column of that name is later than an integer time; in place."""
-    return rows if latest is None else rows.where(exp.column(time) <= latest, copy=False)
+def up_to(rows: exp.Query, time: str, until: exp.Expr | int | None) -> exp.Query:
+    """Leave out rows whose time, a column of a name, is later than an integer time; in place."""
+    if until is None:
+        return rows
+    column, limit = exp.column(time), until if isinstance(until, exp.Expr) else template.node_of(until)
+    return rows.where(exp.or_(column <= limit, column.copy().is_(exp.null())), copy=False)
 
 
-def _stacked(branches: Sequence[exp.Query]) -> exp.Query:
+def _reading(source: AnySource, value: str, validity: bool) -> exp.Expr:
+    """Return the reading of a column; missing, or 0 where validity is wanted, where it is not valid."""
+    if source.valid_when is None:
+        return template.node_of(1) if validity else template.column(value)
+    slots: dict[str, template.Slot] = {"valid": parsed_condition(source.valid_when, "valid_when")}
+    if validity:
+        return template.fill("source/validity_term", slots)
+    return template.fill("source/valid_term", {**slots, "reading": template.column(value)})
+
+
+def stacked(branches: Sequence[exp.Query]) -> exp.Query:
+    """Return the rows of all branches."""
     return branches[0] if len(branches) == 1 else exp.union(*branches, distinct=False)
 
 
@@ -187,12 +232,14 @@ def named_by(column: str | None, otherwise: str) -> exp.Expr:
     return template.text(otherwise) if column is None else template.column(column)
 
 
-def _unpivoted(source: AnySource, relation: exp.Expr, said: Mapping[str, exp.Expr]) -> exp.Query:
+def _unpivoted(
+    source: AnySource, relation: exp.Expr, said: Mapping[str, exp.Expr], validity: bool
+) -> exp.Query:
     """Return the readings of a wide source in one select."""
     columns, named = [], []
     for number, value in enumerate(source.value_columns, 1):
         column = f"column_{number}"
-        columns.append(exp.alias_(exp.cast(template.column(value), "DOUBLE"), column))
+        columns.append(exp.alias_(exp.cast(_reading(source, value, validity), "DOUBLE"), column))
         named.append(exp.PivotAlias(this=exp.column(column), alias=template.name(value)))
     filled = template.fill("source/unpivoted", {**said, "columns": columns, "named": named})
     read_from(relation, filled)
@@ -207,8 +254,8 @@ def read_from(relation: exp.Expr, filled: exp.Expr) -> None:
             table.replace(relation.copy() if alias is None else relation.as_(alias))
 
 
-def parsed_condition(where: str | exp.Expr | None) -> exp.Expr:
-    """Return the user's condition as a tree; TRUE where there is none.
+def parsed_condition(where: str | exp.Expr | None, called: str = "where") -> exp.Expr:
+    """Return the user's condition, which a message names so, as a tree; TRUE where there is none.
 
     Raises:
         SourceError: it is not one condition in DuckDB's dialect.
@@ -217,7 +264,7 @@ def parsed_condition(where: str | exp.Expr | None) -> exp.Expr:
         return exp.EQ(this=exp.Literal.number(1), expression=exp.Literal.number(1))
     if isinstance(where, exp.Expr):
         return where
-    refusal = wrong("where_is_no_condition", where=where)
+    refusal = wrong("where_is_no_condition", called=called, where=where)
     if not isinstance(where, str):
         raise refusal
     try:

@@ -12,15 +12,21 @@ LOOKBACK = "1 h"
 PARK_AFTER = "1 d"
 
 
-def lookback(given: Length | None, kind: TimeKind) -> int:
-    """Return how late a row may come, in microseconds or steps; by default an hour, or no step.
+def lookback(given: Length | None, kind: TimeKind, repeat: int = 0) -> int:
+    """Return how far back a run looks, in microseconds or steps.
+
+    Args:
+        given: how late a row may come; by default an hour, or no step.
+        kind: how time is told.
+        repeat: how far apart the instants of one local time may be: which of two readings is the first
+            is known when the second is there.
 
     Raises:
         ParameterError: it is no length of time of that kind.
     """
     if given is None:
-        return 0 if kind.is_counter else length(LOOKBACK, kind, "lookback")
-    return length(given, kind, "lookback")
+        return 0 if kind.is_counter else length(LOOKBACK, kind, "lookback") + repeat
+    return length(given, kind, "lookback") + repeat
 
 
 def park_after(given: Length | Literal[False] | None, kind: TimeKind) -> int | None:

@@ -25,7 +25,7 @@ from gam_db.method.source import named_like
 from gam_db.report import Wishes, write
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters, pattern_matches
-from gam_db.settings.source import AnySource
+from gam_db.settings.source import AnySource, repeat_of
 from gam_db.stored import lengths
 from gam_db.stored.alarms import limits
 from gam_db.stored.alarms import told as stored_alarms
@@ -179,7 +179,7 @@ class Monitor(MonitorSettings):
         """
         kind = kind_of(self._required.monitor(self.name))
         wanted = Wanted(
-            lookback=lengths.lookback(self.lookback, kind),
+            lookback=lengths.lookback(self.lookback, kind, repeat_of(self.source)),
             park_after=lengths.park_after(self.park_after, kind),
             repair_from=None if since is None else instant(since, kind, "since"),
             until=None if until is None else instant(until, kind, "until"),
@@ -215,7 +215,7 @@ class Monitor(MonitorSettings):
     def checked_state(self, limit: int | None = None, on_step: Listener = unheard) -> Checked:
         """Return what :meth:`check_state` does, and what is to be recorded of it; nothing is written."""
         kind = kind_of(self._required.monitor(self.name))
-        lookback = lengths.lookback(self.lookback, kind)
+        lookback = lengths.lookback(self.lookback, kind, repeat_of(self.source))
         return check_state(self.state, self.source, self.name, lookback, limit, on_step)
 
     def status(self) -> pa.Table:

@@ -19,6 +19,7 @@ from gam_db.errors import EngineError, ParameterError
 from gam_db.stored import lengths
 from gam_db.stored.planning.steps import DAY
 from gam_db.stored.schema import migrations
+from gam_db.stored.sources import repeat_of
 from gam_db.stored.state import State, first_run_at, kind_of, now
 
 NOVEL_ROWS = 100_000
@@ -116,12 +117,13 @@ def prune(
             f"{state.session.engine.title} has no transaction that could be undone; leave out the dry "
             "run."
         )
-    kind = kind_of(state.monitor(monitor))
+    known = state.monitor(monitor)
+    kind = kind_of(known)
     slots: dict[str, template.Slot] = {  # in integers; 2^62 is for ever
         role: FAR_AHEAD if given is None else length(given, kind, role)
         for role, given in (("keep", keep), ("keep_novel", keep_novel))
     }
-    slots["lookback"] = lengths.lookback(lookback, kind)
+    slots["lookback"] = lengths.lookback(lookback, kind, repeat_of(known["source"]))
     slots["novel_rows"] = NOVEL_ROWS if keep_novel is None else FAR_AHEAD
     versions = FAR_AHEAD if keep_versions is None else keep_versions
     if isinstance(versions, bool) or not isinstance(versions, int) or versions < 0:

@@ -13,6 +13,7 @@ from sqlglot import exp
 from gam_db.composing import template
 from gam_db.errors import ConfigurationError, StateError
 from gam_db.settings.form import Form
+from gam_db.settings.local_time import local_time
 from gam_db.settings.setting import settings_of
 from gam_db.settings.source import AnySource, Source, WideSource, is_file, paths_of
 
@@ -77,6 +78,12 @@ def source_of(monitor: Mapping[str, Any], channels: Sequence[str], relation: Any
 def relation_of(monitor: Mapping[str, Any]) -> str | list[str]:
     """Return the relation that a monitor was made from, as its row keeps it."""
     return _parted(monitor["source"])[0]
+
+
+def repeat_of(source: str) -> int:
+    """Return how far apart the instants of a local time may be, by the source of a monitor."""
+    zone = _parted(source)[1].get("source_time_zone")
+    return 0 if zone is None else local_time(zone).longest_repeat
 
 
 def _written(source: AnySource) -> str:

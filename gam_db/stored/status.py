@@ -117,6 +117,15 @@ def proved(state: State, monitor: str = "default") -> Proof | None:
     return last_proofs(state, state.monitor(monitor)["monitor_id"]).get(STATE)
 
 
+def validity(state: State, monitor: str = "default") -> Row:
+    """Return how many readings the newest run held to ``valid_when``, and for how many it does not hold.
+
+    These are ``held`` and ``invalid``; both are 0 where the source has no such condition.
+    """
+    rows = state.rows("stored/state/validity", {"monitor": text(monitor)})
+    return rows[0] if rows else {"held": 0, "invalid": 0}
+
+
 def by_asset(channels: pa.Table) -> pa.Table:
     """Return a row per asset, the most urgent first, each with its worst channel.
 

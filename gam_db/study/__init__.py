@@ -23,17 +23,19 @@ from gam_db.engines.connecting import borrowed
 from gam_db.engines.session import Row, Session
 from gam_db.errors import wrong
 from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
+from gam_db.method.adding import add
 from gam_db.method.bits import Bits
 from gam_db.method.census import Slicing
 from gam_db.method.delays import Ways
 from gam_db.reading import ahead, look
 from gam_db.reading.guess import sourced
 from gam_db.reading.preparing import prepared
+from gam_db.reading.undated import Undated, undated
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import AUTO, RUNGS, Override, Parameters
 from gam_db.settings.patterns import grouped
 from gam_db.settings.setting import settings_of
-from gam_db.settings.source import AnySource, is_file, paths_of, under
+from gam_db.settings.source import AnySource, is_file, paths_of
 from gam_db.study import trusting, turning
 from gam_db.study.running import PARTS_IN_TURN, TAUGHT, UNSORTED, Listener, Running, unheard
 from gam_db.study.streaming import Streams, seems_ordered
@@ -100,17 +102,23 @@ class Study:
         #: Channels with rows that are later than now, which are left out; see :func:`ahead.rows_ahead`.
         self.ahead: list[Row] = []
         latest = self.clock.latest
+        asking = self.method, unread, read.relation, session.engine
+        until: int | None = None
+        self._asked = (*asking, until)
         options = short_cuts, on_trust, asked, counting
-        slicing, ways, is_streamed, names = self._begin(unread, read.relation, on_step, *options)
+        slicing, ways, is_streamed, names = self._begin(on_step, *options)
         if any(end is not None and end > latest for end in names["latest"].to_pylist()):
             self.ahead = ahead.rows_ahead(session, self._readings(latest + 1, FAR_AHEAD), latest)
             self.running.forget()
-            unread = ahead.without_ahead(unread, session.engine, read.kind, latest)
-            slicing, ways, is_streamed, names = self._begin(unread, read.relation, on_step, *options)
+            self._asked = (*asking, latest)
+            slicing, ways, is_streamed, names = self._begin(on_step, *options)
             if not names.num_rows:
                 sentences = ahead.ahead_sentences(self.ahead, len(self.ahead), self.clock)
                 raise wrong("all_ahead", said=" ".join(sentences))
-        (look.check_rows if strict else look.check_clock)(names)
+        if strict:
+            look.check_rows(names, source, self.undated, session.engine)
+        else:
+            look.check_clock(names)
         may_trust = short_cuts and on_trust and trusting.serves(self.method)
         # Supports are kept as bits where those of so many channels have room.
         grids = (one.radix**one.m for one in self.method.settings)
@@ -139,8 +147,6 @@ class Study:
 
     def _begin(
         self,
-        source: AnySource,
-        relation: exp.Expr,
         on_step: Listener,
         short_cuts: bool,
         on_trust: bool,
@@ -149,7 +155,6 @@ class Study:
     ) -> tuple[Slicing | None, Ways, bool, pa.Table]:
         """Ask for the names of a source; return how its rows are best read, and the step *names*."""
         session = self.session
-        self._asked = (self.method, source, relation, session.engine)
         self.running = Running(session, self._opening(), on_step=on_step)
         is_even = all(map(self.method.is_unbroken, range(len(self.method.settings))))
         slicing, ways = None, Ways(asked=frozenset(asked), by_windows=not is_even, has_sets=not counting)
@@ -237,6 +242,21 @@ class Study:
         """Return integer time as the source has it."""
         return self.session.engine.instant_of(self.method.kind, time)
 
+    def undated(self) -> Undated:
+        """Return which rows of the source tell no time, or two."""
+        method, source, relation, _, _ = self._asked
+        return undated(self.session, source, relation, method.kind)
+
+    def invalid(self) -> dict[tuple[str, str], int]:
+        """Return for how many rows of each channel the condition on readings does not hold."""
+        method, source, relation, engine, until = self._asked
+        if source.valid_when is None:
+            return {}
+        steps = Pipeline()
+        steps.add("readings", engine.readings(source, relation, method.kind, validity=True, until=until))
+        add(steps, "source/validity")
+        return {name_of(row): row["invalid"] for row in self.session.rows(steps.query("validity"))}
+
     def forget(self) -> None:
         """Drop the tables that were kept, and let go of an Arrow table: the session stays open."""
         self.running.forget()
@@ -288,11 +308,11 @@ class Study:
 
     def _readings(self, earliest: int, latest: int) -> exp.Query:
         """Return the step *readings* for a range of time, with bounds that an index can serve."""
-        method, source, relation, engine = self._asked
+        method, source, relation, engine, until = self._asked
         if "readings" in self.running.placed:  # of a text file, which is not to be parsed again
             within = engine.in_range(TimeKind.COUNTER, exp.column("time"), earliest, latest)
             return union_of(self.steps, ["readings"]).where(*within, copy=False)
-        return _ranged(source, relation, engine, method.kind, earliest, latest).copy()
+        return _ranged(source, relation, engine, method.kind, earliest, latest, until).copy()
 
 
 @contextlib.contextmanager
@@ -353,20 +373,27 @@ def _opened(
     source: AnySource,
     relation: exp.Expr,
     engine: Engine,
+    until: int | None,
     slicing: Slicing | None,
     ways: Ways | None,
 ) -> Pipeline:
     """Return the steps that are asked first, likewise; arguments as for :func:`_filled`."""
-    return opening_pipeline(engine.readings(source, relation, method.kind), slicing, ways)
+    rows = engine.readings(source, relation, method.kind, until=until)
+    return opening_pipeline(rows, slicing, ways)
 
 
 @lru_cache(maxsize=RANGES * LATELY)
 def _ranged(
-    source: AnySource, relation: exp.Expr, engine: Engine, kind: TimeKind, earliest: int, latest: int
+    source: AnySource,
+    relation: exp.Expr,
+    engine: Engine,
+    kind: TimeKind,
+    earliest: int,
+    latest: int,
+    until: int | None,
 ) -> exp.Query:
     """Return the step *readings* for a range of time; arguments as for :func:`_filled`."""
-    conditions = engine.in_range(kind, template.column(source.time), earliest, latest)
-    return engine.readings(under(source, *conditions), relation, kind)
+    return engine.readings(source, relation, kind, earliest, latest, until=until)
 
 
 @lru_cache(maxsize=LATELY)
@@ -375,6 +402,7 @@ def _filled(
     source: AnySource,
     relation: exp.Expr,
     engine: Engine,
+    until: int | None,
     has_bits: bool,
     slicing: Slicing | None = None,
     ways: Ways | None = None,
@@ -385,7 +413,7 @@ def _filled(
     the steps that trust; without slicing they look first.
     """
     kind, bits = method.kind, engine.bits if has_bits else None
-    rows = engine.readings(source, relation, kind)
+    rows = engine.readings(source, relation, kind, until=until)
     said = method, rows, lambda node: engine.instant_of(kind, node)
     if slicing is not None:
         return trusting_pipeline(*said, slicing, bits, ways)

@@ -1,5 +1,7 @@
 """MariaDB's own ways: names of any sign, lent connections, counters without a sign, who is let in."""
 
+import datetime as dt
+import subprocess
 from collections.abc import Iterator
 from typing import Any
 from urllib.parse import urlsplit
@@ -7,10 +9,13 @@ from urllib.parse import urlsplit
 import pyarrow as pa
 import pymysql
 import pytest
+from typer.testing import CliRunner
 
 import gam_db
 import mariadb_server
+from gam_db.cli import app
 from gam_db.errors import EngineError, SourceError, StatementError
+from gam_db.stored.monitor import Monitor
 from harness import Row, all_by_engine, all_by_reference, assert_same, made
 
 PARAMETERS = gam_db.Parameters(m=2, bins=4, window=5)
@@ -139,3 +144,103 @@ def test_a_user_who_may_only_read_leaves_nothing_half_made(plant: Any) -> None:
             monitor.migrate()
     assert asked(plant, "SHOW TABLES") == before
     asked(plant, "DROP USER reader")
+
+
+def sent(script: str, charset: str) -> "subprocess.CompletedProcess[str]":
+    """Run a script by MariaDB's own client, its session being of a character set."""
+    place = urlsplit(mariadb_server.server())
+    words = [
+        "mariadb",
+        f"-h{place.hostname}",
+        f"-P{place.port}",
+        "-uroot",
+        f"--default-character-set={charset}",
+    ]
+    return subprocess.run([*words, "plant"], input=script, capture_output=True, text=True, check=False)
+
+
+@pytest.fixture
+def autumn(plant: Any) -> Iterator[Any]:
+    """Two thousand rows over the end of summer time in a TIMESTAMP, and the same in a DATETIME."""
+    start = dt.datetime(2026, 10, 24, 22)
+    for table, kind in (("shown", "TIMESTAMP"), ("plain", "DATETIME")):
+        asked(plant, f"CREATE TABLE {table} (ts {kind} NULL, value DOUBLE)")
+        with plant.cursor() as cursor:
+            cursor.execute("SET time_zone = '+00:00'")
+            rows = [(start + dt.timedelta(minutes=minute), minute * 7 % 11) for minute in range(2000)]
+            cursor.executemany(f"INSERT INTO {table} VALUES (%s, %s)", rows)
+    yield plant
+    made = ", ".join(f"gam_live_{name}" for name in ("channels", "calibration", "bounds", "support"))
+    asked(plant, "DROP VIEW IF EXISTS gam_live_health")
+    asked(
+        plant,
+        f"DROP TABLE IF EXISTS {made}, gam_live_support_summary, gam_live_certificate, shown, plain",
+    )
+
+
+@pytest.mark.parametrize("charset", ["latin1", "utf8mb4"])
+@pytest.mark.parametrize(
+    ("table", "kind"), [("shown", "timestamp with time zone"), ("plain", "timestamp")]
+)
+def test_a_view_gives_the_same_rows_in_every_zone(
+    autumn: Any, table: str, kind: str, charset: str
+) -> None:
+    source = gam_db.Source(table, None, None, "ts", time_kind=kind)
+    parameters = gam_db.Parameters(m=3, tau=1, bins=16, window=200)
+    script = gam_db.render("view", "mariadb", source, parameters, gam_db.Calibration(fraction=0.3))
+    first = dt.datetime(2026, 10, 25, 8)
+    for made_in in ("+00:00", "+05:30"):
+        done = sent(f"SET time_zone = '{made_in}';\n{script}", charset)
+        assert done.returncode == 0, done.stderr
+        for read_in in ("+00:00", "+01:00"):
+            asked(autumn, f"SET time_zone = '{read_in}'")
+            found = asked(autumn, "SELECT COUNT(*), MIN(time), MAX(time) FROM gam_live_health")
+            assert found == ((1400, first, first + dt.timedelta(minutes=1399)),)
+
+
+@pytest.mark.parametrize("form", ["view", "exact"])
+def test_a_script_stops_at_a_column_that_sessions_show_in_their_zone(autumn: Any, form: str) -> None:
+    source = gam_db.Source("shown", None, None, "ts", time_kind="timestamp")
+    done = sent(gam_db.render(form, "mariadb", source), "utf8mb4")
+    assert done.returncode == 1
+    assert "ts is a TIMESTAMP, which each session reads in its own zone" in done.stderr
+    assert "gam_live_channels" not in str(asked(autumn, "SHOW TABLES"))
+
+
+def test_the_database_says_of_what_kind_the_column_is(autumn: Any) -> None:
+    words = ["--engine", "mariadb", "--database", mariadb_server.server(), "--no-asset", "--no-channel"]
+    for table, kind in (("shown", "timestamp with time zone"), ("plain", "timestamp")):
+        done = CliRunner().invoke(app, ["compile", table, *words, "--time", "ts", "--value", "value"])
+        assert f"-- Time: {kind}." in done.output
+
+
+def test_dates_that_tell_no_instant_are_named_and_left_out(autumn: Any) -> None:
+    asked(autumn, "SET sql_mode = ''")
+    odd = ("0000-00-00", "2026-00-10", "2026-05-00")
+    asked(autumn, "INSERT INTO plain VALUES " + ", ".join(f"('{day}', 1)" for day in odd))
+    asked(autumn, "INSERT INTO shown VALUES ('0000-00-00', 1)")
+    session = gam_db.connect(mariadb_server.server())
+    parameters = gam_db.Parameters(m=2, bins=4, window=20)
+    for table, count in (("plain", 3), ("shown", 1)):
+        refused = gam_db.Source(table, None, None, "ts")
+        pattern = rf"{count} without time \({count} an infinite time or no date of the calendar\)"
+        with pytest.raises(SourceError, match=pattern) as caught:
+            gam_db.support(refused, parameters, engine=session)
+        condition = str(caught.value).partition('where="')[2].partition('"')[0]
+        mended = gam_db.Source(table, None, None, "ts", where=condition)
+        (row,) = gam_db.support(mended, parameters, engine=session).to_pylist()
+        assert row["samples"] == 2000
+    session.close()
+
+
+def test_a_run_counts_dates_that_tell_no_instant(autumn: Any) -> None:
+    session = gam_db.connect(mariadb_server.server())
+    source = gam_db.Source("plain", None, None, "ts")
+    parameters = gam_db.Parameters(m=2, bins=4, window=20)
+    with Monitor(session, source, parameters, prefix="odd_") as monitor:
+        monitor.migrate()
+        monitor.calibrate()
+        asked(autumn, "SET sql_mode = ''")
+        asked(autumn, "INSERT INTO plain VALUES ('0000-00-00', 1), ('2026-00-10', 1), (NULL, 2)")
+        assert monitor.score().undated == 3
+    session.close()

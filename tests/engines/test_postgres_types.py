@@ -248,3 +248,19 @@ def test_columns_that_postgres_cannot_hold(name: str) -> None:
         for odd in ({"é" * 32: [1]}, {"t": pa.array([2**62], pa.timestamp("s"))}):
             with pytest.raises(SourceError), contextlib.suppress(KeyError):
                 session.relation(pa.table(odd))
+
+
+def test_infinite_times_are_named_and_left_out(connection: Any) -> None:
+    connection.execute(
+        "CREATE TABLE odd AS SELECT TIMESTAMP '2026-03-02' + i * INTERVAL '1 minute' AS ts, "
+        "i % 7 AS value FROM generate_series(1, 300) AS r(i)"
+    )
+    connection.execute("INSERT INTO odd VALUES ('infinity', 1), ('-infinity', 2)")
+    given: dict[str, Any] = {"asset": None, "channel": None, "time": "ts"}
+    with gam_db.connect(url(connection.info.dbname)) as session:
+        pattern = r"2 without time \(2 an infinite time or no date of the calendar\)"
+        with pytest.raises(SourceError, match=pattern) as caught:
+            gam_db.support(Source("odd", **given), PARAMETERS, engine=session)
+        condition = str(caught.value).partition('where="')[2].partition('"')[0]
+        mended = Source("odd", **given, where=condition)
+        assert gam_db.support(mended, PARAMETERS, engine=session)["samples"].to_pylist() == [300]

@@ -706,6 +706,7 @@ OF_STATE = (
     *("staying_buckets", "staying_novel", "staying_judgements"),
     *("expired_runs", "expired_versions", "expired_supports"),
     *("expired_unplaced", "new_horizons", "expired_horizons", "last_proofs", "state_sizes"),
+    "validity",
 )
 
 

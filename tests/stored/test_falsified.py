@@ -65,6 +65,7 @@ MAY_DIFFER = {
         ("unplaced", column): "a record of what a run met then; nothing is computed from it"
         for column in (
             *("monitor_id", "started", "nameless", "undated", "strangers", "stranger_channels"),
+            *("held", "invalid", "held IS NULL", "invalid IS NULL"),
         )
     },
     **{

@@ -58,7 +58,8 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
             "NULL, 'counter', 0)"
         )
         connection.execute(
-            f"INSERT INTO gam_unplaced VALUES ({monitor}, 0, 1, 2, 3, 4), ({monitor}, 1, 1, 2, 3, 4)"
+            f"INSERT INTO gam_unplaced VALUES ({monitor}, 0, 1, 2, 3, 4, 5, 6), "
+            f"({monitor}, 1, 1, 2, 3, 4, NULL, NULL)"
         )
         connection.execute(
             f"INSERT INTO gam_left_out VALUES ({monitor}, 1, 'unknown', 'z', 'c', 3, 9), "

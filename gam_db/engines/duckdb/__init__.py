@@ -6,7 +6,7 @@ from sqlglot import exp
 
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, Texts, compare_by_bytes, formula
-from gam_db.engines.duckdb.reading import instant_of_text, number_of, retyped, seen_formats
+from gam_db.engines.duckdb.reading import instant_of_text, is_zoned, number_of, retyped, seen_formats
 from gam_db.engines.types import Types
 from gam_db.method.bits import Bits
 
@@ -47,6 +47,7 @@ ENGINE = Engine.named(
     "duckdb",
     types=Types("duckdb", (("TIMESTAMPTZ_NS", "TIMESTAMPTZ(9)"),)),
     texts=Texts(number_of, instant_of_text),
+    zoned=is_zoned,
     seen_formats=seen_formats,
     retyped=retyped,
     micros={

@@ -11,6 +11,7 @@ from gam_db.settings.form import SPACES, Form, number_pattern
 
 #: An hour, and behind it a zone.
 _ZONED = r"[0-9][T ][0-9].*(Z|[+-][0-9]{2}(:?[0-9]{2})?)\s*$"
+_IS_ZONED = "own.REGEXP_MATCHES(own.TRIM(:words), :zoned)"
 _INSTANT = """
     CASE WHEN own.REGEXP_MATCHES(own.TRIM(:words), :zoned)
     THEN own.MAKE_TIMESTAMP(own.EPOCH_US(TRY_CAST(own.TRIM(:words) AS TIMESTAMPTZ)))
@@ -38,6 +39,11 @@ def instant_of_text(words: exp.Expr, time_format: str | None) -> exp.Expr:
     if time_format is not None:
         return called("TRY_STRPTIME", called("TRIM", words), template.text(time_format))
     return formula(_INSTANT, words=words, zoned=template.text(_ZONED))
+
+
+def is_zoned(words: exp.Expr) -> exp.Expr:
+    """Return whether words tell times with their zones."""
+    return formula(_IS_ZONED, words=words, zoned=template.text(_ZONED))
 
 
 def is_csv_reader(relation: exp.Expr) -> bool:

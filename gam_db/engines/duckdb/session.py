@@ -56,11 +56,13 @@ class DuckSession(Session):
         ((path,),) = self.driver.asked("current_file")
         return None if path is None else Path(path)
 
-    def check_condition(self, relation: exp.Expr, condition: exp.Expr, shown: str) -> None:
+    def check_condition(
+        self, relation: exp.Expr, condition: exp.Expr, shown: str, called: str = "where"
+    ) -> None:
         """Try a user's condition on no row; from then on no other files are opened."""
         if self.driver.owned:
             self._shut()
-        super().check_condition(relation, condition, shown)
+        super().check_condition(relation, condition, shown, called)
 
     def write(self, query: exp.Query, path: Path, table: str) -> None:
         """Write the rows of a query as all sessions do.

@@ -1,10 +1,11 @@
-"""MariaDB 10.11 and later; times are DATETIME(6) in UTC, or integers."""
+"""MariaDB 10.11 and later; times are DATETIME(6) in UTC, TIMESTAMP, or integers."""
 
 from functools import partial
 
 from sqlglot import exp
 
-from gam_db.engines.base import Engine, compare_by_bytes, escape_by_backslash
+from gam_db.composing import template
+from gam_db.engines.base import Engine, called, compare_by_bytes, escape_by_backslash
 from gam_db.engines.storage import Storage
 from gam_db.engines.types import Types
 
@@ -34,9 +35,38 @@ def floor_to_double(tree: exp.Expr) -> exp.Expr:
     return tree
 
 
+#: Text literals are of the character set of the session, which has to be that of the collation.
+_NAMES = exp.Command(this="SET", expression="NAMES utf8mb4")
+
+_BLOCK = (
+    "BEGIN NOT ATOMIC IF EXISTS ({}) THEN SIGNAL SQLSTATE '45000' SET MESSAGE_TEXT = {}; END IF; END"
+)
+_OF_SESSION = (
+    "{column} is a TIMESTAMP, which each session reads in its own zone; make the script anew with "
+    "--time-kind 'timestamp with time zone'"
+)
+
+
+def guard(table: exp.Table, column: str) -> exp.Expr:
+    """Return what stops a script whose time column is a TIMESTAMP.
+
+    Cause: it is shown in the zone of the session. Symptom: a view gives other rows to a reader in
+    another zone than the one in which its tables were made.
+    """
+    schema = template.text(table.db) if table.db else called("DATABASE")
+    slots: dict[str, template.Slot] = {"schema": schema, "column": template.text(column)}
+    found = template.fill("export/timestamp_columns", {**slots, "table": template.text(table.name)})
+    said = template.text(_OF_SESSION.format(column=column))
+    texts = [node.sql(dialect="mysql") for node in (found, said)]
+    body = template.text(_BLOCK.format(*texts)).sql(dialect="mysql")
+    return exp.Command(this="EXECUTE", expression=f"IMMEDIATE {body}")
+
+
 ENGINE = Engine.named(
     "mariadb",
     types=Types("mysql"),
+    opening=(_NAMES,),
+    guard=guard,
     storage=Storage(
         comments="inside",
         view_comments=False,

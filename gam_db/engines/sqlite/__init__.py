@@ -10,7 +10,7 @@ from sqlglot import exp
 
 from gam_db.clock import SECOND, TimeKind
 from gam_db.composing import template
-from gam_db.engines.base import Engine
+from gam_db.engines.base import Engine, formula
 from gam_db.engines.storage import Storage
 from gam_db.engines.types import Types
 
@@ -47,6 +47,11 @@ def range_of(column: exp.Expr, earliest: int | None, latest: int | None) -> list
 def _day(micros: int) -> exp.Expr:
     epoch = dt.datetime(1970, 1, 1)
     return template.text((epoch + dt.timedelta(microseconds=micros)).date().isoformat())
+
+
+def is_zoned(words: exp.Expr) -> exp.Expr:
+    """Return whether texts tell times with their zones: a sign of one stands behind the day."""
+    return formula("own.SUBSTR(:words, 12) GLOB '*[Zz+-]*'", words=words)
 
 
 def glob_for_like(tree: exp.Expr) -> exp.Expr:
@@ -94,6 +99,7 @@ ENGINE = Engine.named(
     "sqlite",
     types=Affinities("sqlite"),
     range_of=range_of,
+    zoned=is_zoned,
     storage=Storage("none", index=True, adds_twice=False, replaces_views=False),
     rewrites=(glob_for_like,),
 )

@@ -18,6 +18,7 @@ from gam_db.engines.session import Session
 from gam_db.errors import wrong
 from gam_db.reading.ahead import Clock
 from gam_db.reading.preparing import prepared
+from gam_db.reading.undated import Undated, undated
 from gam_db.settings.source import AnySource, parsed_condition, under
 from gam_db.stored.planning import Row
 from gam_db.stored.planning.steps import DAY, plan_steps, searched_plan_steps
@@ -57,20 +58,31 @@ class Reader:
         self, assets: Sequence[str] | None = None, earliest: int = LONG_AGO, latest: int = FAR_AHEAD
     ) -> exp.Query:
         """Return the step *readings*, with literal bounds where there are any; no assets are all."""
-        return self._between(earliest, min(latest, self.clock.latest), assets)
+        latest = min(latest, self.clock.latest)
+        return self._engine.readings(self._of(assets), self._relation, self.kind, earliest, latest)
 
     def ahead(self) -> exp.Query:
         """Return the readings that are later than now; the bound serves where the engine can use it."""
-        return self._between(min(self.clock.latest, FAR_AHEAD - 1) + 1, FAR_AHEAD, None)
+        first = min(self.clock.latest, FAR_AHEAD - 1) + 1
+        return self._engine.readings(self._source, self._relation, self.kind, first)
 
-    def _between(self, earliest: int, latest: int, assets: Sequence[str] | None) -> exp.Query:
-        time = template.column(self._source.time)
-        conditions = self._engine.in_range(self.kind, time, earliest, latest)
+    def validity(self, earliest: int = LONG_AGO) -> exp.Query:
+        """Return the same from an instant on, the reading being 1 or 0: whether it is valid."""
+        asked = self._source, self._relation, self.kind
+        return self._engine.readings(*asked, earliest, validity=True)
+
+    @property
+    def has_validity(self) -> bool:
+        """Tell whether there is a condition under which readings count."""
+        return self._source.valid_when is not None
+
+    def _of(self, assets: Sequence[str] | None) -> AnySource:
+        """Return the source with the rows of some assets; None are all."""
         if assets is not None and self._source.asset is not None:
             named = exp.cast(template.column(self._source.asset), "VARCHAR")
             texts = [template.text(asset) for asset in assets]
-            conditions.append(exp.In(this=named, expressions=texts))
-        return self._under(conditions)
+            return under(self._source, exp.In(this=named, expressions=texts))
+        return self._source
 
     def is_empty(self) -> bool:
         """Tell whether the source holds nothing at all; that nothing is new is another matter."""
@@ -87,18 +99,14 @@ class Reader:
             column = exp.cast(template.column(name), "VARCHAR")
             conditions.append(exp.EQ(this=column, expression=template.text(names[name])))
         time = template.column(source.time)
-        conditions += self._engine.in_range(self.kind, time, earliest, latest)
+        conditions += self._engine.near(source, self.kind, earliest, latest)
         rows = exp.select("*").from_(self._relation.copy())
         where = under(source, *conditions).where
         return self._engine.text(rows.where(where).order_by(time.copy()), pretty=True)
 
-    def undated(self) -> exp.Query:
-        """Return the readings without a time."""
-        return self._under([exp.Is(this=template.column(self._source.time), expression=exp.null())])
-
-    def _under(self, conditions: Sequence[exp.Expr]) -> exp.Query:
-        source = under(self._source, *conditions)
-        return self._engine.readings(source, self._relation, self.kind)
+    def undated(self) -> Undated:
+        """Return how many rows of the source tell no time, and why."""
+        return undated(self._session, self._source, self._relation, self.kind, among_all=False)
 
 
 def plan_rows(state: State, monitor_id: int, lookback: int) -> list[Row]:

@@ -106,15 +106,24 @@ class Run:
         self.report.channels = self.groups.channels
         self.report.parked = len(plan.parked) - sum(len(cohort.channels) for cohort in back)
         self.report.ahead = rows_ahead(self.session, self.reader.ahead(), latest)
-        steps = Pipeline()
-        steps.add("readings", self.reader.undated())
-        add(steps, "stored/scoring/undated")
-        self.report.undated = int(self.session.rows(steps.query("undated"))[0]["undated"])
+        self.report.note_undated(self.reader.undated())
+        self._note_validity()
         if not dry_run:
             self.report.keep_unplaced(self.state, self.monitor, self.started)
             most = wanted.limit or self.session.rows_at_once()
             explain(self.state, self.reader, self.monitor["monitor_id"], rows, most)
         return self.report
+
+    def _note_validity(self) -> None:
+        """Count the rows of what was read for which the condition on readings does not hold."""
+        if not self.reader.has_validity or not self.report.ranges:
+            return
+        steps = Pipeline()
+        steps.add("readings", self.reader.validity(min(row["earliest"] for row in self.report.ranges)))
+        add(steps, "source/validity")
+        found = self.session.rows(steps.query("validity"))
+        self.report.held = sum(row["readings"] for row in found)
+        self.report.invalid = sum(row["invalid"] for row in found)
 
     def _plan(self) -> list[Row]:
         monitor_id = self.monitor["monitor_id"]

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from gam_db.columns import name_of
 from gam_db.composing import template
 from gam_db.reading.ahead import Clock
+from gam_db.reading.undated import Undated
 from gam_db.stored.planning import Row
 from gam_db.stored.state import State
 
@@ -53,9 +54,11 @@ class Report:
         unknown_channels: readings (of today) and latest (their newest time) of channels that have no
             calibration, by (asset, channel).
         nameless: rows of today without asset or channel.
-        undated: rows of the source without a time.
+        undated: rows of the source without a time; ``skipped`` of them tell a local time that does not
+            exist, between ``first_skipped`` and ``last_skipped``.
         ahead: a row per channel with rows that are later than now; see
             :func:`gam_db.reading.ahead.rows_ahead`. They were not read.
+        invalid: readings for which ``valid_when`` does not hold, of the ``held`` ones that were read.
         ranges: of each query: earliest instant, channels, rows in the range.
     """
 
@@ -66,6 +69,11 @@ class Report:
     nameless: int = 0
     undated: int = 0
     ahead: list[Row] = field(default_factory=list)
+    skipped: int = 0
+    first_skipped: int | None = None
+    last_skipped: int | None = None
+    held: int = 0
+    invalid: int = 0
     ranges: list[Row] = field(default_factory=list)
 
     def note_unknown(self, names: Sequence[Row], known: Container[tuple[str, str]]) -> None:
@@ -78,6 +86,11 @@ class Report:
                     name: row[name] for name in ("readings", "latest")
                 }
 
+    def note_undated(self, found: Undated) -> None:
+        """Note the rows that tell no time."""
+        self.undated, self.skipped = found.count, found.skipped
+        self.first_skipped, self.last_skipped = found.first_skipped, found.last_skipped
+
     def keep_unplaced(self, state: State, monitor: Row, started: int) -> None:
         """Append what a run gave to no channel or instant, and of which channels it left rows out."""
         counts = {
@@ -86,9 +99,10 @@ class Report:
             "strangers": sum(row["readings"] for row in self.unknown_channels.values()),
             "stranger_channels": len(self.unknown_channels),
         }
+        validity = {"held": self.held or None, "invalid": self.invalid if self.held else None}
         run = {"monitor_id": monitor["monitor_id"], "started": started}
         with state.session.transaction():
-            state.append_rows("unplaced", [{**run, **counts}])
+            state.append_rows("unplaced", [{**run, **counts, **validity}])
             if state.session.transactions:  # else pruning does it now and then
                 before = {"monitor": template.text(monitor["name"])}
                 expired = state.query("stored/pruning/expired_left_out", before)

@@ -1,6 +1,6 @@
 // The page of the fleet: a sentence, counts that filter, the heat map, and the list.
 import {D, FRAME, STATES, counts, machines, signals} from './data.js';
-import {brief, plural, share, shortly, ticks, unjudged, when, whole} from './words.js';
+import {brief, percent, plural, share, shortly, ticks, unjudged, when, whole} from './words.js';
 import {CALIBRATION, PAUSE, column, drawStrip, heat, rgb, stripInto, theme, byteOf, AT_LIMIT} from './colour.js';
 import {el, linkOf, named, showTip} from './dom.js';
 import {list as alarmList, markStrip} from './alarms.js';
@@ -21,6 +21,7 @@ export function heading() {
 export function foot() {
   const made = new Date(D.made / 1000).toISOString().slice(0, 16).replace('T', ' ');
   return el('footer', {class: 'note'}, `gam-db ${D.version}, monitor `, named(D.monitor), `, page made ${made} UTC.`,
+    D.validity ? ` ${percent(D.validity.invalid / D.validity.held)} of the ${plural(D.validity.held, 'reading')} of the newest run do not meet valid_when: missing samples.` : '',
     D.noRaw ? ` Raw readings are not in this file: ${D.noRaw}.` : '');
 }
 

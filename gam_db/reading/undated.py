@@ -1,0 +1,134 @@
+"""Rows that tell no time: how many there are, why, and the condition that leaves them out.
+
+This module owns what is asked of a source about that, and how it is said.
+"""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from sqlglot import exp
+
+from gam_db.clock import SECOND, TimeKind, shown_instant
+from gam_db.composing import template
+from gam_db.engines.base import Engine, formula
+from gam_db.engines.session import Session
+from gam_db.settings.source import AnySource, clock_of, parsed_condition, under
+
+#: A name that needs no quotes in a condition.
+_PLAIN = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+_HOUR = 3600 * SECOND
+
+
+@dataclass(frozen=True)
+class Undated:
+    """Rows of a source that tell no time; of local times also those that tell two.
+
+    Attributes:
+        absent: their time is NULL.
+        endless: it is there and is no instant: infinite, or 0000-00-00.
+        skipped: it is a local time that no clock of its zone shows, as clocks go forward.
+        first_skipped, last_skipped: the first and the last such time, as integer time; None for none.
+        twice: rows whose local time comes twice, as clocks go back; they are read.
+    """
+
+    absent: int
+    endless: int
+    skipped: int
+    first_skipped: int | None
+    last_skipped: int | None
+    twice: int
+
+    @property
+    def count(self) -> int:
+        """How many rows tell no time."""
+        return self.absent + self.endless + self.skipped
+
+    def causes(self, source: AnySource) -> str:
+        """Return why, in words."""
+        said = []
+        if self.absent:
+            said.append(f"{self.absent:,} NULL")
+        if self.endless:
+            said.append(f"{self.endless:,} an infinite time or no date of the calendar")
+        if self.skipped:
+            zone, (first, last) = source.source_time_zone, self._edges()
+            said.append(
+                f"{self.skipped:,} a local time that does not exist in {zone}, as clocks go forward: "
+                f"{first} to {last}"
+            )
+        return ", ".join(said)
+
+    def advice(self, source: AnySource) -> str:
+        """Return what to say instead of a zone whose clocks do not skip these times."""
+        clock = clock_of(source)
+        if not self.skipped or clock is None:
+            return ""
+        before = clock.pieces(latest=self.last_skipped or 0)
+        shift = next((piece.shift for piece in reversed(before) if piece.shift is not None), 0)
+        name = "UTC" if shift == 0 else f"Etc/GMT{-shift // _HOUR:+d}"
+        if shift % _HOUR:
+            return " A clock that keeps its time all year shows them: then say such a zone."
+        return f" A clock that keeps its time all year shows them: then say --source-time-zone {name}."
+
+    def condition(self, source: AnySource, engine: Engine) -> str:
+        """Return the condition that leaves these rows out, as ``where`` takes it on an engine."""
+        time = shown_column(source.time)
+        compared = engine.comparable.format(column=time)
+        said = [f"{time} IS NOT NULL"] if self.absent and not self.endless else []
+        said += [engine.dated.format(column=time)] if self.endless else []
+        for first, last in self._gaps(source):
+            edges = f">= TIMESTAMP '{_shown(first)}'", f"< TIMESTAMP '{_shown(last + 1)}'"
+            said.append(f"NOT ({compared} {edges[0]} AND {compared} {edges[1]})")
+        return " AND ".join(said)
+
+    def _gaps(self, source: AnySource) -> Iterator[tuple[int, int]]:
+        clock = clock_of(source)
+        if clock is None or self.first_skipped is None or self.last_skipped is None:
+            return
+        for first, last in clock.skipped():
+            if first <= self.last_skipped and last >= self.first_skipped:
+                yield first, last
+
+    def _edges(self) -> tuple[str, str]:
+        return _shown(self.first_skipped or 0), _shown(self.last_skipped or 0)
+
+
+def undated(
+    session: Session, source: AnySource, relation: exp.Expr, kind: TimeKind, among_all: bool = True
+) -> Undated:
+    """Return how many rows of a source tell no time, and why.
+
+    Args:
+        session: an open session.
+        source: the source.
+        relation: the node that reads it.
+        kind: how it tells time.
+        among_all: count the local times that come twice, too, for which all rows are looked at.
+    """
+    engine = session.engine
+    if not among_all:
+        time = template.column(source.time)
+        suspect = [formula(engine.timeless if not kind.is_counter else ":time IS NULL", time=time)]
+        clock = clock_of(source)
+        for edges in () if clock is None else clock.skipped():
+            suspect.append(exp.and_(*engine.in_range(kind, time, *edges)))
+        source = under(source, exp.paren(exp.or_(*suspect)))
+    (row,) = session.rows(engine.undated(source, relation, kind))
+    return Undated(**row)
+
+
+def without(source: AnySource, *conditions: str) -> str:
+    """Return the user's condition and further ones, as ``where`` takes them."""
+    said = [] if source.where is None else [parsed_condition(source.where).sql("duckdb")]
+    return " AND ".join([*said, *conditions])
+
+
+def shown_column(name: str) -> str:
+    """Return the name of a column as a condition can hold it, in quotes where it needs them."""
+    return name if _PLAIN.fullmatch(name) else exp.to_identifier(name, quoted=True).sql("duckdb")
+
+
+def _shown(micros: int) -> str:
+    """Return a local time to the second."""
+    return shown_instant(micros, TimeKind.TIMESTAMP).replace("T", " ").partition(".")[0]
