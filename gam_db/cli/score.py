@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pyarrow as pa
-import pyarrow.compute as pc
 
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
@@ -13,7 +12,8 @@ from gam_db.cli.config import Settings
 from gam_db.cli.job import heading, place, watched
 from gam_db.cli.options import argument, option
 from gam_db.cli.progress import working
-from gam_db.cli.status import judging, raised
+from gam_db.cli.status import both_lists, judging, raised
+from gam_db.cli.status import watched as watched_of
 from gam_db.clock import LONG_AGO, TimeKind, instant, shown_instant
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, need_attention
@@ -24,6 +24,7 @@ from gam_db.stored.schema.copying import copy
 from gam_db.stored.scoring.report import Report
 from gam_db.stored.sources import relation_of
 from gam_db.stored.state import kind_of
+from gam_db.stored.status import assessed
 
 
 @dataclass(frozen=True)
@@ -57,9 +58,10 @@ def score(
 ) -> None:
     """Score what is new since the last run, and what came late, of every calibrated channel.
 
-    It can be run at any time, and again after a crash: what is stored is then the same. Exit code 2
-    means what it does in `gam status`: an episode needs attention, or an indicator is above its limit
-    where a channel has none for judgements, or a calibration is not good enough.
+    It can be run at any time, and again after a crash: what is stored is then the same. Exit codes 2 and
+    4 mean what they do in `gam status`: an episode needs attention, or an indicator is above its limit
+    where a channel has none for judgements, or a calibration is not good enough; else something of the
+    data has to be mended, or no channel is watched.
     """
     if dry_run and copy_to is not None:
         raise ConfigurationError("--dry-run writes nothing; leave out --copy.")
@@ -69,13 +71,14 @@ def score(
         monitor, known = watched(session, settings, relation)
         kind = kind_of(known)
         run = monitor.score(**scope.of(kind), dry_run=dry_run, on_step=on_step)
-        status = None if dry_run else monitor.status()
+        asked = (monitor.state, settings.monitor.name)
+        met, silence = run.unknown_channels, settings.monitor.park_after
+        status, problems = (None, None) if dry_run else assessed(*asked, silence, met=met)
         if copy_to is not None:
             on_step(f"copying to {copy_to}")
             copy(session, monitor.tables, copy_to)
         # Only a settings file can say that channels are to be calibrated otherwise.
         is_said = settings.parameters or settings.calibration or settings.overrides
-        asked = (monitor.state, settings.monitor.name)
         others = differing(*asked, *settings.method()) if is_said else []
     urgent = status is not None and need_attention(status.to_pylist())
     figures = {
@@ -83,13 +86,15 @@ def score(
         "source": shown_relation(relation or relation_of(known)),
         "dry_run": dry_run,
         **_figures(run, kind, status),
+        **({} if status is None or problems is None else both_lists(status, problems)),
         "other_settings": [{"asset": asset, "channel": channel} for asset, channel in others],
         "copy": copy_to,
-        "needs_attention": urgent,
     }
+    lacking = problems is not None and problems.num_rows > 0
 
     def show(out: page.Out) -> None:
-        page.say(out, f"{heading(settings)}: {printable(figures['source'])}")
+        counted = "" if status is None else f": {watched_of(status)} watched"
+        page.say(out, f"{heading(settings)}, from {printable(figures['source'])}{counted}")
         if dry_run:
             columns: dict[str, page.Cell] = {
                 "from": lambda row: str(row["earliest"] or "the beginning"),
@@ -98,8 +103,11 @@ def score(
             }
             page.table(out, figures["ranges"], columns)
         page.say(out, *_lines(figures, status, settings.file))
+        if problems is not None and problems.num_rows:
+            out.print()
+            page.problems(out, problems, False)
 
-    page.tell(figures, show, common, urgent=urgent)
+    page.tell(figures, show, common, urgent=urgent, lacking=lacking)
 
 
 def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:
@@ -108,8 +116,6 @@ def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:
     def told(rows: Sequence[Row], *times: str) -> list[Row]:
         return [{**row, **{name: _told(row[name], kind) for name in times}} for row in rows]
 
-    late = None if status is None else status.filter(pc.greater(status["differing_contexts"], 0))
-    since = None if status is None else pc.min(status["repair_from"].cast(pa.int64())).as_py()
     of_channels = ["asset", "channel", "status", "hi", "hi_limit", "limit_reason", "last_time"]
     return {
         "totals": {
@@ -127,7 +133,6 @@ def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:
         ],
         "rows_without_name": run.nameless,
         "rows_without_time": run.undated,
-        "late": {"channels": 0 if late is None else len(late), "repair_from": _told(since, kind)},
         "status": [] if status is None else status.select(of_channels),
         **({} if status is None else raised(status)),
     }
@@ -140,13 +145,13 @@ def _told(tick: int | None, kind: TimeKind) -> int | str | None:
 
 
 def _lines(figures: Row, status: pa.Table | None, file: Path | None) -> Iterator[str]:
-    totals, others, late = figures["totals"], figures["other_settings"], figures["late"]
+    totals, others = figures["totals"], figures["other_settings"]
     read = f"{number_of(totals['channels'], 'channel')}, {number_of(totals['rows'], 'row')}"
     if status is None:
         yield f"would read {read}; nothing was written"
     else:
         yield f"read {read}; wrote {number_of(totals['buckets'], 'bucket')}, new or anew"
-    unknown = figures["not_calibrated"]
+    unknown = figures["not_calibrated"] if status is None else ()  # else it is a data problem
     of_unknown = number_of(sum(row["rows"] for row in unknown), "row")
     for name, count, thing, named in (
         ("moved", figures["moved"], "channel", ()),
@@ -154,19 +159,15 @@ def _lines(figures: Row, status: pa.Table | None, file: Path | None) -> Iterator
         ("not_calibrated", len(unknown), "channel", unknown),
         ("rows_without_name", figures["rows_without_name"], "row", ()),
         ("rows_without_time", figures["rows_without_time"], "row", ()),
-        ("late", late["channels"], "channel", ()),
         ("other_settings", len(others), "channel", others),
     ):
         if count:
             names = page.some(sorted(printable(f"{row['asset']} {row['channel']}") for row in named))
-            more = {"rows": of_unknown, "since": late["repair_from"], "file": file, "names": names}
+            more = {"rows": of_unknown, "file": file, "names": names}
             yield page.WORDS["score"][name].format(count=number_of(count, thing), **more)
     if figures["copy"] is not None:
         yield f"copied to {figures['copy']}"
     if status is None:
         return
-    if set(status["verdict"].to_pylist()) <= {"no_data"}:
-        yield "no channel has a calibration, so nothing is watched; run gam calibrate"
-    else:
-        yield f"channels: {page.counted(status.to_pylist())}; gam status shows them"
+    yield f"channels: {page.counted(status.to_pylist())}; gam status shows them"
     yield from judging(status)

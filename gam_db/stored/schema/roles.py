@@ -33,7 +33,10 @@ _COUNTING = (
 )
 
 #: What the status is made of.
-_STATUS = ("migration", "monitor", "proof", "visible_bucket", "fleet", "stillness")
+_STATUS = (
+    *("migration", "monitor", "proof", "visible_bucket", "fleet", "stillness"),
+    *("finished_run", "unplaced"),
+)
 
 #: The views that are for whoever reads on, and what other commands of a reader take.
 _SHOWN = (
