@@ -108,10 +108,14 @@ def at_end(row: Row, still_since: int | None, kind: TimeKind) -> list[str]:
         remarks.append("silent: no data was ever found")
     elif row["silent"]:
         remarks.append(f"silent: {shown_length(row['behind'], kind)} behind the newest data")
-    if still_since is not None:
-        since = shown_instant(still_since, kind)
-        remarks.append(f"stands still since {since}{'' if kind.is_counter else ' UTC'}")
-    return remarks
+    return remarks + standing(still_since, kind)
+
+
+def standing(still_since: int | None, kind: TimeKind) -> list[str]:
+    """Return what is to be said of a signal that stands still since an instant; nothing for None."""
+    if still_since is None:
+        return []
+    return [f"stands still since {shown_instant(still_since, kind)}{'' if kind.is_counter else ' UTC'}"]
 
 
 def finding(row: Row, span: int, window: int, course: Course | None) -> Row:
@@ -140,9 +144,14 @@ def finding(row: Row, span: int, window: int, course: Course | None) -> Row:
 
 
 def need_attention(rows: Iterable[Row]) -> bool:
-    """Tell whether a recording needs attention: a channel of it does, or none is watched."""
-    known = {(row["needs_attention"], row["verdict"]) for row in rows}
-    return any(urgent for urgent, _ in known) or {verdict for _, verdict in known} <= {"no_data"}
+    """Tell whether a channel needs attention."""
+    return any(row["needs_attention"] for row in rows)
+
+
+def lack_data(rows: Iterable[Row]) -> bool:
+    """Tell whether a channel has no calibration for want of data, or no channel at all can be judged."""
+    verdicts = {row["verdict"] for row in rows}
+    return "no_data" in verdicts or verdicts <= {"constant"}
 
 
 def by_channel(rows: pa.Table) -> dict[tuple[str, str], slice]:

@@ -18,7 +18,7 @@ from gam_db.cli.progress import working
 from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, printable, wrong
-from gam_db.findings import Row, need_attention, share, shortcomings
+from gam_db.findings import Row, lack_data, need_attention, share, shortcomings
 from gam_db.reading.guess import SourceSettings, folder_or_table
 from gam_db.settings.source import AnySource, WideSource, is_file, shown_relation, slashed
 from gam_db.stored.monitor import Monitor
@@ -35,8 +35,8 @@ def calibrate(
 
     A channel gets a new version if it has none with these settings; nothing is forgotten. Which source
     is watched is kept, so later calls, and `gam score`, need no SOURCE. State tables are made where
-    there are none. Exit code 2: a new version is not good enough to be watched (too_fine, needs_data),
-    or none of them has any calibration.
+    there are none. Exit code 2: a new version is not good enough to be watched (too_fine, needs_data).
+    Where none is, exit code 4: one has no usable reading in calibration, or none can be judged.
     """
     tables, relation = settings.monitor.tables, settings.source.relation
     is_folder = isinstance(relation, str) and Path(relation).is_dir()
@@ -53,7 +53,7 @@ def calibrate(
             with Monitor(session, *asked, **vars(settings.monitor)) as monitor:
                 applied = monitor.migrate() if is_new else []
                 rows = monitor.calibrate(again, on_step=on_step).to_pylist()
-    urgent = bool(rows) and need_attention(rows)
+    urgent, lacking = need_attention(rows), bool(rows) and lack_data(rows)
 
     def show(out: page.Out) -> None:
         if applied:
@@ -70,7 +70,7 @@ def calibrate(
         "verdicts": Counter(row["verdict"] for row in rows),
         "needs_attention": urgent,
     }
-    page.tell(figures, show, common, urgent=urgent)
+    page.tell(figures, show, common, urgent=urgent, lacking=lacking)
 
 
 @contextlib.contextmanager
@@ -175,7 +175,7 @@ def _show(out: page.Out, where: str, job: Job, rows: Sequence[Row], everything: 
         machines = page.some(sorted({printable(row["asset"]) for row in less}), 3)
         page.say(out, f"left out of calibration, as true_fault or maintenance: {spans} of {machines}")
     page.say(out, *page.advice(rows))
-    if not need_attention(rows):
+    if not need_attention(rows) and not lack_data(rows):
         page.say(out, "nothing needs attention")
     if any(row["verdict"] != "no_data" for row in rows):
         page.say(out, "gam score now brings the health indicator up to date")

@@ -12,6 +12,7 @@ class Exit(IntEnum):
     USER_ERROR = 1
     ATTENTION = 2
     OUR_FAULT = 3
+    DATA = 4
     RUN_AGAIN = 75
     INTERRUPTED = 130
 

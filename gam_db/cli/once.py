@@ -27,7 +27,7 @@ from gam_db.clock import SINCE_1970, epoch_unit, shown_instant, zone
 from gam_db.engines.connecting import connect
 from gam_db.engines.duckdb.files import SOURCE_MARK
 from gam_db.errors import ConfigurationError, printable, wrong
-from gam_db.findings import Row, findings, need_attention
+from gam_db.findings import Row, findings, lack_data, need_attention
 from gam_db.reading.ahead import ahead_sentences
 from gam_db.report import Wishes
 from gam_db.settings.source import FILE_ENDINGS, is_file, paths_of
@@ -58,8 +58,9 @@ def run(
     after calibration; or, where calibration gave no limit of judgements, if its indicator is above its
     limit, the largest of twice the floor, the highest block of calibration and --target-floor; or if its
     calibration is not good enough to be watched (too_fine, needs_data, or no fair sample of what
-    followed). Constant channels and channels without calibration never raise an alarm; exit code 2 also
-    says that no channel at all has a calibration. By another --estimator there is an indicator (written
+    followed). Constant channels and channels without calibration never raise an alarm; where no channel
+    needs attention, exit code 4 says that one has no usable reading in calibration, or that none can be
+    judged. By another --estimator there is an indicator (written
     to SOURCE.NAME.parquet) but no verdict.
     """
     shown_in = zone(common.time_zone)
@@ -85,7 +86,7 @@ def run(
             if others is None:
                 longest = park_after(settings.monitor.park_after, study.method.kind)
                 found = findings(study, settings.alarms, longest)
-                urgent = need_attention(found)
+                urgent, lacking = need_attention(found), lack_data(found)
                 told = {
                     "channels": [{**row, "course": page.thinned(row["course"])} for row in found],
                     "verdicts": Counter(row["verdict"] for row in found),
@@ -95,7 +96,7 @@ def run(
                 shows = partial(show, job=job, found=found, everything=everything, shown_in=shown_in)
             else:
                 others.add_estimator(study, estimator)
-                rows, urgent = study.rows("last_scores"), False
+                rows, urgent, lacking = study.rows("last_scores"), False, False
                 told = {"estimator": estimator, "channels": rows}
                 asked = {"estimator": estimator, "rows": rows, "everything": everything}
                 shows = partial(others.show_scores, job=job, **asked)
@@ -103,6 +104,7 @@ def run(
             shows(page.console())
             page.say(page.console(), *ahead_sentences(study.ahead, len(told["channels"]), study.clock))
         told["ahead"] = ahead_of(study)
+        lacking = lacking or bool(study.ahead)
         with Progress(session, common.quiet) as progress:
             for result in results:
                 progress.on_step(f"writing {result}")
@@ -116,7 +118,9 @@ def run(
         for one in written:
             lines.print(f"written: {printable(one)}", soft_wrap=True)
 
-    page.tell({**job.figures(), **told, "written": written}, show_written, common, urgent)
+    page.tell(
+        {**job.figures(), **told, "written": written}, show_written, common, urgent, lacking=lacking
+    )
 
 
 def ahead_of(study: Study) -> list[Row]:
@@ -172,7 +176,7 @@ def show(
         for row in found
     ):
         page.say(out, f"{number_of(beyond, 'channel')} of {SENTENCES['beyond']}")
-    if not need_attention(found):
+    if not need_attention(found) and not lack_data(found):
         page.say(out, "nothing needs attention")
     page.say(out, page.legend(found, everything))
 

@@ -65,9 +65,14 @@ def tell(
     common: Common,
     urgent: bool = False,
     failed: bool = False,
+    lacking: bool = False,
 ) -> None:
-    """Print a page, with --json its figures, with --quiet nothing, and end with an exit code."""
-    code = Exit.OUR_FAULT if failed else Exit.ATTENTION if urgent else Exit.FINE
+    """Print a page, with --json its figures, with --quiet nothing, and end with an exit code.
+
+    A machine that needs attention (``urgent``) comes before data that has to be mended (``lacking``).
+    """
+    code = Exit.ATTENTION if urgent else Exit.DATA if lacking else Exit.FINE
+    code = Exit.OUR_FAULT if failed else code
     if common.as_json:
         print_json({"version": gam_db.__version__, **figures, "exit_code": int(code)})
     elif not common.quiet:
@@ -269,6 +274,18 @@ def remarks(out: Console, said: Iterable[tuple[str, Iterable[str]]], everything:
         out.print()
         told_of = ((some(names, of=len(told)), remark) for remark, names in found.items())
         notes(out, (("-", f"{names}: {remark}") for names, remark in told_of))
+
+
+def problems(out: Console, told: pa.Table, everything: bool) -> None:
+    """Print data problems (:meth:`gam_db.Monitor.data_problems`), each with what to do."""
+    rows = told.to_pylist()
+    if not rows:
+        return
+    out.print(Text(f"data problems: {len(rows):,}", style="bold"))
+    shown = rows if everything else rows[:SHOWN]
+    notes(out, (("-", f"{row['sentence']}. {row['advice']}") for row in shown))
+    kinds = Counter(row["kind"] for row in rows[SHOWN:])
+    cut(out, rows, everything, lambda _: ", ".join(f"{count:,} {kind}" for kind, count in kinds.items()))
 
 
 def name_in(rows: Sequence[Mapping[str, Any]]) -> Callable[[Mapping[str, Any]], str]:

@@ -64,7 +64,8 @@ def page_of(
 ) -> dict[str, Any]:
     """Write the page of a source: calibrated and scored in memory, then forgotten."""
     with connect() as session:
-        monitor = Monitor(session, source, *method)
+        # A recording ended when it did: no channel of it is silent by the clock of today.
+        monitor = Monitor(session, source, *method, park_after=False)
         monitor.migrate()
         monitor.calibrate(on_step=on_step)
         monitor.score(on_step=on_step)

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pyarrow as pa
-import pyarrow.compute as pc
 
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
@@ -13,7 +12,8 @@ from gam_db.cli.config import Settings
 from gam_db.cli.job import heading, place, watched
 from gam_db.cli.options import argument, option
 from gam_db.cli.progress import working
-from gam_db.cli.status import judging, raised, validity
+from gam_db.cli.status import both_lists, judging, raised, validity
+from gam_db.cli.status import watched as watched_of
 from gam_db.clock import LONG_AGO, TimeKind, instant, shown_instant
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, need_attention
@@ -25,6 +25,7 @@ from gam_db.stored.schema.copying import copy
 from gam_db.stored.scoring.report import Report
 from gam_db.stored.sources import relation_of
 from gam_db.stored.state import kind_of
+from gam_db.stored.status import assessed
 
 
 @dataclass(frozen=True)
@@ -58,9 +59,10 @@ def score(
 ) -> None:
     """Score what is new since the last run, and what came late, of every calibrated channel.
 
-    It can be run at any time, and again after a crash: what is stored is then the same. Exit code 2
-    means what it does in `gam status`: an episode needs attention, or an indicator is above its limit
-    where a channel has none for judgements, or a calibration is not good enough.
+    It can be run at any time, and again after a crash: what is stored is then the same. Exit codes 2 and
+    4 mean what they do in `gam status`: an episode needs attention, or an indicator is above its limit
+    where a channel has none for judgements, or a calibration is not good enough; else something of the
+    data has to be mended, or no channel is watched.
     """
     if dry_run and copy_to is not None:
         raise ConfigurationError("--dry-run writes nothing; leave out --copy.")
@@ -70,13 +72,14 @@ def score(
         monitor, known = watched(session, settings, relation)
         kind = kind_of(known)
         run = monitor.score(**scope.of(kind), dry_run=dry_run, on_step=on_step)
-        status = None if dry_run else monitor.status()
+        asked = (monitor.state, settings.monitor.name)
+        silence = settings.monitor.park_after
+        status, problems = (None, None) if dry_run else assessed(*asked, silence)
         if copy_to is not None:
             on_step(f"copying to {copy_to}")
             copy(session, monitor.tables, copy_to)
         # Only a settings file can say that channels are to be calibrated otherwise.
         is_said = settings.parameters or settings.calibration or settings.overrides
-        asked = (monitor.state, settings.monitor.name)
         others = differing(*asked, *settings.method()) if is_said else []
     urgent = status is not None and need_attention(status.to_pylist())
     figures = {
@@ -84,13 +87,15 @@ def score(
         "source": shown_relation(relation or relation_of(known)),
         "dry_run": dry_run,
         **_figures(run, kind, status),
+        **({} if status is None or problems is None else both_lists(status, problems)),
         "other_settings": [{"asset": asset, "channel": channel} for asset, channel in others],
         "copy": copy_to,
-        "needs_attention": urgent,
     }
+    lacking = problems is not None and problems.num_rows > 0
 
     def show(out: page.Out) -> None:
-        page.say(out, f"{heading(settings)}: {printable(figures['source'])}")
+        counted = "" if status is None else f": {watched_of(status)} watched"
+        page.say(out, f"{heading(settings)}, from {printable(figures['source'])}{counted}")
         if dry_run:
             columns: dict[str, page.Cell] = {
                 "from": lambda row: str(row["earliest"] or "the beginning"),
@@ -99,8 +104,11 @@ def score(
             }
             page.table(out, figures["ranges"], columns)
         page.say(out, *_lines(figures, run, status, settings.file))
+        if problems is not None and problems.num_rows:
+            out.print()
+            page.problems(out, problems, False)
 
-    page.tell(figures, show, common, urgent=urgent)
+    page.tell(figures, show, common, urgent=urgent, lacking=lacking)
 
 
 def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:
@@ -109,8 +117,6 @@ def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:
     def told(rows: Sequence[Row], *times: str) -> list[Row]:
         return [{**row, **{name: _told(row[name], kind) for name in times}} for row in rows]
 
-    late = None if status is None else status.filter(pc.greater(status["differing_contexts"], 0))
-    since = None if status is None else pc.min(status["repair_from"].cast(pa.int64())).as_py()
     of_channels = ["asset", "channel", "status", "hi", "hi_limit", "limit_reason", "last_time"]
     return {
         "totals": {
@@ -134,7 +140,6 @@ def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:
             "last": _told(run.last_skipped, kind),
         },
         "valid_when": {"held": run.held, "invalid": run.invalid},
-        "late": {"channels": 0 if late is None else len(late), "repair_from": _told(since, kind)},
         "status": [] if status is None else status.select(of_channels),
         **({} if status is None else raised(status)),
     }
@@ -147,14 +152,17 @@ def _told(tick: int | None, kind: TimeKind) -> int | str | None:
 
 
 def _lines(figures: Row, run: Report, status: pa.Table | None, file: Path | None) -> Iterator[str]:
-    totals, others, late = figures["totals"], figures["other_settings"], figures["late"]
+    totals, others = figures["totals"], figures["other_settings"]
     read = f"{number_of(totals['channels'], 'channel')}, {number_of(totals['rows'], 'row')}"
     if status is None:
         yield f"would read {read}; nothing was written"
     else:
         yield f"read {read}; wrote {number_of(totals['buckets'], 'bucket')}, new or anew"
-    yield from ahead_sentences(run.ahead, len(status) if status is not None else 0, run.clock)
-    unknown, skipped = figures["not_calibrated"], figures["rows_skipped_by_clock"]
+    unknown: Sequence[Row] = ()  # of a run, they and rows that are ahead are data problems
+    if status is None:
+        yield from ahead_sentences(run.ahead, 0, run.clock)
+        unknown = figures["not_calibrated"]
+    skipped = figures["rows_skipped_by_clock"]
     of_unknown = number_of(sum(row["rows"] for row in unknown), "row")
     for name, count, thing, named in (
         ("parked", figures["parked"], "channel", ()),
@@ -162,12 +170,11 @@ def _lines(figures: Row, run: Report, status: pa.Table | None, file: Path | None
         ("rows_without_name", figures["rows_without_name"], "row", ()),
         ("rows_without_time", figures["rows_without_time"] - skipped["rows"], "row", ()),
         ("rows_skipped", skipped["rows"], "row", ()),
-        ("late", late["channels"], "channel", ()),
         ("other_settings", len(others), "channel", others),
     ):
         if count:
             names = page.some(sorted(printable(f"{row['asset']} {row['channel']}") for row in named))
-            more = {"rows": of_unknown, "since": late["repair_from"], "file": file, "names": names}
+            more = {"rows": of_unknown, "file": file, "names": names}
             more |= {"first": skipped["first"], "last": skipped["last"]}
             yield page.WORDS["score"][name].format(count=number_of(count, thing), **more)
     yield from validity(figures["valid_when"])
@@ -175,8 +182,5 @@ def _lines(figures: Row, run: Report, status: pa.Table | None, file: Path | None
         yield f"copied to {figures['copy']}"
     if status is None:
         return
-    if set(status["verdict"].to_pylist()) <= {"no_data"}:
-        yield "no channel has a calibration, so nothing is watched; run gam calibrate"
-    else:
-        yield f"channels: {page.counted(status.to_pylist())}; gam status shows them"
+    yield f"channels: {page.counted(status.to_pylist())}; gam status shows them"
     yield from judging(status)

@@ -14,7 +14,6 @@ from gam_db.cli.options import option
 from gam_db.clock import TimeKind, instant, shown_instant, shown_length, zone
 from gam_db.errors import ConfigurationError, printable
 from gam_db.findings import Row, need_attention, share
-from gam_db.settings.parameters import pattern_matches
 from gam_db.stored import status as stored_status
 from gam_db.stored.checking.proving import Proof
 from gam_db.stored.state import State
@@ -27,25 +26,25 @@ ASSETS = 20
 def status(
     settings: Settings, common: options.Common, asset: str | None = option("status.asset")
 ) -> None:
-    """Say how every channel is: verdict, floor, indicator, trend, and what is wrong with its data.
+    """Say how every channel is: verdict, floor, indicator, trend; and apart what is wrong with the data.
 
     It reads the state in the database, not the source; of assets, it prints the 20 most urgent unless
     there is --all. A channel needs attention (exit code 2) if an episode of it does (`gam alarms`),
     where it has a limit (`gam limits`), else if its indicator is above its limit; and if its calibration
-    is not good enough.
+    is not good enough. Where none does, exit code 4 says that something of the data has to be mended, or
+    that no channel is watched.
     """
     name, silence, shown_in = settings.monitor.name, settings.monitor.park_after, zone(common.time_zone)
     with options.opened(settings, writable=False) as session:
         state = State(session, settings.monitor.tables)
-        channels = stored_status.status(state, name, silence)
+        seen = stored_status.assessed(state, name, silence, shown_in=shown_in)
         proof = stored_status.proved(state, name)
         held = stored_status.validity(state, name)
-    unheard = stored_status.unheard_for(channels, silence, dt.datetime.now(dt.UTC))
     if asset is not None:
-        named = [pattern_matches(asset, one) for one in channels["asset"].to_pylist()]
-        if not any(named):
+        seen = seen.of_assets(asset)
+        if not seen.channels.num_rows:
             raise ConfigurationError(f"No asset of this monitor is called like {asset!r}.")
-        channels = channels.filter(pa.array(named))
+    channels, problems = seen
     proved = None
     if proof is not None:
         proved = vars(proof) | {"proved_at": shown_instant(proof.proved_at, TimeKind.TIMESTAMP)}
@@ -53,35 +52,35 @@ def status(
     urgent, assets = need_attention(channels.to_pylist()), stored_status.by_asset(channels)
     figures = {
         **place(settings),
-        "no_data_for_seconds": None if unheard is None else unheard / 1e6,
         "proved": proved,
         "channels": channels,
         "assets": assets,
         **raised(channels),
         "valid_when": held,
-        "needs_attention": urgent,
+        **both_lists(channels, problems),
     }
 
     def show(out: page.Out) -> None:
         newest = page.time_text(pc.max(channels["last_data"]).as_py(), shown_in, named=True)
         rows = channels.to_pylist()
-        page.say(out, f"{heading(settings)}: {page.amount(rows)}, newest data {newest}")
-        if unheard is not None:
-            length = shown_length(unheard, TimeKind.TIMESTAMP)
-            page.say(out, f"no data at all for {length}: is the source filled, and is gam score run?")
+        counted = f"{watched(channels)} watched, of {number_of(len(assets), 'asset')}"
+        page.say(out, f"{heading(settings)}: {counted}, newest data {newest}")
         page.say(out, _proof(proof, dt.datetime.now(dt.UTC)), *validity(held))
         out.print()
         if not rows:
-            page.say(out, "no channel is calibrated yet; run gam calibrate")
+            page.problems(out, problems, common.everything)
             return
         page.channels(out, common.of(rows), "last_data", "of late", shown_in, common.everything)
         page.cut(out, rows, common.everything, page.counted)
         out.print()
         if len(assets) > 1:
             _show_assets(out, assets.to_pylist(), common)
+        if problems.num_rows:
+            page.problems(out, problems, common.everything)
+            out.print()
         page.say(out, *_summary(channels, common.everything))
 
-    page.tell(figures, show, common, urgent=urgent)
+    page.tell(figures, show, common, urgent=urgent, lacking=problems.num_rows > 0)
 
 
 def _proof(proof: Proof | None, now: dt.datetime) -> str:
@@ -113,17 +112,38 @@ def _show_assets(out: page.Out, rows: Sequence[Row], common: options.Common) -> 
 
 def _summary(channels: pa.Table, everything: bool) -> Iterator[str]:
     yield "channels: " + page.counted(channels.to_pylist())
-    if silent := pc.sum(channels["silent"]).as_py():
-        yield f"silent: {silent:,}"
-    if differing := pc.sum(pc.greater(channels["differing_contexts"], 0)).as_py():
-        since = pc.min(channels["repair_from"]).as_py()
-        since = since.isoformat() if isinstance(since, dt.datetime) else since
-        yield page.WORDS["state"]["late"].format(count=differing, since=since)
-    if changed := pc.sum(pc.not_equal(channels["calibration_rows_added"], 0)).as_py():
-        yield f"{changed:,} with calibration data that changed; gam calibrate --again learns it anew"
+    if fewer := pc.sum(pc.less(channels["calibration_rows_added"], 0)).as_py():
+        yield f"{fewer:,} of whose calibration the source holds fewer rows than were learnt"
     rows = channels.select(["remarks"]).to_pylist()
     yield f"{page.legend(rows, everything)} Trend: HI now less HI a window earlier."
     yield from judging(channels)
+
+
+def watched(channels: pa.Table) -> str:
+    """Return how many channels are watched, of how many: 21 of 75."""
+    return f"{pc.sum(channels['watched']).as_py() or 0:,} of {number_of(len(channels), 'channel')}"
+
+
+def both_lists(channels: pa.Table, problems: pa.Table) -> Row:
+    """Return what --json prints of a monitor: channels that need attention, and data problems."""
+    names = [
+        "asset",
+        "channel",
+        "status",
+        "hi",
+        "hi_limit",
+        "episode",
+        "onset",
+        "limit_reason",
+        "remarks",
+    ]
+    urgent = channels.filter(channels["needs_attention"])
+    return {
+        "watched": pc.sum(channels["watched"]).as_py() or 0,
+        "needs_attention": len(urgent) > 0,
+        "attention": urgent.select(names),
+        "data_problems": problems,
+    }
 
 
 def raised(status: pa.Table) -> Row:

@@ -49,6 +49,9 @@ _OF_ALARM |= {"id": "episode_id", "proving": "is_proving"}
 _OF_MACHINE = {name: name for name in ("asset", "signals", "judged", "above", "together")}
 _OF_MACHINE["notJudged"] = "not_judged"
 
+#: What is told of each data problem.
+_OF_PROBLEM = ("kind", "asset", "channel", "sentence", "advice")
+
 #: A place of the frame that is filled.
 _PLACE = re.compile(r"\{\{([a-z-]+)\}\}")
 
@@ -87,6 +90,17 @@ class Wishes:
         zone(self.time_zone)
 
 
+@dataclass(frozen=True)
+class Lacking:
+    """How many signals are watched (None where that is not known), and what is wrong with the data.
+
+    A problem has kind, asset, channel, sentence and advice; see :meth:`gam_db.Monitor.data_problems`.
+    """
+
+    watched: int | None = None
+    problems: Sequence[Row] = ()
+
+
 def write(
     state: Reads,
     source: AnySource | None,
@@ -95,10 +109,12 @@ def write(
     path: str | Path,
     wishes: Wishes | None = None,
     on_step: Listener = unheard,
+    lacking: Lacking = Lacking(),
 ) -> Row:
     """Write the page of a monitor as one HTML file, which needs nothing else and replaces what is there.
 
-    Without a source of its telemetry, raw readings are left out.
+    Without a source of its telemetry, raw readings are left out. What its data lacks stands apart from
+    what its machines do.
 
     Returns:
         Figures: path, bytes, machines, signals, details, above, new, and raw: why raw readings are not
@@ -158,6 +174,8 @@ def write(
         "machine": [place_of[row["asset"]] for row in signals],
         "signals": {name: [one[name] for one in said] for name in said[0]},
         "alarms": _alarms(state, monitor, signals),
+        "watched": lacking.watched,
+        "problems": {name: [row[name] for row in lacking.problems] for name in _OF_PROBLEM},
         "strips": packed(np.array(rows).reshape(-1), "u1"),
         "details": {str(place): one for place, one in sorted(shown.items())},
     }

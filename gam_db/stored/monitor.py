@@ -15,14 +15,14 @@ from sqlglot import exp
 
 from gam_db.alarms import Alarms
 from gam_db.checking import look_at
-from gam_db.clock import Instant, Length, instant
+from gam_db.clock import Instant, Length, TimeKind, instant, zone
 from gam_db.columns import table_of
 from gam_db.composing import template
 from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, UserError
 from gam_db.method.source import named_like
-from gam_db.report import Wishes, write
+from gam_db.report import Lacking, Wishes, write
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters, pattern_matches
 from gam_db.settings.source import AnySource, repeat_of
@@ -38,7 +38,7 @@ from gam_db.stored.scoring import Run
 from gam_db.stored.scoring.report import Report, Wanted
 from gam_db.stored.settings import MonitorSettings
 from gam_db.stored.state import State, kind_of
-from gam_db.stored.status import as_html, status
+from gam_db.stored.status import as_html, assessed, status
 from gam_db.study import Study
 from gam_db.study.running import Listener, unheard
 
@@ -229,6 +229,20 @@ class Monitor(MonitorSettings):
         """
         return status(self.state, self.name, self.park_after)
 
+    def data_problems(self) -> pa.Table:
+        """Return what is wrong with the data, apart from machines that need attention.
+
+        The source is not read: it is what runs found and stored. No row means that nothing of the data
+        is known to be wrong.
+
+        Returns:
+            One row per problem; see :func:`gam_db.stored.problems.data_problems` for the columns.
+
+        Raises:
+            UserError: there is no such monitor, or no state.
+        """
+        return assessed(self.state, self.name, self.park_after).problems
+
     def alarms(self) -> pa.Table:
         """Return the episodes, those that need attention first; the source is not read.
 
@@ -369,4 +383,9 @@ class Monitor(MonitorSettings):
             UserError: there is no such monitor, nothing is calibrated, or the file cannot be written.
         """
         kind = kind_of(self._required.monitor(self.name))
-        return write(self.state, self.source, kind, self.name, path, wishes, on_step)
+        wishes = wishes or Wishes()
+        now = None if wishes.made is None else instant(wishes.made, TimeKind.TIMESTAMP, "made")
+        seen = assessed(self.state, self.name, self.park_after, now, zone(wishes.time_zone))
+        seen = seen.of_assets(wishes.asset)
+        lacking = Lacking(seen.watched, seen.problems.to_pylist())
+        return write(self.state, self.source, kind, self.name, path, wishes, on_step, lacking)

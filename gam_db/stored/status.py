@@ -1,33 +1,67 @@
 """Status: what the state says of every channel, without a look at the source.
 
 This module owns the table that ``gam status`` prints. What deserves attention is said by the view
-``gam_fleet``, why by :mod:`gam_db.findings`.
+``gam_fleet``, why by :mod:`gam_db.findings`; what is wrong with data by :mod:`gam_db.stored.problems`.
 """
 
 import datetime as dt
 import html
 import itertools
 from collections.abc import Sequence
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 from numpy.typing import NDArray
 
-from gam_db.clock import Length, TimeKind, instant, shown_instant
+from gam_db.clock import FAR_AHEAD, JUMP, Length, TimeKind, shown_instant
 from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns
+from gam_db.composing.pipeline import Pipeline
 from gam_db.composing.template import text
-from gam_db.findings import ORDER, Course, Row, at_end, ended, finding
+from gam_db.findings import ORDER, Course, Row, finding, shortcomings, standing
+from gam_db.method.adding import add
+from gam_db.settings.parameters import pattern_matches
 from gam_db.stored import lengths
 from gam_db.stored.checking.proving import STATE, Proof, last_proofs
+from gam_db.stored.problems import data_problems, jumped, left_out
 from gam_db.stored.schema import migrations
 from gam_db.stored.state import State, kind_of
+from gam_db.stored.state import now as this_instant
 from gam_db.units import told_by
+
+#: Newest buckets of a channel in which a jump of its counter is looked for.
+_ENDS = 64
+
+
+class Standing(NamedTuple):
+    """How a monitor is: what :func:`status` returns, and its data problems apart from that."""
+
+    channels: pa.Table
+    problems: pa.Table
+
+    @property
+    def watched(self) -> int:
+        """How many channels are watched (``sql/stored/state/watched.sql``)."""
+        return int(pc.sum(self.channels["watched"]).as_py() or 0)
+
+    def of_assets(self, pattern: str) -> "Standing":
+        """Return the same of some assets, with what is wrong with the monitor as a whole."""
+        channels, problems = (
+            table.filter(
+                pa.array([one is None or pattern_matches(pattern, one) for one in names], pa.bool_())
+            )
+            for table in self
+            for names in [table["asset"].to_pylist()]
+        )
+        return Standing(channels, problems)
 
 
 def status(
-    state: State, monitor: str = "default", park_after: Length | Literal[False] | None = None
+    state: State,
+    monitor: str = "default",
+    park_after: Length | Literal[False] | None = None,
+    now: int | None = None,
 ) -> pa.Table:
     """Return what the state says of each channel of a monitor, the most urgent first.
 
@@ -49,9 +83,11 @@ def status(
       buckets or 8 windows, whichever is more; the highest of each; NULL until a window is scored;
       ``course_from``: when it begins
     * ``scored``: vectors in full buckets; ``last_time``: when the last of them ends
-    * ``last_data``: the newest time read of the channel; ``silent``: that is more than ``park_after``
-      behind the newest of the whole monitor, or no run has found any yet; ``looked_at``: when the last
-      run looked (UTC)
+    * ``watched``: its calibration lets it be judged, rows of it were read, it is not silent, and the
+      monitor as a whole still gets data (``sql/stored/state/watched.sql``)
+    * ``last_data``: how far its newest run that read anything read; ``silent``: that is more than
+      ``park_after`` behind the newest of the whole monitor, which is never later than now, or no run has
+      found any yet; ``looked_at``: when the last run looked (UTC)
     * ``still_since``: since when the signal stands still (``still_after``), as far as it is scored; NULL
       where it moves
     * ``differing_contexts``: runs that found other samples than were scored, since rows came later than
@@ -63,7 +99,8 @@ def status(
       nothing judges it; ``episode``: its open one, or that which asks; ``asking``: how many do;
       ``onset``: since when it is proving, open or high; NULL where it is none of these
     * ``settings_hash``, ``method_hash``: what the version was made under
-    * ``remarks``: what is to be known, in plain words
+    * ``remarks``: what is to be known, in plain words; what is wrong with data is in
+      :meth:`gam_db.Monitor.data_problems`
 
     Times are timestamps as in the source, or integers where it counts.
 
@@ -72,27 +109,80 @@ def status(
         monitor: its name.
         park_after: how far a channel may lag behind the others before it is called silent; False for
             ever. Default one day, for counters for ever.
+        now: this instant, in microseconds since 1970 (UTC); default by the clock of this machine.
 
     Raises:
         StateError: there is no state of this gam-db.
         ConfigurationError: there is no such monitor.
         ParameterError: ``park_after`` is no length of time of this monitor.
     """
+    return assessed(state, monitor, park_after, now).channels
+
+
+def assessed(
+    state: State,
+    monitor: str = "default",
+    park_after: Length | Literal[False] | None = None,
+    now: int | None = None,
+    shown_in: dt.tzinfo = dt.UTC,
+) -> Standing:
+    """Return how a monitor is; see :func:`status`.
+
+    Args:
+        state: as given there.
+        monitor: likewise.
+        park_after: likewise.
+        now: likewise.
+        shown_in: the time zone of the sentences of data problems.
+    """
     migrations.require(state.session, state.tables)
-    kind = kind_of(state.monitor(monitor))
-    longest = lengths.park_after(park_after, kind)
+    known = state.monitor(monitor)
+    kind = kind_of(known)
     stored = state.fetch("stored/state/status_rows", {"monitor": text(monitor)})
+    steps = _watching(kind, lengths.park_after(park_after, kind), now)
     with state.session.lent(stored) as lent:
         courses = _courses(state.fetch("stored/state/course", given={"status_rows": lent}))
+        placed = {**state.tables.placed(), "status_rows": lent}
+        ends = {row["version_id"]: row for row in state.session.rows(steps.query("watched", placed))}
+        problems = state.session.rows(steps.query("data_problems", placed))
+        # A calendar has pauses, and a clock that tells what is ahead.
+        jumps = state.session.rows(steps.query("jumps", placed)) if kind.is_counter else []
+    met = state.rows("stored/state/left_out_rows", {"monitor_id": known["monitor_id"]})
     rows = stored.sort_by(list(ORDER)).to_pylist()
-    newest = max((row["last_data"] for row in rows if row["last_data"] is not None), default=None)
-    found = []
+    found, about = [], {}
     for row in rows:
-        row |= ended(row["last_data"], newest, None if row["looked_at"] is None else longest)
-        course = _course(row, courses.get(row["version_id"]))
-        said = finding(row, (row["m"] - 1) * row["tau"], row["window_length"], course)
-        found.append({**said, "remarks": [*said["remarks"], *_remarks(row, kind)]})
-    return _table(found, kind)
+        end = ends[row["version_id"]]
+        row |= {"last_data": end["last_data"], "silent": bool(end["is_silent"])}
+        row["watched"] = bool(end["is_watched"])
+        span, course = (row["m"] - 1) * row["tau"], _course(row, courses.get(row["version_id"]))
+        said = finding(row, span, row["window_length"], course)
+        remarks = [*said["remarks"], *_remarks(row, kind)]
+        lacking = shortcomings(row, span) if row["verdict"] == "no_data" else []
+        about[row["version_id"]] = {name: row[name] for name in ("asset", "channel", "version")}
+        about[row["version_id"]]["why"] = "".join(lacking)
+        found.append({**said, "remarks": [one for one in remarks if one not in lacking]})
+    nobody = dict.fromkeys(("asset", "channel", "version", "why"))
+    listed = [row | about.get(row["version_id"], nobody) for row in problems]
+    listed += [*left_out(met, len(rows)), *jumped(jumps)]
+    return Standing(_table(found, kind), data_problems(listed, kind, shown_in))
+
+
+def _watching(kind: TimeKind, longest: int | None, now: int | None) -> Pipeline:
+    """Return the steps over *status_rows* up to *watched* and *data_problems*."""
+    steps = Pipeline(small=frozenset(("last_data", "watched")))
+    instant = this_instant() if now is None else now
+    slots = {
+        "now": FAR_AHEAD if kind.is_counter else instant,
+        "has_clock": 0 if kind.is_counter else 1,
+        "park_after": FAR_AHEAD if longest is None else longest,
+    }
+    add(steps, "stored/state/last_data")
+    add(steps, "stored/state/watched", slots)
+    add(steps, "stored/state/differing_contexts")
+    add(steps, "stored/state/data_problems")
+    add(steps, "stored/state/bucket_ends", {"newest": _ENDS})
+    add(steps, "health/jumps", {"jump": JUMP})
+    return steps
 
 
 def as_html(rows: pa.Table) -> str:
@@ -148,27 +238,6 @@ def by_asset(channels: pa.Table) -> pa.Table:
     return rows.select(["asset", *made]).rename_columns(schema.names).cast(schema)
 
 
-def unheard_for(
-    channels: pa.Table, park_after: Length | Literal[False] | None, now: dt.datetime
-) -> int | None:
-    """Return for how many microseconds no channel at all had data, if more than ``park_after``.
-
-    It says that the source is not filled any more, or that nobody scores it. None where the source
-    counts time, since a counter tells no hour.
-
-    Args:
-        channels: what :func:`status` returned.
-        park_after: as given there.
-        now: this instant, with a time zone.
-    """
-    told = channels["last_data"]
-    if pa.types.is_integer(told.type) or told.null_count == len(told):
-        return None
-    longest = lengths.park_after(park_after, TimeKind.TIMESTAMP)
-    behind = instant(now, TimeKind.TIMESTAMP, "now") - int(pc.max(told.cast(pa.int64())).as_py())
-    return behind if longest is not None and behind > longest else None
-
-
 def _courses(stretches: pa.Table) -> dict[int, tuple[NDArray[np.float64], int]]:
     """Cut the stretches, which come in order, into one course per version, with when it begins."""
     versions = stretches["version_id"].to_numpy()
@@ -192,27 +261,22 @@ def _course(row: Row, known: tuple[NDArray[np.float64], int] | None) -> Course |
         vectors=(row["bucket"] + 1) * row["stride"],
         novel=row["novel_in_window"] or 0,
         out_of_range=row["out_of_range_in_window"],
-        has_moved=row["novel_in_buckets"] > 0,
+        has_moved=False,  # that is a data problem
     )
 
 
 def _remarks(row: Row, kind: TimeKind) -> list[str]:
     """Return what only the state can tell."""
-    remarks = at_end(row, row["still_since"], kind)
+    remarks = standing(row["still_since"], kind)
     if row["episode"] is not None:
         zone = "" if kind.is_counter else " UTC"
         onset = row["onset"] if row["status"] in ("proving", "open") else None
         since = "" if onset is None else f" since {shown_instant(onset, kind)}{zone}"
         remarks.append(f"episode {row['episode']}{since}: gam alarm {row['episode']}")
-    runs = row["differing_contexts"]
-    if runs:
-        since = shown_instant(row["repair_from"], kind)
-        remarks.append(
-            f"{runs:,} run{'s' * (runs != 1)} found other samples than were scored, so rows came later "
-            f"than lookback or were taken away: gam score --from {since}"
-        )
     added = row["calibration_rows_added"]
-    if added:
+    if (
+        added is not None and added < 0
+    ):  # more of them are a data problem; fewer may be what a source no longer keeps
         remarks.append(
             f"calibration data changed: {added:+,} rows since version {row['version']} was made"
         )
@@ -224,7 +288,7 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
     time = told_by(kind)
     schema = columns(
         (WORD, "asset channel"),
-        *((COUNT, "version"), (WORD, "status"), (TRUTH, "needs_attention"), (WORD, "verdict")),
+        *((COUNT, "version"), (WORD, "status"), (TRUTH, "needs_attention watched"), (WORD, "verdict")),
         *((SHARE, "floor hi_limit"), (WORD, "limit_reason"), (SHARE, "hi trend")),
         (COUNT, "novel_in_window novel_window_before window bins"),
         *((pa.list_(SHARE), "course"), (time, "course_from"), (COUNT, "scored")),

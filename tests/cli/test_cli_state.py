@@ -71,7 +71,7 @@ def test_a_worn_channel_comes_first_and_asks_for_attention() -> None:
     result = gam("status", "--database", "plant.duckdb", "--all")
     assert result.exit_code == 2, result.output
     lines = result.stdout.splitlines()
-    assert "monitor default: 3 channels of 2 assets, newest data 20" in " ".join(lines[:2])
+    assert "monitor default: 3 of 3 channels watched, of 2 assets, newest data 20" in " ".join(lines[:2])
     assert " UTC" in " ".join(lines[:2])
     assert " last, UTC" in result.stdout
     first = next(number for number, line in enumerate(lines) if line.startswith("! R1 j1"))
@@ -82,7 +82,7 @@ def test_a_worn_channel_comes_first_and_asks_for_attention() -> None:
     heads = ["asset", "worst", "channel", "HI", "trend", "channels", "need", "attention"]
     place = [line.split() for line in lines].index(heads)
     assert lines[place + 1].split() == ["!", "R1", "j1", "1.00", "+0.95", "2", "1"]
-    assert "no data at all" not in result.stdout
+    assert "data problems" not in result.stdout
     assert "Trend: HI now less HI a window earlier." in " ".join(result.stdout.split())
 
 
@@ -132,14 +132,23 @@ def test_what_is_wrong_with_the_data_is_summed_up() -> None:
     saved(plant)
     result = gam("status", "--database", "plant.duckdb", "--all")
     said = " ".join(result.stdout.split())
-    assert "silent: 3.47 d behind the newest data" in said
-    assert "silent: 1" in said
-    assert (
-        "1 with samples that came later than lookback, or were taken away: gam score --from 20" in said
+    assert result.exit_code == 2, "a machine comes before data"
+    assert "3 of 4 channels watched" in said
+    assert "data problems: 3" in said
+    assert "- late: R3 j1: at least 4 rows came later than lookback, after 20" in said
+    assert "- calibration changed: R3 j1: 1 row came into the calibration of version 1" in said
+    assert re.search(
+        r"- silent: R3 j1: nothing since 20\S+ \S+ UTC, 3.47 d behind the newest data", said
     )
-    assert "1 with calibration data that changed" in said
     patient = gam("status", "--database", "plant.duckdb", "--park-after", "5 d")
     assert "silent" not in patient.stdout
+    assert "4 of 4 channels watched" in " ".join(patient.stdout.split())
+    calm = ("status", "--database", "plant.duckdb", "--asset", "R?", "--json")
+    figures = json.loads(gam(*calm).stdout)
+    assert [row["kind"] for row in figures["data_problems"]] == ["late", "calibration", "silent"]
+    assert (figures["attention"], figures["watched"], figures["exit_code"]) == ([], 2, 4)
+    alone = json.loads(gam("status", "--database", "plant.duckdb", "--json", "--asset", "R1").stdout)
+    assert (alone["data_problems"], alone["exit_code"]) == ([], 0)
 
 
 def test_times_are_those_of_the_plant_where_its_zone_is_said() -> None:
@@ -166,12 +175,19 @@ def test_times_are_those_of_the_plant_where_its_zone_is_said() -> None:
     assert "There is no time zone 'Mars'" in refused.output
 
 
-def test_silence_of_all_is_told_by_the_clock() -> None:
+def test_a_fleet_that_sends_nothing_does_not_end_with_0() -> None:
     plant = Plant()
     version = plant.version(plant.channel(plant.monitor(), "R1", "j1"), plant.support())
     plant.run(version, [QUIET] * 3)
     saved(plant)
-    assert "no data at all for" in gam("status", "--database", "plant.duckdb").stdout
+    result = gam("status", "--database", "plant.duckdb")
+    said = " ".join(result.stdout.split())
+    assert result.exit_code == 4
+    assert "0 of 1 channel watched" in said
+    assert (
+        "no data: nothing comes from 1 of 1 channel; the newest row is of 1970-01-01 00:00 UTC" in said
+    )
+    assert gam("status", "--database", "plant.duckdb", "--park-after", "none").exit_code == 0
     counting = Plant()
     version = counting.version(
         counting.channel(counting.monitor(time_kind="counter"), "R1", "j1"), counting.support()
@@ -179,8 +195,8 @@ def test_silence_of_all_is_told_by_the_clock() -> None:
     counting.run(version, [QUIET] * 3)
     saved(counting)
     result = gam("status", "--database", "plant.duckdb", "--park-after", "5")
-    assert "no data at all" not in result.stdout
-    assert "newest data 29,000,000" in result.stdout
+    assert result.exit_code == 0
+    assert "newest data 29,000,000" in " ".join(result.stdout.split())
 
 
 def test_json_says_the_same() -> None:
@@ -192,7 +208,8 @@ def test_json_says_the_same() -> None:
     assert {ODD} < {channel["channel"] for channel in figures["channels"]}
     assert figures["channels"][0]["course"] == [None, 0.05, 0.55, 1.0]
     assert figures["assets"][0]["need_attention"] == 1
-    assert (figures["exit_code"], figures["no_data_for_seconds"]) == (2, None)
+    assert (figures["exit_code"], figures["watched"], figures["data_problems"]) == (2, 3, [])
+    assert figures["attention"][0]["channel"] == "j1"
 
 
 @pytest.mark.parametrize(

@@ -50,7 +50,7 @@ def said(result: Result) -> str:
 def figures(*words: str) -> dict[str, Any]:
     """What --json prints."""
     result = gam(*words, "--json")
-    assert result.exit_code in (0, 2), result.output
+    assert result.exit_code in (0, 2, 4), result.output
     found: dict[str, Any] = json.loads(result.stdout)
     assert found["exit_code"] == result.exit_code
     return found
@@ -193,11 +193,36 @@ def test_a_calibration_that_is_not_good_enough_asks_for_attention() -> None:
 
 def test_a_recording_without_any_calibration_asks_for_attention() -> None:
     result = gam("calibrate", saved(800), *STATE, *SMALL, "--calibrate", "5000/6000")
-    assert result.exit_code == 2
+    assert result.exit_code == 4
     assert "no_data: say which part is healthy" in said(result)
     scored = gam("score", *STATE)
-    assert scored.exit_code == 2
-    assert "nothing is watched; run gam calibrate" in said(scored)
+    assert scored.exit_code == 4
+    assert "0 of 2 channels watched" in said(scored)
+    assert "nothing is watched: none of 2 channels" in said(scored)
+    found = figures("score", *STATE)["data_problems"]
+    assert [row["kind"] for row in found] == ["unwatched", "no_data", "no_data"]
+
+
+def test_one_row_of_1970_does_not_end_with_0() -> None:
+    """It takes all of the calibration, so nothing is watched; of one channel among others likewise."""
+    times = [0, *range(1_767_225_600, 1_767_225_600 + 1000)]
+    table = pa.table({"time": pa.array(times).cast(pa.timestamp("s")), "value": healthy(1001)})
+    parquet.write_table(table, "one.parquet")
+    asked = (*SMALL, "--calibration-duration", "100 s")
+    for words in (("run", "one.parquet", "--no-out"), ("calibrate", "one.parquet", *STATE)):
+        result = gam(*words, *asked)
+        assert result.exit_code == 4, result.output
+        assert "nothing needs attention" not in result.stdout
+    assert [gam(command, *STATE).exit_code for command in ("score", "status")] == [4, 4]
+    saved(800)
+    odd = parquet.read_table("plant.parquet")
+    bad = pa.table(
+        {"machine": ["R1"], "signal": ["j1"], "ts": [-9_000_000], "reading": [0.0]}, odd.schema
+    )
+    parquet.write_table(pa.concat_tables([odd, bad]), "plant.parquet")
+    result = gam("run", "plant.parquet", "--no-out", *SMALL, "--calibration-duration", "599")
+    assert result.exit_code == 4, result.output
+    assert "nothing needs attention" not in result.stdout
 
 
 def test_a_dry_run_tells_the_ranges_and_writes_nothing() -> None:
@@ -219,11 +244,11 @@ def test_rows_that_came_too_late_are_told_with_what_mends_them() -> None:
     assert "later than lookback" not in said(gam("score", *STATE))
     saved(1200)
     result = gam("score", *STATE)
-    assert "2 channels with samples that came later than lookback" in said(result)
-    found = figures("score", *STATE)
-    assert found["late"]["channels"] == 2
-    since = str(found["late"]["repair_from"])
-    assert f"gam score --from {since} mends them" in said(result)
+    assert "late: R1 j1: at least 1 row came later than lookback" in said(result)
+    found = figures("score", *STATE)["data_problems"]
+    assert [(row["kind"], row["channel"]) for row in found] == [("late", "j1"), ("late", "j2")]
+    since = str(found[0]["since"])
+    assert f"gam score --from {since} to score them" in said(result)
     mended = gam("score", *STATE, "--from", since)
     assert "later than lookback" not in said(mended)
     assert stored() == of_one_run(tau=5)
@@ -240,9 +265,9 @@ def test_rows_that_belong_to_no_channel_are_told() -> None:
     )
     parquet.write_table(pa.concat_tables([rows, odd]), source)
     result = gam("score", *STATE)
-    assert "of 7 channels without calibration: R9 x0, R9 x1, R9 x2, R9 x3, R9 x4 and 2 more" in said(
-        result
-    )
+    assert all(f"unknown: R9 x{number}: " in said(result) for number in range(7))
+    dry = said(gam("score", *STATE, "--dry-run"))
+    assert "of 7 channels without calibration: R9 x0, R9 x1, R9 x2, R9 x3, R9 x4 and 2 more" in dry
     assert "1 row without asset or channel, left out" in said(result)
     assert "1 row without a time, left out" in said(result)
     assert {row["channel"] for row in figures("score", *STATE)["not_calibrated"]} == {

@@ -104,6 +104,21 @@ def test_figures_are_json_whatever_they_hold(capsys: pytest.CaptureFixture[str])
     }
 
 
+@pytest.mark.parametrize("failed", [False, True])
+@pytest.mark.parametrize("urgent", [False, True])
+@pytest.mark.parametrize("lacking", [False, True])
+def test_a_machine_comes_before_data_and_a_fault_before_both(
+    failed: bool, urgent: bool, lacking: bool
+) -> None:
+    expected = 3 if failed else 2 if urgent else 4 if lacking else None
+    code = None
+    try:
+        page.tell({}, lambda _: None, options.Common(quiet=True), urgent, failed, lacking)
+    except typer.Exit as ended:
+        code = ended.exit_code
+    assert code == expected
+
+
 def test_every_exit_code_has_its_meaning_and_stands_in_one_place() -> None:
     assert set(MEANINGS) == set(Exit)
     assert app.info.epilog is not None

@@ -35,14 +35,8 @@ _COUNTING = (
 
 #: What the status is made of.
 _STATUS = (
-    "migration",
-    "monitor",
-    "proof",
-    "visible_bucket",
-    "fleet",
-    "stillness",
-    "left_out",
-    "unplaced",
+    *("migration", "monitor", "proof", "visible_bucket", "fleet", "stillness"),
+    *("finished_run", "unplaced", "left_out"),
 )
 
 #: The views that are for whoever reads on, and what other commands of a reader take.

@@ -1,25 +1,20 @@
--- Bucket ends: when the newest buckets of each channel of a monitor that counts ended, and its newest row was.
--- Reads:  stored_fleet, stored_monitor, stored_visible_bucket
+-- Bucket ends: when the newest buckets of each channel ended, and when its newest row was.
+-- Reads:  status_rows, stored_visible_bucket
 -- A row:  one bucket, or the newest row of a channel.
--- Slots:  :monitor  its name
---         :newest   how many buckets are looked at
+-- Slots:  :newest  how many buckets are looked at
 SELECT
   watched.asset AS asset,
   watched.channel AS channel,
   watched.stride AS stride,
   ended.last_time AS end_time
-FROM stored_fleet AS watched
-JOIN stored_monitor AS counting ON counting.name = watched.monitor
+FROM status_rows AS watched
 JOIN stored_visible_bucket AS ended ON ended.version_id = watched.version_id
-WHERE watched.monitor = :monitor
-  AND counting.time_kind = 'counter'
-  AND ended.bucket_no > watched.bucket - :newest
+WHERE ended.bucket_no > watched.bucket - :newest
 UNION ALL
 SELECT
-  watched.asset AS asset,
-  watched.channel AS channel,
-  watched.stride AS stride,
-  watched.data_tick AS end_time
-FROM stored_fleet AS watched
-JOIN stored_monitor AS counting ON counting.name = watched.monitor
-WHERE watched.monitor = :monitor AND counting.time_kind = 'counter' AND watched.data_tick IS NOT NULL
+  read_last.asset AS asset,
+  read_last.channel AS channel,
+  read_last.stride AS stride,
+  read_last.last_data AS end_time
+FROM status_rows AS read_last
+WHERE read_last.last_data IS NOT NULL

@@ -15,7 +15,7 @@ const headOf = (text, more) => el('div', {class: 'head'}, el('h2', {}, text), el
 /** The line above both pages. */
 export function heading() {
   return el('header', {class: 'top'}, el('div', {class: 'title'}, named(D.title)),
-    el('div', {class: 'meta'}, `${plural(machines.length, 'machine')} · ${plural(signals.length, 'signal')} · data until ${when(FRAME.last)}${D.counter ? '' : ` ${D.zone}`}`));
+    el('div', {class: 'meta'}, `${plural(machines.length, 'machine')} · ${D.watched == null ? '' : `${whole.format(D.watched)} of `}${plural(signals.length, 'signal')}${D.watched == null ? '' : ' watched'} · data until ${when(FRAME.last)}${D.counter ? '' : ` ${D.zone}`}`));
 }
 
 export function foot() {
@@ -37,6 +37,17 @@ const TILES = [
   ['calm', 'as in calibration'], ['unjudged', 'cannot be judged'], ['silent', 'silent'],
 ];
 
+/** Most data problems of a list; gam status --all has the rest. */
+const LISTED = 20;
+
+/** What is wrong with the data, apart from what machines do. */
+function lacking() {
+  const {sentence, advice, kind} = D.problems, many = sentence.length;
+  if (!many) return [];
+  return [el('section', {class: 'problems', 'aria-label': 'Data problems'}, headOf('Data problems', `${plural(many, 'problem')} of the data, not of a machine${many > LISTED ? `; the first ${LISTED} are shown` : ''}`),
+    el('ul', {}, sentence.slice(0, LISTED).map((text, place) => el('li', {'data-kind': kind[place]}, el('b', {}, el('bdi', {}, text), '.'), ` ${advice[place]}`))))];
+}
+
 /** Why signals cannot be judged, each reason once. */
 function reasons() {
   const found = new Map();
@@ -54,7 +65,7 @@ export function drawFleet(app, again) {
     counts.unjudged ? ` ${plural(counts.unjudged, 'signal')} cannot be judged and never alarm${counts.unjudged === 1 ? 's' : ''} (${reasons()}).` : '');
   const [section, build, jump] = list();
   const map = heatMap(machine => { chosen.open.add(machine.number); chosen.state = null; chosen.text = ''; press(); build(); jump(machine); }, again);
-  app.replaceChildren(heading(), el('main', {id: 'main', tabindex: '-1'}, sentence(), lead, tiles, map, section, alarmList(null, headOf)), foot());
+  app.replaceChildren(heading(), el('main', {id: 'main', tabindex: '-1'}, sentence(), lead, tiles, lacking(), map, section, alarmList(null, headOf)), foot());
   build();
 }
 
