@@ -42,7 +42,7 @@ LAYERS = [
     ["alarms", "checking", "health", "selection"],
     ["alarms.backtesting", "findings", "sklearn"],
     ["report"],
-    ["stored.lengths", "stored.schema", "stored.sources"],
+    ["stored.lengths", "stored.problems", "stored.schema", "stored.sources"],
     ["stored.state"],
     ["stored.planning"],
     ["stored.alarms", "stored.pruning"],
