@@ -19,37 +19,8 @@ from gam_db.settings.source import AnySource, clock_of, parsed_condition, under
 _PLAIN = re.compile(r"[a-z_][a-z0-9_]*")
 #: Words that an engine refuses as a name, or takes for something else.
 _RESERVED = frozenset(
-    [
-        "all",
-        "any",
-        "asc",
-        "case",
-        "check",
-        "column",
-        "default",
-        "desc",
-        "end",
-        "from",
-        "group",
-        "key",
-        "limit",
-        "offset",
-        "order",
-        "primary",
-        "range",
-        "rank",
-        "row",
-        "rows",
-        "select",
-        "system",
-        "table",
-        "to",
-        "user",
-        "using",
-        "when",
-        "where",
-        "window",
-    ]
+    "all any asc case check column default desc end from group key limit offset order primary range "
+    "rank row rows select system table to user using when where window".split()  # noqa: SIM905
 )
 _HOUR = 3600 * SECOND
 
