@@ -18,10 +18,11 @@ from gam_db.settings.source import AnySource, clock_of, parsed_condition, under
 #: A name that may need no quotes in a condition: engines fold others, in one case or the other.
 _PLAIN = re.compile(r"[a-z_][a-z0-9_]*")
 #: Words that an engine refuses as a name, or takes for something else.
-_RESERVED = frozenset(
-    "all any asc case check column default desc end from group key limit offset order primary range "
-    "rank row rows select system table to user using when where window".split()  # noqa: SIM905
-)
+_RESERVED = {
+    *("all", "any", "asc", "case", "check", "column", "default", "desc", "end", "from"),
+    *("group", "key", "limit", "offset", "order", "primary", "range", "rank", "row", "rows"),
+    *("select", "system", "table", "to", "user", "using", "when", "where", "window"),
+}
 _HOUR = 3600 * SECOND
 
 
