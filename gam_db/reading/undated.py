@@ -15,8 +15,14 @@ from gam_db.engines.base import Engine, formula
 from gam_db.engines.session import Session
 from gam_db.settings.source import AnySource, clock_of, parsed_condition, under
 
-#: A name that needs no quotes in a condition.
-_PLAIN = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+#: A name that may need no quotes in a condition: engines fold others, in one case or the other.
+_PLAIN = re.compile(r"[a-z_][a-z0-9_]*")
+#: Words that an engine refuses as a name, or takes for something else.
+_RESERVED = {
+    *("all", "any", "asc", "case", "check", "column", "default", "desc", "end", "from"),
+    *("group", "key", "limit", "offset", "order", "primary", "range", "rank", "row", "rows"),
+    *("select", "system", "table", "to", "user", "using", "when", "where", "window"),
+}
 _HOUR = 3600 * SECOND
 
 
@@ -126,7 +132,8 @@ def without(source: AnySource, *conditions: str) -> str:
 
 def shown_column(name: str) -> str:
     """Return the name of a column as a condition can hold it, in quotes where it needs them."""
-    return name if _PLAIN.fullmatch(name) else exp.to_identifier(name, quoted=True).sql("duckdb")
+    is_plain = _PLAIN.fullmatch(name) is not None and name not in _RESERVED
+    return name if is_plain else exp.to_identifier(name, quoted=True).sql("duckdb")
 
 
 def _shown(micros: int) -> str:

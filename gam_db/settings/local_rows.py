@@ -89,7 +89,9 @@ def undated(source: AnySource, relation: exp.Expr, micros_of: TimeNode) -> exp.Q
     if clock is not None:
         pieces = clock.pieces()
         shift = by_time(
-            exp.column("time", table="told"), pieces, lambda one: TWICE if one.is_twice else one.shift
+            exp.column("clock_time", table="told"),
+            pieces,
+            lambda one: TWICE if one.is_twice else one.shift,
         )
     slots: dict[str, template.Slot] = {
         "stored": template.column(source.time),

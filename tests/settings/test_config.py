@@ -326,6 +326,8 @@ GIVEN: dict[str, tuple[tuple[str, ...], Any]] = {
     "skip_rows": (("--skip-rows", "2"), 2),
     "time_format": (("--time-format", "%d.%m.%Y"), "%d.%m.%Y"),
     "time_unit": (("--time-unit", "ms"), "ms"),
+    "source_time_zone": (("--source-time-zone", "Europe/Berlin"), "Europe/Berlin"),
+    "valid_when": (("--valid-when", "v > 0"), "v > 0"),
     "m": (("--m", "2"), 2),
     "tau": (("--tau", "0"), 0),
     "bins": (("--bins", "7"), 7),
