@@ -22,7 +22,7 @@ import evaluation_reference as reference
 import gam_db
 from gam_db.cli import app
 from gam_db.engines.duckdb.session import DuckSession
-from gam_db.lab.baselines import context
+from gam_db.lab.baselines import context, nets
 from gam_db.lab.baselines.baseline import Effort, Learner
 from gam_db.lab.evaluation import evaluate
 from gam_db.lab.reproduce import (
@@ -95,8 +95,8 @@ def test_a_joint_alone_equals_the_joint_of_its_robot() -> None:
     among = list(simulated.robot(4))[4]
     assert alone.truth == among.truth
     assert alone.readings.drop_columns("value").equals(among.readings.drop_columns("value"))
-    values = [one.readings["value"].fill_null(0).to_numpy() for one in (alone, among)]
-    assert np.array_equal(*values, equal_nan=True)
+    first, second = (one.readings["value"].fill_null(0).to_numpy() for one in (alone, among))
+    assert np.array_equal(first, second, equal_nan=True)
 
 
 def test_table1_from_the_command_line_and_again_from_its_files(kept: Path) -> None:
@@ -119,7 +119,7 @@ def test_the_metrics_are_those_that_the_reference_calculates(kept: Path) -> None
         for place in SMALL.places(0):
             file = kept / "fleet-quick" / f"{row.method}-0-{place.robot:02d}-{place.joint}.json"
             found = json.loads(file.read_text())["figures"]
-            values = tuple(Fraction(one) for one in found["hi"] if one is not None)
+            values = [Fraction(one) for one in found["hi"] if one is not None]
             outcome = "failed" if place.fails else "healthy"
             courses.append(reference.Series(place.asset, place.channel, values, outcome))
         expected = reference.of_fleet(courses, "rank", "range", 0, True)
@@ -146,7 +146,7 @@ def test_a_resumed_run_equals_an_uninterrupted_one(kept: Path, tmp_path: Path) -
     assert resumed == {name: whole[name] for name in resumed}
 
 
-ROWS = [
+ROWS: list[dict[str, Any]] = [
     {"outcome": "failed", "mon": 0.9, "corr": 0.8, "rob": 0.9, "last_hi": 0.5, "amplitude": 0.4},
     {"outcome": "failed", "mon": 0.3, "corr": 0.2, "rob": 0.7, "last_hi": 0.1, "amplitude": 0.1},
     {"outcome": "failed", "mon": 0.6, "corr": None, "rob": 0.8, "last_hi": 0.3, "amplitude": 0.2},
@@ -217,7 +217,7 @@ def test_a_context_ends_at_its_vector_and_a_missing_sample_is_filled(
         given.append((learnt, following))
         return following[:, 0]
 
-    monkeypatch.setattr(context.nets, "torch", lambda: None)
+    monkeypatch.setattr(nets, "torch", lambda: None)
     monkeypatch.setattr(Learner, "scores", scores)
     parameters = gam_db.Parameters(m=3, tau=1, window=50)
     with DuckSession() as session:
@@ -411,3 +411,5 @@ def test_without_healthy_joints_there_is_no_disc(kept: Path) -> None:
     assert row.mean["global"] == pytest.approx(fmean(four))
     line = next(line for line in fleet_page.fleet_table(table) if line.startswith("DSE "))
     assert line.split()[-4] == "-", "Disc"
+    assert not table.paired.best["disc"]
+    assert not table.paired.differences["disc"]

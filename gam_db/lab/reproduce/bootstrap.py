@@ -25,11 +25,14 @@ class Paired:
     """Some methods, compared on the same resamples.
 
     Attributes:
+        first: the method that the others are set beside.
         resamples: how many there are.
-        best: metric -> method -> share of the resamples in which it is best; a tie is shared.
+        best: metric -> method -> share of the resamples in which it is best; a tie is shared. Nothing
+            where no method has the metric.
         differences: metric -> method -> 95 % interval of the first method's value less its own.
     """
 
+    first: str
     resamples: int
     best: dict[str, dict[str, float]]
     differences: dict[str, dict[str, tuple[float, float]]]
@@ -71,17 +74,21 @@ def paired(fleets: Sequence[Mapping[str, Channels]]) -> Paired:
     for metric in METRICS:
         values = np.array([np.concatenate([part[name][metric] for part in parts]) for name in names])
         values = np.where(np.isnan(values), -np.inf, values)
+        differences[metric] = {}
+        values = values[:, np.isfinite(values).any(axis=0)]
+        if not values.size:
+            best[metric] = {}
+            continue
         is_best = values == values.max(axis=0)
         shares = (is_best / is_best.sum(axis=0)).mean(axis=1)
         best[metric] = dict(zip(names, shares.tolist(), strict=True))
-        differences[metric] = {}
         for name, of_one in zip(names[1:], values[1:], strict=True):
             kept = np.isfinite(of_one) & np.isfinite(values[0])
             if kept.any():
                 less = values[0][kept] - of_one[kept]
                 low, high = np.percentile(less, [_TAIL, 100 - _TAIL])
                 differences[metric][name] = float(low), float(high)
-    return Paired(values.shape[1], best, differences)
+    return Paired(names[0], sum(len(part[names[0]]["mon"]) for part in parts), best, differences)
 
 
 def _numbers(rows: Channels, name: str) -> Floats:

@@ -30,6 +30,12 @@ DIMENSIONS = (3, 6)
 
 _COLUMNS = 4
 _PANEL = 150, 95
+_READABLE = 118
+"""The darkest grey, of 255, on which black words are read better than white ones."""
+
+_POINTS = 250
+"""Points of a course in a panel, at most about; it is no wider than 150."""
+
 _EDGE = 140
 _AZIMUTH, _ELEVATION = math.radians(-60), math.radians(25)
 _SHARES = (0, 0.5, 1)
@@ -141,7 +147,7 @@ def parameters(plan: Plan, names: Sequence[str], results: Results, show: Show) -
             share = (scores[m, tau] - low) / (high - low) if high > low else 0.0
             grey = round(255 - 175 * share)
             drawing.box(x, y, width, height, f"#{grey:02x}{grey:02x}{grey:02x}", "#ffffff")
-            ink = BLACK if share < 0.6 else "#ffffff"
+            ink = BLACK if grey > _READABLE else "#ffffff"
             drawing.text(x + width / 2, y + height / 2 + 4, f"{scores[m, tau]:.3f}", "middle", ink)
     below = 20 + height * len(dimensions)
     for column, tau in enumerate(delays):
@@ -248,4 +254,5 @@ def _normalised(figures: Figures) -> list[Point]:
     if not len(heights) or heights.max() == heights.min():
         return []
     heights = (heights - heights.min()) / (heights.max() - heights.min())
-    return [(x, float(y)) for (x, _), y in zip(course, heights, strict=True)]
+    thinned = [(x, float(y)) for (x, _), y in zip(course, heights, strict=True)]
+    return thinned[:: max(1, len(thinned) // _POINTS)]

@@ -134,9 +134,10 @@ def _paired(table: FleetTable) -> Iterator[str]:
     names = [row.method for row in table.rows]
     yield f"{'':18}" + "".join(f"{title:>9}" for title in _TITLES)
     for name in names:
-        shares = "".join(f"{found.best[metric][name]:>9.1%}" for metric in METRICS)
-        yield f"{method_named(name).title:18}{shares}"
-    first = next(iter(found.best["mon"]))
+        shares = [found.best[metric].get(name) for metric in METRICS]
+        cells = ("-" if share is None else f"{share:.1%}" for share in shares)
+        yield f"{method_named(name).title:18}" + "".join(f"{cell:>9}" for cell in cells)
+    first = found.first
     others = [name for name in names if name != first]
     if not others:
         return
