@@ -5,6 +5,6 @@ their errors go through the same moving average, as any estimator's score. PyTor
 imported where a network is made.
 """
 
-from gam_db.lab.baselines.baseline import BASELINES, FULL, QUICK, Effort, add_baseline
+from gam_db.lab.baselines.baseline import BASELINES, FULL, QUICK, Effort, Nets, add_baseline
 
-__all__ = ["BASELINES", "FULL", "QUICK", "Effort", "add_baseline"]
+__all__ = ["BASELINES", "FULL", "QUICK", "Effort", "Nets", "add_baseline"]

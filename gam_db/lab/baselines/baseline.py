@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import pyarrow as pa
@@ -46,6 +47,56 @@ class Effort:
     learning_rate: float = LEARNING_RATE
 
 
+Nets = dict[tuple[Any, ...], nets.Net]
+"""Trained nets, by what made them."""
+
+
+@dataclass(frozen=True)
+class Learner:
+    """Trains the net of a baseline, or takes one that was trained, and scores by it.
+
+    Attributes:
+        baseline: which net.
+        m: samples that it reads.
+        seed, effort, on_epoch, kept: see :func:`add_baseline`.
+    """
+
+    baseline: Baseline
+    m: int
+    seed: int
+    effort: Effort
+    on_epoch: OnEpoch
+    kept: Nets | None
+
+    def scores(self, of: tuple[int, ...], learnt: Rows, following: Rows) -> NDArray[np.float64]:
+        """Return the scores of rows in units of their mean over the learnt ones.
+
+        Args:
+            of: tells these learnt rows from others under which nets are kept.
+            learnt: rows of calibration.
+            following: rows to be scored.
+        """
+        mark = (self.baseline.build, self.m, self.seed, self.effort, *of)
+        net = None if self.kept is None else self.kept.get(mark)
+        if net is None:
+            effort = self.effort
+            net = trained(
+                self.baseline.build,
+                self.m,
+                learnt,
+                effort.epochs,
+                self.seed,
+                self.on_epoch,
+                effort.batch,
+            )
+            if self.kept is not None:
+                self.kept[mark] = net
+        scores = scored(net, self.baseline.score, following)
+        # A net that learns well has errors far below the 2^-20 in which scores are summed.
+        usual = float(scored(net, self.baseline.score, learnt).mean())
+        return scores / usual if usual > 0 else scores
+
+
 FULL, QUICK = Effort(20), Effort(2)
 
 BASELINES: Mapping[str, Baseline] = {
@@ -64,6 +115,7 @@ def add_baseline(
     seed: int = 0,
     effort: Effort = FULL,
     on_epoch: OnEpoch = lambda epoch, loss: None,
+    kept: Nets | None = None,
 ) -> None:
     """Train a baseline and add its steps to a study: ``score_health`` and ``score_bucket_health``.
 
@@ -78,6 +130,8 @@ def add_baseline(
         seed: of weights and batches.
         effort: how long is trained.
         on_epoch: called with the epochs done and the mean loss of the last one.
+        kept: nets that were trained on the same calibration; a net that is there is not trained again,
+            and one that is trained is put there. None keeps none.
 
     Raises:
         ParameterError: there is no such baseline.
@@ -100,12 +154,10 @@ def add_baseline(
         parts = []
         for support in np.unique(supports).tolist():
             rows = _rows(learnt, columns, supports == support)
-            net = trained(baseline.build, setting.m, rows, effort.epochs, seed, on_epoch)
             of_one = to_score["support_id"].to_numpy() == support
-            scores = scored(net, baseline.score, _rows(to_score, columns, of_one))
-            # A net that learns well has errors far below the 2^-20 in which scores are summed.
-            usual = float(scored(net, baseline.score, rows).mean())
-            scores = scores / usual if usual > 0 else scores
+            following = _rows(to_score, columns, of_one)
+            learn = Learner(baseline, setting.m, seed, effort, on_epoch, kept)
+            scores = learn.scores((number, support), rows, following)
             own = to_score.select(["channel_id", "time"]).filter(pa.array(of_one))
             parts.append(own.append_column("score", pa.array(scores)))
         empty = to_score.select(["channel_id", "time"]).slice(0, 0)

@@ -10,7 +10,7 @@ from gam_db.lab.baselines.nets import Net, torch
 
 LEARNING_RATE = 1e-4
 BATCH = 256
-_SCORED_AT_ONCE = 16_384
+_NUMBERS_AT_ONCE = 500_000
 
 Rows = NDArray[np.float64]
 OnEpoch = Callable[[int, float], None]
@@ -23,6 +23,7 @@ def trained(
     epochs: int,
     seed: int,
     on_epoch: OnEpoch = lambda epoch, loss: None,
+    batch: int = BATCH,
 ) -> Net:
     """Return a net that was trained on rows by Adam, in shuffled batches.
 
@@ -35,6 +36,7 @@ def trained(
         epochs: how often all rows are gone through.
         seed: of weights, batches and draws.
         on_epoch: called with the epochs done and the mean loss of the last one.
+        batch: rows of a batch.
     """
     library = torch()
     with _seeded(seed):
@@ -43,22 +45,23 @@ def trained(
         optimizer = library.optim.Adam(net.modules.parameters(), lr=LEARNING_RATE)
         for epoch in range(1, epochs + 1):
             total = 0.0
-            for batch in library.randperm(len(data)).split(BATCH):
+            for drawn in library.randperm(len(data)).split(batch):
                 optimizer.zero_grad()
-                loss = net.loss(data[batch])
+                loss = net.loss(data[drawn])
                 loss.backward()
                 optimizer.step()
-                total += loss.item() * len(batch)
+                total += loss.item() * len(drawn)
             on_epoch(epoch, total / len(data))
     return net
 
 
 def scored(net: Net, score: str, rows: Rows) -> NDArray[np.float64]:
     """Return one of a net's scores of each row."""
+    at_once = max(1, _NUMBERS_AT_ONCE // rows.shape[1])
     library = torch()
     with _seeded(0), library.no_grad():
         data = library.tensor(rows, dtype=library.float32)
-        parts = [net.scores[score](part) for part in data.split(_SCORED_AT_ONCE)]
+        parts = [net.scores[score](part) for part in data.split(at_once)]
         return np.asarray(library.cat(parts).double().numpy())
 
 

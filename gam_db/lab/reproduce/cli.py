@@ -11,12 +11,17 @@ from rich.console import Console
 
 from gam_db.cli.progress import interruptible
 from gam_db.errors import ConfigurationError, nearest
-from gam_db.lab.reproduce import page
+from gam_db.lab.estimators import DSE
+from gam_db.lab.reproduce import figures as drawings
+from gam_db.lab.reproduce import fleet_page, page
+from gam_db.lab.reproduce import fleet_tables as tables
 from gam_db.lab.reproduce import recordings as recorded
 from gam_db.lab.reproduce import sensitivity as sensed
 from gam_db.lab.reproduce import table2 as langevin
-from gam_db.lab.reproduce.methods import METHODS, chosen
-from gam_db.lab.reproduce.results import FOLDER, Results
+from gam_db.lab.reproduce import training as lengths
+from gam_db.lab.reproduce.methods import LONG_METHODS, METHODS, chosen
+from gam_db.lab.reproduce.results import FOLDER, Results, Show
+from gam_db.lab.simulate.roles import JOINTS
 
 reproduce = typer.Typer(
     no_args_is_help=True,
@@ -31,8 +36,30 @@ ResultsOption = Annotated[
 ]
 QuickOption = Annotated[bool, typer.Option("--quick", help="Short and hardly trained; no evidence.")]
 MethodsOption = Annotated[str | None, typer.Option(metavar="A,B", help=f"Some of {', '.join(METHODS)}.")]
+FleetsOption = Annotated[int, typer.Option(min=1, help="Seeds 0, 1, ... of fleet and method.")]
+JointsOption = Annotated[
+    int | None,
+    typer.Option(
+        min=0, max=JOINTS, help="Of each healthy robot; fewer take less time, 0 leaves Disc out."
+    ),
+]
 
 _WIDTH = 100
+
+
+@reproduce.command()
+def table1(
+    methods: MethodsOption = None,
+    seeds: FleetsOption = 1,
+    healthy_joints: JointsOption = None,
+    quick: QuickOption = False,
+    results: ResultsOption = FOLDER,
+) -> None:
+    """Compare all methods on the simulated fleet (the paper's first table). Networks take hours."""
+    names = chosen(methods, list(METHODS))
+    with interruptible(), _shown() as show:
+        table = tables.table1(names, seeds, quick, Results(results), show, healthy_joints)
+    _print(fleet_page.fleet_table(table))
 
 
 @reproduce.command()
@@ -47,6 +74,65 @@ def table2(
     with interruptible(), _shown() as show:
         table = langevin.table2(names, seeds, quick, Results(results), show)
     _print(page.table2(table))
+
+
+@reproduce.command()
+def table3(
+    methods: Annotated[
+        str | None, typer.Option(metavar="A,B", help=f"Some of {', '.join([DSE, *LONG_METHODS])}.")
+    ] = None,
+    seeds: FleetsOption = 1,
+    healthy_joints: JointsOption = tables.HEALTHY_JOINTS,
+    quick: QuickOption = False,
+    results: ResultsOption = FOLDER,
+) -> None:
+    """Compare networks that read a long context with DSE (the paper's third table). Takes hours."""
+    there = [DSE, *LONG_METHODS]
+    names = chosen(methods, there, there)
+    with interruptible(), _shown() as show:
+        table = tables.table3(names, seeds, quick, Results(results), show, healthy_joints)
+    _print(fleet_page.fleet_table(table))
+
+
+@reproduce.command()
+def training(
+    methods: Annotated[
+        str, typer.Option(metavar="A,B", help="Networks of the table of the Langevin system.")
+    ] = ",".join(lengths.NETWORKS),
+    quick: QuickOption = False,
+    results: ResultsOption = FOLDER,
+) -> None:
+    """Train networks for 1, 5, 20 and 100 epochs: how the order of methods depends on it."""
+    networks = [name for name, method in METHODS.items() if method.library == "torch"]
+    names = chosen(methods, networks, networks)
+    with interruptible(), _shown() as show:
+        study = lengths.training(names, quick, Results(results), show)
+    _print(fleet_page.training(study))
+
+
+@reproduce.command()
+def figures(
+    out: Annotated[
+        Path, typer.Option(metavar="FOLDER", help="Where the drawings (SVG) go; made if not there.")
+    ] = Path("figures"),
+    only: Annotated[
+        str | None, typer.Option(metavar="N,N", help="Some of 2, 3, 4, 5, 6, as the paper numbers them.")
+    ] = None,
+    methods: MethodsOption = None,
+    quick: QuickOption = False,
+    results: ResultsOption = FOLDER,
+) -> None:
+    """Draw the paper's figures from results; what has no result yet is run."""
+    names = chosen(methods, list(METHODS))
+    numbers = list(drawings.FIGURES) if only is None else [part.strip() for part in only.split(",")]
+    for number in numbers:
+        if number not in drawings.FIGURES:
+            raise ConfigurationError(
+                f"--only is {only!r}; it takes some of {', '.join(drawings.FIGURES)}."
+            )
+    with interruptible(), _shown() as show:
+        files = drawings.figures(numbers, out, names, quick, Results(results), show)
+    _print(map(str, files))
 
 
 @reproduce.command()
@@ -97,7 +183,7 @@ def sensitivity(
 
 
 @contextmanager
-def _shown() -> Iterator[sensed.Show]:
+def _shown() -> Iterator[Show]:
     """Yield what shows a line of progress on stderr; nothing unless that is a terminal."""
     screen = Console(stderr=True)
     if not screen.is_terminal:

@@ -1,7 +1,8 @@
 """The methods that are compared, in one flat list: each makes a health indicator of a study."""
 
+import dataclasses
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,7 +11,8 @@ import pyarrow as pa
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import ConfigurationError, nearest
 from gam_db.extras import needed
-from gam_db.lab.baselines import BASELINES, FULL, QUICK, Effort, add_baseline
+from gam_db.lab.baselines import BASELINES, FULL, QUICK, Effort, Nets, add_baseline
+from gam_db.lab.baselines.context import EVERY, LONG, LONG_FULL, LONG_QUICK, add_long
 from gam_db.lab.baselines.training import OnEpoch
 from gam_db.lab.estimators import SAMPLE, add_estimator
 from gam_db.lab.estimators.scoring import usual
@@ -41,17 +43,23 @@ class Task:
         quick: train and fit for a moment only.
         at_buckets: give the indicator at bucket ends, not at every vector.
         on_epoch: told how training goes on.
+        nets: where trained nets are kept for another score of the same nets, of the same calibration;
+            None keeps none.
+        epochs: how often calibration is gone through in training; None for the usual number.
     """
 
     seed: int = 0
     quick: bool = False
     at_buckets: bool = False
     on_epoch: OnEpoch = lambda epoch, loss: None
+    nets: Nets | None = None
+    epochs: int | None = None
 
     @property
     def effort(self) -> Effort:
         """How long networks are trained."""
-        return QUICK if self.quick else FULL
+        usual = QUICK if self.quick else FULL
+        return usual if self.epochs is None else Effort(self.epochs)
 
     @property
     def sample(self) -> int:
@@ -104,7 +112,7 @@ def health(
     Raises:
         UserError: see its subclasses; also where a library is not installed.
     """
-    method = METHODS[name]
+    method = method_named(name)
     check_libraries([name])
     begin = time.perf_counter()
     with DuckSession() as session:
@@ -114,8 +122,13 @@ def health(
     return table.select([column for column in _COLUMNS if column in table.column_names]), seconds
 
 
-def chosen(text: str | None, among: Sequence[str]) -> list[str]:
+def chosen(text: str | None, among: Sequence[str], there: Sequence[str] | None = None) -> list[str]:
     """Return the methods that an option names, with commas; without it, those given.
+
+    Args:
+        text: of the option.
+        among: what is taken without it.
+        there: all that it may name; default METHODS.
 
     Raises:
         ConfigurationError: there is no such method.
@@ -123,12 +136,18 @@ def chosen(text: str | None, among: Sequence[str]) -> list[str]:
     if text is None:
         return list(among)
     names = [usual(part.strip()) for part in text.split(",") if part.strip()]
+    there = there or list(METHODS)
     if not names:
-        raise ConfigurationError(f"--methods is empty; it takes some of {', '.join(METHODS)}.")
+        raise ConfigurationError(f"--methods is empty; it takes some of {', '.join(there)}.")
     for name in names:
-        if name not in METHODS:
-            raise ConfigurationError(f"--methods does not know {name!r}{nearest(name, METHODS)}")
-    return [name for name in METHODS if name in names]
+        if name not in there:
+            raise ConfigurationError(f"--methods does not know {name!r}{nearest(name, there)}")
+    return [name for name in there if name in names]
+
+
+def method_named(name: str) -> Method:
+    """Return a method, out of METHODS or LONG_METHODS."""
+    return (METHODS | LONG_METHODS)[name]
 
 
 def check_libraries(names: Sequence[str]) -> None:
@@ -138,7 +157,7 @@ def check_libraries(names: Sequence[str]) -> None:
         UserError: a library is not installed; the message says what to install.
     """
     for name in names:
-        library = METHODS[name].library
+        library = method_named(name).library
         if library is not None:
             needed(library, "benchmark")
 
@@ -164,22 +183,35 @@ def _estimator(name: str, title: str, library: str | None = None, cheap: bool = 
 
 def _network(name: str, title: str) -> Method:
     def series(study: Study, task: Task) -> pa.Table:
-        add_baseline(study, name, task.seed, task.effort, task.on_epoch)
+        add_baseline(study, name, task.seed, task.effort, task.on_epoch, task.nets)
         return _averaged(study, task)
 
     def settings(task: Task) -> dict[str, Any]:
-        effort = task.effort
+        return {**dataclasses.asdict(task.effort), "forecasts": BASELINES[name].forecasts}
+
+    return Method(title, series, "torch", settings, cheap=False)
+
+
+def _long(name: str, title: str) -> Method:
+    def effort_of(task: Task) -> Effort:
+        return LONG_QUICK if task.quick else LONG_FULL
+
+    def series(study: Study, task: Task) -> pa.Table:
+        add_long(study, name, task.seed, effort_of(task), task.on_epoch, task.nets)
+        return _averaged(study, task)
+
+    def settings(task: Task) -> dict[str, Any]:
         return {
-            "epochs": effort.epochs,
-            "batch": effort.batch,
-            "learning_rate": effort.learning_rate,
-            "forecasts": BASELINES[name].forecasts,
+            **dataclasses.asdict(effort_of(task)),
+            "context": LONG[name].length or "window",
+            "learnt_every": EVERY,
+            "forecasts": LONG[name].baseline.forecasts,
         }
 
     return Method(title, series, "torch", settings, cheap=False)
 
 
-METHODS: Mapping[str, Method] = {
+METHODS: dict[str, Method] = {
     "dse": Method("DSE", _discrete),
     "gmm": _estimator("gmm", "GMM", "sklearn.mixture", cheap=False),
     "forest": _estimator("forest", "Isolation Forest", "sklearn.ensemble", cheap=False),
@@ -192,3 +224,15 @@ METHODS: Mapping[str, Method] = {
     "lstm_ae": _network("lstm_ae", "LSTM-AE"),
     "mlp": _network("mlp", "MLP"),
 }
+
+LONG_METHODS: dict[str, Method] = {
+    "long_cnn_ae": _long("long_cnn_ae", "CNN-AE"),
+    "long_vae_rec": _long("long_vae_rec", "VAE (Rec)"),
+    "long_vae_latent": _long("long_vae_latent", "VAE (latent)"),
+    "long_lstm_ae": _long("long_lstm_ae", "LSTM-AE"),
+    "long_lstm": _long("long_lstm", "LSTM (Pred)"),
+    "long_ae": _long("long_ae", "Autoencoder"),
+    "long_mlp": _long("long_mlp", "MLP"),
+    "long_transformer": _long("long_transformer", "Transformer"),
+}
+"""Those of the paper's table of long contexts."""

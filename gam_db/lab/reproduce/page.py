@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from gam_db.lab.reproduce import sensitivity
+from gam_db.lab.reproduce.fleet import ROBOTS
 from gam_db.lab.reproduce.methods import METHODS
 from gam_db.lab.reproduce.paper import TABLE2
 from gam_db.lab.reproduce.recordings import CHANCE, METRICS, RECORDINGS
@@ -61,7 +62,8 @@ def table2(table: Table) -> Iterator[str]:
     for row in table.rows:
         ours = "".join(_beside(row.mean[name], row.spread[name]) for name in NUMBERS)
         yield f"{METHODS[row.method].title:18}{ours}{row.seconds:10.1f}"
-        yield f"{'  paper':18}{''.join(_beside(number) for number in TABLE2[row.method])}".rstrip()
+        theirs = "".join(_beside(getattr(TABLE2[row.method], name)) for name in NUMBERS)
+        yield f"{'  paper':18}{theirs}".rstrip()
     yield f"{'chance':18}{''.join(_beside(table.chance[name]) for name in CHANCE)}".rstrip()
     yield ""
     yield (
@@ -115,9 +117,7 @@ def sensitivity_page(on: str, cells: Sequence[sensitivity.Cell], quick: bool) ->
     """Yield the lines of the page of m and tau."""
     of_fleet = on == sensitivity.FLEET
     yield (
-        f"simulated fleet, {sensitivity.ROBOTS} robots, 5 of them to failure"
-        if of_fleet
-        else "Langevin system"
+        f"simulated fleet, {ROBOTS} robots, 5 of them to failure" if of_fleet else "Langevin system"
     ) + "; DSE, B = 100"
     if quick:
         yield "QUICK: short series and windows; it shows that it works, and nothing else."

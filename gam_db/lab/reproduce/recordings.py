@@ -21,7 +21,7 @@ from gam_db.errors import SourceError
 from gam_db.health import support
 from gam_db.lab.reproduce.evaluated import SURROGATES, summary
 from gam_db.lab.reproduce.methods import METHODS, Task, check_libraries, health
-from gam_db.lab.reproduce.results import Figures, Results
+from gam_db.lab.reproduce.results import Figures, Results, Show
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
 from gam_db.settings.source import Source
@@ -31,8 +31,6 @@ METRICS = ("mon", "corr", "rob", "prog", "global")
 CHANCE = ("mon", "corr", "rob")
 
 _UNJUDGED = ("constant", "no_data")
-
-Show = Callable[[str], None]
 
 
 @dataclass(frozen=True)

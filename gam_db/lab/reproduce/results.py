@@ -16,6 +16,9 @@ _LIBRARIES = ("gam-db", "duckdb", "numpy", "scikit-learn", "torch")
 
 Figures = dict[str, Any]
 
+Show = Callable[[str], None]
+"""Told what is at work."""
+
 
 @dataclass(frozen=True)
 class Results:

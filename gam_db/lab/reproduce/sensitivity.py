@@ -18,9 +18,11 @@ import pyarrow.compute as pc
 from gam_db import langevin
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.lab.reproduce.evaluated import summary
-from gam_db.lab.reproduce.results import Figures, Results
+from gam_db.lab.reproduce.fleet import CALIBRATION, ROBOTS, places
+from gam_db.lab.reproduce.results import Figures, Results, Show
 from gam_db.lab.reproduce.table2 import agreement
 from gam_db.lab.simulate.fleet import Fleet
+from gam_db.lab.simulate.outcomes import outcomes_of
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
 from gam_db.settings.source import Source
@@ -30,16 +32,11 @@ DIMENSIONS = (2, 3, 4, 5, 6)
 DELAYS = (1, 2, 5, 10, 20, 50)
 FLEET, LANGEVIN = "fleet", "langevin"
 
-ROBOTS = 21
 HEALTHY_JOINTS = 2
 """Joints of each healthy robot that are scored: enough, and a third of the time."""
 SAMPLES, QUICK_SAMPLES = 100_000, 10_000
 WINDOW, QUICK_WINDOW = 5000, 1000
-_FLEET_CALIBRATION = 0.2
 _BINS = 100
-_HEALTHY = tuple(f"joint_{number}" for number in range(1, HEALTHY_JOINTS + 1))
-
-Show = Callable[[str], None]
 
 
 @dataclass(frozen=True)
@@ -175,7 +172,7 @@ def _settings(on: str, quick: bool, m: int, tau: int) -> dict[str, Any]:
         "robots": ROBOTS if of_fleet else None,
         "healthy_joints": HEALTHY_JOINTS if of_fleet else None,
         "samples": (QUICK_SAMPLES if quick else SAMPLES) if of_fleet else _steps(quick),
-        "calibration_fraction": _FLEET_CALIBRATION if of_fleet else langevin.CALIBRATION,
+        "calibration_fraction": CALIBRATION if of_fleet else langevin.CALIBRATION,
         "m": m,
         "tau": tau,
         "bins": _BINS,
@@ -224,28 +221,10 @@ def _healthy(health: pa.Table, outcomes: pa.Table | None) -> float | None:
 def _fleet(quick: bool) -> tuple[pa.Table, pa.Table]:
     """Return readings and outcomes of the simulated fleet: joints that failed, and healthy ones."""
     fleet = Fleet(0, QUICK_SAMPLES if quick else SAMPLES)
-    parts, outcomes = [], {}
-    for number in range(1, ROBOTS + 1):
-        for joint in fleet.robot(number):
-            truth = joint.truth
-            failed = truth["failed_at"] is not None
-            if not failed and truth["kind"] != "healthy":
-                continue  # the other joints of a robot that failed count neither way
-            if not failed and joint.truth["channel"] not in _HEALTHY:
-                continue
-            parts.append(joint.readings)
-            outcomes[truth["asset"]] = {
-                "asset": truth["asset"],
-                "channel": truth["channel"] if failed else None,
-                "failed_at": truth["failed_at"],
-                "healthy": not failed,
-            }
-    schema = pa.schema(
-        {
-            "asset": pa.string(),
-            "channel": pa.string(),
-            "failed_at": pa.timestamp("us", "UTC"),
-            "healthy": pa.bool_(),
-        }
+    joints = [
+        fleet.joint(place.robot, place.joint)
+        for place in places(fleet.seed, ROBOTS, HEALTHY_JOINTS, constant=True)
+    ]
+    return pa.concat_tables([joint.readings for joint in joints]), outcomes_of(
+        joint.truth for joint in joints
     )
-    return pa.concat_tables(parts), pa.Table.from_pylist(list(outcomes.values()), schema=schema)

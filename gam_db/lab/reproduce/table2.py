@@ -1,8 +1,8 @@
 """The paper's table of the Langevin system: every method, some seeds, beside the paper's numbers."""
 
 import statistics
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -11,7 +11,7 @@ from gam_db import langevin
 from gam_db.lab.reproduce.evaluated import chance, summary
 from gam_db.lab.reproduce.methods import METHODS, Task, check_libraries, health
 from gam_db.lab.reproduce.paper import TABLE2
-from gam_db.lab.reproduce.results import Figures, Results
+from gam_db.lab.reproduce.results import Figures, Results, Show
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
 from gam_db.settings.source import Source
@@ -21,8 +21,6 @@ QUICK_SAMPLES = 40_000
 
 _PARAMETERS = Parameters(m=langevin.M, tau=langevin.TAU, bins=langevin.BINS, window=langevin.WINDOW)
 _STRIDE = 100
-
-Show = Callable[[str], None]
 
 
 @dataclass(frozen=True)
@@ -82,12 +80,7 @@ def table2(methods: Sequence[str], seeds: int, quick: bool, results: Results, sh
     found: dict[str, list[Figures]] = {name: [] for name in methods}
     for seed in range(seeds):
         for name in methods:
-            settings = _settings(name, seed, quick)
-            title = f"{METHODS[name].title}, seed {seed}"
-            show(title)
-            file = f"table2{'-quick' if quick else ''}/{name}-{seed}"
-            figures = results.get(file, settings, lambda: _run(name, seed, quick, title, show))  # noqa: B023
-            found[name].append(figures)
+            found[name].append(figures_of(name, Task(seed, quick), results, show))
     rows = sorted(
         (_row(name, figures) for name, figures in found.items()),
         key=lambda row: -row.mean["global_score"],
@@ -107,6 +100,20 @@ def table2(methods: Sequence[str], seeds: int, quick: bool, results: Results, sh
     )
 
 
+def figures_of(name: str, task: Task, results: Results, show: Show) -> Figures:
+    """Return the figures of a method on the system of a seed; where there is no result yet, it is run.
+
+    Returns:
+        The NUMBERS, ``chance``, ``values`` (of the indicator), ``windows`` (that do not overlap),
+        ``last_hi``, ``seconds`` and ``losses`` (a number for each epoch).
+    """
+    title = f"{METHODS[name].title}, seed {task.seed}"
+    length = "" if task.epochs is None else f"-{task.epochs}-epochs"
+    show(title + length.replace("-", " "))
+    file = f"table2{'-quick' if task.quick else ''}/{name}-{task.seed}{length}"
+    return results.get(file, _settings(name, task), lambda: _run(name, task, title, show))
+
+
 def agreement(ours: Sequence[str], theirs: Sequence[str]) -> float | None:
     """Return Spearman's correlation of two orders of the same methods; None below three of them."""
     if len(ours) < 3:
@@ -120,32 +127,32 @@ def _samples(quick: bool) -> int:
     return QUICK_SAMPLES if quick else langevin.SAMPLES
 
 
-def _settings(name: str, seed: int, quick: bool) -> dict[str, Any]:
+def _settings(name: str, task: Task) -> dict[str, Any]:
     return {
         "experiment": "table2",
         "method": name,
-        "seed": seed,
-        "samples": _samples(quick),
+        "seed": task.seed,
+        "samples": _samples(task.quick),
         "calibration_fraction": langevin.CALIBRATION,
         "m": _PARAMETERS.m,
         "tau": _PARAMETERS.tau,
         "bins": _PARAMETERS.bins,
         "window": _PARAMETERS.window,
-        **METHODS[name].settings(Task(seed, quick)),
+        **METHODS[name].settings(task),
     }
 
 
-def _run(name: str, seed: int, quick: bool, title: str, show: Show) -> Figures:
+def _run(name: str, task: Task, title: str, show: Show) -> Figures:
     losses: list[float] = []
 
     def on_epoch(epoch: int, loss: float) -> None:
         losses.append(loss)
         show(f"{title}: epoch {epoch}, loss {loss:.2e}")
 
-    source = Source(langevin.series(seed, _samples(quick)))
+    source = Source(langevin.series(task.seed, _samples(task.quick)))
     calibration = Calibration(fraction=langevin.CALIBRATION)
-    task = Task(seed, quick, on_epoch=on_epoch)
-    table, seconds = health(name, source, _PARAMETERS, calibration, task)
+    followed = replace(task, on_epoch=on_epoch)
+    table, seconds = health(name, source, _PARAMETERS, calibration, followed)
     metrics, channels = summary(table)
     values = channels["k"][0].as_py()
     return {

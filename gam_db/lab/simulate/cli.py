@@ -11,13 +11,16 @@ from gam_db import langevin
 from gam_db.cli.progress import interruptible
 from gam_db.errors import ConfigurationError
 from gam_db.lab.simulate.fleet import SAMPLES, Fleet, robots_of
+from gam_db.lab.simulate.outcomes import outcomes_of
 from gam_db.lab.simulate.roles import GROUP
 from gam_db.lab.simulate.single import langevin_truth
 from gam_db.lab.simulate.store import (
     DATABASE_ENDINGS,
     TABLE,
+    check_outcomes,
     check_target,
     store_fleet,
+    store_outcomes,
     store_series,
     truth_of,
 )
@@ -51,6 +54,14 @@ def fleet(
     samples: Annotated[int, typer.Option(help="Instants per joint, at 5 Hz.")] = SAMPLES,
     seed: SeedOption = 0,
     table: TableOption = TABLE,
+    outcomes: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="Also write what became of the robots, as gam evaluate --outcomes takes it: a name in "
+            ".csv or .parquet; replaced.",
+        ),
+    ] = None,
 ) -> None:
     """Write robots that wear, rest, are reprogrammed and send dirty rows. Hours stand for months.
 
@@ -58,6 +69,8 @@ def fleet(
     says which, how and from when. At the default size: 39 million rows.
     """
     check_target(out)
+    if outcomes is not None:
+        check_outcomes(outcomes)
     simulated = Fleet(seed, samples)
     numbers = list(robots_of(robots)) if only is None else _numbers(only)
     screen = Console(stderr=True)
@@ -65,8 +78,12 @@ def fleet(
         progress = track(
             numbers, "robots", console=screen, transient=True, disable=not screen.is_terminal
         )
-        rows = store_fleet(simulated, progress, out, table)
+        rows, truths = store_fleet(simulated, progress, out, table)
+        if outcomes is not None:
+            store_outcomes(outcomes_of(truths), outcomes)
     _tell(rows, out, table)
+    if outcomes is not None:
+        typer.echo(f"outcomes: {outcomes}")
 
 
 @simulate.command("langevin")

@@ -121,11 +121,22 @@ class Fleet:
         Raises:
             ParameterError: number is below 1.
         """
-        if number < 1:
-            raise ParameterError(f"Robot {number} is asked for; robots are numbered from 1.")
-        robot = _Robot(self, number, role_of(self.seed, number))
+        robot = self._robot(number)
         for joint in range(1, JOINTS + 1):
             yield robot.joint(joint)
+
+    def joint(self, number: int, joint: int) -> Joint:
+        """Return one joint of a robot, the same as among the others.
+
+        Raises:
+            ParameterError: number is below 1.
+        """
+        return self._robot(number).joint(joint)
+
+    def _robot(self, number: int) -> "_Robot":
+        if number < 1:
+            raise ParameterError(f"Robot {number} is asked for; robots are numbered from 1.")
+        return _Robot(self, number, role_of(self.seed, number))
 
 
 class _Robot:

@@ -7,10 +7,11 @@ import contextlib
 import secrets
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
+from typing import Any
 
 import duckdb
 import pyarrow as pa
-from pyarrow import parquet
+from pyarrow import csv, parquet
 from sqlglot import exp
 
 from gam_db.composing import template
@@ -53,7 +54,7 @@ def store_fleet(
     robots: Iterable[int],
     path: Path,
     table: str = TABLE,
-) -> int:
+) -> tuple[int, list[dict[str, Any]]]:
     """Write robots of a fleet, joint by joint, and the truth about them.
 
     Args:
@@ -63,7 +64,7 @@ def store_fleet(
         table: table of the DuckDB file (the truth goes to TABLE_truth).
 
     Returns:
-        How many readings were written.
+        How many readings were written, and the rows of the truth.
 
     Raises:
         SourceError: the file cannot be written.
@@ -77,7 +78,38 @@ def store_fleet(
                 rows += joint.readings.num_rows
                 truths.append(joint.truth)
         write_truth(pa.Table.from_pylist(truths, schema=TRUTH))
-    return rows
+    return rows, truths
+
+
+def check_outcomes(path: Path) -> None:
+    """Refuse a file that outcomes cannot be written to.
+
+    Raises:
+        ConfigurationError: its ending says neither CSV nor Parquet, or its folder is not there.
+    """
+    if path.suffix not in (".csv", ".parquet"):
+        raise ConfigurationError(f"--outcomes is {path}; give a name in .csv or .parquet.")
+    if not path.parent.is_dir():
+        raise ConfigurationError(f"--outcomes is {path}, but there is no folder {path.parent}.")
+
+
+def store_outcomes(outcomes: pa.Table, path: Path) -> None:
+    """Write outcomes as a CSV or Parquet file.
+
+    Raises:
+        SourceError: the file cannot be written.
+    """
+    unfinished = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
+    try:
+        if path.suffix == ".csv":
+            csv.write_csv(outcomes, unfinished)
+        else:
+            parquet.write_table(outcomes, unfinished)
+        unfinished.replace(path)
+    except OSError as error:
+        raise SourceError(f"{path} cannot be written.") from error
+    finally:
+        unfinished.unlink(missing_ok=True)
 
 
 def store_series(series: pa.Table, truth: pa.Table, path: Path, table: str = TABLE) -> None:
