@@ -20,6 +20,7 @@ from gam_db.settings.setting import check
 
 ONLY_ASSET = "asset"
 FILE_ENDINGS = (".parquet", ".pq", ".csv", ".tsv", ".csv.gz", ".tsv.gz", ".csv.zst")
+_SPREADSHEETS = (".xlsx", ".xls", ".xlsm", ".xlsb", ".ods", ".numbers")
 
 TimeNode = Callable[[exp.Expr], exp.Expr]
 
@@ -42,7 +43,7 @@ class Source(Form):
             relation, which then counts as "counter" by default.
 
     How numbers and times are written is said by keywords, see :class:`gam_db.settings.form.Form`:
-    decimal, thousands, unit, null, delimiter, skip_rows, time_format, time_unit.
+    decimal, thousands, unit, null, delimiter, skip_rows, encoding, time_format, time_unit.
     """
 
     relation: Any
@@ -129,12 +130,17 @@ def declared_kind(source: AnySource) -> TimeKind | None:
 
 
 def readings(
-    source: AnySource, relation: exp.Expr, micros_of: TimeNode, unpivots: bool = False
+    source: AnySource,
+    relation: exp.Expr,
+    micros_of: TimeNode,
+    unpivots: bool = False,
+    number_of: TimeNode = lambda column: column,
 ) -> exp.Query:
     """Return the step *readings*: the rows of the source, its channels named, in the method's words.
 
     *micros_of* turns the time column into integer microseconds, or leaves a counter as it is; *unpivots*
-    says whether the engine can make a row of each of many columns by itself.
+    says whether the engine can make a row of each of many columns by itself; *number_of* reads a column
+    of numbers so that nothing of a value is dropped.
     """
     condition = parsed_condition(source.where)
     asset = named_by(source.asset, ONLY_ASSET)
@@ -147,7 +153,7 @@ def readings(
             "asset": asset,
             "channel": named_by(source.channel if isinstance(source, Source) else None, value),
             "time": micros_of(template.column(source.time)),
-            "reading": template.column(value),
+            "reading": number_of(template.column(value)),
             "condition": condition,
         }
         filled = template.fill("source/readings", slots)
@@ -224,6 +230,11 @@ def is_file(relation: object) -> bool:
     if isinstance(relation, (list, tuple)):
         return bool(relation) and all(map(is_file, relation))
     return isinstance(relation, str) and relation.lower().endswith((*FILE_ENDINGS, "/"))
+
+
+def is_spreadsheet(relation: object) -> bool:
+    """Tell whether a relation is the path of a spreadsheet."""
+    return isinstance(relation, (str, Path)) and str(relation).lower().endswith(_SPREADSHEETS)
 
 
 def as_folder(path: Any) -> Any:

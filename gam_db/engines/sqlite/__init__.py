@@ -93,6 +93,7 @@ class Affinities(Types):
 ENGINE = Engine.named(
     "sqlite",
     types=Affinities("sqlite"),
+    heeds=frozenset({"null"}),
     range_of=range_of,
     storage=Storage("none", index=True, adds_twice=False, replaces_views=False),
     rewrites=(glob_for_like,),

@@ -85,7 +85,7 @@ class Reader:
 
     def undated(self) -> exp.Query:
         """Return the readings without a time."""
-        return self._under([exp.Is(this=template.column(self._source.time), expression=exp.null())])
+        return self._under([self._engine.undated(self.kind, template.column(self._source.time))])
 
     def _under(self, conditions: Sequence[exp.Expr]) -> exp.Query:
         source = under(self._source, *conditions)
