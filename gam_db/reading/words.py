@@ -40,12 +40,12 @@ class Misfits:
 
     def first(self) -> list[Row]:
         """Return the first of them, see ``sql/source/misfits.sql``; a pass that counts goes before."""
-        ((count,),) = (row.values() for row in self.session.rows(self._filled("misfit_count")))
-        return self.session.rows(self._filled("misfits", most=LOOKED_AT)) if count else []
+        ((count,),) = (row.values() for row in self.session.rows(self._filled("source/misfit_count")))
+        return self.session.rows(self._filled("source/misfits", most=LOOKED_AT)) if count else []
 
     def _filled(self, name: str, **more: template.Slot) -> exp.Expr:
         slots = {"words": self.words, "meant": self.meant, "condition": self.condition}
-        query = template.fill(f"source/{name}", {**slots, **more})
+        query = template.fill(name, {**slots, **more})
         read_from(self.relation, query)
         return query
 
@@ -98,9 +98,16 @@ def _look_at_words(
     hint = f"{said} would take them for missing values; mend what is none" if said else "mend them"
     wanted = {"count": "integers", "truth": "0 or 1", "time": "times in ISO 8601"}.get(what, "numbers")
     raise wrong(
-        *("words_among_numbers",), count=first["of_all"], texts=first["texts"], name=name, wanted=wanted,
-        type_name=type_name, word=shortened(first["word"]), of_word=first["of_word"], hint=hint,
-    )  # fmt: skip
+        "words_among_numbers",
+        count=first["of_all"],
+        texts=first["texts"],
+        name=name,
+        wanted=wanted,
+        type_name=type_name,
+        word=shortened(first["word"]),
+        of_word=first["of_word"],
+        hint=hint,
+    )
 
 
 def ways_of(source: AnySource, found: list[Row], misread: Callable[[str], Misfits]) -> list[str]:

@@ -30,7 +30,7 @@ LAYERS = [
     ["settings.source"],
     ["method"],
     ["engines"],
-    ["alarms.heights", "reading.look", "study.running"],
+    ["alarms.heights", "reading.look", "reading.words", "study.running"],
     ["reading.guess", "reading.preparing"],
     ["study.streamed"],
     ["study.naming"],

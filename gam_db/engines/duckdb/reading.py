@@ -66,7 +66,7 @@ def all_as_text(reader: exp.Expr) -> exp.Expr:
     reader = reader.copy()
     files, *options = reader.this.expressions
     kept = [files, *(one for one in options if one.this.name not in ("types", "nullstr"))]
-    reader.this.set("expressions", [*kept, option("all_varchar", exp.true())])
+    reader.this.set("expressions", [*kept, reader_option("all_varchar", exp.true())])
     reader.set("alias", None)
     return reader
 
@@ -86,11 +86,13 @@ def retyped(relation: exp.Expr, types: Mapping[str, str]) -> exp.Expr:
         for name, of in types.items()
     ]
     if others or more:
-        reader.this.append("expressions", option("types", exp.Struct(expressions=[*others, *more])))
+        reader.this.append(
+            "expressions", reader_option("types", exp.Struct(expressions=[*others, *more]))
+        )
     return reader
 
 
-def option(name: str, value: exp.Expr) -> exp.Expr:
+def reader_option(name: str, value: exp.Expr) -> exp.Expr:
     """Return an option of a reader."""
     return exp.EQ(this=exp.column(name), expression=value)
 
@@ -102,7 +104,9 @@ def parquet_reader(paths: Sequence[str]) -> exp.Expr:
     a column lie between -1e300 and 1e300, the test for missing ones is optimised away, and NaN counts as
     a reading (seen on files that PyArrow wrote; DuckDB's own have no statistics then).
     """
-    return exp.Table(this=called("READ_PARQUET", _files(paths), option("can_have_nan", exp.true())))
+    return exp.Table(
+        this=called("READ_PARQUET", _files(paths), reader_option("can_have_nan", exp.true()))
+    )
 
 
 def csv_reader(paths: Sequence[str], options: Sequence[exp.Expr], reader: str = "READ_CSV") -> exp.Expr:
@@ -136,11 +140,13 @@ def csv_options(form: Form) -> list[exp.Expr]:
         "timestampformat" if has_hour else "dateformat": form.time_format,
     }
     options = [
-        option(name, exp.Literal.number(value) if isinstance(value, int) else template.text(value))
+        reader_option(
+            name, exp.Literal.number(value) if isinstance(value, int) else template.text(value)
+        )
         for name, value in said.items()
         if value is not None
     ]
     if form.null:
         words = [template.text(word) for word in ("", *form.null)]
-        options.append(option("nullstr", exp.Array(expressions=words)))
+        options.append(reader_option("nullstr", exp.Array(expressions=words)))
     return options

@@ -15,7 +15,7 @@ from gam_db import data
 from gam_db.clock import TimeKind
 from gam_db.composing import template
 from gam_db.engines.duckdb import ENGINE
-from gam_db.engines.duckdb.reading import csv_options, csv_reader, option, parquet_reader
+from gam_db.engines.duckdb.reading import csv_options, csv_reader, parquet_reader, reader_option
 from gam_db.engines.types import Several
 from gam_db.errors import SourceError, wrong
 from gam_db.settings.form import Form
@@ -96,7 +96,9 @@ def csv_files(
         if not by_file and (len(files) > 1 or form.null):
             dialect, names = _dialect(connection, file, form)
             if {*(form.null or ())} & {*names}:  # these words are names where they stand above
-                dialect.append(option("names", exp.Array(expressions=[*map(template.text, names)])))
+                dialect.append(
+                    reader_option("names", exp.Array(expressions=[*map(template.text, names)]))
+                )
                 columns = columns_of(csv_reader([file], [*csv_options(form), *dialect]), file) or {}
         by_file[file] = columns
     if not by_file:
@@ -104,7 +106,7 @@ def csv_files(
         raise SourceError(f"{shown} has no rows; it is empty, or there is a header only.")
     check_columns(by_file)
     if len(by_file) > 1:
-        dialect.append(option("union_by_name", exp.true()))
+        dialect.append(reader_option("union_by_name", exp.true()))
         dialect += _common_types(connection, by_file, [*csv_options(form), *dialect])
     return csv_reader([*by_file], [*csv_options(form), *dialect])
 
@@ -120,11 +122,13 @@ def _dialect(
     *signs, has_header, columns = found
     given = {one.this.name for one in options}
     dialect = [
-        option(name, exp.Literal.number(value) if isinstance(value, int) else template.text(value))
+        reader_option(
+            name, exp.Literal.number(value) if isinstance(value, int) else template.text(value)
+        )
         for name, value in zip(_DIALECT, signs, strict=True)
         if name not in given and value not in _NONE
     ]
-    dialect.append(option("header", exp.true() if has_header else exp.false()))
+    dialect.append(reader_option("header", exp.true() if has_header else exp.false()))
     return dialect, [column["name"] for column in columns]
 
 
@@ -143,7 +147,7 @@ def _common_types(
                     del files[file]  # it has no value in this file
             common = _common_of_texts({*files.values()})
             types.append(exp.PropertyEQ(this=template.text(name), expression=template.text(common)))
-    return [option("types", exp.Struct(expressions=types))] if types else []
+    return [reader_option("types", exp.Struct(expressions=types))] if types else []
 
 
 def _common_of_texts(found: set[str]) -> str:

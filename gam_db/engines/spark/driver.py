@@ -160,8 +160,9 @@ class SparkDriver(Driver):
                 for name, of in self._session.read.parquet(file).dtypes:
                     kind, other = first.setdefault(name, (of, file))
                     if kind != of:
-                        shown = {"column": name, "one": file, "of": of, "other": other, "kind": kind}
-                        raise wrong("types_differ", **shown) from error
+                        raise wrong(
+                            "types_differ", column=name, one=file, of=of, other=other, kind=kind
+                        ) from error
             raise
 
     def problem(self, error: Exception) -> UserError | None:
