@@ -24,7 +24,7 @@ from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, EngineError, wrong
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.setting import COUNT, FLAG, TEXT, Setting, check, setting, settings_of
-from gam_db.settings.source import FILE_ENDINGS, as_folder, is_file
+from gam_db.settings.source import FILE_ENDINGS, as_folder, is_file, is_spreadsheet
 
 DATABASE_ENDINGS = (".duckdb", ".db")
 
@@ -264,16 +264,23 @@ def named_relation(settings: Settings) -> str | tuple[str, ...]:
         raise wrong("no_source")
     if not isinstance(relation, str):
         for one in relation:
+            _check_no_spreadsheet(one)
             if not is_file(one):
                 raise wrong("several_are_files", one=one, names=", ".join(FILE_ENDINGS))
         return relation
     if database is None and Path(relation).is_dir():
         return str(as_folder(relation))
     if database is None and not is_file(relation):
+        _check_no_spreadsheet(relation)
         if Path(relation).suffix in DATABASE_ENDINGS:
             raise wrong("source_is_a_database", relation=relation)
         raise wrong("no_database_for_table", relation=relation, names=", ".join(FILE_ENDINGS))
     return relation
+
+
+def _check_no_spreadsheet(relation: str) -> None:
+    if is_spreadsheet(relation):
+        raise wrong("spreadsheet", relation=relation)
 
 
 def opened(

@@ -32,6 +32,9 @@ RangeRewrite = Callable[[exp.Expr, int | None, int | None], list[exp.Expr]]
 
 _SAID = data.table("gam_db.engines", "engines.toml")
 
+#: Begins what a statement says that met a value which is not whole.
+REFUSES = "gam-db: "
+
 #: Engine, its home and hash of a tree -> its text.
 _WRITTEN: Lately[str] = Lately(3000)
 
@@ -65,6 +68,7 @@ class Texts:
     number: Callable[[exp.Expr, Form], exp.Expr]  # the number of a word that is written in a form
     #: The timestamp of a word in a format, None for ISO 8601.
     instant: Callable[[exp.Expr, str | None], exp.Expr]
+    count: Callable[[exp.Expr], exp.Expr]  # the integer of a word
 
 
 def table_as(table: exp.Expr, query: exp.Query | None, *storage: exp.Expr) -> exp.Create:
@@ -123,12 +127,17 @@ class Engine:
     #: Conditions on a column of times, where its own order is not that of the instants.
     range_of: RangeRewrite | None = None
     types: Types = USUAL  # what those of its columns mean
+    #: What must hold of a value (``:word``) that is read as a number, truth, count or time, where an
+    #: engine drops what it cannot read; *word* checks a time at length.
+    whole: Mapping[str, str] = field(default_factory=dict, hash=False)
+    #: What is read (``:read``), and an error if the column (``:word``) is a text.
+    of_no_text: str = ""
+    refusing: str = ""  # an expression that fails; what is said of it holds ``REFUSES``
     #: How numbers and times are read from text; None where that is left to views.
     texts: Texts | None = None
-    #: Asks for the formats of times that the reader of a text file took by itself.
-    seen_formats: Callable[[exp.Expr], exp.Query | None] = lambda _: None
     #: Lets columns of a text file be read as other types (name -> type).
     retyped: Callable[[exp.Expr, Mapping[str, str]], exp.Expr] = lambda relation, _: relation
+    heeds: frozenset[str] = frozenset()  # of how things are written, what it heeds without reading texts
     rewrites: Sequence[Rewrite] = ()  # from tree to tree, each with its reason in its docstring
     #: CREATE TABLE ... AS with what the engine wants to know of storage.
     create_table: Callable[[exp.Table, exp.Query], exp.Create] = table_as
@@ -167,10 +176,10 @@ class Engine:
     @classmethod
     def named(cls, name: str, **code: Any) -> "Engine":
         """Return an engine: what ``engines.toml`` says of it, and the rest, which takes code."""
-        said = {
-            key: {TimeKind(kind): one for kind, one in of.items()} if isinstance(of, dict) else of
-            for key, of in _SAID[name].items()
-        }
+        said = dict(_SAID[name])
+        for key in {"micros", "instant", "compared"} & said.keys():
+            if isinstance(of := said[key], dict):
+                said[key] = {TimeKind(kind): one for kind, one in of.items()}
         return cls(name=name, **{**said, **code})
 
     def is_too_old(self, version: str) -> bool:
@@ -185,7 +194,35 @@ class Engine:
 
     def micros_of(self, kind: TimeKind, column: exp.Expr) -> exp.Expr:
         """Return the integer time of a column that tells time in a way."""
-        return formula(self.counted if kind.is_counter else _of_kind(self.micros, kind), time=column)
+        read = formula(self.counted if kind.is_counter else _of_kind(self.micros, kind), time=column)
+        return self.insisting("count" if kind.is_counter else "time", column, read, "BIGINT")
+
+    def tells_none(self, kind: TimeKind, column: exp.Expr) -> exp.Expr:
+        """Return the condition that a column tells no time, as NULL or by what no range finds."""
+        nothing: exp.Expr = exp.Is(this=column.copy(), expression=exp.null())
+        rule = self.whole.get("count" if kind.is_counter else "time")
+        if rule is None or "word" not in self.whole:
+            return nothing
+        return exp.or_(nothing, exp.Not(this=exp.paren(formula(rule, word=column))))
+
+    def number_of(self, column: exp.Expr) -> exp.Expr:
+        """Return a column of readings, of which nothing is dropped."""
+        return self.insisting("number", column, column, "DOUBLE")
+
+    def insisting(self, what: str, column: exp.Expr, read: exp.Expr, of: str) -> exp.Expr:
+        """Return what is read of a column; the statement fails where a value is not whole.
+
+        Cause: SQLite and MariaDB read as much of a text as they can, ClickHouse gives NULL. Symptom: the
+        word Bad is a reading of 0, or missing.
+        """
+        if self.of_no_text:
+            return formula(self.of_no_text, word=column, read=read)
+        if what not in self.whole:
+            return read
+        is_there = exp.Not(this=exp.Is(this=column.copy(), expression=exp.null()))
+        refused = exp.cast(formula(self.refusing, word=column), of)
+        cases = ((formula(self.whole[what], word=column), read), (is_there, refused))
+        return exp.Case(ifs=[exp.If(this=when, true=then.copy()) for when, then in cases])
 
     def clock(self) -> exp.Expr:
         """Return the expression of this instant by the database's clock, in microseconds since 1970."""
@@ -210,8 +247,9 @@ class Engine:
         Rows later than ``until``, an integer time, are left out; rows without a time stay.
         """
         within = partial(self.in_range, kind, template.column(source.time))
-        said = partial(self.micros_of, kind), within, self.unpivots
-        return ranged_readings(source, relation, *said, earliest, latest, validity, until)
+        nodes = partial(self.micros_of, kind), self.number_of, within
+        edges = earliest, latest
+        return ranged_readings(source, relation, *nodes, self.unpivots, *edges, validity, until)
 
     def near(self, source: AnySource, kind: TimeKind, earliest: int, latest: int) -> list[exp.Expr]:
         """Return conditions on the time column that hold for all rows of a range, perhaps for others."""

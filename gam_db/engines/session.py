@@ -16,13 +16,13 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.composing import template
-from gam_db.engines.base import macro
+from gam_db.engines.base import REFUSES, macro
 from gam_db.engines.driver import Driver
 from gam_db.engines.refusals import CONFLICT as CONFLICT
 from gam_db.engines.refusals import OPEN, first_line
 from gam_db.errors import EngineError, LostConnectionError, SourceError, StatementError, nearest, wrong
 from gam_db.settings.form import Form
-from gam_db.settings.source import is_file, table_names
+from gam_db.settings.source import is_file, is_spreadsheet, table_names
 
 T = TypeVar("T")
 Row = dict[str, Any]
@@ -50,6 +50,8 @@ class Session:
         self._number: int | None = None
         self._made: dict[str, exp.Table] = {}
         self._defined: dict[str, exp.Expr] = {}  # by name: how it is dropped
+        #: Each looks for values that are not whole, and raises what is said of them.
+        self.suspects: list[Callable[[], None]] = []
 
     def __enter__(self) -> Self:
         return self
@@ -80,10 +82,12 @@ class Session:
             SourceError: there is no such relation, or the engine cannot read it.
         """
         said = form is not None and self.engine.texts is None and form
-        if said and (said.reads_words or said.delimiter or said.skip_rows or said.time_format):
+        if said and set(said.written) - {"time_unit", *self.engine.heeds}:
             raise wrong("engine_reads_no_texts", title=self.engine.title)
         if not isinstance(relation, (str, Path, tuple, list)):
             return self.load(arrow_table(relation))
+        if isinstance(relation, Path) and is_spreadsheet(relation):
+            raise wrong("spreadsheet", relation=relation)
         if is_file(relation):
             return self._asked(lambda: self.driver.file(relation, form))
         shown = relation if isinstance(relation, str) else ".".join(map(str, relation))  # type: ignore[arg-type]
@@ -91,6 +95,8 @@ class Session:
         for node in table_names(relation):  # type: ignore[arg-type]
             if self._is_among(node, known):
                 return self._asked(functools.partial(self.driver.located, node))
+        if is_spreadsheet(relation):
+            raise wrong("spreadsheet", relation=relation)
         raise SourceError(self._unknown(shown, nearest(shown, _of_others({name[-1] for name in known}))))
 
     @contextlib.contextmanager
@@ -277,6 +283,9 @@ class Session:
         try:
             return question()
         except self.driver.errors as error:
+            if REFUSES in str(error):
+                for look in self.suspects:
+                    look()
             if (problem := self.driver.problem(error)) is not None:
                 raise problem from error
             raise StatementError(

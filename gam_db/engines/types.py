@@ -31,6 +31,10 @@ _KINDS = {
 }
 
 
+class Several(str):
+    """What takes the place of a type where the files of a source have several; no column holds such."""
+
+
 def _among(kinds: set[exp.DType]) -> Callable[["Types", str], bool]:
     """Return the method that tells whether a column of a type holds one of some kinds."""
     return lambda types, named: (kind := types._read(named)) is not None and kind.this in kinds
@@ -65,6 +69,8 @@ class Types:
 
     def _read(self, type_name: str) -> exp.DataType | None:
         """Return a type as a node, without what may stand around it; None if nobody knows it."""
+        if isinstance(type_name, Several):
+            return None
         for other, meant in self.others:
             type_name = re.sub(rf"\b{other}\b", meant, type_name, flags=re.IGNORECASE)
         try:

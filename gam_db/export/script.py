@@ -18,8 +18,8 @@ from gam_db.engines import engine_named
 from gam_db.engines.base import Engine, macro
 from gam_db.errors import EngineError, ParameterError, SourceError, nearest, wrong
 from gam_db.method import Method, pipeline
-from gam_db.reading import look
 from gam_db.reading.ahead import latest_live
+from gam_db.reading.preparing import prepared
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
 from gam_db.settings.setting import settings_of
@@ -32,7 +32,6 @@ from gam_db.settings.source import (
     is_file,
     named_by,
     parsed_condition,
-    paths_of,
     shown_relation,
     table_names,
 )
@@ -81,9 +80,8 @@ def render(
     chosen = engine_named(engine)
     if schema is not None and not chosen.schemas:
         raise EngineError(f"{engine} has no schemas; leave schema out and give another prefix.")
-    source, kind, found = _looked_at(source, parameters, calibration, chosen)
+    source, kind, found, relation = _looked_at(source, parameters, calibration, chosen)
     method = Method(parameters, calibration, kind)
-    relation = _relation(source, chosen)
     steps = _steps(method, source, relation, chosen)
     head = [
         f"gam-db, form {form}, for {chosen.name}. {_described(parameters)}",
@@ -180,44 +178,37 @@ def _steps(method: Method, source: AnySource, relation: exp.Expr, engine: Engine
     return pipeline(method, rows, lambda node: engine.instant_of(kind, node))
 
 
-def _relation(source: AnySource, engine: Engine) -> exp.Expr:
-    relation = source.relation
-    if not is_file(relation):
-        if not isinstance(relation, (str, tuple, list)):
-            raise wrong("script_of_a_frame")
-        return table_names(relation)[0]
-    if not engine.reads_files:
-        raise wrong("engine_reads_no_files", name=engine.name, relation=shown_relation(relation))
-    from gam_db.engines.duckdb.reading import file_reader
-
-    return file_reader(paths_of(relation))
-
-
 def _looked_at(
     source: AnySource, parameters: Parameters, calibration: Calibration, engine: Engine
-) -> tuple[AnySource, TimeKind, bool]:
-    """Return the source with its channels named, its kind of time, and whether that is known."""
-    declared = declared_kind(source)
-    if source.of_words:
-        raise wrong("script_reads_no_words", names=", ".join(source.of_words))
-    if is_file(source.relation) and engine.reads_files:
+) -> tuple[AnySource, TimeKind, bool, exp.Expr]:
+    """Return the source with its channels named, its kind of time, if that is known, and the node."""
+    declared, relation = declared_kind(source), source.relation
+    if is_file(relation):
+        if not engine.reads_files:
+            raise wrong("engine_reads_no_files", name=engine.name, relation=shown_relation(relation))
+        if source.encoding is not None:
+            raise wrong("script_reads_no_words", names="encoding")
         from gam_db.engines.duckdb.session import DuckSession
 
         with DuckSession() as session:
-            columns = session.describe(session.relation(source.relation))
-            source = look.resolved(source, columns, session)
-            return source, look.kind_of(source, columns, session), True
+            read = prepared(session, source)
+            return read.rows, read.kind, True, session.following(read.relation)
+    if source.of_words:
+        raise wrong("script_reads_no_words", names=", ".join(source.of_words))
     if isinstance(source, WideSource) and source.channels is None:
         raise SourceError("A script of a wide table needs its channels named: channels=[...].")
     if isinstance(source.relation, pa.Table):
         raise SourceError("A script needs a table that the engine holds, not an Arrow table.")
+    if not isinstance(relation, (str, tuple, list)):
+        raise wrong("script_of_a_frame")
+    node = table_names(relation)[0]
     if declared is not None:
-        return source, declared, True
+        return source, declared, True, node
     pairs = (*(calibration.intervals or ()), *calibration.exclude)
     given = [calibration.duration, calibration.score_from, *(end for pair in pairs for end in pair)]
     given += [variant.max_gap for variant in parameters.variants()]
     calendar = any(value is not None and looks_like_calendar(value) for value in given)
-    return source, TimeKind.TIMESTAMP if calendar else TimeKind.COUNTER, calendar
+    return source, TimeKind.TIMESTAMP if calendar else TimeKind.COUNTER, calendar, node
 
 
 def _described(parameters: Parameters) -> str:

@@ -6,18 +6,28 @@ section 2), and what is said of words that do not fit. All forms of the method r
 
 import contextlib
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from sqlglot import exp
 
 from gam_db.clock import SINCE_1970, TimeKind
 from gam_db.composing import template
-from gam_db.engines.session import Row, Session
-from gam_db.errors import SourceError, wrong
+from gam_db.engines.session import Session
+from gam_db.errors import wrong
 from gam_db.reading import look
-from gam_db.settings.form import LOOKED_AT, formats_for_times, options_for_numbers, shortened
-from gam_db.settings.source import AnySource, parsed_condition, read_from
+from gam_db.reading.words import (
+    Misfits,
+    but_nulls,
+    check_header,
+    check_numbers,
+    first_of,
+    no_times,
+    suspects,
+    ways_of,
+)
+from gam_db.settings.source import AnySource, parsed_condition
 
 
 @dataclass(frozen=True)
@@ -55,18 +65,14 @@ def prepared(session: Session, source: AnySource) -> Prepared:
 
 def _made(session: Session, source: AnySource, columns: dict[str, str], stored: exp.Expr) -> Prepared:
     """Return a source of which it is known that its columns are there."""
-    if retyped := _retyped(session, source, columns):
-        stored = session.engine.retyped(stored, retyped)
-        columns = session.describe(stored)
+    columns, stored = as_written(session, source, columns, stored)
+    session.suspects += suspects(session, source, columns, stored)
     changes = _changes(session, source, columns, stored)
     if not changes:
         kind = look.kind_of(source, columns, session)
         return Prepared(source, columns, stored, source, stored, kind)
     inner = exp.select("*").from_(stored.copy()).where(parsed_condition(source.where))
-    every = [
-        exp.alias_(changes.get(name, template.column(name)), template.name(name)) for name in columns
-    ]
-    relation = exp.select(*every).from_(inner.subquery("written")).subquery("prepared")
+    relation = _with(changes, columns).from_(inner.subquery("written")).subquery("prepared")
     rows = dataclasses.replace(source, where=None)
     # Not every engine tells what a query gives: PostgreSQL tells it of tables alone, SQLite the type
     # of the column in it.
@@ -78,15 +84,85 @@ def _made(session: Session, source: AnySource, columns: dict[str, str], stored: 
     return Prepared(source, columns, stored, rows, relation, kind)
 
 
+def as_written(
+    session: Session, source: AnySource, columns: dict[str, str], stored: exp.Expr
+) -> tuple[dict[str, str], exp.Expr]:
+    """Return the columns and the node of a text file with what its words say; of all else as they are.
+
+    Raises:
+        SourceError: a word of the time column is no time, or no count.
+    """
+    retyped = session.engine.retyped(stored, _retyped(session, source, columns))
+    if retyped is stored:
+        return columns, stored
+    columns = session.describe(retyped)
+    return columns, with_times_read(session, source, columns, retyped)
+
+
+def _with(changes: Mapping[str, exp.Expr], columns: Iterable[str], *more: exp.Expr) -> exp.Select:
+    """Return what selects columns, some of them changed, and more."""
+    every = [
+        exp.alias_(changes.get(name, template.column(name)), template.name(name)) for name in columns
+    ]
+    return exp.select(*every, *more)
+
+
 def _retyped(session: Session, source: AnySource, columns: dict[str, str]) -> dict[str, str]:
-    """Return the columns of a text file whose types its beginning does not tell, and these."""
+    """Return the columns of a text file whose types its beginning does not tell, and these.
+
+    A name is read as it is written: 007 is not 7.
+    """
     types = session.engine.types
     wanted = "VARCHAR" if source.thousands else "DOUBLE"
-    return {
+    values = {
         name: wanted
         for name in source.value_columns
         if types.is_whole(columns[name]) or (source.thousands and types.is_numeric(columns[name]))
     }
+    names = (source.asset, getattr(source, "channel", None))
+    return values | {name: "VARCHAR" for name in names if name is not None and name not in values}
+
+
+def with_times_read(
+    session: Session, source: AnySource, columns: Mapping[str, str], stored: exp.Expr
+) -> exp.Expr:
+    """Return the node of a text file with its times read from the words that stand there.
+
+    Cause: a reader of text files guesses formats by the first lines, and cuts off what it cannot use of
+    the words below. Symptom: 03.03.26 is a day of 2003, and an offset or PM far down is dropped.
+    """
+    engine, time = session.engine, source.time
+    kind, of_words = engine.types.time_kind(columns[time]), engine.retyped(stored, {time: "VARCHAR"})
+    if engine.texts is None or of_words is stored or kind is None:
+        return stored
+    words = template.column(time)
+
+    def read(meant: exp.Expr, *more: exp.Expr) -> exp.Expr:
+        return _with({time: meant}, columns, *more).from_(of_words.copy()).subquery("timed")
+
+    def misread(meant: exp.Expr) -> Misfits:
+        # The condition is on times, and a word that is none does not make it false.
+        condition = parsed_condition(source.where)
+        holds = exp.or_(condition, exp.Is(this=exp.paren(condition.copy()), expression=exp.null()))
+        word = template.name("gam_word")
+        relation = read(meant, exp.alias_(words.copy(), word))
+        return Misfits(session, relation, holds, exp.column(word), words)
+
+    if kind.is_counter:
+        meant = engine.texts.count(words)
+        if found := misread(meant).first():
+            check_header(source, time, found)
+            raise wrong("texts_are_no_counts", time=time, said=first_of(found))
+        return read(meant)
+    meant = engine.texts.instant(words, source.time_format)
+    if found := misread(meant).first():
+        ways = ways_of(source, found, lambda way: misread(engine.texts.instant(words, way)))  # type: ignore[union-attr]
+        if len(ways) != 1 or "%Y" not in ways[0]:
+            raise no_times(source, found, ways)
+        meant = engine.texts.instant(words, ways[0])
+    if kind is TimeKind.TIMESTAMP_WITH_ZONE or "%z" in (source.time_format or ""):
+        meant = engine.instant_of(kind, engine.micros_of(TimeKind.TIMESTAMP_WITH_ZONE, meant))
+    return read(meant)
 
 
 def _changes(
@@ -95,32 +171,28 @@ def _changes(
     """Return what is read in the place of columns."""
     types, texts = session.engine.types, session.engine.texts
     changes: dict[str, exp.Expr] = {}
+    misread = partial(Misfits, session, stored, parsed_condition(source.where))
     for name in source.value_columns:
-        column = template.column(name)
+        column: exp.Expr = template.column(name)
         if types.is_truth(columns[name]):
-            changes[name] = template.fill("source/truth_term", {"flag": column})
+            flag = session.engine.insisting("truth", column, column, "BIGINT")
+            changes[name] = template.fill("source/truth_term", {"flag": flag})
         elif texts is not None and types.is_text(columns[name]):
-            words = _but_nulls(column, source.null)
-            changes[name] = texts.number(words, source)
-            found = _misfits(session, source, words, changes[name], stored)
-            _check_numbers(source, name, columns[name], found)
+            words = but_nulls(column, source.null)
+            number = changes[name] = texts.number(words, source)
+            check_numbers(source, name, columns[name], misread(words, number).first())
         elif source.null and types.is_numeric(columns[name]):
-            numbers = []
-            for word in source.null:
-                with contextlib.suppress(ValueError):
-                    numbers.append(template.node_of(float(word)))
-            if numbers:
-                missing = exp.In(this=exp.cast(column.copy(), "DOUBLE"), expressions=numbers)
-                changes[name] = exp.Case(ifs=[exp.If(this=missing, true=exp.null())], default=column)
+            changes |= _but_numbers(session, column, name, source.null)
     time = columns[source.time]
     if texts is not None and types.is_text(time):
-        words = _but_nulls(template.column(source.time), source.null)
-        meant = changes[source.time] = texts.instant(words, source.time_format)
-        _check_times(source, time, _misfits(session, source, words, meant, stored))
+        words, of_format = but_nulls(template.column(source.time), source.null), texts.instant
+        meant = changes[source.time] = of_format(words, source.time_format)
+        if found := misread(words, meant).first():
+            raise no_times(
+                source, found, ways_of(source, found, lambda way: misread(words, of_format(words, way)))
+            )
     elif source.time_unit and types.is_numeric(time):
         changes[source.time] = _since_1970(session, source, time)
-    elif texts is not None and not source.time_format and not types.is_numeric(time):
-        _check_order(session, source, stored)
     return changes
 
 
@@ -136,17 +208,33 @@ def _check_local(session: Session, source: AnySource, columns: dict[str, str], s
         raise wrong("zone_of_no_local_time", time=source.time, kind="times with a zone")
 
 
-def _but_nulls(column: exp.Expr, nulls: Sequence[str] | None) -> exp.Expr:
-    """Return a column of text without the words that mean a missing value."""
-    if not nulls:
-        return column
-    missing = exp.In(this=column.copy(), expressions=[template.text(word) for word in nulls])
-    return exp.Case(ifs=[exp.If(this=exp.Not(this=missing), true=column)])
+def _but_numbers(
+    session: Session, column: exp.Expr, name: str, nulls: Sequence[str]
+) -> dict[str, exp.Expr]:
+    """Return a column of numbers without those that mean a missing value, by its name.
+
+    Where texts may stand among the numbers, those that mean one are left out first.
+    """
+    numbers = []
+    for word in nulls:
+        with contextlib.suppress(ValueError):
+            numbers.append(template.node_of(float(word)))
+    may_be_text = "number" in session.engine.whole
+    ifs = [exp.In(this=column.copy(), expressions=[*map(template.text, nulls)])] * may_be_text
+    if numbers:
+        read = exp.cast(session.engine.number_of(column), "DOUBLE")
+        ifs.append(exp.In(this=read, expressions=numbers))
+    if not ifs:
+        return {}
+    return {name: exp.Case(ifs=[exp.If(this=one, true=exp.null()) for one in ifs], default=column)}
 
 
 def _since_1970(session: Session, source: AnySource, type_name: str) -> exp.Expr:
     """Return numbers since 1970 as timestamps; a binary fraction counts as the nearest microsecond."""
-    types, column = session.engine.types, template.column(source.time)
+    types = session.engine.types
+    column: exp.Expr = template.column(source.time)
+    what = "count" if types.is_whole(type_name) else "number"
+    column = session.engine.insisting(what, column, column, "DOUBLE" if what == "number" else "BIGINT")
     _, of_second = SINCE_1970[source.time_unit or "us"]
     factor, parts = max(10**6 // of_second, 1), max(of_second // 10**6, 1)
     farthest = 4 * 10**18 // factor
@@ -168,69 +256,3 @@ def _since_1970(session: Session, source: AnySource, type_name: str) -> exp.Expr
         else:
             micros = template.fill("source/units_term", {"ticks": whole, "micros": factor})
     return session.engine.instant_of(TimeKind.TIMESTAMP, micros)
-
-
-def _misfits(
-    session: Session, source: AnySource, words: exp.Expr, meant: exp.Expr, stored: exp.Expr
-) -> list[Row]:
-    """Return the first words of a column that have no meaning; see ``sql/source/misfits.sql``."""
-    condition = parsed_condition(source.where)
-    slots: dict[str, template.Slot] = {"words": words, "meant": meant, "condition": condition}
-    query = template.fill("source/misfits", slots | {"most": LOOKED_AT})
-    read_from(stored, query)
-    return session.rows(query)
-
-
-def _check_numbers(source: AnySource, name: str, type_name: str, found: list[Row]) -> None:
-    """Refuse a column of text that was not said to hold numbers, or holds other words, too."""
-    if source.reads_words and not found:
-        return
-    role = "value" if name == getattr(source, "value", None) else "channel"
-    said = f"The {role} column {name!r} is of type {type_name}; readings must be numbers. "
-    if not found:
-        raise wrong("texts_are_numbers", said=said)
-    words = [row["word"] for row in found]
-    if found[0]["of_all"] == found[0]["texts"] and not any(map(str.isdigit, "".join(words))):
-        shown = ", ".join(map(shortened, words[:5])) + ", ..." * (len(words) > 5)
-        raise wrong("texts_are_words", said=said, shown=shown)
-    proposed = options_for_numbers(words)
-    raise SourceError(f"{said}{_first(found)}; {proposed} would read them. Cast it in a view otherwise.")
-
-
-def _check_times(source: AnySource, type_name: str, found: list[Row]) -> None:
-    """Refuse words that are no times in ISO 8601, or as was said."""
-    if not found:
-        return
-    wanted = f"a time like {source.time_format!r}" if source.time_format else "a time in ISO 8601"
-    formats = formats_for_times([row["word"] for row in found])
-    proposed = " or ".join(f"--time-format {way!r}" for way in formats[:2])
-    hint = f"{proposed} would read them" if formats else "say --time-format, or --null for what is none"
-    if len(formats) > 1:
-        hint += ": say which is meant"
-    time, said = source.time, f"{_first(found)}; {hint}"
-    raise wrong("texts_are_no_times", time=time, type_name=type_name, wanted=wanted, said=said)
-
-
-def _check_order(session: Session, source: AnySource, stored: exp.Expr) -> None:
-    """Refuse dates of a text file that can be read day before month, or the other way round."""
-    texts, asked = session.engine.texts, session.engine.seen_formats(stored)
-    if texts is None or asked is None:
-        return
-    for way in filter(None, session.rows(asked)[0].values()):
-        other = way.translate(str.maketrans("dm", "md"))
-        if way.startswith("%Y") or "%d" not in way or "%m" not in way:
-            continue
-        words = template.column(source.time)
-        as_text = session.engine.retyped(stored, {source.time: "VARCHAR"})
-        if not _misfits(session, source, words, texts.instant(words, other), as_text):
-            raise wrong("order_of_day_and_month", time=source.time, way=way, other=other)
-
-
-def _first(found: list[Row]) -> str:
-    """Return the first word that did not fit, and how many there are like it."""
-    first = found[0]
-    same = f", {first['of_word']:,} times" if first["of_word"] > 1 else ""
-    return (
-        f"{first['of_all']:,} of {first['texts']:,} words do not fit, the first is "
-        f"{shortened(first['word'])}{same}"
-    )

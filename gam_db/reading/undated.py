@@ -115,7 +115,9 @@ def undated(
     engine = session.engine
     if not among_all:
         time = template.column(source.time)
-        suspect = [formula(engine.timeless if not kind.is_counter else ":time IS NULL", time=time)]
+        suspect = [engine.tells_none(kind, time)]
+        if not kind.is_counter:
+            suspect.append(formula(engine.timeless, time=time))
         clock = clock_of(source)
         for edges in () if clock is None else clock.skipped():
             suspect.append(exp.and_(*engine.in_range(kind, time, *edges)))

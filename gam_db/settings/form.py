@@ -34,8 +34,11 @@ _NUMBER = re.compile(
     rf"\s*[+-]?([0-9][0-9.,'{SPACES}]*|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?\s*([^0-9\s]\S*)?\s*"
 )
 _DAYS = [f"%d{sign}%m{sign}%Y" for sign in "./-"] + [f"%m{sign}%d{sign}%Y" for sign in "/-"]
-_DAYS += [f"%d{sign}%m{sign}%y" for sign in "./-"] + ["%Y/%m/%d", "%Y%m%d", "%Y-%m-%d"]
-_HOURS = ["", " %H:%M", " %H:%M:%S", " %H:%M:%S.%f", " %I:%M %p", " %I:%M:%S %p", "T%H%M%S", " %H.%M.%S"]
+_DAYS += [f"%d{sign}%m{sign}%y" for sign in "./-"] + [f"%m{sign}%d{sign}%y" for sign in "/-"]
+_DAYS += [f"%y{sign}%m{sign}%d" for sign in "./-"] + ["%Y/%m/%d", "%Y.%m.%d", "%Y%m%d", "%Y-%m-%d"]
+_DAYS += ["%d-%b-%Y", "%d-%b-%y", "%d %b %Y"]
+_HOURS = ["", " %H:%M", " %H:%M:%S", " %H:%M:%S.%f", " %H:%M:%S,%f", " %H.%M.%S", " %H%M%S", "T%H%M%S"]
+_HOURS += [f"{sign}%I:%M{rest}" for sign in " T" for rest in (" %p", "%p", ":%S %p", ":%S%p")]
 
 
 def _words(_: Setting, name: str, value: Any) -> tuple[str, ...]:
@@ -45,6 +48,17 @@ def _words(_: Setting, name: str, value: Any) -> tuple[str, ...]:
     return tuple(words)
 
 
+def _encoding(_: Setting | None, name: str, value: Any) -> str:
+    try:
+        b"a".decode(value, "ignore")
+    except (LookupError, TypeError, ValueError):
+        raise ParameterError(
+            f"{name} is {value!r}; it takes the name of an encoding, such as cp1252, latin-1 or utf-16."
+        ) from None
+    return str(value)
+
+
+_ENCODING = Kind(_encoding, read=lambda option, given: _encoding(None, option, given))
 _WORDS = Kind(_words, option=list[str], read=lambda _, given: tuple(given))
 
 
@@ -70,6 +84,7 @@ class Form:
     null: Sequence[str] | None = setting(None, _WORDS)
     delimiter: str | None = setting(None, TEXT)
     skip_rows: int | None = setting(None, COUNT)
+    encoding: str | None = setting(None, _ENCODING)
     time_format: str | None = setting(None, TEXT)
     time_unit: str | None = setting(None, one_of(*SINCE_1970))
     source_time_zone: str | None = setting(None, _ZONE)

@@ -30,6 +30,7 @@ def ranged_readings(
     source: AnySource,
     relation: exp.Expr,
     micros_of: TimeNode,
+    number_of: TimeNode,
     within: RangeNode,
     unpivots: bool = False,
     earliest: int = LONG_AGO,
@@ -43,6 +44,7 @@ def ranged_readings(
         source: what is read.
         relation: the node that reads it.
         micros_of: turns the time column into integer microseconds, or leaves a counter as it is.
+        number_of: reads a column of numbers so that nothing of a value is dropped.
         within: returns the conditions that the time column lies in a range, both ends included.
         unpivots: whether the engine can make a row of each of many columns by itself.
         earliest: the first instant that is read; local times become instants here.
@@ -53,14 +55,14 @@ def ranged_readings(
     clock = clock_of(source)
     if clock is None:
         ranged = _narrowed(source, within(earliest, latest))
-        return readings(ranged, relation, micros_of, unpivots, validity, until)
+        return readings(ranged, relation, micros_of, number_of, unpivots, validity, until)
     # Local times of the range, and perhaps others: which instants they are is told by the rows.
     edges = clock.earliest(earliest), clock.latest(latest)
     pieces, time = clock.pieces(*edges), exp.column("time")
 
     def shown(file: str, conditions: Sequence[exp.Expr], **slots: template.Slot) -> exp.Query:
         ranged = _narrowed(source, conditions)
-        rows = readings(ranged, relation, micros_of, unpivots, validity)
+        rows = readings(ranged, relation, micros_of, number_of, unpivots, validity)
         filled = template.fill(file, slots)
         read_from(rows.subquery("local_readings"), filled)
         return filled  # type: ignore[return-value]

@@ -21,6 +21,7 @@ from gam_db.settings.setting import check
 
 ONLY_ASSET = "asset"
 FILE_ENDINGS = (".parquet", ".pq", ".csv", ".tsv", ".csv.gz", ".tsv.gz", ".csv.zst")
+_SPREADSHEETS = (".xlsx", ".xls", ".xlsm", ".xlsb", ".ods", ".numbers")
 
 TimeNode = Callable[[exp.Expr], exp.Expr]
 
@@ -46,8 +47,8 @@ class Source(Form):
             clock.
 
     How numbers and times are written is said by keywords, see :class:`gam_db.settings.form.Form`:
-    decimal, thousands, unit, null, delimiter, skip_rows, time_format, time_unit, source_time_zone,
-    valid_when.
+    decimal, thousands, unit, null, delimiter, skip_rows, encoding, time_format, time_unit,
+    source_time_zone, valid_when.
     """
 
     relation: Any
@@ -167,6 +168,7 @@ def readings(
     source: AnySource,
     relation: exp.Expr,
     micros_of: TimeNode,
+    number_of: TimeNode = lambda column: column,
     unpivots: bool = False,
     validity: bool = False,
     until: exp.Expr | int | None = None,
@@ -174,9 +176,10 @@ def readings(
     """Return the step *readings*: the rows of the source, its channels named, in the method's words.
 
     *micros_of* turns the time column into integer microseconds, or leaves a counter as it is; *unpivots*
-    says whether the engine can make a row of each of many columns by itself. With *validity* a reading
-    is 1 or 0, as the user's condition on readings holds or not. Rows later than *until*, an integer
-    time, are left out; rows without a time stay.
+    says whether the engine can make a row of each of many columns by itself; *number_of* reads a column
+    of numbers so that nothing of a value is dropped. With *validity* a reading is 1 or 0, as the user's
+    condition on readings holds or not. Rows later than *until*, an integer time, are left out; rows
+    without a time stay.
     """
     condition = parsed_condition(source.where)
     asset = named_by(source.asset, ONLY_ASSET)
@@ -190,7 +193,7 @@ def readings(
             "asset": asset,
             "channel": named_by(source.channel if isinstance(source, Source) else None, value),
             "time": micros_of(template.column(source.time)),
-            "reading": _reading(source, value, validity),
+            "reading": _reading(source, number_of(template.column(value)), validity),
             "condition": condition,
         }
         filled = template.fill("source/readings", slots)
@@ -212,14 +215,14 @@ def up_to(rows: exp.Query, time: str, until: exp.Expr | int | None) -> exp.Query
     return rows.where(exp.or_(column <= limit, column.copy().is_(exp.null())), copy=False)
 
 
-def _reading(source: AnySource, value: str, validity: bool) -> exp.Expr:
-    """Return the reading of a column; missing, or 0 where validity is wanted, where it is not valid."""
+def _reading(source: AnySource, reading: exp.Expr, validity: bool) -> exp.Expr:
+    """Return a reading; missing, or 0 where validity is wanted, where it is not valid."""
     if source.valid_when is None:
-        return template.node_of(1) if validity else template.column(value)
+        return template.node_of(1) if validity else reading
     slots: dict[str, template.Slot] = {"valid": parsed_condition(source.valid_when, "valid_when")}
     if validity:
         return template.fill("source/validity_term", slots)
-    return template.fill("source/valid_term", {**slots, "reading": template.column(value)})
+    return template.fill("source/valid_term", {**slots, "reading": reading})
 
 
 def stacked(branches: Sequence[exp.Query]) -> exp.Query:
@@ -239,7 +242,9 @@ def _unpivoted(
     columns, named = [], []
     for number, value in enumerate(source.value_columns, 1):
         column = f"column_{number}"
-        columns.append(exp.alias_(exp.cast(_reading(source, value, validity), "DOUBLE"), column))
+        columns.append(
+            exp.alias_(exp.cast(_reading(source, template.column(value), validity), "DOUBLE"), column)
+        )
         named.append(exp.PivotAlias(this=exp.column(column), alias=template.name(value)))
     filled = template.fill("source/unpivoted", {**said, "columns": columns, "named": named})
     read_from(relation, filled)
@@ -288,6 +293,11 @@ def is_file(relation: object) -> bool:
     if isinstance(relation, (list, tuple)):
         return bool(relation) and all(map(is_file, relation))
     return isinstance(relation, str) and relation.lower().endswith((*FILE_ENDINGS, "/"))
+
+
+def is_spreadsheet(relation: object) -> bool:
+    """Tell whether a relation is the path of a spreadsheet."""
+    return isinstance(relation, (str, Path)) and str(relation).lower().endswith(_SPREADSHEETS)
 
 
 def as_folder(path: Any) -> Any:

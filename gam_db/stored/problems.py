@@ -41,8 +41,8 @@ def data_problems(rows: Iterable[Row], kind: TimeKind, shown_in: dt.tzinfo = dt.
       channels are ahead alike by whole or half hours), jump (a counter went on by more than 1,000 usual
       steps at once), calibration (rows came into it after it was learnt), unknown (rows of a channel
       that no calibration knows: a new or renamed one), constant (it did not move in calibration and
-      moves now), no_data (no usable reading in calibration), silent (its newest row is more than park_after behind the
-      newest of the monitor, or there is none)
+      moves now), no_data (no usable reading in calibration), silent (its newest row is more than
+      park_after behind the newest of the monitor, or there is none)
     * ``asset``, ``channel``: its names
     * ``count``: rows (lost and late: at least; ahead, calibration, unknown), steps (jump), channels
       (outage, unwatched), novel vectors of the last window (constant), else NULL; ``total``: of how many

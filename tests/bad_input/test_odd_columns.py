@@ -57,7 +57,7 @@ def test_columns_that_cannot_be_names() -> None:
 )
 def test_values_that_are_no_numbers(values: Any, shown: str) -> None:
     refused(
-        f"value column 'value' is of type .*{shown}.*; readings must be numbers.*Cast it",
+        f"value column 'value' is of type .*{shown}.*; readings must be numbers.*view",
         lambda: support(Source(table(value=values))),
     )
     refused("channel column 'value'", lambda: support(WideSource(table(value=values), ["value"])))
@@ -76,7 +76,7 @@ def test_values_that_are_no_numbers(values: Any, shown: str) -> None:
 )
 def test_times_that_tell_no_time(times: Any) -> None:
     refused(
-        "time column 'time' is of type .* must be a timestamp or an integer counter.*Cast it in a view",
+        "time column 'time' (is of type .* a timestamp or an integer counter|must be a time in ISO)",
         lambda: support(Source(table(time=times, value=secret()))),
     )
 

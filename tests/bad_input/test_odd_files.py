@@ -58,7 +58,19 @@ def test_a_missing_file_is_named() -> None:
     for name in ("none.parquet", "none.csv", "no/such/folder/none.parquet", "none*.parquet"):
         refused("none.* cannot be read; is it there", lambda name=name: support(Source(name)))  # type: ignore[misc]
     refused("none.txt cannot be read", lambda: support(Source(Path("none.txt"))))
-    refused("must end in .parquet, .csv or .tsv", lambda: support(Source("none.xlsx")))
+    refused("must end in .parquet, .csv or .tsv", lambda: support(Source("none.json")))
+
+
+@pytest.mark.parametrize("ending", ["xlsx", "XLS", "xlsm", "ods"])
+def test_a_spreadsheet_is_to_be_saved_as_csv(tmp_path: Path, ending: str) -> None:
+    path = tmp_path / f"book.{ending}"
+    path.write_bytes(b"PK")
+    for relation in (path, str(path)):
+        refused(
+            f"book.{ending} is a spreadsheet, .* save each sheet as CSV",
+            lambda relation=relation: support(Source(relation)),  # type: ignore[misc]
+        )
+    refused(" is a spreadsheet, .* save each sheet as CSV", lambda: support(Source(tmp_path)))
 
 
 @pytest.mark.parametrize("content", [b"", b"asset,channel,time,value\n" * 9, bytes(range(256)) * 9])
@@ -86,8 +98,14 @@ MANY = "asset,channel,time,value\n" + "".join(f"a,x,{i},{i % 7}.5\n" for i in ra
             "a,x,25000,broken\n",
             "Line 25002 of the CSV file .*late.csv holds 'broken' in the column 'value'.*--null broken",
         ),
-        ("a,x,25000,1,8675309.25,3\n", "Line 25002 of the CSV file does not fit its columns"),
-        ("\udcff\udcfe,x,25000,8675309.25\n", "Line 25002 of the CSV file does not fit its columns"),
+        (
+            "a,x,25000,1,8675309.25,3\n",
+            r"Line 25002 of the CSV file \S*late.csv does not fit its columns",
+        ),
+        (
+            "\udcff\udcfe,x,25000,8675309.25\n",
+            "late.csv is not in UTF-8; say which .* --encoding cp1252",
+        ),
     ],
 )
 def test_a_csv_file_that_breaks_late(files: Path, line: str, message: str) -> None:

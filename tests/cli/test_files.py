@@ -82,10 +82,8 @@ FILES: dict[str, tuple[Callable[[], object], tuple[str, ...], str]] = {
     "german, numbers said": (
         lambda: lines("de.csv", "Zeit;Wert", row=german),
         ("de.csv", *GERMAN[:4]),
-        "gam: The time column 'Zeit' is of type VARCHAR; it must be a timestamp or an integer counter, "
-        "or each word a time in ISO 8601. 300 of 300 words do not fit, the first is '01.12.2026 00:00'; "
-        "--time-format '%d.%m.%Y %H:%M' would read them. Cast it in a view otherwise (CAST(... AS "
-        "TIMESTAMP)).",
+        "gam: Each word of the time column 'Zeit' must be a time in ISO 8601: 300 of 300 words do not "
+        "fit, the first is '01.12.2026 00:00'; --time-format '%d.%m.%Y %H:%M' would read them.",
     ),
     "german": (
         lambda: lines("de.csv", "Zeit;Wert", row=german),
@@ -162,31 +160,31 @@ FILES: dict[str, tuple[Callable[[], object], tuple[str, ...], str]] = {
     "several, one of which is empty": (
         each(lambda: tables("a.csv"), Path("b.csv").touch),
         ("a.csv", "b.csv"),
-        "gam: b.csv has no rows; it is empty, or there is a header only.",
+        f"a.csv and 1 more: {MANY}",
     ),
     "several of different columns": (
         each(lambda: tables("a.csv"), lambda: lines("b.csv", "t,x,y", row=lambda n: f"{n},{n},{n}")),
         ("a.csv", "b.csv"),
-        "gam: b.csv has the columns t, x, y, and a.csv has t, x; the files of a source "
-        "have the same columns.",
+        "gam: b.csv has the columns t, x, y, and a.csv has the columns t, x; the files of a source have "
+        "the same columns.",
     ),
     "a pattern of different columns, CSV": (
         each(lambda: tables("a.csv"), lambda: lines("b.csv", "time,y", row=lambda n: f"{n},{n}")),
         ("*.csv",),
-        "gam: b.csv has the columns time, y, and a.csv has t, x; the files of a source have the same "
-        "columns.",
+        "gam: b.csv has the columns time, y, and a.csv has the columns t, x; the files of a source have "
+        "the same columns.",
     ),
     "a pattern of different columns, Parquet": (
         each(lambda: waves("a.parquet"), lambda: parquet.write_table(pa.table({"t": [1]}), "b.parquet")),
         ("*.parquet",),
-        "gam: b.parquet has the columns t, and a.parquet has time, value; the files of a source have "
-        "the same columns.",
+        "gam: b.parquet has the columns t, and a.parquet has the columns time, value; the files of a "
+        "source have the same columns.",
     ),
     "a pattern whose later files have more columns, CSV": (
         each(lambda: tables("a.csv"), lambda: lines("b.csv", "t,x,y", row=lambda n: f"{n},{n},{n}")),
         ("*.csv",),
-        "gam: b.csv has the columns t, x, y, and a.csv has t, x; the files of a source have the same "
-        "columns.",
+        "gam: b.csv has the columns t, x, y, and a.csv has the columns t, x; the files of a source have "
+        "the same columns.",
     ),
     "a folder whose later files have more columns, Parquet": (
         each(
@@ -197,8 +195,8 @@ FILES: dict[str, tuple[Callable[[], object], tuple[str, ...], str]] = {
             ),
         ),
         ("in",),
-        "gam: in/machine=B/p.parquet has the columns time, value, y, and in/machine=A/p.parquet has "
-        "time, value; the files of a source have the same columns.",
+        "gam: in/machine=B/p.parquet has the columns time, value, y, and in/machine=A/p.parquet has the "
+        "columns time, value; the files of a source have the same columns.",
     ),
     "several, one of which is no file": (
         lambda: waves("a.parquet"),

@@ -883,6 +883,8 @@ def test_every_file_is_used() -> None:
         repeat_once()
         gam_db.check(gam_db.Source(pa.table({"time": [1], "value": [2.5], "more": ["3"]}), None, None))
         gam_db.check(gam_db.Source(pa.table({"time": ["2026-01-01"], "value": [2.5]}), None, None))
+        with pytest.raises(gam_db.UserError):
+            gam_db.check(gam_db.Source(pa.table({"time": ["noon"], "value": [2.5]}), None, None))
         for times, unit in (([1], "s"), ([1], "ns"), ([1.5], "s"), ([Decimal("1.5")], "s")):
             held = pa.table({"time": times, "value": [True]})
             gam_db.check(gam_db.Source(held, None, None, time_unit=unit))

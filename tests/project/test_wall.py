@@ -32,7 +32,7 @@ LAYERS = [
     ["method"],
     ["engines"],
     ["reading.undated"],
-    ["alarms.heights", "reading.ahead", "reading.look", "study.running"],
+    ["alarms.heights", "reading.ahead", "reading.look", "reading.words", "study.running"],
     ["reading.guess", "reading.preparing"],
     ["study.streamed"],
     ["study.naming"],

@@ -241,7 +241,7 @@ def test_fractions_may_come_late(tmp_path: Path) -> None:
 def test_a_day_is_not_taken_for_a_month(tmp_path: Path) -> None:
     path = tmp_path / "days.csv"
     path.write_text("time,value\n01/02/2026 10:00:00,1\n03/02/2026 10:00:00,2\n")
-    with pytest.raises(SourceError, match=r"can be read in two ways; .*'%d/%m/%Y %H:%M:%S' or .*'%m/%d"):
+    with pytest.raises(SourceError, match=r"'%d/%m/%Y %H:%M:%S' or .*'%m/%d.* which is meant"):
         gam_db.support(Source(path, None, None))
     months = read(Source(path, None, None, time_format="%m/%d/%Y %H:%M:%S"))
     assert months[0][0] == micros(dt.datetime(2026, 1, 2, 10))

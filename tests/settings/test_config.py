@@ -324,6 +324,7 @@ GIVEN: dict[str, tuple[tuple[str, ...], Any]] = {
     "null": (("--null", "N/A", "--null", "Bad"), ("N/A", "Bad")),
     "delimiter": (("--delimiter", ";"), ";"),
     "skip_rows": (("--skip-rows", "2"), 2),
+    "encoding": (("--encoding", "cp1252"), "cp1252"),
     "time_format": (("--time-format", "%d.%m.%Y"), "%d.%m.%Y"),
     "time_unit": (("--time-unit", "ms"), "ms"),
     "source_time_zone": (("--source-time-zone", "Europe/Berlin"), "Europe/Berlin"),

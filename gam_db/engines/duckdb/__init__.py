@@ -6,7 +6,7 @@ from sqlglot import exp
 
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, Texts, compare_by_bytes, formula
-from gam_db.engines.duckdb.reading import instant_of_text, is_zoned, number_of, retyped, seen_formats
+from gam_db.engines.duckdb.reading import count_of_text, instant_of_text, is_zoned, number_of, retyped
 from gam_db.engines.types import Types
 from gam_db.method.bits import Bits
 
@@ -46,9 +46,8 @@ def counted_as_doubles(tree: exp.Expr) -> exp.Expr:
 ENGINE = Engine.named(
     "duckdb",
     types=Types("duckdb", (("TIMESTAMPTZ_NS", "TIMESTAMPTZ(9)"),)),
-    texts=Texts(number_of, instant_of_text),
+    texts=Texts(number_of, instant_of_text, count_of_text),
     zoned=is_zoned,
-    seen_formats=seen_formats,
     retyped=retyped,
     micros={
         TimeKind.TIMESTAMP: "CASE WHEN own.ISFINITE(:time) THEN own.EPOCH_US(:time) END",

@@ -3,7 +3,7 @@
 import contextlib
 import os
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +15,30 @@ from gam_db import data
 from gam_db.engines.base import temporary
 from gam_db.engines.driver import Driver
 from gam_db.engines.duckdb import ENGINE
-from gam_db.engines.duckdb.files import late_word, leaves, matching, no_table, unalike, without_results
+from gam_db.engines.duckdb.encoding import Copies, looks_wide, not_utf8
+from gam_db.engines.duckdb.files import (
+    late_word,
+    matching,
+    no_table,
+    unalike,
+    without_results,
+    wrong_line,
+)
 from gam_db.engines.duckdb.journal import Journal, journal_of, put_back
-from gam_db.engines.duckdb.reading import file_reader, is_csv_reader, is_text_file
+from gam_db.engines.duckdb.reading import (
+    csv_reader,
+    is_csv_reader,
+    is_text_file,
+    parquet_reader,
+    paths_read,
+)
+from gam_db.engines.duckdb.several import (
+    Columns,
+    Differing,
+    columns_of_parquet,
+    csv_files,
+    parquet_files,
+)
 from gam_db.engines.refusals import UNWRITTEN, first_line, refusal, refused
 from gam_db.errors import EngineError, SourceError, UserError, wrong
 from gam_db.settings.form import Form
@@ -57,7 +78,9 @@ class DuckDriver(Driver):
         if threads is not None:
             self.connection.execute("SET threads = ?", [threads])
         self.sources: list[str] = []  # paths of the files that were read
+        self.copies = Copies()
         self._readers: list[exp.Expr] = []
+        self._differing: dict[exp.Expr, list[Differing]] = {}  # by the node that reads the files
         self._registered: set[str] = set()
 
     def execute(self, statement: str) -> None:
@@ -151,7 +174,8 @@ class DuckDriver(Driver):
     def describe(self, relation: exp.Expr) -> dict[str, str]:
         everything = exp.Describe(this=exp.select("*").from_(relation))
         rows = self.connection.execute(self.engine.text(everything)).fetchall()
-        return {str(row[0]): str(row[1]) for row in rows}
+        types = {str(row[0]): str(row[1]) for row in rows}
+        return types | {one.name: one.shown for one in self._differing.get(relation, [])}
 
     def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
         """Return the tables and views of a schema, unless DuckDB takes its name for a database's."""
@@ -164,44 +188,65 @@ class DuckDriver(Driver):
         """Return the node that reads files, written in a form, which all have the same columns."""
         paths = paths_of(relation)
         found = without_results(self.connection, paths)
-        node = file_reader(found, form)
         self.sources += found
-        self._readers += [node] * is_csv_reader(node)
         texts = [one for one in found if is_text_file(one)]
         if 0 < len(texts) < len(found):
             other = next(one for one in found if one not in texts)
             raise SourceError(f"{texts[0]} is CSV, and {other} is Parquet; give files of one kind.")
-        first, *others = self._columns_by_file(found, form).items() or [("", [])]
-        for path, columns in others:
-            if {*columns} != {*first[1]}:
-                names, theirs = ", ".join(columns), ", ".join(first[1])
-                raise wrong("other_columns", path=path, names=names, first=first[0], theirs=theirs)
+        files = matching(self.connection, found)
+        if texts:
+            form = form or Form()
+            if form.encoding is not None:
+                files = [self.copies.of(file, form.encoding) for file in files]
+            try:
+                node = csv_files(self.connection, files, form, self._columns_of_text)
+            except SourceError as error:
+                raise self.copies.original(error) from error
+            self._readers.append(node)
+        else:
+            node = self._parquet(found, files)
         self._columns(node, shown_relation(paths))
         return node
 
-    def _columns_by_file(self, found: Sequence[str], form: Form | None) -> dict[str, Iterable[str]]:
-        """Return the columns of each of several files; what reads those far away tells of them."""
-        files = matching(self.connection, found)
-        if len(files) < 2:
-            return {}
-        if not is_text_file(files[0]):
-            with contextlib.suppress(duckdb.Error):  # which of them cannot be read, is found below
-                return leaves(self.connection, files)
-        return {one: self._columns(file_reader([one], form), one) for one in files}
+    def by_pattern(self, node: exp.Expr) -> exp.Expr:
+        """Return a node that reads several CSV files with their patterns; any other as it is."""
+        if isinstance(node, exp.Table) and is_csv_reader(node) and len(paths_read(node)) > 1:
+            return csv_reader(self.sources, node.this.expressions[1:])
+        return node
 
-    def _columns(self, node: exp.Expr, path: str) -> dict[str, str]:
+    def _parquet(self, found: Sequence[str], files: Sequence[str]) -> exp.Expr:
+        """Return the node that reads Parquet files."""
+        if len(files) > 1:
+            try:
+                by_file = columns_of_parquet(self.connection, files)
+            except duckdb.Error:  # which of them cannot be read?
+                by_file = {file: {**self._columns(parquet_reader([file]), file)} for file in files}
+            node, differing = parquet_files(self.connection, found, by_file)
+            self._differing |= {node: differing} if differing else {}
+            return node
+        return parquet_reader(found)
+
+    def _columns_of_text(self, node: exp.Expr, path: str) -> Columns | None:
+        """Return the columns of a CSV file; None if it has no row."""
+        columns = self._columns(node, path)
+        if any("\0" in name for name in columns):
+            raise not_utf8(path)
+        if {*columns.values()} == {"VARCHAR"}:
+            first = exp.select(exp.Literal.number(1)).from_(node.copy()).limit(1)
+            if not self.connection.execute(self.engine.text(first)).fetchall():
+                return None
+        return columns
+
+    def _columns(self, node: exp.Expr, path: str) -> Columns:
         """Return the columns of files, which are shown as a path, and their types."""
         try:
-            columns = self.describe(node)
-            if is_csv_reader(node) and set(columns.values()) == {"VARCHAR"}:
-                first = exp.select(exp.Literal.number(1)).from_(node.copy()).limit(1)
-                if not self.connection.execute(self.engine.text(first)).fetchall():
-                    raise SourceError(f"{path} has no rows; it is empty, or there is a header only.")
+            return self.describe(node)
         except duckdb.IOException as error:
             raise wrong("file_unreadable", path=path) from error
         except duckdb.Error as error:
+            if is_csv_reader(node) and looks_wide(path):
+                raise not_utf8(path) from error
             raise self.problem(error) or no_table(path, str(error)) from error
-        return columns
 
     def rows_at_once(self) -> int:
         ((memory,),) = self.asked("memory")
@@ -217,18 +262,19 @@ class DuckDriver(Driver):
         if isinstance(error, duckdb.ConversionException) and (
             said := late_word(self.connection, error, self._readers)
         ):
-            return said
+            return self.copies.original(said)
         what = (type(error).__name__, str(error))
         if (told := refusal(self.engine.name, *what, place=_place(str(error)))) is not None:
             return told
         if isinstance(error, duckdb.Error) and (differing := unalike(error)):
             return differing
         if "CSV Error" in first_line(error) and not isinstance(error, duckdb.IOException):
-            return wrong("duckdb_csv_line", said=first_line(error).rpartition(" ")[2])
+            return self.copies.original(wrong_line(str(error)))
         return None
 
     def close(self) -> None:
         """Close the connection if it is ours, with its log written into the file."""
+        self.copies.close()
         if not self.owned:
             return
         others = False

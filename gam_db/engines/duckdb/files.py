@@ -15,10 +15,11 @@ from sqlglot import exp
 from gam_db import data
 from gam_db.composing import template
 from gam_db.engines.duckdb import ENGINE
+from gam_db.engines.duckdb.encoding import not_utf8
 from gam_db.engines.duckdb.reading import all_as_text, paths_read
 from gam_db.errors import SourceError, UserError, wrong
 from gam_db.settings.form import options_for_null, options_for_numbers, shortened
-from gam_db.settings.source import FILE_ENDINGS, as_folder, shown_relation
+from gam_db.settings.source import FILE_ENDINGS, as_folder, is_spreadsheet, shown_relation
 from gam_db.version import __version__
 
 #: Keys of the metadata of a Parquet file of results: the version that wrote it, and from what.
@@ -47,7 +48,7 @@ def without_results(connection: duckdb.DuckDBPyConnection, paths: Sequence[str])
     Raises:
         SourceError: there are none but such.
     """
-    paths = [_inside(connection, path) for path in paths]
+    paths = [inside for path in paths for inside in _inside(connection, path)]
     files = matching(connection, paths)
     parquet = [file for file in files if file.lower().endswith((".parquet", ".pq"))]
     if not parquet or files == paths[:1]:
@@ -66,19 +67,21 @@ def without_results(connection: duckdb.DuckDBPyConnection, paths: Sequence[str])
     return kept
 
 
-def _inside(connection: duckdb.DuckDBPyConnection, path: str) -> str:
-    """Return the pattern of the files in a folder; a path as it is."""
+def _inside(connection: duckdb.DuckDBPyConnection, path: str) -> list[str]:
+    """Return the patterns of the files in a folder; a path as it is."""
     path = as_folder(path)
-    if path.endswith("/"):
-        for table, (log, through) in _TABLES.items():
-            if any(Path(path).glob(log)):
-                raise wrong("table_that_is_a_folder", path=path, table=table, through=through)
-        inside = [f"{path}**/*{ending}" for ending in FILE_ENDINGS]
-        found = [one for one in inside if _matching(connection, one)]
-        if not found:
-            raise SourceError(f"The folder {path} holds no Parquet or CSV file; is it there?")
-        return found[0]
-    return path
+    if not path.endswith("/"):
+        return [path]
+    for table, (log, through) in _TABLES.items():
+        if any(Path(path).glob(log)):
+            raise wrong("table_that_is_a_folder", path=path, table=table, through=through)
+    files = _matching(connection, f"{path}**/*")
+    endings = {file[-len(one) :] for file in files for one in FILE_ENDINGS if file.lower().endswith(one)}
+    if not endings:
+        if any(map(is_spreadsheet, files)):
+            raise wrong("spreadsheet", relation=path)
+        raise SourceError(f"The folder {path} holds no Parquet or CSV file; is it there?")
+    return [f"{path}**/*{ending}" for ending in sorted(endings)]
 
 
 def matching(connection: duckdb.DuckDBPyConnection, paths: Iterable[str]) -> list[str]:
@@ -87,13 +90,7 @@ def matching(connection: duckdb.DuckDBPyConnection, paths: Iterable[str]) -> lis
     for path in paths:
         is_pattern = bool(set(path) & {*"*?["}) and "://" not in path
         files += (_matching(connection, path) or [path]) if is_pattern else [path]
-    return files
-
-
-def leaves(connection: duckdb.DuckDBPyConnection, files: Sequence[str]) -> dict[str, Iterable[str]]:
-    """Return the columns of Parquet files that hold values, file by file."""
-    columns: dict[str, Iterable[str]] = dict(connection.execute(_QUERIES["leaves"], [files]).fetchall())
-    return {one: columns[one] for one in files}
+    return [*dict.fromkeys(files)]  # a list may name one twice, by itself and by a folder
 
 
 def _matching(connection: duckdb.DuckDBPyConnection, pattern: str) -> list[str]:
@@ -125,6 +122,15 @@ def unalike(error: duckdb.Error) -> UserError | None:
         return None
     one, other = found["file"] or "One file", found["first"] or "another"
     return wrong("duckdb_files_unalike", one=one, column=found["column"], other=other)
+
+
+def wrong_line(said: str) -> UserError:
+    """Return what is said of a line of a CSV file that cannot be read at all."""
+    line, file = re.search(_SAID["line"], said), re.search(_SAID["file"], said)
+    if file is not None and re.search(_SAID["encoding"], said):
+        return not_utf8(file[1])
+    at = "A line" if line is None else f"Line {line[1]}"
+    return wrong("duckdb_csv_line", line=at, file="" if file is None else f" {file[1]}")
 
 
 def late_word(

@@ -10,12 +10,21 @@ from gam_db.engines.base import called, formula
 from gam_db.settings.form import SPACES, Form, number_pattern
 
 #: An hour, and behind it a zone.
-_ZONED = r"[0-9][T ][0-9].*(Z|[+-][0-9]{2}(:?[0-9]{2})?)\s*$"
+_HAS_ZONE = r"[0-9][T ][0-9].*(Z|[+-][0-9]{2}(:?[0-9]{2})?)\s*$"
 _IS_ZONED = "own.REGEXP_MATCHES(own.TRIM(:words), :zoned)"
+_DAY = r"[0-9]{4}(?:-[0-9]{1,2}-[0-9]{1,2}|/[0-9]{1,2}/[0-9]{1,2})"
+_HOUR = r"[0-9]{1,2}:[0-9]{2}(?::[0-9]{2}(?:\.[0-9]+)?)?"
+#: A time in ISO 8601 without a zone, and with one.
+_LOCAL = rf"\s*{_DAY}(?:[T ]{_HOUR})?\s*"
+_ZONED = rf"\s*{_DAY}[T ]{_HOUR} ?(?:Z|UTC|[+-][0-9]{{2}}(?::?[0-9]{{2}})?)\s*"
 _INSTANT = """
-    CASE WHEN own.REGEXP_MATCHES(own.TRIM(:words), :zoned)
-    THEN own.MAKE_TIMESTAMP(own.EPOCH_US(TRY_CAST(own.TRIM(:words) AS TIMESTAMPTZ)))
-    ELSE TRY_CAST(own.TRIM(:words) AS TIMESTAMP) END
+    CASE WHEN own.REGEXP_FULL_MATCH(:words, :local) THEN TRY_CAST(own.TRIM(:words) AS TIMESTAMP)
+    WHEN own.REGEXP_FULL_MATCH(:words, :zoned)
+    THEN own.MAKE_TIMESTAMP(own.EPOCH_US(TRY_CAST(own.TRIM(:words) AS TIMESTAMPTZ))) END
+"""
+#: Infinite, or beyond 64 bits, is no count.
+_COUNT = """
+    CASE WHEN own.REGEXP_FULL_MATCH(:words, :whole) THEN TRY_CAST(own.TRIM(:words) AS BIGINT) END
 """
 
 
@@ -33,17 +42,26 @@ def number_of(words: exp.Expr, form: Form) -> exp.Expr:
 def instant_of_text(words: exp.Expr, time_format: str | None) -> exp.Expr:
     """Return the times of words.
 
-    Cause: cast to TIMESTAMP, a text loses its zone; cast to TIMESTAMPTZ, one without takes that of the
-    connection. Symptom: 10:00+01:00 is 10:00.
+    Cause: cast to TIMESTAMP, a text loses its zone, AM and PM, and whatever else stands behind an hour,
+    and 03/03/26 is a day of the year 3; cast to TIMESTAMPTZ, one without a zone takes that of the
+    connection. Symptom: 10:00+01:00 is 10:00, and so is 10:00 PM.
     """
     if time_format is not None:
         return called("TRY_STRPTIME", called("TRIM", words), template.text(time_format))
-    return formula(_INSTANT, words=words, zoned=template.text(_ZONED))
+    return formula(_INSTANT, words=words, local=template.text(_LOCAL), zoned=template.text(_ZONED))
+
+
+def count_of_text(words: exp.Expr) -> exp.Expr:
+    """Return the integers of words.
+
+    Cause: cast to BIGINT, a text is rounded, and read as hexadecimal. Symptom: 1.5 is 2, and 0x10 is 16.
+    """
+    return formula(_COUNT, words=words, whole=template.text(r"\s*[+-]?[0-9]+\s*"))
 
 
 def is_zoned(words: exp.Expr) -> exp.Expr:
     """Return whether words tell times with their zones."""
-    return formula(_IS_ZONED, words=words, zoned=template.text(_ZONED))
+    return formula(_IS_ZONED, words=words, zoned=template.text(_HAS_ZONE))
 
 
 def is_csv_reader(relation: exp.Expr) -> bool:
@@ -56,19 +74,9 @@ def all_as_text(reader: exp.Expr) -> exp.Expr:
     reader = reader.copy()
     files, *options = reader.this.expressions
     kept = [files, *(one for one in options if one.this.name not in ("types", "nullstr"))]
-    reader.this.set("expressions", [*kept, _option("all_varchar", exp.true())])
+    reader.this.set("expressions", [*kept, reader_option("all_varchar", exp.true())])
     reader.set("alias", None)
     return reader
-
-
-def seen_formats(relation: exp.Expr) -> exp.Query | None:
-    """Return the query for the formats of dates and times that a CSV file seems to have."""
-    if not is_csv_reader(relation):
-        return None
-    files, *options = [one.copy() for one in relation.this.expressions]
-    first = files.expressions[0] if isinstance(files, exp.Array) else files
-    sniffer = exp.Table(this=called("SNIFF_CSV", first, *options))
-    return exp.select("DateFormat", "TimestampFormat").from_(sniffer)
 
 
 def retyped(relation: exp.Expr, types: Mapping[str, str]) -> exp.Expr:
@@ -76,37 +84,47 @@ def retyped(relation: exp.Expr, types: Mapping[str, str]) -> exp.Expr:
     if not is_csv_reader(relation):
         return relation
     reader, said = relation.copy(), exp.Struct(expressions=[])
-    for option in reader.this.expressions[1:]:
-        if option.this.name == "types":
-            said = option.expression
-            option.pop()
+    for one in reader.this.expressions[1:]:
+        if one.this.name == "types":
+            said = one.expression
+            one.pop()
     others = [one for one in said.expressions if one.this.name not in types]
     more = [
         exp.PropertyEQ(this=template.text(name), expression=template.text(of))
         for name, of in types.items()
     ]
-    reader.this.append("expressions", _option("types", exp.Struct(expressions=[*others, *more])))
+    if others or more:
+        reader.this.append(
+            "expressions", reader_option("types", exp.Struct(expressions=[*others, *more]))
+        )
     return reader
 
 
-def _option(name: str, value: exp.Expr) -> exp.Expr:
+def reader_option(name: str, value: exp.Expr) -> exp.Expr:
+    """Return an option of a reader."""
     return exp.EQ(this=exp.column(name), expression=value)
 
 
-def file_reader(paths: Sequence[str], form: Form | None = None) -> exp.Expr:
-    """Return the node that reads Parquet or CSV files by their paths, which may be patterns.
+def parquet_reader(paths: Sequence[str]) -> exp.Expr:
+    """Return the node that reads Parquet files by their paths, which may be patterns.
 
     Cause: Parquet's statistics leave NaN out, and DuckDB trusts them. Symptom: where all other values of
     a column lie between -1e300 and 1e300, the test for missing ones is optimised away, and NaN counts as
     a reading (seen on files that PyArrow wrote; DuckDB's own have no statistics then).
     """
-    paths = [f"{path}**/*.parquet" if path.endswith("/") else path for path in paths]
-    files = template.text(paths[0])
-    if len(paths) > 1:
-        files = exp.Array(expressions=[template.text(path) for path in paths])
-    if not is_text_file(paths[0]):
-        return exp.Table(this=called("READ_PARQUET", files, _option("can_have_nan", exp.true())))
-    return exp.Table(this=called("READ_CSV", files, *_csv_options(form or Form())))
+    return exp.Table(
+        this=called("READ_PARQUET", _files(paths), reader_option("can_have_nan", exp.true()))
+    )
+
+
+def csv_reader(paths: Sequence[str], options: Sequence[exp.Expr], reader: str = "READ_CSV") -> exp.Expr:
+    """Return the node that reads CSV files by their paths, which may be patterns."""
+    return exp.Table(this=called(reader, _files(paths), *(one.copy() for one in options)))
+
+
+def _files(paths: Sequence[str]) -> exp.Expr:
+    first, *others = map(template.text, paths)
+    return exp.Array(expressions=[first, *others]) if others else first
 
 
 def paths_read(reader: exp.Expr) -> list[str]:
@@ -119,7 +137,7 @@ def is_text_file(path: str) -> bool:
     return path.lower().endswith((".csv", ".tsv", ".csv.gz", ".tsv.gz", ".csv.zst"))
 
 
-def _csv_options(form: Form) -> list[exp.Expr]:
+def csv_options(form: Form) -> list[exp.Expr]:
     """Return what the reader of CSV files is told; a word that means a missing value is so anywhere."""
     has_hour = {"%H", "%I", "%c", "%X"} & {*re.findall("%-?[A-Za-z]", form.time_format or "%H")}
     said = {
@@ -130,11 +148,13 @@ def _csv_options(form: Form) -> list[exp.Expr]:
         "timestampformat" if has_hour else "dateformat": form.time_format,
     }
     options = [
-        _option(name, exp.Literal.number(value) if isinstance(value, int) else template.text(value))
+        reader_option(
+            name, exp.Literal.number(value) if isinstance(value, int) else template.text(value)
+        )
         for name, value in said.items()
         if value is not None
     ]
     if form.null:
         words = [template.text(word) for word in ("", *form.null)]
-        options.append(_option("nullstr", exp.Array(expressions=words)))
+        options.append(reader_option("nullstr", exp.Array(expressions=words)))
     return options

@@ -126,6 +126,10 @@ class DuckSession(Session):
             with _written(path), contextlib.closing(journal), self._without_checkpoint():
                 self._run(exp.Detach(this=catalog.copy()))
 
+    def following(self, relation: exp.Expr) -> exp.Expr:
+        """Return a node that reads files with the patterns that were given: new ones, too."""
+        return relation.transform(self.driver.by_pattern)
+
     def progress(self) -> float:
         """Return how far the running statement is, in percent; negative if it is not known."""
         return float(self.connection.query_progress())
@@ -142,7 +146,11 @@ class DuckSession(Session):
         patterns = {*self.driver.sources, *_named_in_views(views)}
         if any("://" in one for one in patterns):
             return
-        allowed = patterns | {f"{path}{end}" for path in self._results for end in _BESIDE}
+        allowed = (
+            patterns
+            | {*self.driver.copies.paths}
+            | {f"{path}{end}" for path in self._results for end in _BESIDE}
+        )
         for pattern in patterns:
             with contextlib.suppress(duckdb.IOException):  # a text in a view that is no pattern
                 allowed.update(*self.driver.asked("matching", pattern))

@@ -19,7 +19,7 @@ from gam_db.engines.spark import ENGINE, OVER
 from gam_db.engines.spark.folder import Folder
 from gam_db.engines.spark.opening import address_of, as_before, beside, quiet, scratch, started
 from gam_db.engines.spark.tables import FolderTables, MetastoreTables, format_of
-from gam_db.errors import EngineError, UserError
+from gam_db.errors import EngineError, UserError, wrong
 from gam_db.extras import needed
 from gam_db.settings.form import Form
 
@@ -133,7 +133,7 @@ class SparkDriver(Driver):
         path, reader = str(relation), self._session.read
         with quiet():
             if path.lower().endswith((".parquet", ".pq")):
-                frame = reader.parquet(path)
+                frame = self._parquet(path)
             else:
                 tabs = ".tsv" in path.lower()
                 options = {"header": True, "inferSchema": True, "sep": "\t" if tabs else ","}
@@ -141,6 +141,29 @@ class SparkDriver(Driver):
         view = exp.Table(this=template.name(f"gam_file_{abs(hash(path)):x}"))
         self._name(view, frame)
         return view
+
+    def _parquet(self, path: str) -> Any:
+        """Return the rows of Parquet files, of which none has another type in a column than the others.
+
+        Cause: Spark takes the columns of one file for those of all. Symptom: it cannot read the others,
+        or reads them otherwise, by the order of their names.
+        """
+        try:
+            return self._session.read.option("mergeSchema", "true").parquet(path)
+        except self.errors as error:
+            if "CANNOT_MERGE" not in str(error):
+                raise
+            listed = self._session.read.format("binaryFile").option("recursiveFileLookup", "true")
+            files = listed.option("pathGlobFilter", "*.p*q*").load(path).select("path").collect()
+            first: dict[str, tuple[str, str]] = {}
+            for file in sorted(row.path for row in files):
+                for name, of in self._session.read.parquet(file).dtypes:
+                    kind, other = first.setdefault(name, (of, file))
+                    if kind != of:
+                        raise wrong(
+                            "types_differ", column=name, one=file, of=of, other=other, kind=kind
+                        ) from error
+            raise
 
     def problem(self, error: Exception) -> UserError | None:
         return problem(error)

@@ -98,6 +98,7 @@ class Affinities(Types):
 ENGINE = Engine.named(
     "sqlite",
     types=Affinities("sqlite"),
+    heeds=frozenset({"null"}),
     range_of=range_of,
     zoned=is_zoned,
     storage=Storage("none", index=True, adds_twice=False, replaces_views=False),

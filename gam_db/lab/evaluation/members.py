@@ -16,6 +16,8 @@ from gam_db.engines.session import Session
 from gam_db.errors import SourceError, nearest
 from gam_db.lab.evaluation.capacity import check_counts, steps
 from gam_db.lab.evaluation.table import HealthTable, read_from
+from gam_db.reading.preparing import with_times_read
+from gam_db.settings.source import Source
 
 FAILED, HEALTHY = "failed", "healthy"
 
@@ -90,6 +92,9 @@ def outcomes_of(session: Session, relation: Any, kind: TimeKind | None) -> list[
         raise SourceError(f"The outcomes have no column 'asset'{nearest('asset', columns)}")
     if "failed_at" not in columns and "healthy" not in columns:
         raise SourceError("The outcomes need a column 'failed_at', a column 'healthy', or both.")
+    if "failed_at" in columns:
+        said = Source(relation, None, None, "failed_at", "failed_at")
+        node = with_times_read(session, said, columns, node)
     failed = columns.get("failed_at")
     types = session.engine.types
     failed_kind = None if failed is None else types.time_kind(failed)

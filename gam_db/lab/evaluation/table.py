@@ -13,6 +13,8 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import filled
 from gam_db.engines.session import Session
 from gam_db.errors import SourceError, nearest
+from gam_db.reading.preparing import with_times_read
+from gam_db.settings.source import Source
 
 PLACES = ("bucket", "time", "index")
 """Columns that order the values of a channel; the first that is there does."""
@@ -65,6 +67,8 @@ def health_table(session: Session, relation: Any) -> HealthTable:
             f"{', '.join(PLACES[:-1])} or {PLACES[-1]}."
         )
     time = "last_time" if place == "bucket" and "last_time" in columns else place
+    if time in columns:
+        node = with_times_read(session, Source(relation, None, None, time, "hi"), columns, node)
     kinds = {name: _kind(session, name, columns[name]) for name in (place, time)}
     counts = "novel_in_window" in columns
     integer_of = session.engine.micros_of

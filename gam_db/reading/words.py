@@ -1,0 +1,169 @@
+"""Words that do not fit: which they are in a column, and what is said of them.
+
+This module owns the search for values of which a conversion would drop a part, and the proposals of
+options that read them.
+"""
+
+import shlex
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from sqlglot import exp
+
+from gam_db.composing import template
+from gam_db.engines.base import formula
+from gam_db.engines.session import Row, Session
+from gam_db.errors import SourceError, UserError, wrong
+from gam_db.settings.form import (
+    LOOKED_AT,
+    formats_for_times,
+    options_for_null,
+    options_for_numbers,
+    shortened,
+)
+from gam_db.settings.source import AnySource, is_file, parsed_condition, read_from
+
+#: Columns of which each gets an option in a message; of more, that would be no help.
+MOST_PROPOSED = 6
+
+
+@dataclass(frozen=True)
+class Misfits:
+    """The words of a column of text that have no meaning."""
+
+    session: Session
+    relation: exp.Expr  # what holds the column
+    condition: exp.Expr  # the rows that count
+    words: exp.Expr  # the column, without words that mean a missing value
+    meant: exp.Expr  # the same as a number or a time, NULL where it is none
+
+    def first(self) -> list[Row]:
+        """Return the first of them, see ``sql/source/misfits.sql``; a pass that counts goes before."""
+        ((count,),) = (row.values() for row in self.session.rows(self._filled("source/misfit_count")))
+        return self.session.rows(self._filled("source/misfits", most=LOOKED_AT)) if count else []
+
+    def _filled(self, name: str, **more: template.Slot) -> exp.Expr:
+        slots = {"words": self.words, "meant": self.meant, "condition": self.condition}
+        query = template.fill(name, {**slots, **more})
+        read_from(self.relation, query)
+        return query
+
+
+def but_nulls(column: exp.Expr, nulls: Sequence[str] | None) -> exp.Expr:
+    """Return a column of text without the words that mean a missing value."""
+    if not nulls:
+        return column
+    missing = exp.In(this=column.copy(), expressions=[template.text(word) for word in nulls])
+    return exp.Case(ifs=[exp.If(this=exp.Not(this=missing), true=column)])
+
+
+def suspects(
+    session: Session, source: AnySource, columns: Mapping[str, str], stored: exp.Expr
+) -> list[Callable[[], None]]:
+    """Return what looks for values that are not whole, column by column, once a statement met one."""
+    engine, types = session.engine, session.engine.types
+    if not engine.whole:
+        return []
+    kinds = {}
+    for name in source.value_columns:
+        kinds[name] = "truth" if types.is_truth(columns[name]) else "number"
+    kind = types.time_kind(columns[source.time])
+    is_count = types.is_whole(columns[source.time])
+    kinds[source.time] = (
+        ("count" if is_count else "number") if kind is None or kind.is_counter else "time"
+    )
+    return [
+        partial(_look_at_words, session, source, name, columns[name], what, stored)
+        for name, what in kinds.items()
+    ]
+
+
+def _look_at_words(
+    session: Session, source: AnySource, name: str, type_name: str, what: str, stored: exp.Expr
+) -> None:
+    """Refuse a column that holds values which are not whole, if it does."""
+    column, engine = template.column(name), session.engine
+    rules = [formula(engine.whole[what], word=column)]
+    if what == "time" and "word" in engine.whole:
+        rules.append(formula(engine.whole["word"], word=column))
+    meant = exp.Case(ifs=[exp.If(this=exp.and_(*rules), true=exp.Literal.number(1))])
+    words = but_nulls(column, source.null if what == "number" else None)
+    found = Misfits(session, stored, parsed_condition(source.where), words, meant).first()
+    if not found:
+        return
+    first = found[0]
+    nulls = [row["word"] for row in found if not any(map(str.isdigit, row["word"]))][:MOST_PROPOSED]
+    said = " ".join(map(options_for_null, nulls)) if what == "number" else ""
+    hint = f"{said} would take them for missing values; mend what is none" if said else "mend them"
+    wanted = {"count": "integers", "truth": "0 or 1", "time": "times in ISO 8601"}.get(what, "numbers")
+    raise wrong(
+        "words_among_numbers",
+        count=first["of_all"],
+        texts=first["texts"],
+        name=name,
+        wanted=wanted,
+        type_name=type_name,
+        word=shortened(first["word"]),
+        of_word=first["of_word"],
+        hint=hint,
+    )
+
+
+def ways_of(source: AnySource, found: list[Row], misread: Callable[[str], Misfits]) -> list[str]:
+    """Return the formats by which all words of a column are times, none where a format was said."""
+    if source.time_format is not None:
+        return []
+    return [way for way in formats_for_times([row["word"] for row in found]) if not misread(way).first()]
+
+
+def check_numbers(source: AnySource, name: str, type_name: str, found: list[Row]) -> None:
+    """Refuse a column of text that was not said to hold numbers, or holds other words, too."""
+    if source.reads_words and not found:
+        return
+    role = "value" if name == getattr(source, "value", None) else "channel"
+    said = f"The {role} column {name!r} is of type {type_name}; readings must be numbers. "
+    if not found:
+        raise wrong("texts_are_numbers", said=said)
+    check_header(source, name, found)
+    words = [row["word"] for row in found]
+    if found[0]["of_all"] == found[0]["texts"] and not any(map(str.isdigit, "".join(words))):
+        shown = ", ".join(map(shortened, words[:5])) + ", ..." * (len(words) > 5)
+        raise wrong("texts_are_words", said=said, shown=shown)
+    proposed = options_for_numbers(words)
+    raise SourceError(
+        f"{said}{first_of(found)}; {proposed} would read them. Cast it in a view otherwise."
+    )
+
+
+def no_times(source: AnySource, found: list[Row], ways: Sequence[str]) -> UserError:
+    """Return what is said of words that are no times in ISO 8601, or as was said."""
+    check_header(source, source.time, found)
+    wanted = f"a time like {source.time_format!r}" if source.time_format else "a time in ISO 8601"
+    proposed = " or ".join(f"--time-format {way!r}" for way in ways[:4])
+    hint = f"{proposed} would read them" if ways else "say --time-format, or --null for what is none"
+    if len(ways) > 1:
+        hint += ": say which is meant"
+    said = f"{first_of(found)}; {hint}"
+    return wrong("texts_are_no_times", time=source.time, wanted=wanted, said=said)
+
+
+def check_header(source: AnySource, name: str, found: list[Row]) -> None:
+    """Refuse a text file in which lines below the first repeat the header."""
+    repeated = next((row["of_word"] for row in found if row["word"] == name), 0)
+    if repeated and is_file(source.relation):
+        columns = [source.time, *source.value_columns]
+        condition = f"{template.column(source.time).sql('duckdb')} IS NOT NULL"
+        options = " ".join([*map(options_for_null, columns), "--where", shlex.quote(condition)])
+        otherwise = f", or say {options}" if len(columns) <= MOST_PROPOSED else ""
+        raise wrong("header_repeated", count=repeated, name=name, otherwise=otherwise)
+
+
+def first_of(found: list[Row]) -> str:
+    """Return the first word that did not fit, and how many there are like it."""
+    first = found[0]
+    same = f", {first['of_word']:,} times" if first["of_word"] > 1 else ""
+    return (
+        f"{first['of_all']:,} of {first['texts']:,} words do not fit, the first is "
+        f"{shortened(first['word'])}{same}"
+    )
