@@ -153,6 +153,7 @@ class Monitor(MonitorSettings):
         since: Instant | None = None,
         until: Instant | None = None,
         full: bool = False,
+        confirm: bool = False,
         everything: bool = False,
         asset: str = "*",
         channel: str = "*",
@@ -166,6 +167,7 @@ class Monitor(MonitorSettings):
             since: score anew from this instant on: what repairs after rows that came too late.
             until: read nothing newer; buckets after it are hidden until the next run without it.
             full: score everything anew.
+            confirm: do either even where buckets would be lost, whose rows are gone from the source.
             everything: look at parked channels and count calibration anew, without waiting for a day.
             asset: pattern of the assets to score (``*`` any text, ``?`` one character).
             channel: pattern of the channels to score.
@@ -188,6 +190,7 @@ class Monitor(MonitorSettings):
             repair_from=None if since is None else instant(since, kind, "since"),
             until=None if until is None else instant(until, kind, "until"),
             full=full,
+            confirmed=confirm,
             everything=everything,
             chosen=lambda one, other: pattern_matches(asset, one) and pattern_matches(channel, other),
             limit=limit,

@@ -15,7 +15,7 @@ import pyarrow as pa
 import pyarrow.compute as pc
 from numpy.typing import NDArray
 
-from gam_db.clock import Length, TimeKind, instant, shown_instant
+from gam_db.clock import LONG_AGO, Length, TimeKind, instant, shown_instant
 from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns
 from gam_db.composing.template import text
 from gam_db.findings import ORDER, Course, Row, at_end, ended, finding
@@ -81,7 +81,7 @@ def status(
     migrations.require(state.session, state.tables)
     kind = kind_of(state.monitor(monitor))
     longest = lengths.park_after(park_after, kind)
-    stored = state.fetch("stored/state/status_rows", {"monitor": text(monitor)})
+    stored = state.fetch("stored/state/status_rows", {"monitor": text(monitor), "long_ago": LONG_AGO})
     with state.session.lent(stored) as lent:
         courses = _courses(state.fetch("stored/state/course", given={"status_rows": lent}))
     rows = stored.sort_by(list(ORDER)).to_pylist()
@@ -202,10 +202,19 @@ def _remarks(row: Row, kind: TimeKind) -> list[str]:
             f"{runs:,} run{'s' * (runs != 1)} found other samples than were scored, so rows came later "
             f"than lookback or were taken away: gam score --from {since}"
         )
-    added = row["calibration_rows_added"]
-    if added:
+    if row["gone_from"] is not None:
         remarks.append(
-            f"calibration data changed: {added:+,} rows since version {row['version']} was made"
+            f"rows after {shown_instant(row['gone_from'], kind)} are gone from the source, though new "
+            "ones hang on them: what is stored stays, and the first samples after them are not scored"
+        )
+    added, then = row["calibration_rows_added"], row["calibration_rows"]
+    if added and added == -then:
+        end = shown_instant(row["calibration_end"], kind)
+        remarks.append(f"calibration, up to {end}, is gone from the source; what it taught stays")
+    elif added:
+        hint = "" if added > 0 else "; gam check --state says whether they are gone from the source"
+        remarks.append(
+            f"calibration data changed: {added:+,} rows since version {row['version']} was made{hint}"
         )
     return remarks
 

@@ -20,6 +20,7 @@ class Wanted:
         repair_from: score anew from this instant on; None for what the lookback asks for.
         until: read nothing newer; None for all there is.
         full: score everything anew.
+        confirmed: score anew also what can then not be made again, since its rows have gone.
         everything: look at parked channels, and count calibration anew, without waiting for a day.
         chosen: tells by asset and channel which channels are scored.
         limit: most readings to work on at once; None for what memory allows.
@@ -31,6 +32,7 @@ class Wanted:
     repair_from: int | None = None
     until: int | None = None
     full: bool = False
+    confirmed: bool = False
     everything: bool = False
     chosen: Callable[[str, str], bool] = lambda asset, channel: True
     limit: int | None = None
@@ -46,6 +48,7 @@ class Report:
             new), rows_read, context_rows, context_expected.
         moved: of a source that is said to grow only: channels in which rows came late or went all the
             same, or of which that is not known, so that they were read again as far as lookback.
+        gone: channels whose context has gone from the source, with the time from which they were read.
         parked: channels that were not read.
         unknown_channels: rows of today that belong to no calibrated channel, by (asset, channel).
         nameless: rows of today without asset or channel.
@@ -55,6 +58,7 @@ class Report:
 
     channels: list[Row] = field(default_factory=list)
     moved: int = 0
+    gone: dict[tuple[str, str], int] = field(default_factory=dict)
     parked: int = 0
     unknown_channels: dict[tuple[str, str], int] = field(default_factory=dict)
     nameless: int = 0
