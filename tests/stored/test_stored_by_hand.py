@@ -510,7 +510,7 @@ def test_a_version_is_checked_with_what_the_newest_records_say_of_it() -> None:
         stored_block=rows("support_id channel_id first_time", (40, 3, 12), (40, 3, 11), (40, 4, 9)),
         stored_calibration=rows("version_id time_from", (2, 9), (2, 8)),
     )
-    assert [row[20:24] for row in found] == [
+    assert [row[21:25] for row in found] == [
         (30, 11, None, None),
         (30, 11, 8, 7),
         (30, 9, None, 8),
@@ -668,13 +668,13 @@ def test_what_is_stored_of_new_buckets_is_what_is_seen_of_them() -> None:
         stored_visible_bucket=bucket,
         stored_bucket=written,
     )
-    assert found == [(1, 3, 1, 2, 3, 4, 7, 5, 6, 9), (1, 4, 1, 2, 3, 4, 8, 5, 6, 9)]
+    assert found == [(1, 5, 3, 1, 2, 3, 4, 7, 5, 6, 9), (1, 5, 4, 1, 2, 3, 4, 8, 5, 6, 9)]
     cells = rows(
         "version_id bucket_no cell_key visits first_time last_time",
         *((5, n, 9, 1, 2, 3) for n in (2, 3, 4)),
     )
     found = step("stored/scoring/former_novel", slots, cohort=cohort, stored_visible_novel=cells)
-    assert found == [(1, 3, 9, 1, 2, 3), (1, 4, 9, 1, 2, 3)]
+    assert found == [(1, 5, 3, 9, 1, 2, 3), (1, 5, 4, 9, 1, 2, 3)]
 
 
 def test_of_what_was_made_the_rest_is_not_written() -> None:

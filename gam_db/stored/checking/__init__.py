@@ -229,8 +229,9 @@ class _Check:
             due = FAR_AHEAD
         latest = self.edges.get(name_of(version), {}).get("latest")
         is_behind = latest is not None and latest > read_to and due > read_to
-        reached = read_to - self.lookback
-        late = due if is_behind else settled if end is not None and end >= reached else reached
+        # What is not settled shows how long a bucket is; the one that is not full yet may be as long.
+        is_near = end is not None and read_to - end <= max(self.lookback, end - settled)
+        late = due if is_behind else settled if is_near else read_to - self.lookback
         return {"until": max(read_to, due), "until_late": late}
 
     def scored(self, group: Sequence[Row]) -> None:

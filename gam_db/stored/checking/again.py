@@ -165,13 +165,12 @@ class Again:
         far the source is read; until_late, how far where rows came since the last run, and next_bucket,
         from which on that one's successor writes anew; is_gone, whether rows have gone from the source.
         """
-        kind = self.reader.kind
         begin = {
             "oldest_bucket": [max(row["first_bucket"], row["first_kept"]) for row in group],
             "novel_from": [max(row["first_bucket"], row["first_novel"]) for row in group],
         }
         until = [row["until"] for row in group]
-        steps = scoring_steps(setting_of(group[0]), kind, compared=True).copied()
+        steps = scoring_steps(setting_of(group[0]), self.reader.kind, compared=True).copied()
         add(steps, "stored/checking/reread")
         with self._running(steps) as running:
             running.load("cohort", cohort_of(group, read_until=until, **begin))
@@ -188,7 +187,9 @@ class Again:
             until = [row["until_late" if row["version_id"] in late else "until"] for row in group]
             if late:
                 running.load("cohort", cohort_of(group, read_until=until, **begin))
+                whole = running.placed["identified"]
                 running.put("identified", _cut(running))
+                self.session.forget(whole)
             past: dict[str, template.Slot] = {"buckets": buckets_of(group[0])}
             running.make(
                 "stored/scoring/past_buckets", {**past, "near": near(group, buckets_of(group[0]))}
