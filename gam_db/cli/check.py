@@ -1,6 +1,5 @@
 """``gam check``: what a source is like before anything is learnt of it, and what must be fixed."""
 
-import datetime as dt
 import json
 from dataclasses import dataclass
 from typing import Any
@@ -26,7 +25,6 @@ from gam_db.study.running import Listener
 _LEAST_SAYING = ("values", "still", "most", "least")
 #: Parts of a state that follow from the source, and of which is told what was counted.
 _MENDED = ("scored", "calibration")
-_EPOCH = dt.date(1970, 1, 1)
 
 
 @options.taking(*options.READ, *options.STATE, *options.PAGE, "threads")
@@ -225,21 +223,28 @@ def _check_state(
             keep(state, state.monitor(name)["monitor_id"], found.proof)
     except EngineError as error:
         unkept = str(error)
-    kind, rows, proof = kind_of(known), found.differences.to_pylist(), found.proof
+    kind, proof = kind_of(known), found.proof
+    rows = [_told(row, kind, "since") for row in found.differences.to_pylist()]
+    apart = [_told(row, kind, "since", "until") for row in found.uncompared.to_pylist()]
+    sinces = [since for since in found.differences["since"].to_pylist() if since is not None]
 
     def show(out: page.Out) -> None:
         others = {(row["asset"], row["channel"]) for row in rows if row["asset"] is not None}
-        said = page.WORDS["check"]["differs" if rows else "same"]
+        said = page.WORDS["check"]["differs" if rows else "in_part" if apart else "same"]
         page.say(out, said.format(name=name, proof=proof, others=len(others)))
         for row in common.of(rows):
-            page.say(out, f"  {_line(_told(row, kind))}")
+            page.say(out, f"  {_line(row)}")
         page.cut(out, rows, common.everything)
-        if since := [row["since"] for row in rows if row["since"] is not None]:
-            page.say(out, f"gam score --from {shown_instant(min(since), kind)} scores them anew")
+        if sinces:
+            page.say(out, f"gam score --from {shown_instant(min(sinces), kind)} scores them anew")
         if any(row["part"] == "calibration" for row in rows):
             page.say(out, "gam calibrate --again makes new versions of the calibration as it is now")
         if any(row["part"] not in _MENDED and row["since"] is None for row in rows):
             page.say(out, page.WORDS["check"]["damaged"])
+        for row in common.of(apart):
+            page.say(out, f"  {_left(row)}")
+        page.cut(out, apart, common.everything)
+        page.say(out, page.WORDS["check"]["held"])
         if unkept is not None:
             page.say(out, f"that this was checked could not be recorded: {unkept}")
 
@@ -248,13 +253,14 @@ def _check_state(
         "checked_at": shown_instant(proof.proved_at, TimeKind.TIMESTAMP),
         "recorded": unkept is None,
         **{name: getattr(proof, name) for name in ("channels", "versions", "buckets")},
-        "differences": [_told(row, kind) for row in rows],
+        "differences": rows,
+        "uncompared": apart,
     }
     page.tell(figures, show, common, urgent=bool(rows))
 
 
 def _line(row: Row) -> str:
-    """Return what is said of a difference, whose day and time are told."""
+    """Return what is said of a difference, whose time is told."""
     named = printable(f"{row['asset']} {row['channel']}")
     since = "" if row["since"] is None else f", from {row['since']} on"
     if row["part"] not in _MENDED:
@@ -262,15 +268,20 @@ def _line(row: Row) -> str:
         return said if row["asset"] is None else f"{named}: version {row['version']}: {said}"
     counted = f"{row['samples_then']:,} then, {row['samples_now']:,} now"
     if row["part"] == "calibration":
-        return f"{named}: calibration: rows {counted}; {row['differing']:,} cells visited otherwise"
-    when = "" if row["day"] is None else f" {row['day']}"
-    return f"{named}:{when} samples {counted}; {row['differing']:,} buckets differ{since}"
+        others = "" if row["what"] is None else f"; differing: {row['what']}"
+        return f"{named}: calibration: rows {counted}{others}"
+    return f"{named}: {row['what']}; samples in them {counted}{since}"
 
 
-def _told(row: Row, kind: TimeKind) -> Row:
-    """Return a difference with its day and time as text."""
-    day, since = row["day"], row["since"]
-    return row | {
-        "day": None if day is None else (_EPOCH + dt.timedelta(days=day)).isoformat(),
-        "since": None if since is None else shown_instant(since, kind),
-    }
+def _left(row: Row) -> str:
+    """Return what is said of what is not compared, whose times are told."""
+    named = printable(f"{row['asset']} {row['channel']}")
+    said = page.WORDS["check"][row["why"].replace(" ", "_")]
+    edge = row["until"] if row["since"] is None else row["since"]
+    return f"{named}: {row['part']}: {said.format(edge=edge or 'now')}"
+
+
+def _told(row: Row, kind: TimeKind, *times: str) -> Row:
+    """Return a row with its times as text."""
+    shown = {name: None if row[name] is None else shown_instant(row[name], kind) for name in times}
+    return row | shown

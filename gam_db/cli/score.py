@@ -35,6 +35,7 @@ class Scope:
     since: str | None = setting(None, INSTANT)
     until: str | None = setting(None, INSTANT)
     full: bool = setting(False, FLAG)
+    confirm: bool = setting(False, FLAG)
     everything: bool = setting(False, FLAG)
     asset: str = setting("*", TEXT)
     channel: str = setting("*", TEXT)
@@ -126,6 +127,7 @@ def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:
         },
         "ranges": told(run.ranges, "earliest"),
         "channels": told(run.channels, "read_from", "read_to"),
+        "gone": [{"asset": asset, "channel": channel} for asset, channel in sorted(run.gone)],
         "parked": run.parked,
         "not_calibrated": [
             {"asset": asset, "channel": channel, "rows": row["readings"]}
@@ -165,6 +167,7 @@ def _lines(figures: Row, run: Report, status: pa.Table | None, file: Path | None
     skipped = figures["rows_skipped_by_clock"]
     of_unknown = number_of(sum(row["rows"] for row in unknown), "row")
     for name, count, thing, named in (
+        ("gone", len(figures["gone"]), "channel", figures["gone"]),
         ("parked", figures["parked"], "channel", ()),
         ("not_calibrated", len(unknown), "channel", unknown),
         ("rows_without_name", figures["rows_without_name"], "row", ()),

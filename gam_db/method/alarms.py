@@ -76,7 +76,7 @@ def add_spreads(
     steps.small |= set(_SMALL)
     reads = ("channels", "limited", "bounds", "order_ratios", "lengths", "block_sizes")
     tables = {} if known is None else dict.fromkeys(reads, known)
-    add(steps, "alarms/block_roots", {"root": _root("novel")}, tables=tables)
+    add(steps, "alarms/block_roots", {"root": root_of("novel")}, tables=tables)
     add(steps, "alarms/spreads", _figures())
     rows = exp.union(*(_learnt(g, families, others) for g in (NEAR, FAR)), distinct=False)
     steps.add("learnt_limits", rows, template.load("alarms/learnt_limits").comment, tables)
@@ -104,7 +104,7 @@ def add_judgements(steps: Pipeline, method: Method, instant_of: TimeNode) -> Non
 
 def add_judged(steps: Pipeline, instant_of: TimeNode) -> None:
     """Add what is judged, over *judged_windows* and *frozen_limits*, likewise."""
-    add(steps, "alarms/rooted", {"root": _root("novel", "judged")})
+    add(steps, "alarms/rooted", {"root": root_of("novel", "judged")})
     _add_episodes(steps, "rooted", "")
     edges = {name: instant_of(exp.column(name, table="counted")) for name in ("first_time", "last_time")}
     add(steps, "alarms/judgements", edges)
@@ -123,16 +123,9 @@ def add_kept_judgements(steps: Pipeline, buckets: int, near: exp.Expr) -> None:
     """
     slots: dict[str, template.Slot] = {"buckets": buckets}
     add(steps, "alarms/judged_windows", slots, tables={"bucket_counts": "judged_buckets"})
-    add(steps, "stored/alarms/judged_with_limits", {"root": _root("novel", "judged"), "near": near})
+    add(steps, "stored/alarms/judged_with_limits", {"root": root_of("novel", "judged"), "near": near})
     for name in ("evidence", "opened"):
         add(steps, f"alarms/{name}", tables={"rooted": "judged_with_limits"})
-
-
-def add_rejudged(steps: Pipeline) -> None:
-    """Add judgements over *rejudged_windows* and *limit_spans*, up to *opened*."""
-    add(steps, "stored/checking/rejudged_with_limits", {"root": _root("novel", "judged")})
-    for name in ("evidence", "opened"):
-        add(steps, f"alarms/{name}", tables={"rooted": "rejudged_with_limits"})
 
 
 def add_backtested(steps: Pipeline, healthy: Sequence[tuple[int, int]]) -> None:
@@ -159,7 +152,8 @@ def _figures() -> dict[str, template.Slot]:
     }
 
 
-def _root(column: str, table: str | None = None) -> exp.Expr:
+def root_of(column: str, table: str | None = None) -> exp.Expr:
+    """Return the root of a count (``sql/alarms/root.sql``)."""
     return template.fill("alarms/root", {"count": exp.column(column, table=table)})
 
 

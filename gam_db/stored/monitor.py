@@ -49,9 +49,8 @@ class Monitor(MonitorSettings):
 
     The contract: as long as no row arrives more than ``lookback`` behind the newest one of its channel
     that was read before, the stored buckets equal those of one run over everything, whatever the order
-    of batches, replays and crashes. What was read within ``lookback`` is added up again, time and code,
-    and read again in a channel whose sum differs. Where ``append_only`` says that rows only come, in
-    order, it is only counted, so the same holds unless a row took the place of another.
+    of batches, replays and crashes. Each run reads ``lookback`` again and writes what differs. A row
+    that is later than now is left out until its time comes.
 
     Its other keywords are those of :class:`MonitorSettings`.
 
@@ -150,6 +149,7 @@ class Monitor(MonitorSettings):
         since: Instant | None = None,
         until: Instant | None = None,
         full: bool = False,
+        confirm: bool = False,
         everything: bool = False,
         asset: str = "*",
         channel: str = "*",
@@ -163,6 +163,7 @@ class Monitor(MonitorSettings):
             since: score anew from this instant on: what repairs after rows that came too late.
             until: read nothing newer; buckets after it are hidden until the next run without it.
             full: score everything anew.
+            confirm: do either even where buckets would be lost, whose rows are gone from the source.
             everything: look at parked channels and count calibration anew, without waiting for a day.
             asset: pattern of the assets to score (``*`` any text, ``?`` one character).
             channel: pattern of the channels to score.
@@ -184,6 +185,7 @@ class Monitor(MonitorSettings):
             repair_from=None if since is None else instant(since, kind, "since"),
             until=None if until is None else instant(until, kind, "until"),
             full=full,
+            confirmed=confirm,
             everything=everything,
             chosen=lambda one, other: pattern_matches(asset, one) and pattern_matches(channel, other),
             limit=limit,

@@ -15,7 +15,7 @@ import pyarrow as pa
 import pyarrow.compute as pc
 from numpy.typing import NDArray
 
-from gam_db.clock import FAR_AHEAD, JUMP, Length, TimeKind, shown_instant
+from gam_db.clock import FAR_AHEAD, JUMP, LONG_AGO, Length, TimeKind, shown_instant
 from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns
 from gam_db.composing.pipeline import Pipeline
 from gam_db.composing.template import text
@@ -138,7 +138,7 @@ def assessed(
     migrations.require(state.session, state.tables)
     known = state.monitor(monitor)
     kind = kind_of(known)
-    stored = state.fetch("stored/state/status_rows", {"monitor": text(monitor)})
+    stored = state.fetch("stored/state/status_rows", {"monitor": text(monitor), "long_ago": LONG_AGO})
     steps = _watching(kind, lengths.park_after(park_after, kind), now)
     with state.session.lent(stored) as lent:
         courses = _courses(state.fetch("stored/state/course", given={"status_rows": lent}))
@@ -273,12 +273,19 @@ def _remarks(row: Row, kind: TimeKind) -> list[str]:
         onset = row["onset"] if row["status"] in ("proving", "open") else None
         since = "" if onset is None else f" since {shown_instant(onset, kind)}{zone}"
         remarks.append(f"episode {row['episode']}{since}: gam alarm {row['episode']}")
-    added = row["calibration_rows_added"]
-    if (
-        added is not None and added < 0
-    ):  # more of them are a data problem; fewer may be what a source no longer keeps
+    if row["gone_from"] is not None:
         remarks.append(
-            f"calibration data changed: {added:+,} rows since version {row['version']} was made"
+            f"rows after {shown_instant(row['gone_from'], kind)} are gone from the source, though new "
+            "ones hang on them: what is stored stays, and the first samples after them are not scored"
+        )
+    added, then = row["calibration_rows_added"], row["calibration_rows"]
+    if added and added == -then:
+        end = shown_instant(row["calibration_end"], kind)
+        remarks.append(f"calibration, up to {end}, is gone from the source; what it taught stays")
+    elif added is not None and added < 0:  # more of them are a data problem
+        remarks.append(
+            f"calibration data changed: {added:+,} rows since version {row['version']} was made; gam "
+            "check --state says whether they are gone from the source"
         )
     return remarks
 

@@ -106,7 +106,7 @@ _ABOUT = {
     **{f"stored/*/{name}": "test_incremental[still" for name in ("still*", "no_stillness")},
     **dict.fromkeys(("census/trusted_timeline", "stored/scoring/restart"), "test_incremental[short"),
     "stored/scoring/run_up": "test_incremental[pauses",
-    "stored/*/re[lp]e*": "test_check_state",
+    "stored/*/rep*": "test_check_state",
     "stored/state/withdrawal": "test_clickhouse_writers",
     **{f"streams/{name}": "test_naming" for name in ("names", "spread", "in_order")},
     "streams/glance": "test_ordered",
@@ -123,15 +123,11 @@ _ABOUT = {
             *("open_judgements", "found_episodes", "episode_records", "staying_judgements"),
             *("alarm_rows", "event_rows", "labels", "next_judgement", "raised_judgements"),
             *(
-                "rejudged_*",
                 "kept_judgements",
                 "kept_limits",
-                "judged_again",
                 "inconsistent_judgements",
-                "raised_again",
                 "episode_history",
             ),
-            "certified_extents",
         )
     },
     **{

@@ -51,9 +51,10 @@ def test_a_check_is_recorded_and_told_by_status(plant: Path) -> None:
     sound = gam("check", "--state")
     assert sound.exit_code == 0, sound.output
     assert (
-        "monitor default: 4 channels, 92 buckets: all of it is what the source gives, and what "
-        "calibration froze" in said(sound)
+        "monitor default: 4 channels, 92 buckets: what the source still holds, and the last run had to "
+        "score, is what is stored; so is what calibration froze" in said(sound)
     )
+    assert "a x: scored: rows after 199 came since the last run: gam score scores them" in said(sound)
     assert "s ago: no difference (gam check --state)" in said(gam("status"))
     changed("UPDATE gam_bucket SET novel_in_window = novel_in_window + 1 WHERE bucket_no = 9")
     wrong = gam("check", "--state")
@@ -66,7 +67,7 @@ def test_a_check_is_recorded_and_told_by_status(plant: Path) -> None:
     assert "what no scoring mends" not in said(wrong)
     told = json.loads(gam("status", "--json").stdout)["proved"]
     assert (told["channels"], told["versions"], told["buckets"]) == (4, 4, 92)
-    assert told["differences"] == 8
+    assert told["differences"] == 8, "the buckets of each channel, by themselves and by the source"
     assert "8 differences (gam check --state)" in said(gam("status"))
 
 

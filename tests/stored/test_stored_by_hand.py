@@ -6,7 +6,7 @@ import pytest
 from sqlglot import exp
 
 from by_hand import rows, step
-from gam_db.composing.template import column, fill, text
+from gam_db.composing.template import Slot, column, fill, text
 
 BEFORE_ALL = -(2**62)
 
@@ -47,43 +47,36 @@ def test_the_newest_run_says_when_a_version_was_read_and_any_how_far() -> None:
 BUCKET = "bucket_no first_time last_time context_time samples novel out_of_range"
 
 
-def test_buckets_that_differ_are_counted_by_day_on_the_side_that_has_more() -> None:
-    """Bucket 1 differs, 2 does a day later, when 3 is gone; 4 is not settled."""
+def test_rows_that_differ_are_counted_of_both_sides() -> None:
+    """Of 7, bucket 1 differs, 3 is there twice, 4 is missing; of 8 a share differs; 9 is as it is."""
+    bucket_no, share = (exp.column(name) for name in ("bucket_no", "floor"))
+    slots: dict[str, Slot] = {
+        "owner": exp.column("version_id"),
+        "among": bucket_no < 9,
+        "columns": [exp.column(name) for name in ("version_id", "bucket_no", "first_time", "samples")],
+        "shares": [share],
+        "unlike": exp.NEQ(this=exp.Min(this=share.copy()), expression=exp.Max(this=share.copy())),
+        "since": exp.column("first_time"),
+        "samples": exp.column("samples"),
+    }
+    names = "version_id bucket_no first_time samples floor"
+    same = [(7, 0, 0, 10, 0.5), (9, 0, 0, 10, None)]
     kept = [
-        (0, 0, 49, 0, 10, 0, 0),
-        (1, 50, 99, 40, 10, 1, 0),
-        (2, 100, 149, 90, 10, 0, 0),
-        (3, 150, 199, 140, 10, 0, 0),
-        (4, 200, 249, 190, 10, 0, 0),
+        (7, 1, 10, 11, 0.5),
+        (7, 3, 30, 10, 0.5),
+        (7, 3, 30, 10, 0.5),
+        (8, 0, 0, 9, 0.25),
+        (8, 9, 9, 9, 1.0),
     ]
-    made = [kept[0], (1, 50, 99, 40, 11, 1, 0), (2, 101, 149, 90, 10, 0, 0), (4, 201, 249, 190, 9, 9, 9)]
+    made = [(7, 1, 11, 10, 0.5), (7, 3, 30, 10, 0.5), (7, 4, 40, 10, 0.5), (8, 0, 0, 9, 0.75)]
     found = step(
         "stored/checking/compared",
-        {"day": 100},
-        former_buckets=rows(
-            f"channel_id still novel_in_window {BUCKET}", *((3, None, 0, *bucket) for bucket in kept)
-        ),
-        new_buckets=rows(f"channel_id {BUCKET}", *((3, *bucket) for bucket in made)),
-        bucket_counts=rows("channel_id bucket_no novel_in_window", *((3, one[0], 0) for one in made)),
-        still_counts=rows("channel_id bucket_no still", (3, 9, 1)),
-        cohort=rows("channel_id oldest_bucket settled read_until", (3, 0, 4, 199)),
+        slots,
+        kept_rows=rows(names, *same, *kept),
+        made_rows=rows(names, *same, *made),
     )
-    assert found == [(3, 0, 20, 21, 1, 50), (3, 1, 20, 10, 2, 100)]
-
-
-def test_novel_cells_that_differ_are_those_of_either_side() -> None:
-    """Of one channel a cell is gone, one came and one is visited more; of the other, one is gone."""
-    cell = "bucket_no cell_key visits first_time last_time"
-    kept = [(1, 10, 2, 50, 60), (1, 11, 1, 55, 55), (2, 12, 1, 80, 80)]
-    made = [(1, 11, 1, 55, 55), (2, 12, 2, 80, 81), (2, 13, 1, 82, 82), (3, 14, 1, 120, 120)]
-    found = step(
-        "stored/checking/compared_novel",
-        former_novel=rows(f"channel_id {cell}", *((3, *one) for one in kept), (4, 0, 5, 1, 30, 30)),
-        novel_cells=rows(f"channel_id {cell}", *((3, *one) for one in made)),
-        new_buckets=rows("channel_id bucket_no first_time", (3, 1, 45), (3, 2, 75), (4, 0, 33)),
-        cohort=rows("channel_id novel_from settled read_until", (3, 0, 4, 99), (4, 0, 4, 99)),
-    )
-    assert found == [(3, 3, 45), (4, 1, 30)]
+    # stored, only_stored, only_made, samples_then, samples_now, since, owner_id
+    assert sorted(found, key=lambda row: row[-1]) == [(4, 2, 2, 21, 20, 10, 7), (1, 1, 1, 0, 0, 0, 8)]
 
 
 def test_numbers_go_on_from_the_largest() -> None:
@@ -96,17 +89,24 @@ def test_numbers_go_on_from_the_largest() -> None:
     }
 
 
-def test_cells_that_would_be_learnt_otherwise_are_counted_of_either_side() -> None:
-    """Cell 5 is visited less than it was, 6 is new, 7 is gone; 8 is as it was, by two channels."""
+@pytest.mark.parametrize(
+    ("oldest", "pruned", "expected"),
+    [
+        (28, 0, (1, 0, 5, 2, 30, 28)),  # the context of the bucket after 2 begins at 28
+        (29, 0, (1, 0, 5, 3, 40, 38)),
+        (39, 0, (1, 0, 5, 3, 40, 38)),  # none is whole: the newest
+        (0, 1, (1, 1, 15, 2, 30, 28)),  # what was pruned leaves a window of two
+    ],
+)
+def test_what_stays_where_rows_have_gone(oldest: int, pruned: int, expected: tuple[int, ...]) -> None:
+    buckets = [(1, n, 10 * n + 5, 10 * n + 10, 10 * n + 8) for n in range(pruned, 4)]
     found = step(
-        "stored/checking/relearnt",
-        learnable=rows("channel_id cell_key", (1, 5), (1, 6), (1, 8), (2, 8)),
-        cohort=rows("channel_id support_id", (1, 20), (2, 20)),
-        stored_support=rows(
-            "support_id cell_key visits", (20, 5, 2), (20, 7, 1), (20, 8, 2), (21, 9, 1)
-        ),
+        "stored/scoring/whole",
+        stored_visible_bucket=rows("version_id bucket_no first_time last_time context_time", *buckets),
+        newest=rows("version_id oldest_bucket buckets", (1, pruned, 2)),
+        oldest_rows=rows("version_id oldest_time", (1, oldest)),
     )
-    assert found == [(20, 3)]
+    assert found == [expected]
 
 
 @pytest.mark.parametrize(
@@ -333,11 +333,6 @@ def test_judgements_from_one_to_another_hold_both() -> None:
     slots = {"version_id": 1, "first": 6, "last": 8}
     found = step("stored/alarms/raised_judgements", slots, stored_visible_judgement=judgements)
     assert [row[0] for row in found] == [6, 7, 8]
-    edges = step(
-        "stored/checking/judged_edges",
-        judged_again=rows("channel_id judgement_no", (1, 5), (1, 3), (1, 9), (2, 4)),
-    )
-    assert edges == [(1, 3, 9), (2, 4, 4)]
 
 
 def test_judgements_that_are_open_are_looked_at_from_the_first_that_is_asked_for() -> None:
@@ -500,11 +495,18 @@ def test_a_version_is_checked_with_what_the_newest_records_say_of_it() -> None:
             "version_id first_bucket first_novel", (2, 5, 6), (2, 8, 9), (2, 7, 7), (3, 1, 1)
         ),
         stored_finished_run=rows(
-            "version_id run_id read_to settled_bucket calibration_readings",
-            *((2, 1, 100, 4, 31), (2, 2, 200, 5, None), (2, 3, None, None, 32)),
-            *((3, 1, 110, 4, None), (3, 4, 90, 3, None)),
+            "version_id run_id started read_to settled_bucket calibration_readings",
+            *((2, 1, 5, 100, 4, 31), (2, 2, 6, 200, 5, None), (2, 3, 7, None, None, 32)),
+            *((3, 1, 5, 110, 4, None), (3, 4, 8, 90, 3, None)),
         ),
+        stored_block=rows("support_id channel_id first_time", (40, 3, 12), (40, 3, 11), (40, 4, 9)),
+        stored_calibration=rows("version_id time_from", (2, 9), (2, 8)),
     )
+    assert [row[21:25] for row in found] == [
+        (30, 11, None, None),
+        (30, 11, 8, 7),
+        (30, 9, None, 8),
+    ], "calibration_readings, taught_from, calibration_from, started"
     # version_id, context_rows, lo, hi, is_active, first_bucket, first_novel, read_to, counted_readings
     assert [(row[0], row[-9], *row[-7:]) for row in found] == [
         (1, 8, 0.5, 2.5, 0, 0, 0, None, None),
@@ -582,13 +584,13 @@ def test_what_is_stored_of_new_buckets_is_what_is_seen_of_them() -> None:
         stored_visible_bucket=bucket,
         stored_bucket=written,
     )
-    assert found == [(1, 3, 1, 2, 3, 4, 7, 5, 6, 9), (1, 4, 1, 2, 3, 4, 8, 5, 6, 9)]
+    assert found == [(1, 5, 3, 1, 2, 3, 4, 7, 5, 6, 9), (1, 5, 4, 1, 2, 3, 4, 8, 5, 6, 9)]
     cells = rows(
         "version_id bucket_no cell_key visits first_time last_time",
         *((5, n, 9, 1, 2, 3) for n in (2, 3, 4)),
     )
     found = step("stored/scoring/former_novel", slots, cohort=cohort, stored_visible_novel=cells)
-    assert found == [(1, 3, 9, 1, 2, 3), (1, 4, 9, 1, 2, 3)]
+    assert found == [(1, 5, 3, 9, 1, 2, 3), (1, 5, 4, 9, 1, 2, 3)]
 
 
 def test_of_what_was_made_the_rest_is_not_written() -> None:

@@ -14,12 +14,12 @@ from gam_db.stored.planning.reading import cohort_of
 from gam_db.stored.planning.steps import (
     Setting,
     can_trust,
-    comparing_steps,
+    learning_steps,
     plan_steps,
     reading_steps,
-    relearning_steps,
     scoring_steps,
     searched_plan_steps,
+    whole_plan_steps,
 )
 from gam_db.stored.schema.checksums import matching_steps
 from gam_db.stored.schema.migration_files import definitions
@@ -59,9 +59,13 @@ def given() -> dict[str, sql_lint.Columns]:
     known["changed"] = known["cohort"]
     kept = dict.fromkeys(("still", "novel_in_window"), Kind.INTEGER)
     known["former_buckets"] = {**known["written"], **kept}
-    cells = "channel_id bucket_no cell_key visits first_time last_time"
+    cells = "channel_id version_id bucket_no cell_key visits first_time last_time"
     known["former_novel"] = dict.fromkeys(cells.split(), Kind.INTEGER)
     known["stamp"] = dict.fromkeys(("run_id", "started", "committed", "deletes_hidden"), Kind.INTEGER)
+    known["limits"] = known["cohort"]
+    numbering = ("channel_id", "stored_channel_id", "version_id", "stored_support_id")
+    known["numbering"] = dict.fromkeys(numbering, Kind.INTEGER)
+    known["oldest_rows"] = dict.fromkeys(("version_id", "oldest_time"), Kind.INTEGER)
     telemetry = {"time": Kind.INTEGER, "value": Kind.DOUBLE}
     known["telemetry"] = telemetry | dict.fromkeys(TEXTS, Kind.OTHER)
     return known
@@ -85,18 +89,18 @@ def test_filled_steps_break_no_rule(setting: Setting) -> None:
     for kind in (TimeKind.COUNTER, TimeKind.TIMESTAMP):
         known = given()
         assert broken(reading_steps(rows), known) == []
-        for steps in (scoring_steps, comparing_steps, partial(scoring_steps, compared=True)):
+        for steps in (scoring_steps, partial(scoring_steps, compared=True)):
             assert broken(steps(setting, kind), dict(known)) == []
         # The last bits of logarithms are allowed for, as in the certificate itself; outlook takes the
         # larger of two figures, so that they decide nothing.
         rough = [
-            found.split(":")[:2]
-            for found in broken(relearning_steps(setting, kind, 0.05, 1), dict(known))
+            found.split(":")[:2] for found in broken(learning_steps(setting, kind, 0.05, 1), dict(known))
         ]
         assert rough == [[step, " rough_decisions"] for step in ("outlook", "outlook", "verdicts")]
         if can_trust(setting, kind):
             assert broken(scoring_steps(setting, kind, trusting=True), dict(known)) == []
     assert broken(plan_steps(1, 5), given()) == []
+    assert broken(whole_plan_steps(1), given()) == []
     assert broken(soundness_steps(1, True), given()) == []
     wanted = {"wanted": {"version_id": Kind.INTEGER}}
     assert broken(matching_steps(), given() | wanted) == []

@@ -77,6 +77,11 @@ def follow(state: State, monitor_id: int, group: Sequence[Row], judged: Mapping[
     Looked at again are the judgements from the tenth before the first one written anew (``judged``, of
     each version that has, or had, a limit), and those of the episodes that reach them or are open.
     """
+    changes(state, monitor_id, group, judged).keep(state)
+
+
+def changes(state: State, monitor_id: int, group: Sequence[Row], judged: Mapping[int, int]) -> Log:
+    """Return what :func:`follow` would append."""
     records = records_of(state, monitor_id)
     live = by("channel_id", (row for row in records if row["status"] in LIVE))
     found, ranges = _found(state, group, live, judged)
@@ -86,7 +91,7 @@ def follow(state: State, monitor_id: int, group: Sequence[Row], judged: Mapping[
         if channel in found or channel in live:
             said = ranges.get(channel, {"version_id": row["version_id"]})
             _match(log, found.get(channel, []), live.get(channel, []), said)
-    log.keep(state)
+    return log
 
 
 def _found(
@@ -154,7 +159,7 @@ def _match(log: Log, found: list[Row], live: list[Row], judged: Mapping[str, Any
     ]
     taken: set[int] = set()
     for row in sorted(found, key=lambda row: row["first_judgement"]):
-        goes_on = judged["is_judged"] == 1 and row["last_judgement"] == judged["last_judgement"]
+        goes_on = judged.get("is_judged") == 1 and row["last_judgement"] == judged["last_judgement"]
         row["status"] = "open" if goes_on else "ended"
         row["onset_time"] = row["first_time"] if row["onset_time"] is None else row["onset_time"]
         meets = [

@@ -17,7 +17,7 @@ from gam_db.stored.state import State
 from gam_db.study.running import Running
 
 #: Judgements before the first new one that its evidence may hang on.
-_BEFORE = 50
+BEFORE = 50
 
 
 def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) -> dict[int, int]:
@@ -39,19 +39,29 @@ def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) ->
     if not rows:
         return {}
     first = min(row["first_judgement"] for row in rows)
-    steps = Pipeline(small=frozenset({"judged_buckets", "judged_windows"}))
 
     def since(judgement: int) -> exp.Expr:
         return near([{**row, "first_bucket": judgement * buckets} for row in rows])
 
-    add(steps, "stored/alarms/judged_buckets", {"buckets": buckets, "near": since(first)})
-    add(steps, "stored/alarms/limit_spans")
-    add_kept_judgements(steps, buckets, since(first - _BEFORE))
-    add(steps, "stored/alarms/judgement_rows")
+    steps = judging_steps(buckets, since(first), since(first - BEFORE))
     with Running(state.session, steps, placed) as running:
-        running.load("judged_until", table_of(rows, _UNTIL))
+        running.load("judged_until", table_of(rows, UNTIL))
         state.append("judgement", running.query("judgement_rows"))
     return {row["version_id"]: row["first_judgement"] for row in rows}
+
+
+def judging_steps(buckets: int, since: exp.Expr, since_before: exp.Expr) -> Pipeline:
+    """Return the steps from *judged_until* and *new_buckets* to *judgement_rows*.
+
+    A window has so many buckets. The conditions on *bucket* hold for what stays: the buckets that are
+    judged, and the judgements before them.
+    """
+    steps = Pipeline(small=frozenset({"judged_buckets", "judged_windows"}))
+    add(steps, "stored/alarms/judged_buckets", {"buckets": buckets, "near": since})
+    add(steps, "stored/alarms/limit_spans")
+    add_kept_judgements(steps, buckets, since_before)
+    add(steps, "stored/alarms/judgement_rows")
+    return steps
 
 
 def buckets_of(version: Row) -> int:
@@ -59,4 +69,5 @@ def buckets_of(version: Row) -> int:
     return int(version["window_length"] // version["stride"])
 
 
-_UNTIL = counts("channel_id version_id first_bucket first_judgement")
+#: Columns of *judged_until*.
+UNTIL = counts("channel_id version_id first_bucket first_judgement")

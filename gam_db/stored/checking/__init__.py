@@ -1,15 +1,15 @@
-"""Checking the state: is what is stored what one run over everything gives, and does it hold together?
+"""Checking the state: is what is stored what one run over the source gives, and does it hold together?
 
-This module owns the comparison. It writes nothing. Three things are looked at: the checksums of what
-calibration froze; what must hold between the tables, whatever the source; and the source itself, over
-which every bucket, every novel cell and all that calibration taught is computed again. What the next run
-will read anyway is left out, unless no row came since the last one.
+This module owns the comparison. It writes nothing. Looked at are the checksums of what calibration
+froze; what must hold between the tables, whatever the source; and the source itself, over which all that
+calibration taught, every bucket and every novel cell is made again beside the state
+(:mod:`gam_db.stored.checking.again`), from the intervals and settings that are stored.
 
-Retired versions are held to their checksums and to what must hold between the tables, not to the source:
-it may have changed since, which is why they were retired.
+What cannot be made again is held to the rest: limits, labels, episodes, records of runs, retired
+versions, and everything whose rows have gone from the source.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from typing import Any
@@ -20,12 +20,14 @@ from gam_db import data
 from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.columns import COUNT, WORD, columns, counts, name_of, table_of
 from gam_db.settings.source import AnySource
+from gam_db.stored.checking.again import Again
 from gam_db.stored.checking.consistency import inconsistencies
 from gam_db.stored.checking.proving import STATE, Proof, mismatched
 from gam_db.stored.checking.soundness import soundness_steps
-from gam_db.stored.planning import Row, assets_of, portions, whole_pools
-from gam_db.stored.planning.reading import Reader, cohort_of, plan_rows, searched_plan_rows
-from gam_db.stored.planning.steps import comparing_steps, reading_steps, relearning_steps, setting_of
+from gam_db.stored.planning import Row, by, portions, whole_pools
+from gam_db.stored.planning.gone import whole_plan_rows
+from gam_db.stored.planning.reading import Reader, last_times, plan_rows, searched_plan_rows
+from gam_db.stored.planning.steps import reading_steps, setting_of
 from gam_db.stored.state import State, kind_of, now
 from gam_db.study.running import Listener, Running, unheard
 
@@ -33,8 +35,11 @@ from gam_db.study.running import Listener, Running, unheard
 PARTS = (
     *("frozen", "versions", "tables", "buckets", "novel cells", "runs"),
     *("limits", "judgements", "episodes", "labels"),
-    *("scored", "calibration", "certificate"),
+    *("scored", "calibration"),
 )
+
+#: Why a part is not compared with the source: its rows have gone, or the next run makes it anew.
+GONE, NEXT_RUN = "gone from the source", "left to the next run"
 
 #: What is said of what does not hold.
 _WORDS = data.table("gam_db.stored.checking", "checks.toml")
@@ -46,10 +51,15 @@ class Checked:
 
     Attributes:
         differences: one row each; see :func:`check_state`.
+        uncompared: what was held to the rest of the state alone, one row per version and part of it:
+            asset, channel, version, part ("calibration" or "scored"), why (:data:`GONE`,
+            :data:`NEXT_RUN`), since and until (integer times: from where on, and up to where; NULL for
+            the beginning, and for the end).
         proof: what was looked at, to be recorded.
     """
 
     differences: pa.Table
+    uncompared: pa.Table
     proof: Proof
 
 
@@ -64,60 +74,78 @@ def check_state(
     """Compare all that is computed in the tables of a monitor with its source, and with one another.
 
     The whole source is read, a group of channels at a time (at most ``limit`` readings; None for what
-    memory allows). Buckets that the next run would write anew, since rows may come as late as
-    ``lookback``, are compared only where no row came since.
+    memory allows). Where rows came since the last run, no later than ``lookback`` allows, the buckets
+    that they reach are left to the next run.
 
     Returns:
-        One row per difference, ordered: asset, channel (NULL for rows that belong to none), version (its
-        number within the channel), part (of :data:`PARTS`), what (in words; NULL where the part says
-        it), day (days since 1970; only of "scored", and not of counters), samples_then and samples_now
-        (of the day; rows of the intervals for "calibration"; else NULL), differing (buckets, cells or
-        rows), since (integer time of the first bucket that differs: score from there on to repair; NULL
-        where that repairs nothing).
+        The differences, ordered: asset, channel (NULL for rows that belong to none), version (its number
+        within the channel), part (of :data:`PARTS`), what (in words), samples_then and samples_now (of
+        the buckets that differ for "scored", rows of the intervals for "calibration"; else NULL),
+        differing (buckets, cells or rows), since (integer time of the first bucket that differs: score
+        from there on to repair; NULL where that repairs nothing).
 
     Raises:
         UserError: there is no such monitor, or the source cannot be used.
     """
     monitor = state.monitor(name)
     reader = Reader(state.session, source, kind_of(monitor), name)
-    check = _Check(state, reader, on_step)
+    check = _Check(state, reader, lookback, on_step)
     monitor_id, began = monitor["monitor_id"], now()
-    buckets = check.soundness(monitor_id)
-    for one in inconsistencies(state, monitor_id, reader.kind, check.versions):
+    buckets, oldest = check.soundness(monitor_id)
+    for one in inconsistencies(state, monitor_id, reader.kind, check.versions, oldest):
         key = one.version_id if one.version_id in check.versions else None
         check.note(key, one.part, what=one.what, differing=one.differing, since=one.since)
     usable = {key: row for key, row in check.versions.items() if key not in check.unusable}
-    active = {key for key, row in usable.items() if row["is_active"]}
-    settled = {row["version_id"]: row for row in plan_rows(state, monitor_id, lookback)}
-    rows = [row for row in searched_plan_rows(state, monitor_id, None) if row["version_id"] in active]
-    readings, most = check.readings(), limit or state.session.rows_at_once()
-    for group in portions(rows, readings, most):
-        check.scored(group, [settled[row["version_id"]] for row in group])
-    for _, alike in groupby(sorted(_taught(usable.values()), key=_learning), key=_learning):
-        for group in whole_pools(alike, readings, most):
+    check.look()
+    most = limit or state.session.rows_at_once()
+    for group in portions(check.planned(monitor_id, usable), check.readings, most):
+        check.scored(group)
+    for _, alike in groupby(sorted(check.taught(usable.values()), key=_learning), key=_learning):
+        for group in whole_pools(alike, check.readings, most):
             check.calibration(group)
     made = sorted(check.found, key=_place)
     versions = check.versions.values()
     channels = len({row["channel_id"] for row in versions})
     proof = Proof(STATE, began, channels, len(versions), buckets, len(made))
-    return Checked(table_of(made, _RESULT), proof)
+    uncompared = sorted(check.uncompared, key=lambda row: (*name_of(row), row["version"], row["part"]))
+    return Checked(table_of(made, _RESULT), table_of(uncompared, _UNCOMPARED), proof)
 
 
 class _Check:
-    def __init__(self, state: State, reader: Reader, on_step: Listener) -> None:
+    def __init__(self, state: State, reader: Reader, lookback: int, on_step: Listener) -> None:
         self.state, self.session, self.reader, self.on_step = state, state.session, reader, on_step
+        self.again, self.lookback = Again(state, reader, on_step), lookback
         self.versions: dict[int, Row] = {}
         self.unusable: set[int] = set()
         self.found: list[Row] = []
+        self.uncompared: list[Row] = []
+        self.readings: dict[tuple[str, str], int] = {}
+        self.edges: dict[tuple[str, str], Row] = {}
 
     def note(self, version_id: int | None, part: str, **said: Any) -> None:
         """Note a difference of a version, or of none."""
-        row = {} if version_id is None else self.versions[version_id]
-        named = {"asset": row.get("asset"), "channel": row.get("channel")}
-        self.found.append({**named, "version": row.get("version_no"), "part": part, **said})
+        self.found.append({**self._named(version_id), "part": part, **said})
 
-    def soundness(self, monitor_id: int) -> int:
-        """Look at what must hold whatever the source; return how many buckets there are."""
+    def leave(
+        self, version_id: int, part: str, why: str, since: int | None = None, until: int | None = None
+    ) -> None:
+        """Note what is not compared with the source."""
+        edges = {"why": why, "since": since, "until": until}
+        self.uncompared.append({**self._named(version_id), "part": part, **edges})
+
+    def _named(self, version_id: int | None) -> Row:
+        row = {} if version_id is None else self.versions[version_id]
+        return {
+            "asset": row.get("asset"),
+            "channel": row.get("channel"),
+            "version": row.get("version_no"),
+        }
+
+    def soundness(self, monitor_id: int) -> tuple[int, list[Row]]:
+        """Look at what must hold whatever the source.
+
+        Returned are how many buckets there are, and the rows of *oldest_kept*.
+        """
         buckets = 0
         with self._running(soundness_steps(monitor_id, self.session.transactions)) as running:
             rows = running.rows("checked")
@@ -144,116 +172,160 @@ class _Check:
                 if row["lacks"] == "another key":
                     what = f"keys or names that are there twice in {table}"
                 self.note(None, "tables", what=what, differing=row["found"])
-        return buckets
+            return buckets, running.rows("oldest_kept")
 
-    def readings(self) -> dict[tuple[str, str], int]:
+    def look(self) -> None:
+        """Look at the source: how many rows each channel has, and its oldest and newest time."""
         steps = reading_steps(self.reader.readings())
-        rows = self.session.rows(steps.query("names"))
-        return {name_of(row): row["readings"] for row in rows}
+        self.edges = {name_of(row): row for row in self.session.rows(steps.query("names"))}
+        self.readings = {name: row["readings"] for name, row in self.edges.items()}
 
-    def scored(self, group: Sequence[Row], settled: Sequence[Row]) -> None:
-        """Compare the buckets of a group of one setting: the settled ones, and all if no row came."""
-        known = [self.versions[row["version_id"]] for row in group]
-        ends = [
-            row["first_scored"] - 1 if version["read_to"] is None else version["read_to"]
-            for row, version in zip(settled, known, strict=True)
-        ]
-        novel_from = [row["first_novel"] for row in known]
-        versions = {row["channel_id"]: row["version_id"] for row in group}
-        with self._running(comparing_steps(setting_of(group[0]), self.reader.kind)) as running:
-            running.load("cohort", cohort_of(group, read_until=ends))
-            earliest = min(row["read_from"] for row in group)
-            rows = reading_steps(self.reader.readings(assets_of(group), earliest))
-            running.put("identified", rows.query("identified", running.placed))
-            again = {row["channel_id"]: row for row in running.rows("reread")}
-            reread = [again.get(row["channel_id"]) for row in group]
-            # Where no row came since the last run, its last buckets can be compared, too.
-            same = [row is not None and row["rows_now"] == row["rows_then"] for row in reread]
-            until = [
-                end if is_same else row["first_scored"] - 1
-                for row, end, is_same in zip(settled, ends, same, strict=True)
-            ]
-            first = [
-                FAR_AHEAD if is_same else row["first_bucket"]
-                for row, is_same in zip(settled, same, strict=True)
-            ]
-            cohort = cohort_of(group, read_until=until, settled=first, novel_from=novel_from)
-            running.load("cohort", cohort)
-            differences = running.rows("compared")
-            cells = running.rows("compared_novel")
-        for row in differences:
-            day = None if self.reader.kind.is_counter else row["day_no"]
-            said = {name: row[name] for name in _COUNTED}
-            self.note(versions[row["channel_id"]], "scored", day=day, since=row["since"], **said)
-        told = {row["channel_id"] for row in differences}
-        for row in cells:
-            if row["channel_id"] not in told:  # else it follows from the buckets
+    def planned(self, monitor_id: int, usable: Mapping[int, Row]) -> list[Row]:
+        """Return from where on, by which number and up to where the active versions are scored again."""
+        active = {key: row for key, row in usable.items() if row["is_active"]}
+        oldest = {
+            key: self.edges[name_of(row)]["earliest"]
+            for key, row in active.items()
+            if self.readings.get(name_of(row))
+        }
+        whole = whole_plan_rows(self.state, monitor_id, oldest)
+        settled = {row["version_id"]: row for row in plan_rows(self.state, monitor_id, self.lookback)}
+        ends = last_times(self.state, monitor_id)
+        newest = max(
+            (row["started"] for row in usable.values() if row["started"] is not None), default=None
+        )
+        planned = []
+        for row in searched_plan_rows(self.state, monitor_id, None):
+            key = row["version_id"]
+            if key not in active:
+                continue
+            version, is_gone = active[key], key in whole
+            if is_gone:
+                row = whole[key]
+                self.leave(key, "scored", GONE, until=oldest[key])
+            elif key not in oldest and row["oldest_bucket"] >= 0 and row["restarts"]:
+                self.leave(key, "scored", GONE)
+                continue
+            until = self._until(version, newest, settled[key]["first_scored"] - 1, ends.get(key))
+            kept = {"first_kept": version["first_bucket"], "first_novel": version["first_novel"]}
+            next_bucket = settled[key]["first_bucket"]
+            planned.append({**row, **kept, **until, "next_bucket": next_bucket, "is_gone": is_gone})
+        return planned
+
+    def _until(self, version: Row, newest: int | None, settled: int, end: int | None) -> Row:
+        """Return up to where a version must be scored by now, the newest run of all having begun then.
+
+        That is what its own last run has read, and what was there for the newest run: by the clock, or,
+        of a counter, everything where that run has left the channel out. Where rows came late it is up
+        to where buckets are ``settled``, unless they ``end`` too long before what was read.
+        """
+        read_to = version["read_to"]
+        if read_to is None:
+            read_to = version["first_scored"] - 1
+        due = read_to
+        if newest is not None and not self.reader.kind.is_counter:
+            due = newest - self.lookback
+        elif newest is not None and version["started"] != newest:
+            due = FAR_AHEAD
+        latest = self.edges.get(name_of(version), {}).get("latest")
+        is_behind = latest is not None and latest > read_to and due > read_to
+        # What is not settled shows how long a bucket is; the one that is not full yet may be as long.
+        is_near = end is not None and read_to - end <= max(self.lookback, end - settled)
+        late = due if is_behind else settled if is_near else read_to - self.lookback
+        return {"until": max(read_to, due), "until_late": late}
+
+    def scored(self, group: Sequence[Row]) -> None:
+        """Compare the buckets and novel cells of a group of one setting."""
+        made = self.again.scored(group)
+        told = {row["owner_id"] for row in made.buckets}
+        for row in made.buckets:
+            what = (
+                f"{row['only_made']:,} buckets that the source gives are not stored, "
+                f"{row['only_stored']:,} are stored that it does not give"
+            )
+            samples = {name: row[name] for name in ("samples_then", "samples_now")}
+            said = {"what": what, "differing": row["differing"], "since": row["since"]}
+            self.note(row["owner_id"], "scored", **samples, **said)
+        for row in made.novel:
+            if row["owner_id"] not in told:  # else it follows from the buckets
                 what = "novel cells that the source does not give"
                 said = {name: row[name] for name in ("differing", "since")}
-                self.note(versions[row["channel_id"]], "novel cells", what=what, **said)
-        for key, row in again.items():
-            if not row["ends_now"] and key not in told:
+                self.note(row["owner_id"], "novel cells", what=what, **said)
+        for row in group:
+            key, read = row["version_id"], made.reread.get(row["channel_id"])
+            version = self.versions[key]
+            if read is not None and not read["ends_now"] and key not in told and not row["is_gone"]:
                 what = "the last run ended at an instant at which the source has no row"
-                self.note(versions[key], "runs", what=what, differing=1)
+                self.note(key, "runs", what=what, differing=1)
+            latest = self.edges.get(name_of(version), {}).get("latest")
+            end = row["until_late" if key in made.late else "until"]
+            if latest is not None and latest > end:
+                self.leave(key, "scored", NEXT_RUN, since=end)
+
+    def taught(self, versions: Iterable[Row]) -> list[Row]:
+        """Return the versions whose calibration can be learnt again, of supports that are in use."""
+        rows = [row for row in versions if row["calibration_end"] is not None and row["lo"] is not None]
+        used = {row["support_id"] for row in rows if row["is_active"]}
+        found: list[Row] = []
+        for support, pool in by("support_id", rows).items():
+            edges = [self.edges.get(name_of(row), {}).get("earliest") for row in pool]
+            if support not in used:
+                continue
+            if any(
+                oldest is None or (row["taught_from"] is not None and oldest > row["taught_from"])
+                for row, oldest in zip(pool, edges, strict=True)
+            ):
+                for row, oldest in zip(pool, edges, strict=True):
+                    self.leave(row["version_id"], "calibration", GONE, until=oldest)
+            else:
+                found += pool
+        return found
 
     def calibration(self, group: Sequence[Row]) -> None:
         """Compare what the frozen intervals of pools of one setting teach now with what they taught."""
-        # Blocks are numbered in the order of names. A channel may be of two pools, one of them retired.
-        group = sorted(group, key=lambda row: (row["asset"].encode(), row["channel"].encode()))
-        group = [{**row, "channel_id": number} for number, row in enumerate(group, start=1)]
-        setting = setting_of(group[0])
-        ends = [row["calibration_end"] for row in group]
-        with self._running(relearning_steps(setting, self.reader.kind, *_asked(group[0]))) as running:
-            cohort = cohort_of(group, read_from=LONG_AGO, read_until=ends, first_bucket=0)
-            running.load("cohort", cohort)
-            edges = running.rows("calibration_range")[0]
-            # No sample before an interval decides what is learnt in it, unless by standing still.
-            earliest = edges["earliest"] if setting.still_after is None else LONG_AGO
-            healthy = self.reader.readings(assets_of(group), earliest, edges["latest"])
-            rows = reading_steps(healthy)
-            running.put("identified", rows.query("identified", running.placed))
-            counted = self.session.rows(rows.query("recount", running.placed))
-            changed = running.rows("relearnt")
-            otherwise = [*running.rows("certified"), *running.rows("certified_extents")]
-        cells = {row["support_id"]: row["differing"] for row in changed}
-        now_read = {row["channel_id"]: row["calibration_readings"] for row in counted}
-        came = set(cells)
+        parts, counted = self.again.learnt(group)
+        words: dict[int, dict[str, int]] = {}
+        for part, rows in parts.items():
+            for row in rows:
+                words.setdefault(row["owner_id"], {})[_WORDS["calibration"][part]] = row["differing"]
+        lost = {
+            row["support_id"]
+            for row in group
+            if _lacks_first(
+                row, counted.get(row["version_id"], {}), self.edges[name_of(row)]["earliest"]
+            )
+        }
         for row in group:
-            then, found = row["calibration_readings"], now_read.get(row["channel_id"], 0)
-            if found != then:
-                came.add(row["support_id"])
+            key, then = row["version_id"], row["calibration_readings"]
+            found = counted.get(key, {}).get("calibration_readings", 0)
+            said = {**words.get(row["support_id"], {}), **words.get(key, {})}
+            if row["support_id"] in lost:
+                self.leave(key, "calibration", GONE, until=self.edges[name_of(row)]["earliest"])
+            elif found != then or said:
+                what = ", ".join(f"{part} ({count:,})" for part, count in said.items()) or None
+                samples = {"samples_then": then, "samples_now": found}
+                self.note(key, "calibration", what=what, differing=sum(said.values()), **samples)
             elif row["is_active"] and row["counted_readings"] not in (None, found):
                 what = "the last run that counted rows of calibration found another number"
-                self.note(row["version_id"], "runs", what=what, differing=1)
-            if row["is_active"] and (found != then or row["support_id"] in cells):
-                said = {"samples_then": then, "samples_now": found}
-                differing = cells.get(row["support_id"], 0)
-                self.note(row["version_id"], "calibration", **said, differing=differing)
-        support_of = {row["version_id"]: row["support_id"] for row in group}
-        member = {support: version for version, support in reversed(support_of.items())}
-        for row in otherwise:
-            version = row.get("version_id", member.get(row.get("support_id")))
-            if support_of[version] not in came:  # else it follows from that
-                what = f"{_WORDS['certificate'][row['part']]} are not what calibration gives"
-                self.note(version, "certificate", what=what, differing=row["differing"])
+                self.note(key, "runs", what=what, differing=1)
 
     def _running(self, steps: Any) -> Running:
         return Running(self.session, steps, self.state.tables.placed(), self.on_step)
 
 
-def _taught(versions: Iterable[Row]) -> list[Row]:
-    """Return the versions that have calibration, of the supports that a channel is scored by now."""
-    rows = [row for row in versions if row["calibration_end"] is not None and row["lo"] is not None]
-    used = {row["support_id"] for row in rows if row["is_active"]}
-    return [row for row in rows if row["support_id"] in used]
+def _lacks_first(row: Row, read: Row, oldest: int) -> bool:
+    """Tell whether the first samples of a calibration have gone, that taught only together with others.
+
+    The source has no older row then; what is ``read`` of the calibration is less, and teaches later.
+    """
+    then, now_from = row["taught_from"], read.get("taught_from")
+    is_later = then is not None and now_from is not None and now_from > then
+    is_less = read.get("calibration_readings", 0) < row["calibration_readings"]
+    return is_later and is_less and oldest >= row["calibration_from"]
 
 
 def _learning(row: Row) -> str:
-    return repr((setting_of(row), _asked(row)))
-
-
-def _asked(row: Row) -> tuple[float, int]:
-    return row["target_floor"], row["least_vectors"] or 1
+    return repr((setting_of(row), row["target_floor"], row["least_vectors"]))
 
 
 def _place(row: Row) -> tuple[Any, ...]:
@@ -262,13 +334,14 @@ def _place(row: Row) -> tuple[Any, ...]:
     return (*named, PARTS.index(row["part"]), LONG_AGO if since is None else since)
 
 
-_COUNTED = ("samples_then", "samples_now", "differing")
-
 _RESULT = columns(
     (WORD, "asset channel"),
     (COUNT, "version"),
     (WORD, "part what"),
-    (COUNT, "day samples_then samples_now differing since"),
+    (COUNT, "samples_then samples_now differing since"),
+)
+_UNCOMPARED = columns(
+    (WORD, "asset channel"), (COUNT, "version"), (WORD, "part why"), (COUNT, "since until")
 )
 _CHECKED = columns(
     (COUNT, "version_id channel_id support_id parent_id version_no window_length stride still_after"),

@@ -8,20 +8,23 @@ import math
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import accumulate, groupby, pairwise
-from operator import itemgetter, or_
+from operator import or_
 from typing import NamedTuple
+
+from sqlglot import exp
 
 from gam_db.alarms import assess, day_of, high
 from gam_db.alarms.heights import UNSTATED, Height, Rate, by_table
 from gam_db.clock import FAR_AHEAD, TimeKind
 from gam_db.columns import counts, table_of
 from gam_db.errors import ParameterError
+from gam_db.method.adding import add
 from gam_db.method.alarms import FAR, NEAR
-from gam_db.stored.alarms.episodes import LIVE
-from gam_db.stored.alarms.judging import buckets_of
+from gam_db.stored.alarms.episodes import LIVE, changes
+from gam_db.stored.alarms.judging import BEFORE, UNTIL, buckets_of, judging_steps
 from gam_db.stored.alarms.limits import CHOSEN, learnt
 from gam_db.stored.alarms.told import DECISIONS, KINDS, UNREPRESENTATIVE
-from gam_db.stored.checking.soundness import judging_steps
+from gam_db.stored.checking.again import compared
 from gam_db.stored.planning import Row, by
 from gam_db.stored.state import State
 from gam_db.study.running import Running
@@ -36,12 +39,11 @@ _LEAVES = {
     "labelled": ("open", "ended", "recalibrated"),
 }
 
-#: Columns of an episode that follow from judgements; the rest only while those of its begin are kept.
-_ended = itemgetter("version_id", "last_judgement", "last_time", "status")
-_WHOLE = (
-    *("onset", "first_judgement", "onset_time", "first_time"),
-    *("evidence", "height", "is_proving"),
-)
+#: What a run would have made beside what is stored: nothing.
+NOTHING_NEW = {
+    "new_buckets": counts("channel_id bucket_no first_time last_time novel"),
+    "stamp": counts("run_id"),
+}
 
 
 class Inconsistency(NamedTuple):
@@ -54,28 +56,30 @@ class Inconsistency(NamedTuple):
     since: int | None = None
 
 
-class Judged(NamedTuple):
-    """What judging anew gives: the episodes of all versions, and the oldest judgement of each."""
-
-    episodes: list[Row]
-    oldest: dict[int, int]
-
-
 def inconsistencies(
-    state: State, monitor_id: int, kind: TimeKind, versions: Mapping[int, Row]
+    state: State, monitor_id: int, kind: TimeKind, versions: Mapping[int, Row], oldest: Sequence[Row]
 ) -> Iterator[Inconsistency]:
-    """Give what does not hold between the tables of alarms; versions are rows of the step *checked*."""
+    """Give what does not hold between the tables of alarms.
+
+    Versions are rows of the step *checked*, and ``oldest`` those of *oldest_kept*.
+    """
     yield from _limits(state, monitor_id, kind, versions)
-    judged = Judged([], {})
-    by_length = sorted(versions.values(), key=buckets_of)
-    for buckets, group in groupby(by_length, key=buckets_of):
-        yield from _judgements(state, buckets, list(group), judged)
+    begun = [{**versions[row["version_id"]], **row} for row in oldest]
+    for buckets, group in groupby(sorted(begun, key=buckets_of), key=buckets_of):
+        yield from _judgements(state, buckets, list(group))
     slots = {"monitor_id": monitor_id}
     history = state.rows("stored/checking/episode_history", slots)
     channels = {
         row["channel_id"]: row["asset"] for row in state.rows("stored/state/known_channels", slots)
     }
-    yield from _episodes(history, judged, channels, versions)
+    yield from _episodes(history, channels, versions)
+    active = [row for row in versions.values() if row["is_active"]]
+    wrong = by("version_id", _unlike(state, monitor_id, active))
+    for row in active:
+        if found := wrong.get(row["version_id"]):
+            since = min(one["first_time"] for one in found)
+            what = "episodes that are not those of the judgements"
+            yield Inconsistency(row["version_id"], "episodes", what, len(found), since)
     for row in state.rows("stored/checking/inconsistent_bands", slots):
         what = "judgements whose bands are not all of their vectors"
         yield Inconsistency(row["version_id"], "episodes", what, row["differing"])
@@ -152,65 +156,58 @@ def _same(row: Row, wanted: Row) -> bool:
 # Judgements and episodes
 
 
-def _judgements(
-    state: State, buckets: int, group: Sequence[Row], judged: Judged
-) -> Iterator[Inconsistency]:
-    """Judge the versions of one number of buckets anew, and note what that gives."""
-    with Running(state.session, judging_steps(buckets), state.tables.placed()) as running:
-        keys = [{"channel_id": row["version_id"], "version_id": row["version_id"]} for row in group]
-        running.load("judged_until", table_of(keys, counts("channel_id version_id")))
-        found = running.rows("inconsistent_judgements")
-        edges = running.rows("judged_edges")
-        judged.oldest.update({row["channel_id"]: row["oldest_no"] for row in edges})
-        judged.episodes.extend(running.rows("raised_again"))
+def _judgements(state: State, buckets: int, group: Sequence[Row]) -> Iterator[Inconsistency]:
+    """Judge the versions of one number of buckets anew by what is stored, each as its own channel."""
+    until = []
+    for row in group:
+        oldest = row["oldest_judgement"] or 0
+        # Evidence hangs on judgements before, which pruning may have taken.
+        first = max(-(-row["oldest_bucket"] // buckets), oldest + BEFORE if oldest else 0)
+        key = row["version_id"]
+        judged = {"first_bucket": FAR_AHEAD, "first_judgement": first}
+        until.append({"channel_id": key, "version_id": key, **judged})
+    steps = judging_steps(buckets, exp.true(), exp.true())
+    add(steps, "stored/checking/kept_judgements")
+    with Running(state.session, steps, state.tables.placed()) as running:
+        running.load("judged_until", table_of(until, UNTIL))
+        for step, schema in NOTHING_NEW.items():
+            running.load(step, table_of([], schema))
+        found = compared(running, "judgement", "judgement_rows", "kept_judgements")
     active = {row["version_id"] for row in group if row["is_active"]}
     for row in found:
-        since = row["since"] if row["version_id"] in active else None
+        since = row["since"] if row["owner_id"] in active else None
         what = "judgements that their buckets and limits do not give"
-        yield Inconsistency(row["version_id"], "judgements", what, row["differing"], since)
+        yield Inconsistency(row["owner_id"], "judgements", what, row["differing"], since)
+
+
+def _unlike(state: State, monitor_id: int, active: Sequence[Row]) -> list[Row]:
+    """Return what the next run would have to change of the episodes, if it followed all judgements."""
+    judged = dict.fromkeys((row["version_id"] for row in active), 0)
+    known = judged.keys()
+    found: list[Row] = []
+    for _, group in groupby(sorted(active, key=buckets_of), key=buckets_of):
+        rows = changes(state, monitor_id, list(group), judged).rows
+        found += [row for row in rows if row["version_id"] in known]
+    return found
 
 
 def _episodes(
-    history: Sequence[Row], judged: Judged, channels: Mapping[int, str], versions: Mapping[int, Row]
+    history: Sequence[Row], channels: Mapping[int, str], versions: Mapping[int, Row]
 ) -> Iterator[Inconsistency]:
-    """Hold the history of episodes to itself, and the newest of it to the judgements."""
+    """Hold the history of episodes to itself."""
     opened = [row["episode_id"] for row in history if row["what"] == "opened"]
     if [row["seq"] for row in history] != list(range(1, len(history) + 1)):
         yield Inconsistency(None, "episodes", "numbers of changes are missing or there twice")
     if opened != list(range(1, len(opened) + 1)):
         yield Inconsistency(None, "episodes", "numbers of episodes that were not given once, in order")
-    changes = by("episode_id", history)
-    newest = [rows[-1] for rows in changes.values()]
-    for rows in changes.values():
-        if not all(_is_change(row, changes, channels, versions) for row in rows) or not all(
+    of_episode = by("episode_id", history)
+    for rows in of_episode.values():
+        if not all(_is_change(row, of_episode, channels, versions) for row in rows) or not all(
             before["status"] in LIVE or (row["what"], row["status"]) == ("labelled", before["status"])
             for before, row in pairwise(rows)
         ):
             what = "changes that do not follow from one another"
             yield Inconsistency(rows[-1]["version_id"], "episodes", what)
-    active = {key for key, row in versions.items() if row["is_active"]}
-    live = {
-        _ended(row): row
-        for row in newest
-        if row["status"] in LIVE
-        and row["version_id"] in active
-        and row["last_judgement"] >= judged.oldest.get(row["version_id"], -FAR_AHEAD)
-    }
-    again = [row for row in judged.episodes if row["version_id"] in active]
-    for row in again:
-        row["status"] = "open" if row["is_open"] else "ended"
-    there = {_ended(row): row for row in again}
-    wrong = set(live.keys() ^ there.keys())
-    for key in live.keys() & there.keys():
-        row = there[key]
-        is_whole = judged.oldest[row["version_id"]] <= row["onset"]
-        if is_whole and any(live[key][name] != row[name] for name in _WHOLE):
-            wrong.add(key)
-    begins = {**there, **live}
-    for version, ends in groupby(sorted(wrong), key=itemgetter(0)):
-        starts = [begins[one]["first_time"] for one in ends]
-        what = "episodes that are not those of the judgements"
-        yield Inconsistency(version, "episodes", what, len(starts), min(starts))
 
 
 def _is_change(

@@ -17,11 +17,12 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, union_of
 from gam_db.method import Method
 from gam_db.method.adding import OfSet, add
-from gam_db.method.alarms import add_counted, band_of
+from gam_db.method.alarms import NEAR, add_counted, add_spreads, band_of
 from gam_db.method.bits import Bits
 from gam_db.method.calibration import add_learnable
 from gam_db.method.certificate import add_judgement
 from gam_db.method.delays import INCOMPLETE
+from gam_db.method.judgement import limit_slots
 from gam_db.method.resolved import SMALL_OF_SET
 from gam_db.method.scoring import (
     add_buckets,
@@ -40,11 +41,15 @@ DAY = 86_400_000_000
 #: What a run appends, in this order: the rows of *run* are its commit.
 PUBLISHED = ("bucket_rows", "novel_rows", "run_rows")
 
+#: What a calibration appends of what it learnt: of a support, and of a version.
+OF_SUPPORT, OF_VERSION = ("bounds", "block", "ladder", "support"), ("buffered", "band", "extent")
+LEARNT = (*OF_SUPPORT, *OF_VERSION)
+
 #: From which bucket on a run writes, and what; and what stands for these where that is all it has made.
 WRITTEN = {"changed": "cohort", "written": "new_buckets"}
 
-#: What is stored of the buckets that are made anew.
-FORMER = ("former_buckets", "former_novel")
+#: What is stored of the buckets that are made anew, by the table.
+FORMER = {"bucket": "former_buckets", "novel": "former_novel"}
 
 #: Steps of a run that are kept: what is read once, and what has few rows.
 KEPT = frozenset(
@@ -117,6 +122,19 @@ def searched_plan_steps(monitor_id: int, lookback: int | None, repair_from: int 
     add(steps, "stored/state/active", {"monitor_id": monitor_id})
     add(steps, "stored/state/newest")
     add(steps, "stored/scoring/restart", slots)
+    return _planned(steps, 0)
+
+
+def whole_plan_steps(monitor_id: int) -> Pipeline:
+    """Return steps as :func:`plan_steps` does, for versions of which rows have gone from the source.
+
+    They begin at the first bucket whose context is still there whole. Given by the caller is
+    *oldest_rows* (version_id, oldest_time); *restart* says besides where the buckets begin.
+    """
+    steps = Pipeline(small=_PLANNED)
+    add(steps, "stored/state/active", {"monitor_id": monitor_id})
+    add(steps, "stored/state/newest")
+    add(steps, "stored/scoring/whole", name="restart")
     return _planned(steps, 0)
 
 
@@ -214,23 +232,6 @@ def add_counting(
 
 
 @cache
-def comparing_steps(setting: Setting, kind: TimeKind) -> Pipeline:
-    """Return the steps from *identified* to where the stored buckets are no longer right.
-
-    The last are *reread*, *compared* and *compared_novel*.
-    """
-    steps = _frozen()
-    add_counting(steps, setting, kind, has_past=False)
-    _add_stillness(steps, setting, kind)
-    add(steps, "stored/checking/reread")
-    for name in FORMER:
-        add(steps, f"stored/scoring/{name}", {"near": exp.true()})
-    add(steps, "stored/checking/compared", {"day": FAR_AHEAD if kind.is_counter else DAY})
-    add(steps, "stored/checking/compared_novel")
-    return steps
-
-
-@cache
 def explaining_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     """Return the steps from *identified* to *banded*, where the signal was in windows read again."""
     steps = _frozen()
@@ -241,26 +242,30 @@ def explaining_steps(setting: Setting, kind: TimeKind) -> Pipeline:
 
 
 @cache
-def relearning_steps(
+def learning_steps(
     setting: Setting, kind: TimeKind, target_floor: float, least_vectors: int
 ) -> Pipeline:
-    """Return the steps from *identified* to what calibration would teach and say now.
+    """Return the steps from *identified* to what calibration appends, over intervals that are stored.
 
-    The last are *relearnt*, whether it would teach other cells, *certified*, what is said of supports,
-    and *certified_extents*, what is said of judgements.
+    Given by the caller are the state tables, *identified*, *cohort*, which is *limits*, too, and
+    *numbering*; the last steps are the rows of :data:`LEARNT`, and *recount*.
     """
-    steps = _frozen(SMALL_OF_SET)
+    steps = Pipeline(small=KEPT | SMALL_OF_SET)
+    for name in ("channels", "calibration", "calibration_range", "recount"):
+        add(steps, f"stored/scoring/{name}")
     asked = {"target_floor": target_floor, "least_vectors": least_vectors}
     of_set = _add_samples(steps, setting, kind, asked=asked)
+    add(steps, "calibration/calibrated")
+    of_set.add("support/bounds")
     add_learnable(of_set)
-    add(steps, "stored/checking/relearnt")
     add_judgement(of_set)
-    slots = {"bins": setting.bins, "window": setting.window_length}
-    add(steps, "stored/checking/judged_bounds", slots)
-    add(steps, "certificate/verdicts", tables={"bounds": "judged_bounds"})
-    add(steps, "stored/checking/certified")
-    add_counted(steps, bounds="judged_bounds")
-    add(steps, "stored/checking/certified_extents")
+    add(steps, "certificate/verdicts")
+    add(steps, "judgement/limited", limit_slots(exp.column("target_floor", table="scale")))
+    add_counted(steps)
+    add_spreads(steps, ())
+    for part in LEARNT:
+        slots: dict[str, template.Slot] = {"g": NEAR} if part == "extent" else {}
+        add(steps, f"stored/calibrating/{part}_rows", slots)
     return steps
 
 

@@ -3,6 +3,8 @@
 This module owns what a run reads and in which groups; :mod:`gam_db.stored.scoring.groups` scores one.
 """
 
+from dataclasses import replace
+
 from gam_db.clock import LONG_AGO, shown_instant
 from gam_db.columns import name_of
 from gam_db.composing import template
@@ -15,6 +17,7 @@ from gam_db.settings.source import AnySource
 from gam_db.stored.alarms.explaining import explain
 from gam_db.stored.checking.proving import verify, verify_daily
 from gam_db.stored.planning import Cohort, Row, planned, portions, resumed, rows_of, unread
+from gam_db.stored.planning.gone import staying_rows
 from gam_db.stored.planning.reading import Reader, cohort_of, last_times, plan_rows, searched_plan_rows
 from gam_db.stored.planning.steps import can_trust, reading_steps, setting_of
 from gam_db.stored.scoring.groups import Groups
@@ -73,6 +76,9 @@ class Run:
         everything = wanted.everything or wanted.full or wanted.repair_from is not None
         latest, park_after = self.reader.clock.latest, wanted.park_after
         plan = planned(rows, wanted.lookback, park_after, self.started, latest, everything)
+        if not wanted.confirmed and wanted.is_anew:
+            for cohort in plan.cohorts:
+                self._refuse_loss(cohort)
         looks = unread(plan, wanted.lookback)
         values = [row for cohort in looks for row in self._look(cohort)]
         back = resumed(looks, values, plan, wanted.lookback)
@@ -82,6 +88,8 @@ class Run:
                 self.report.note_unknown(names, known)
             counts = {name_of(row): row["readings"] for row in names}
             self.groups.latest |= {name_of(row): row["latest"] for row in names}
+            if not wanted.confirmed:
+                cohort = self._keeping(cohort, names)
             if members := len(cohort.channels):
                 found = rows_of(cohort.channels, counts)
                 ranged = {"earliest": cohort.earliest, "channels": members, "rows": found}
@@ -191,7 +199,40 @@ class Run:
             raise SourceError(look.NO_ROW)
         return rows
 
+    def _keeping(self, cohort: Cohort, names: list[Row]) -> Cohort:
+        """Let what is stored stay whose rows have gone from the source, all before its oldest."""
+        other = self._staying(cohort, names)
+        channels = [other.get(row["version_id"], row) for row in cohort.channels]
+        self.report.gone |= {name_of(row): row["read_from"] for row in other.values()}
+        return replace(cohort, channels=tuple(channels))
+
+    def _staying(self, cohort: Cohort, names: list[Row]) -> dict[int, Row]:
+        monitor_id = self.monitor["monitor_id"]
+        return staying_rows(self.state, self.reader, monitor_id, cohort.channels, names)
+
+    def _refuse_loss(self, cohort: Cohort) -> None:
+        """Refuse to score anew what the source no longer holds: it would be lost."""
+        other = self._staying(cohort, self._look(cohort))
+        lost = [row for row in cohort.channels if _is_lost(row, other.get(row["version_id"]))]
+        if not lost:
+            return
+        first = min(lost, key=name_of)
+        count = sum(other[row["version_id"]]["first_bucket"] - row["first_bucket"] for row in lost)
+        edge = other[first["version_id"]]["first_scored"]
+        begin = shown_instant(edge - 1, self.reader.kind)
+        others = f" (and of {len(lost) - 1:,} more)" if len(lost) > 1 else ""
+        raise ParameterError(
+            f"Scoring anew from there would take {count:,} stored buckets away, whose rows are gone "
+            f"from the source: of the channel {first['asset']} {first['channel']}{others} only what "
+            f"comes after {begin} can be made again. Score from there, or confirm the loss (--confirm)."
+        )
+
     def _verify(self, cohort: Cohort) -> None:
         """Refuse to score by versions that are no longer what calibration froze."""
         with self.session.lent(cohort_of(cohort.channels, read_until=0, planned_from=0)) as wanted:
             verify(self.state, wanted, cohort.channels)
+
+
+def _is_lost(row: Row, other: Row | None) -> bool:
+    """Tell whether a version would begin before what can be made again of it."""
+    return other is not None and other["first_bucket"] > row["first_bucket"]

@@ -165,7 +165,7 @@ class Groups:
         running.make("stored/scoring/past_buckets", past)
         self._check_past(group, running)
         running.keep("new_buckets")
-        for step in FORMER if compared else ():
+        for step in FORMER.values() if compared else ():
             running.make(f"stored/scoring/{step}", {"near": near(group)})
         if not compared:
             running.placed |= {step: running.placed[made] for step, made in WRITTEN.items()}

@@ -21,6 +21,7 @@ class Wanted:
         repair_from: score anew from this instant on; None for what the lookback asks for.
         until: read nothing newer; None for all there is.
         full: score everything anew.
+        confirmed: score anew also what can then not be made again, since its rows have gone.
         everything: look at parked channels, and count calibration anew, without waiting for a day.
         chosen: tells by asset and channel which channels are scored.
         limit: most readings to work on at once; None for what memory allows.
@@ -31,6 +32,7 @@ class Wanted:
     repair_from: int | None = None
     until: int | None = None
     full: bool = False
+    confirmed: bool = False
     everything: bool = False
     chosen: Callable[[str, str], bool] = lambda asset, channel: True
     limit: int | None = None
@@ -50,6 +52,7 @@ class Report:
         channels: a row per channel that was read: asset, channel, first_bucket, buckets (new or written
             anew), read_from, read_to (integer time; None where nothing was read, since there is nothing
             new), rows_read, context_rows, context_expected.
+        gone: channels whose context has gone from the source, with the time from which they were read.
         parked: channels that were not read.
         unknown_channels: readings (of today) and latest (their newest time) of channels that have no
             calibration, by (asset, channel).
@@ -64,6 +67,7 @@ class Report:
 
     clock: Clock
     channels: list[Row] = field(default_factory=list)
+    gone: dict[tuple[str, str], int] = field(default_factory=dict)
     parked: int = 0
     unknown_channels: dict[tuple[str, str], Row] = field(default_factory=dict)
     nameless: int = 0

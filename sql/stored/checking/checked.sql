@@ -1,7 +1,9 @@
 -- Checked: the versions of a monitor, retired ones too, with what the checks of them must know.
--- Reads:  stored_version, stored_channel, stored_bounds, stored_horizon, stored_finished_run
--- A row:  one version; is_active = 1 if its channel is scored by it now. read_to is that of the newest run that
---         read anything, counted_readings what the newest run that counted calibration found.
+-- Reads:  stored_version, stored_channel, stored_bounds, stored_block, stored_calibration,
+--         stored_horizon, stored_finished_run
+-- A row:  one version; is_active = 1 if its channel is scored by it now. started is when its newest run began, read_to is
+--         that of the newest run that read anything, counted_readings what the newest run that counted calibration
+--         found. Calibration begins at calibration_from, and teaches from taught_from on.
 -- Slots:  :monitor_id
 SELECT
   made.version_id AS version_id,
@@ -26,6 +28,9 @@ SELECT
   made.calibration_end AS calibration_end,
   made.first_scored AS first_scored,
   made.calibration_readings AS calibration_readings,
+  CASE WHEN taught.hit = 1 THEN taught.taught_from END AS taught_from,
+  CASE WHEN healthy.hit = 1 THEN healthy.calibration_from END AS calibration_from,
+  CASE WHEN done.hit = 1 THEN done.started END AS started,
   CASE
     WHEN made.still_after IS NOT NULL THEN (made.m - 1) * made.tau + made.still_after - 1
     WHEN made.m = 1 THEN 1
@@ -52,6 +57,16 @@ LEFT JOIN (
   GROUP BY support_id
 ) AS scale ON scale.support_id = made.support_id
 LEFT JOIN (
+  SELECT support_id, channel_id, MIN(part.first_time) AS taught_from, 1 AS hit
+  FROM stored_block AS part
+  GROUP BY support_id, channel_id
+) AS taught ON taught.support_id = made.support_id AND taught.channel_id = made.channel_id
+LEFT JOIN (
+  SELECT version_id, MIN(piece.time_from) AS calibration_from, 1 AS hit
+  FROM stored_calibration AS piece
+  GROUP BY version_id
+) AS healthy ON healthy.version_id = made.version_id
+LEFT JOIN (
   SELECT
     version_id,
     MAX(horizon.first_bucket) AS first_bucket,
@@ -63,6 +78,7 @@ LEFT JOIN (
 LEFT JOIN (
   SELECT
     version_id,
+    MAX(run.started) AS started,
     MAX(CASE WHEN run.run_id = reading_id THEN run.read_to END) AS read_to,
     MAX(CASE WHEN run.run_id = counting_id THEN run.calibration_readings END) AS counted_readings,
     1 AS hit
@@ -70,6 +86,7 @@ LEFT JOIN (
     SELECT
       version_id,
       run_id,
+      started,
       read_to,
       calibration_readings,
       MAX(CASE WHEN settled_bucket IS NOT NULL THEN run_id END) OVER (PARTITION BY version_id)

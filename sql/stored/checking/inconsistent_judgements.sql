@@ -1,66 +1,20 @@
--- Inconsistent judgements: those that are not as they must be.
--- Reads:  judged_until, judged_again, kept_judgements
+-- Inconsistent judgements: what must hold of those that are stored, also where their buckets were pruned: numbers
+-- without a gap, times in order, roots of what they count.
+-- Reads:  checked, stored_visible_judgement
 -- A row:  one version with such; since is the beginning of the first.
-SELECT
-  part.version_id AS version_id,
-  CAST(COUNT(*) AS BIGINT) AS differing,
-  MIN(matched.since) AS since
+-- Slots:  :root  the expression of alarms/root.sql
+SELECT version_id, CAST(COUNT(*) AS BIGINT) AS differing, MIN(judged.first_time) AS since
 FROM (
-  SELECT channel_id, judgement_no, MIN(odd.first_time) AS since
-  FROM (
-    SELECT channel_id, judgement_no, first_time
-    FROM (
-        SELECT
-          made.channel_id AS channel_id,
-          made.judgement_no AS judgement_no,
-          made.bucket_no AS bucket_no,
-          made.run_id AS run_id,
-          made.first_time AS first_time,
-          made.last_time AS last_time,
-          made.novel AS novel,
-          made.root AS root,
-          made.reference AS reference,
-          made.height AS height,
-          made.evidence AS evidence,
-          made.is_open AS is_open,
-          made.last_zero AS last_zero,
-          0 AS is_stored
-        FROM judged_again AS made
-        UNION ALL
-        SELECT
-          kept.channel_id AS channel_id,
-          kept.judgement_no AS judgement_no,
-          kept.bucket_no AS bucket_no,
-          kept.run_id AS run_id,
-          kept.first_time AS first_time,
-          kept.last_time AS last_time,
-          kept.novel AS novel,
-          kept.root AS root,
-          kept.reference AS reference,
-          kept.height AS height,
-          kept.evidence AS evidence,
-          kept.is_open AS is_open,
-          kept.last_zero AS last_zero,
-          1 AS is_stored
-        FROM kept_judgements AS kept
-    ) AS both_sides
-    GROUP BY
-      channel_id,
-      judgement_no,
-      bucket_no,
-      run_id,
-      first_time,
-      last_time,
-      novel,
-      root,
-      reference,
-      height,
-      evidence,
-      is_open,
-      last_zero
-    HAVING COUNT(*) <> 2 * SUM(is_stored)
-  ) AS odd
-  GROUP BY channel_id, judgement_no
-) AS matched
-JOIN judged_until AS part ON part.channel_id = matched.channel_id
-GROUP BY part.version_id
+  SELECT
+    kept.version_id AS version_id,
+    kept.first_time AS first_time,
+    kept.last_time AS last_time,
+    kept.root AS root,
+    :root AS root_again,
+    kept.judgement_no - MIN(kept.judgement_no) OVER (PARTITION BY kept.version_id) + 1 AS place,
+    CAST(ROW_NUMBER() OVER (PARTITION BY kept.version_id ORDER BY kept.judgement_no) AS BIGINT) AS places
+  FROM stored_visible_judgement AS kept
+  JOIN checked AS version ON version.version_id = kept.version_id
+) AS judged
+WHERE place <> places OR root <> root_again OR first_time > last_time
+GROUP BY version_id

@@ -1,6 +1,7 @@
 -- Inconsistent runs: what must hold between the records of runs and the buckets, whatever the source. A run begins
 -- after the bucket that it found settled, reads from that one's context, and says which bucket is settled now. What it
 -- has made it writes from the first bucket that has changed on.
+-- No number of samples is expected before that where they have gone from the source.
 -- It was planned from the finished run before it, or from a later one that pruning took. What a later run
 -- wrote anew, or pruning took, says nothing any more.
 -- Reads:  checked, stored_finished_run, stored_run, stored_visible_bucket
@@ -44,7 +45,11 @@ FROM (
       WHEN run.from_bucket < run.made_from THEN 1
       WHEN run.made_from = 0 AND run.context_expected IS NOT NULL THEN 1
       WHEN run.made_from = 0 AND run.read_from <> version.run_up_from THEN 1
-      WHEN run.made_from > 0 AND run.context_expected IS NULL AND run.read_from > :long_ago THEN 1
+      WHEN run.made_from > 0
+        AND run.context_expected IS NULL
+        AND run.read_from > :long_ago
+        AND run.context_rows >= version.context_rows
+        THEN 1
       WHEN calm.hit = 1 AND (version.still_after IS NULL OR calm.standing_from > run.read_to) THEN 1
       WHEN run.context_expected <> version.context_rows THEN 1
       WHEN run.settled_bucket < run.last_staying THEN 1

@@ -3,6 +3,7 @@
 -- A row:  one channel.
 SELECT
   member.channel_id AS channel_id,
+  member.support_id AS support_id,
   member.asset AS asset,
   member.channel AS channel,
   member.read_from AS read_from,

@@ -4,6 +4,7 @@
 -- Slots:  :near  a condition on bucket that holds for all of them
 SELECT
   member.channel_id AS channel_id,
+  member.version_id AS version_id,
   bucket.bucket_no AS bucket_no,
   bucket.first_time AS first_time,
   bucket.last_time AS last_time,

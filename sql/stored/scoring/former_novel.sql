@@ -4,6 +4,7 @@
 -- Slots:  :near  a condition on bucket that holds for all of them
 SELECT
   member.channel_id AS channel_id,
+  member.version_id AS version_id,
   bucket.bucket_no AS bucket_no,
   bucket.cell_key AS cell_key,
   bucket.visits AS visits,

@@ -1,7 +1,9 @@
 -- Status rows: what the state says of the channels of one monitor, for gam status.
--- Reads:  stored_fleet, stored_stillness
--- A row:  one channel under its active version; times are integers.
--- Slots:  :monitor  its name
+-- Reads:  stored_fleet, stored_stillness, stored_version, stored_run, stored_finished_run
+-- A row:  one channel under its active version; times are integers. gone_from is where the context of its newest run
+--         would have begun, had it not gone from the source.
+-- Slots:  :monitor   its name
+--         :long_ago  an instant before all others
 SELECT
   known.asset AS asset,
   known.channel AS channel,
@@ -46,10 +48,29 @@ SELECT
   known.episode_id AS episode,
   known.asking AS asking,
   known.since_tick AS onset,
-  CASE WHEN still.hit = 1 THEN still.still_since_tick END AS still_since
+  CASE WHEN still.hit = 1 THEN still.still_since_tick END AS still_since,
+  made.calibration_end AS calibration_end,
+  CASE WHEN lost.hit = 1 THEN lost.gone_from END AS gone_from
 FROM stored_fleet AS known
+JOIN stored_version AS made ON made.version_id = known.version_id
 LEFT JOIN (
   SELECT version_id, still_since_tick, 1 AS hit
   FROM stored_stillness
 ) AS still ON still.version_id = known.version_id
+LEFT JOIN (
+  SELECT version_id, MAX(run.read_from) AS gone_from, 1 AS hit
+  FROM (
+    SELECT done.version_id AS version_id, done.read_from AS read_from
+    FROM stored_finished_run AS done
+    JOIN stored_run AS making ON making.version_id = done.version_id AND making.run_id = done.run_id
+    JOIN (
+      SELECT version_id, MAX(run_id) AS newest_id
+      FROM stored_finished_run
+      WHERE read_to IS NOT NULL
+      GROUP BY version_id
+    ) AS reading ON reading.version_id = done.version_id AND reading.newest_id = done.run_id
+    WHERE making.made_from > 0 AND done.context_expected IS NULL AND done.read_from > CAST(:long_ago AS BIGINT)
+  ) AS run
+  GROUP BY version_id
+) AS lost ON lost.version_id = known.version_id
 WHERE known.monitor = :monitor

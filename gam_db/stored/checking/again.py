@@ -1,0 +1,262 @@
+"""Making again: what calibration and scoring would write now, beside the state, and where that differs.
+
+The steps, and the rows that they end with, are those of a calibration and of a run. Here they become
+temporary tables of the session, so neither the state nor the source is written. What is stored is
+compared with them both ways, in all columns that they have.
+"""
+
+from collections.abc import Mapping, Sequence, Set
+from typing import NamedTuple
+
+from sqlglot import exp
+
+from gam_db.clock import FAR_AHEAD, LONG_AGO
+from gam_db.columns import SHARE, counts, table_of
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
+from gam_db.method.adding import add
+from gam_db.stored.alarms.judging import buckets_of
+from gam_db.stored.planning import Row, assets_of
+from gam_db.stored.planning.reading import Reader, cohort_of, listed, near
+from gam_db.stored.planning.steps import (
+    FORMER,
+    LEARNT,
+    OF_SUPPORT,
+    learning_steps,
+    reading_steps,
+    scoring_steps,
+    setting_of,
+)
+from gam_db.stored.schema.migration_files import columns_of
+from gam_db.stored.state import State
+from gam_db.study.running import Listener, Running
+
+#: Tables that states of before have not for all that was learnt: none of their rows is missing where
+#: none is there; an extent and its blocks came together.
+_LATER = {"ladder": "ladder", "band": "band", "buffered": "extent", "extent": "buffered"}
+
+
+def compared(
+    running: Running, table: str, made: str, kept: str, among: exp.Expr | None = None
+) -> list[Row]:
+    """Compare rows of a state table with those made again; both are steps, or tables that stand for one.
+
+    Among is a condition on those that are stored. The run that wrote a row counts only where the rows
+    made again name it as it is stored, as judgements do.
+
+    Returns:
+        Rows with owner_id, stored, only_stored, only_made, differing (the larger of the two),
+        samples_then, samples_now and since, where they differ.
+    """
+    running.prepare(made)
+    schema = columns_of(table)
+    left_out = {"run_id"} if table in ("bucket", "novel") else set()
+    names = [name for name in running.steps.steps[made].query.named_selects if name not in left_out]
+    shares = [name for name in names if schema.field(name).type == SHARE]
+    unlike = [
+        condition
+        for name in shares
+        for column in [exp.column(name)]
+        for condition in (
+            exp.NEQ(this=exp.Min(this=column.copy()), expression=exp.Max(this=column.copy())),
+            exp.EQ(this=exp.Count(this=column.copy()), expression=exp.Literal.number(1)),
+        )
+    ]
+    owner = "support_id" if table in OF_SUPPORT else "version_id"
+    slots: dict[str, template.Slot] = {
+        "owner": exp.column(owner),
+        "among": among or exp.true(),
+        "columns": [exp.column(name) for name in names if name not in shares],
+        "shares": [exp.column(name) for name in shares],
+        "unlike": exp.or_(*unlike) if unlike else exp.false(),
+        "since": exp.column("first_time") if "first_time" in names else exp.cast(exp.null(), "BIGINT"),
+        "samples": exp.column("samples") if "samples" in names else exp.Literal.number(0),
+    }
+    steps = {"made_rows": made}
+    if kept in running.steps.steps:
+        steps["kept_rows"] = kept
+    else:
+        running.placed["kept_rows"] = running.placed[kept]
+    rows = running.asked("stored/checking/compared", slots, steps)
+    return [{**row, "differing": max(row["only_stored"], row["only_made"])} for row in rows]
+
+
+class Scored(NamedTuple):
+    """What scoring again gives.
+
+    Attributes:
+        buckets, novel: rows of :func:`compared`.
+        reread: of each channel (by its number) what its last run would read now: rows_then, rows_now and
+            ends_now, whether there still is a row where it ended.
+        late: versions of which rows came or went where their last run has read.
+    """
+
+    buckets: list[Row]
+    novel: list[Row]
+    reread: Mapping[int, Row]
+    late: Set[int]
+
+
+class Again:
+    """What a state would hold if it were made now of the rows that its source holds.
+
+    Args:
+        state: the state tables; they are only read.
+        reader: of the source.
+        on_step: called with what is done next.
+    """
+
+    def __init__(self, state: State, reader: Reader, on_step: Listener) -> None:
+        self.state, self.session, self.reader, self.on_step = state, state.session, reader, on_step
+
+    def learnt(self, group: Sequence[Row]) -> tuple[dict[str, list[Row]], dict[int, Row]]:
+        """Compare what the stored intervals of pools of one setting teach with what they taught.
+
+        Returns:
+            By table the rows of :func:`compared`; and by version calibration_readings, how many rows its
+            intervals hold now, and taught_from, the first time that they teach (no row: nothing).
+        """
+        # Blocks are numbered in the order of names. A channel may be of two pools, one of them retired.
+        group = sorted(group, key=lambda row: (row["asset"].encode(), row["channel"].encode()))
+        first = {row["support_id"]: number for number, row in reversed(list(enumerate(group, start=1)))}
+        members = [
+            {**row, "channel_id": number, "support_id": first[row["support_id"]]}
+            for number, row in enumerate(group, start=1)
+        ]
+        setting, version = setting_of(group[0]), [row["version_id"] for row in group]
+        asked = (group[0]["target_floor"], group[0]["least_vectors"] or 1)
+        ends = [row["calibration_end"] for row in group]
+        with self._running(learning_steps(setting, self.reader.kind, *asked)) as running:
+            cohort = cohort_of(members, read_from=LONG_AGO, read_until=ends, first_bucket=0)
+            running.load("cohort", cohort)
+            running.placed["limits"] = running.placed["cohort"]
+            numbering = [
+                {
+                    "channel_id": number,
+                    "stored_channel_id": row["channel_id"],
+                    "version_id": row["version_id"],
+                    "stored_support_id": row["support_id"],
+                }
+                for number, row in enumerate(group, start=1)
+            ]
+            running.load("numbering", table_of(numbering, _NUMBERING))
+            edges = running.rows("calibration_range")[0]
+            # No sample before an interval decides what is learnt in it, unless by standing still.
+            earliest = edges["earliest"] if setting.still_after is None else LONG_AGO
+            self._read(running, self.reader.readings(assets_of(group), earliest, edges["latest"]))
+            counted = {version[row["channel_id"] - 1]: dict(row) for row in running.rows("recount")}
+            for row in running.rows("blocks"):
+                known = counted.setdefault(version[row["channel_id"] - 1], {})
+                known["taught_from"] = min(
+                    row["first_time"], known.get("taught_from", row["first_time"])
+                )
+            differing = {part: self._part(running, part, group) for part in LEARNT}
+        for part, twin in _LATER.items():
+            never = {row["owner_id"] for row in differing[twin] if not row["stored"]}
+            rows = differing[part]
+            differing[part] = [row for row in rows if row["stored"] or row["owner_id"] not in never]
+        return differing, counted
+
+    def scored(self, group: Sequence[Row]) -> Scored:
+        """Compare the buckets, and the novel cells, of channels of one setting.
+
+        The rows of a group are those of a plan, which says where computing begins and by which number,
+        with: first_kept and first_novel, the first bucket and novel cells that pruning left; until, how
+        far the source is read; until_late, how far where rows came since the last run, and next_bucket,
+        from which on that one's successor writes anew; is_gone, whether rows have gone from the source.
+        """
+        begin = {
+            "oldest_bucket": [max(row["first_bucket"], row["first_kept"]) for row in group],
+            "novel_from": [max(row["first_bucket"], row["first_novel"]) for row in group],
+        }
+        until = [row["until"] for row in group]
+        steps = scoring_steps(setting_of(group[0]), self.reader.kind, compared=True).copied()
+        add(steps, "stored/checking/reread")
+        with self._running(steps) as running:
+            running.load("cohort", cohort_of(group, read_until=until, **begin))
+            earliest = min(row["read_from"] for row in group)
+            self._read(running, self.reader.readings(assets_of(group), earliest))
+            again = {row["channel_id"]: row for row in running.rows("reread")}
+            late = {
+                row["version_id"]
+                for row in group
+                if not row["is_gone"]
+                and (read := again.get(row["channel_id"])) is not None
+                and read["rows_now"] != read["rows_then"]
+            }
+            until = [row["until_late" if row["version_id"] in late else "until"] for row in group]
+            if late:
+                running.load("cohort", cohort_of(group, read_until=until, **begin))
+                whole = running.placed["identified"]
+                running.put("identified", _cut(running))
+                self.session.forget(whole)
+            past: dict[str, template.Slot] = {"buckets": buckets_of(group[0])}
+            running.make(
+                "stored/scoring/past_buckets", {**past, "near": near(group, buckets_of(group[0]))}
+            )
+            running.keep("new_buckets")
+            made = self.session.rows(_last_made(running))
+            last = {row["channel_id"]: row["last_bucket"] for row in made}
+            settled = [
+                max(last.get(row["channel_id"], -1) + 1, row["next_bucket"])
+                if row["version_id"] in late
+                else FAR_AHEAD
+                for row in group
+            ]
+            running.load("cohort", cohort_of(group, read_until=until, settled=settled, **begin))
+            running.load("stamp", table_of([{"run_id": 0}], counts("run_id")))
+            found = {}
+            for table, column in (("bucket", "oldest_bucket"), ("novel", "novel_from")):
+                firsts = zip(group, begin[column], strict=True)
+                running.load(
+                    "changed", table_of([{**row, "first_bucket": n} for row, n in firsts], _CHANGED)
+                )
+                kept = FORMER[table]
+                running.make(f"stored/scoring/{kept}", {"near": _kept(column)})
+                found[table] = compared(running, table, f"{table}_rows", kept)
+        return Scored(found["bucket"], found["novel"], again, late)
+
+    def _part(self, running: Running, part: str, group: Sequence[Row]) -> list[Row]:
+        owner = "support_id" if part in OF_SUPPORT else "version_id"
+        among = listed(exp.column(owner), {row[owner] for row in group})
+        if isinstance(among, exp.Between):  # of many only a range is said, and others may lie in it
+            keys = table_of([{owner: row[owner]} for row in group], counts(owner))
+            with self.session.lent(keys) as lent:
+                among = exp.In(this=exp.column(owner), query=exp.select(owner).from_(lent).subquery())
+                return compared(running, part, f"{part}_rows", f"stored_{part}", among)
+        return compared(running, part, f"{part}_rows", f"stored_{part}", among)
+
+    def _read(self, running: Running, readings: exp.Query) -> None:
+        rows = reading_steps(readings)
+        running.put("identified", rows.query("identified", running.placed))
+
+    def _running(self, steps: Pipeline) -> Running:
+        return Running(self.session, steps, self.state.tables.placed(), self.on_step)
+
+
+def _cut(running: Running) -> exp.Query:
+    """Return the readings of each channel up to where its cohort ends."""
+    said = [exp.column(name, table="reading").as_(name) for name in ("channel_id", "time", "value")]
+    same = exp.column("channel_id", table="member").eq(exp.column("channel_id", table="reading"))
+    until = exp.column("time", table="reading") <= exp.column("read_until", table="member")
+    reading, member = (running.placed[step].copy() for step in ("identified", "cohort"))
+    rows = exp.select(*said).from_(exp.alias_(reading, "reading", table=True))
+    return rows.join(exp.alias_(member, "member", table=True), on=same).where(until)
+
+
+def _last_made(running: Running) -> exp.Query:
+    """Return the last bucket that was made of each channel."""
+    last = exp.Max(this=exp.column("bucket_no")).as_("last_bucket")
+    rows = exp.select(exp.column("channel_id"), last).from_(running.placed["new_buckets"].copy())
+    return rows.group_by(exp.column("channel_id"))
+
+
+def _kept(column: str) -> exp.Expr:
+    """Return the condition on *bucket* that holds for what is stored and is to be compared."""
+    number = exp.column("bucket_no", table="bucket")
+    first, end = (exp.column(name, table="member") for name in (column, "settled"))
+    return exp.and_(number >= first, number.copy() < end)
+
+
+_NUMBERING = counts("channel_id stored_channel_id version_id stored_support_id")
+_CHANGED = counts("channel_id version_id first_bucket")
