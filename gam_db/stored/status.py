@@ -27,7 +27,6 @@ from gam_db.stored.checking.proving import STATE, Proof, last_proofs
 from gam_db.stored.problems import data_problems, jumped, left_out
 from gam_db.stored.schema import migrations
 from gam_db.stored.state import State, kind_of
-from gam_db.stored.state import now as this_instant
 from gam_db.units import told_by
 
 #: Newest buckets of a channel in which a jump of its counter is looked for.
@@ -139,7 +138,8 @@ def assessed(
     known = state.monitor(monitor)
     kind = kind_of(known)
     stored = state.fetch("stored/state/status_rows", {"monitor": text(monitor), "long_ago": LONG_AGO})
-    steps = _watching(kind, lengths.park_after(park_after, kind), now)
+    instant = state.session.now() if now is None else now
+    steps = _watching(kind, lengths.park_after(park_after, kind), instant)
     with state.session.lent(stored) as lent:
         courses = _courses(state.fetch("stored/state/course", given={"status_rows": lent}))
         placed = {**state.tables.placed(), "status_rows": lent}
@@ -167,12 +167,11 @@ def assessed(
     return Standing(_table(found, kind), data_problems(listed, kind, shown_in))
 
 
-def _watching(kind: TimeKind, longest: int | None, now: int | None) -> Pipeline:
+def _watching(kind: TimeKind, longest: int | None, now: int) -> Pipeline:
     """Return the steps over *status_rows* up to *watched* and *data_problems*."""
     steps = Pipeline(small=frozenset(("last_data", "watched")))
-    instant = this_instant() if now is None else now
     slots = {
-        "now": FAR_AHEAD if kind.is_counter else instant,
+        "now": FAR_AHEAD if kind.is_counter else now,
         "has_clock": 0 if kind.is_counter else 1,
         "park_after": FAR_AHEAD if longest is None else longest,
     }
