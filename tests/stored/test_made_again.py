@@ -95,3 +95,15 @@ def test_a_channel_that_the_last_run_left_out_is_missed() -> None:
     assert [(row["asset"], row["part"], row["differing"]) for row in told] == [("b", "scored", 10)]
     monitor.score()
     assert found(monitor) == set()
+
+
+def test_a_backlog_is_missed_where_the_newest_bucket_ends_after_it() -> None:
+    """Three vectors and the row of 300 fill a bucket; what comes before that row came too late."""
+    monitor, table = made("duckdb", "a", 123)
+    scripts.arrive(monitor.session, table, series("a", 300, 301))
+    monitor.score()
+    scripts.arrive(monitor.session, table, series("a", 123, 250))
+    told = monitor.check_state().to_pylist()
+    assert [(row["asset"], row["part"]) for row in told] == [("a", "scored")]
+    # Of 170 vectors before 300 there are 42 full buckets; the first 10 are as they were.
+    assert (told[0]["differing"], told[0]["since"]) == (32, 120)

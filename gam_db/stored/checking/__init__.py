@@ -216,8 +216,8 @@ class _Check:
         """Return up to where a version must be scored by now, the newest run of all having begun then.
 
         That is what its own last run has read, and what was there for the newest run: by the clock, or,
-        of a counter, everything where that run has left the channel out. Where rows came late it is up
-        to where buckets are ``settled``, unless they ``end`` too long before what was read.
+        of a counter, everything where that run has left the channel out. Where rows came late it is what
+        lies before the lookback: of where stored buckets ``end``, if that is near to what was read.
         """
         read_to = version["read_to"]
         if read_to is None:
@@ -231,7 +231,8 @@ class _Check:
         is_behind = latest is not None and latest > read_to and due > read_to
         # What is not settled shows how long a bucket is; the one that is not full yet may be as long.
         is_near = end is not None and read_to - end <= max(self.lookback, end - settled)
-        late = due if is_behind else settled if is_near else read_to - self.lookback
+        reached = end if end is not None and is_near else read_to
+        late = due if is_behind else reached - self.lookback - 1
         return {"until": max(read_to, due), "until_late": late}
 
     def scored(self, group: Sequence[Row]) -> None:
