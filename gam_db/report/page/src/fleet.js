@@ -27,7 +27,7 @@ export function foot() {
 
 function sentence() {
   const hot = machines.filter(machine => machine.above).length;
-  if (!hot) return el('h1', {}, counts.unjudged === signals.length ? 'No signal can be judged yet.' : 'Every signal that can be judged moves as it did when healthy.');
+  if (!hot) return el('h1', {}, counts.unjudged === signals.length ? 'No signal can be judged yet.' : D.watched === 0 ? 'No signal is watched now: see the data problems.' : 'Every signal that can be judged moves as it did when healthy.');
   return el('h1', {}, el('em', {}, `${whole.format(hot)} of ${plural(machines.length, 'machine')}`), ` go${hot === 1 ? 'es' : ''} where ${hot === 1 ? 'it' : 'they'} never went in health`,
     counts.fresh ? `; ${plural(counts.fresh, 'signal')} left ${lately}.` : `; none of them left ${lately}.`);
 }
