@@ -111,7 +111,10 @@ def shown_instant(tick: int, kind: TimeKind) -> str:
     """Return integer time as :func:`instant` takes it: a counter value, or an ISO 8601 text (UTC)."""
     if kind.is_counter:
         return str(tick)
-    return (_EPOCH.replace(tzinfo=None) + tick * _MICROSECOND).isoformat()
+    try:
+        return (_EPOCH.replace(tzinfo=None) + tick * _MICROSECOND).isoformat()
+    except OverflowError:  # no calendar has the year
+        return f"{tick:,} us since 1970"
 
 
 def told_time(tick: int, kind: TimeKind) -> int | dt.datetime:

@@ -20,6 +20,8 @@ PART = 0.1
 """Share of a machine's recording that a channel may lack at either end before it is said."""
 MANY_CONFLICTS = 0.1
 """Share of the instants above which different values are no accident."""
+MANY_JUMPS = 3
+"""Pauses of a counter up to which a long one is a jump; with more it comes in bursts."""
 LONG_STILL = 0.2
 """Share of the samples that one value holds without a break, above which it is said."""
 FEW_VALUES = 10
@@ -84,7 +86,9 @@ def _on_times(look: Look, proposal: Proposal) -> list[Note]:
     jumping = [
         row
         for row in spaced
-        if look.kind.is_counter and (row["longest_pause"] or 0) > JUMP * row["typical_step"]
+        if look.kind.is_counter
+        and 0 < row["pauses"] <= MANY_JUMPS
+        and row["longest_pause"] > JUMP * row["typical_step"]
     ]
     on_change = [row for row in spaced if is_on_change(row)]
     irregular = [row for row in spaced if is_irregular(row) and not is_on_change(row)]

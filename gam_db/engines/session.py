@@ -82,7 +82,7 @@ class Session:
             SourceError: there is no such relation, or the engine cannot read it.
         """
         said = form is not None and self.engine.texts is None and form
-        if said and set(said.written) - {"time_unit", *self.engine.heeds}:
+        if said and set(said.of_words) - {"time_unit", *self.engine.heeds}:
             raise wrong("engine_reads_no_texts", title=self.engine.title)
         if not isinstance(relation, (str, Path, tuple, list)):
             return self.load(arrow_table(relation))

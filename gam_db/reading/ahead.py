@@ -72,18 +72,21 @@ def latest_live(source: AnySource, engine: Engine, kind: TimeKind) -> exp.Expr |
     return None if allowed is None else engine.clock() + template.node_of(allowed)
 
 
-def rows_ahead(session: Session, readings: exp.Query, latest: int) -> list[Row]:
+def rows_ahead(session: Session, readings: exp.Query | exp.Table, latest: int) -> list[Row]:
     """Return asset, channel, ahead_rows and ahead_to of each channel with rows later than an instant.
 
     Args:
         session: of the source.
-        readings: the step *readings*, at least from that instant on.
+        readings: the step *readings*, at least from that instant on, or the table that keeps it.
         latest: the instant, in microseconds.
     """
-    steps = Pipeline()
-    steps.add("readings", readings)
+    steps, placed = Pipeline(), {}
+    if isinstance(readings, exp.Table):
+        placed["readings"] = readings
+    else:
+        steps.add("readings", readings)
     add(steps, "source/ahead", {"latest": latest})
-    return session.rows(steps.query("ahead"))
+    return session.rows(steps.query("ahead", placed))
 
 
 def zone_hours(rows: Sequence[Row], channels: int, clock: Clock) -> float | None:

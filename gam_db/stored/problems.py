@@ -125,7 +125,10 @@ def _sentences(row: Row, kind: TimeKind, shown_in: dt.tzinfo) -> Row:
 
 def _shown(tick: int, kind: TimeKind, shown_in: dt.tzinfo) -> str:
     """Return an instant to the minute, with its zone; a counter as it is."""
-    time = told_time(tick, kind)
+    try:
+        time = told_time(tick, kind)
+    except OverflowError:  # no calendar has the year
+        return shown_instant(tick, kind)
     if isinstance(time, int):
         return f"{time:,}"
     return f"{time.astimezone(shown_in):%Y-%m-%d %H:%M} {shown_in}"

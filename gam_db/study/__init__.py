@@ -107,8 +107,11 @@ class Study:
         self._asked = (*asking, until)
         options = short_cuts, on_trust, asked, counting
         slicing, ways, is_streamed, names = self._begin(on_step, *options)
-        if any(end is not None and end > latest for end in names["latest"].to_pylist()):
-            self.ahead = ahead.rows_ahead(session, self._readings(latest + 1, FAR_AHEAD), latest)
+        ends = () if self.clock.now is None else names["latest"].drop_null().to_pylist()
+        if any(end > latest for end in ends):
+            kept = self.running.placed.get("readings")
+            rows = self._readings(latest + 1, FAR_AHEAD) if kept is None else kept
+            self.ahead = ahead.rows_ahead(session, rows, latest)
             self.running.forget()
             self._asked = (*asking, latest)
             slicing, ways, is_streamed, names = self._begin(on_step, *options)

@@ -98,7 +98,7 @@ def test_declared_kind_of_time() -> None:
         lambda: support(Source(table(), time_kind="timestamp")),
     )
     refused(
-        "time_kind is 'calendar'; it takes 'timestamp' or 'counter'",
+        "time_kind is 'calendar'; it takes 'timestamp', 'timestamp with time zone' or 'counter'",
         lambda: support(Source(table(), time_kind="calendar")),
     )
     assert health(Source(table(), time_kind="counter")) == expected(ROWS)

@@ -239,8 +239,8 @@ def test_a_monitor_without_channels_says_what_to_do() -> None:
     plant.monitor()
     saved(plant)
     result = gam("status", "--database", "plant.duckdb")
-    assert result.exit_code == 2
-    assert "no channel is calibrated yet; run gam calibrate" in result.stdout
+    assert result.exit_code == 4
+    assert "gam calibrate" in result.stdout
     assert gam("prune", "--database", "plant.duckdb").exit_code == 0
 
 

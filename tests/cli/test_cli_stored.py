@@ -141,7 +141,7 @@ def test_a_second_run_reads_only_what_is_new() -> None:
     saved(5010)
     found = figures("score", *STATE)
     assert found["totals"]["rows"] < 100
-    assert found["totals"]["buckets"] == 4
+    assert found["totals"]["buckets"] == 2
 
 
 def test_calibrate_leaves_versions_with_the_same_settings_alone() -> None:

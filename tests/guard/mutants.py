@@ -81,6 +81,9 @@ _ABOUT = {
     "streams/*": "test_streaming",
     "source/unpivoted": "test_wide",
     "source/misfits": "test_files",
+    "source/misfit_count": "test_files",
+    "source/ahead": "test_ahead",
+    "health/jumps": "test_data_problems",
     **{f"source/{name}": "test_local_time" for name in ("shown_*", "undated")},
     "source/valid*": "test_valid_when",
     "source/*_term": "test_written",
@@ -156,6 +159,12 @@ _ABOUT = {
     "stored/pruning/pruned_versions": "test_pruning",
     "stored/pruning/state_sizes": "test_pruning",
     "stored/state/course": "test_status",
+    **{
+        f"stored/state/{name}": "test_data_problems"
+        for name in ("bucket_ends", "data_problems", "differing_contexts", "last_data")
+    },
+    "stored/state/left_out_rows": "test_data_problems",
+    "stored/state/watched": "test_data_problems",
     "stored/state/status_rows": "test_status",
     "stored/state/active": "test_cli_stored",
     "stored/state/validity": "test_valid_when",

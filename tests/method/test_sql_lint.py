@@ -1,10 +1,12 @@
 """The lint catches what it is for, and the package's SQL passes it, as files and as whole queries."""
 
 import contextlib
+import datetime as dt
 import re
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from decimal import Decimal
 from pathlib import Path
 
@@ -888,6 +890,11 @@ def test_every_file_is_used() -> None:
         for times, unit in (([1], "s"), ([1], "ns"), ([1.5], "s"), ([Decimal("1.5")], "s")):
             held = pa.table({"time": times, "value": [True]})
             gam_db.check(gam_db.Source(held, None, None, time_unit=unit))
+        autumn = pa.table({"time": [dt.datetime(2025, 10, 26, 2, 30)] * 2, "value": [1.0, 2.0]})
+        template.load("census/size")  # ClickHouse alone asks whether a source has room
+        gam_db.render("view", "mariadb", gam_db.Source("telemetry", time_kind="timestamp"))
+        local = gam_db.Source(autumn, None, None, valid_when="value > 1")
+        gam_db.check(replace(local, source_time_zone="Europe/Berlin"))
         Package(source, gam_db.Parameters(), gam_db.Calibration(intervals=[(0, 9)])).files()
         grafana.queries("postgres", StateTables(), "default")
     assert set(NAMES) - loaded == set()

@@ -124,7 +124,7 @@ def one(words: list[Any], times: list[Any] | None = None, **said: Any) -> Source
         (one(["1.2 A", "1.2 mA"], unit="A"), "1 of 2 .*'1.2 mA'; --unit mA would"),
         (one(["1.500", "1.5"], thousands="."), "1 of 2 .* the first is '1.5'"),
         (
-            one([1.0, 2.0], ["31.12.2026 10:00", "1.1.2027 10:00"]),
+            one([1.0, 2.0], ["31.12.2024 10:00", "1.1.2025 10:00"]),
             "--time-format '%d.%m.%Y %H:%M' would",
         ),
         (

@@ -318,6 +318,7 @@ GIVEN: dict[str, tuple[tuple[str, ...], Any]] = {
     "layout": (("--wide",), "wide"),
     "where": (("--where", "v > 0"), "v > 0"),
     "where_any": (("--where-any",), True),
+    "clock_tolerance": (("--clock-tolerance", "1 h"), "1 h"),
     "decimal": (("--decimal", ","), ","),
     "thousands": (("--thousands", " "), " "),
     "unit": (("--unit", "A"), "A"),

@@ -85,7 +85,6 @@ def test_each_kind_is_listed_by_hand(engine: str) -> None:
         ("lost", "lost", 1, None, 7.0, 9.5),
         ("late", "late", 3, None, 7.0, 9.5),
         ("calibration", "more", 12, None, None, None),
-        ("unknown", None, 40, 2, None, None),
         ("constant", "moves", 13, None, None, 29e6 / DAY),
         ("no_data", "empty", None, None, None, None),
         ("silent", "gone", None, None, 6.0, 10.0),
@@ -102,7 +101,7 @@ def test_each_kind_is_listed_by_hand(engine: str) -> None:
         "late: late x: at least 3 rows came later than lookback, after 1970-01-08 00:00 UTC, so what "
         "was scored lacks them"
     )
-    assert said[6] == "silent: gone x: nothing since 1970-01-07 00:00 UTC, 4 d behind the newest data"
+    assert said[5] == "silent: gone x: nothing since 1970-01-07 00:00 UTC, 4 d behind the newest data"
     advice = standing.problems["advice"].to_pylist()
     assert advice[1].startswith("Run gam score --from 1970-01-08T00:00:00 to score them")
     told = " ".join(" ".join(row["remarks"]) for row in channels.values())
@@ -264,6 +263,21 @@ def test_a_fleet_in_which_each_of_it_happens(engine: str) -> None:
     assert [row["since"] for row in found][-2:] == [1198, 1598]
     rows = [row for row in rows if row[0] not in ("gone", "renamed", "new name")]
     third = monitor(rows + [row for name in ("gone", "renamed") for row in cycle(name, after)])
-    third.score(full=True)
+    third.score(full=True, confirm=True)
     kinds = [row["kind"] for row in third.data_problems().to_pylist()]
     assert kinds == ["constant", "no_data"]
+
+
+def test_a_counter_that_jumped_is_named(engine: str) -> None:
+    """By its newest row alone, which is in no bucket yet; a pause of 900 steps is none."""
+    session = engines.session(engine)
+    rows = cycle("calm", range(0, 1600, 2)) + cycle("jumped", range(0, 1600, 2))
+    rows += [*cycle("calm", range(3400, 3600, 2)), ("jumped", "x", 10**9, 1.0)]
+    source, prefix = gam_db.Source(scripts.telemetry(session, rows).name), engines.fresh_name("jump")
+    monitor = Monitor(session, source, PARAMETERS, CALIBRATION, prefix=prefix)
+    monitor.migrate()
+    monitor.calibrate()
+    monitor.score()
+    found = monitor.data_problems().to_pylist()
+    assert [(row["kind"], row["asset"], row["until"]) for row in found] == [("jump", "jumped", 10**9)]
+    assert 10**9 - 1600 <= found[0]["count"] <= 10**9

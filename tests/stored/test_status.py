@@ -156,13 +156,16 @@ def test_a_counter_stays_a_counter(session: DuckSession) -> None:
     assert table.schema.field("last_time").type == pa.int64()
     rows = {row["channel"]: row for row in table.to_pylist()}
     assert rows["j1"]["last_data"] == 2**61
-    assert rows["j1"]["remarks"] == ["calibration data changed: -5 rows since version 1 was made"]
+    (remark,) = rows["j1"]["remarks"]
+    assert remark.startswith("calibration data changed: -5 rows since version 1 was made; gam check")
     problems = stored_status.assessed(State(session, TABLES)).problems.to_pylist()
-    assert [(row["kind"], row["since"], row["count"]) for row in problems] == [("late", 40, 6)]
-    assert problems[0]["advice"].startswith("Run gam score --from 40 to score them")
+    found = [(row["kind"], row["since"]) for row in problems]
+    assert found == [("jump", None), ("late", 40)]
+    assert problems[1]["count"] == 6
+    assert problems[1]["advice"].startswith("Run gam score --from 40 to score them")
     assert not any(row["silent"] for row in rows.values())
-    found = stored_status.status(State(session, TABLES), park_after=100).to_pylist()
-    assert [row["channel"] for row in found if row["silent"]] == ["j2"]
+    told = stored_status.status(State(session, TABLES), park_after=100).to_pylist()
+    assert [row["channel"] for row in told if row["silent"]] == ["j2"]
     problems = stored_status.assessed(State(session, TABLES), park_after=100).problems.to_pylist()
     assert f"{2**61 - 5:,} steps behind" in problems[-1]["sentence"]
 

@@ -178,7 +178,7 @@ def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
         said = {
             name: value[number] if isinstance(value, list) else value for name, value in columns.items()
         }
-        usual = {"recounted": 0, "settled": 0, "novel_from": 0, "differs": 1}
+        usual = {"recounted": 0, "settled": 0, "novel_from": 0, "differs": 0}
         last_read = row.get("read_until", LONG_AGO)
         made.append({"lookback": 0, **row, **usual, "last_read": last_read, **said})
     return table_of(made, _COHORT)

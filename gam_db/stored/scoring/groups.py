@@ -226,7 +226,8 @@ class Groups:
         due = [int(self._is_due(row)) for row in group]
         planned = [self.planned.get(row["version_id"], NOTHING).newest_run for row in group]
         until = [self._until(row) for row in group]
-        return cohort_of(group, read_until=until, recounted=due, planned_from=planned)
+        anew = int(self.wanted.is_anew)
+        return cohort_of(group, read_until=until, recounted=due, planned_from=planned, differs=anew)
 
     def _until(self, row: Row) -> int:
         """Return the last instant of a channel that is read: the newest one that the look has found.

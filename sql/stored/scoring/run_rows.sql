@@ -1,5 +1,5 @@
 -- Run rows: what commits a run, one row per version; appended last of all.
--- Reads:  cohort, changed, seen, recount, settled, stillness, stamp
+-- Reads:  cohort, changed, new_counts, seen, recount, settled, stillness, stamp
 -- A row:  one version of which something new was read, something differs, calibration was counted anew, or no run has
 --         looked at it yet; else there is nothing to record. (Who is looked at once a day is counted anew then.) One
 --         without any row in its range, not even its context, hides nothing: from_bucket is beyond all buckets, and
@@ -62,7 +62,12 @@ LEFT JOIN (
   SELECT channel_id, still_since, 1 AS hit
   FROM stillness
 ) AS calm ON calm.channel_id = member.channel_id
+LEFT JOIN (
+  SELECT channel_id, 1 AS hit
+  FROM new_counts
+) AS fresh ON fresh.channel_id = member.channel_id
 WHERE member.recounted = 1
   OR member.planned_from = 0
   OR part.differs = 1
+  OR fresh.hit = 1
   OR (ranged.hit = 1 AND (ranged.read_to <> member.last_read OR ranged.context_rows <> member.context_expected))
