@@ -579,7 +579,7 @@ def test_what_is_stored_of_new_buckets_is_what_is_seen_of_them() -> None:
     slots = {"near": ALWAYS}
     found = step(
         "stored/scoring/former_buckets",
-        slots,
+        {**slots, "within": ALWAYS},
         cohort=cohort,
         stored_visible_bucket=bucket,
         stored_bucket=written,

@@ -212,7 +212,9 @@ class Again:
                     "changed", table_of([{**row, "first_bucket": n} for row, n in firsts], _CHANGED)
                 )
                 kept = FORMER[table]
-                running.make(f"stored/scoring/{kept}", {"near": _kept(column)})
+                slots: dict[str, template.Slot] = {"near": _kept(column)}
+                slots |= {"within": exp.true()} if table == "bucket" else {}
+                running.make(f"stored/scoring/{kept}", slots)
                 found[table] = compared(running, table, f"{table}_rows", kept)
         return Scored(found["bucket"], found["novel"], again, late)
 

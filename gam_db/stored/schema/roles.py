@@ -36,14 +36,14 @@ _COUNTING = (
 #: What the status is made of.
 _STATUS = (
     *("migration", "monitor", "proof", "visible_bucket", "fleet", "stillness"),
-    *("finished_run", "unplaced", "left_out"),
+    *("version", "run", "finished_run", "unplaced", "left_out"),
 )
 
 #: The views that are for whoever reads on, and what other commands of a reader take.
 _SHOWN = (
     *("health", "quarantine", "unplaced_day", "onset", "machine", "growth", "cell", "trend"),
     *("visible_judgement", "labelled_episode", "alarm_event", "alarm_band", "alarm_cell"),
-    *("channel", "version", "bounds", "limit", "alarm"),
+    *("channel", "bounds", "limit", "alarm"),
 )
 
 #: What a script cannot know, as comments of it.

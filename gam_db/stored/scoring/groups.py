@@ -165,8 +165,10 @@ class Groups:
         running.make("stored/scoring/past_buckets", past)
         self._check_past(group, running)
         running.keep("new_buckets")
-        for step in FORMER.values() if compared else ():
-            running.make(f"stored/scoring/{step}", {"near": near(group)})
+        for table, step in FORMER.items() if compared else ():
+            slots: dict[str, template.Slot] = {"near": near(group)}
+            slots |= {"within": near(group)} if table == "bucket" else {}
+            running.make(f"stored/scoring/{step}", slots)
         if not compared:
             running.placed |= {step: running.placed[made] for step, made in WRITTEN.items()}
         for part in PUBLISHED:

@@ -1,7 +1,8 @@
 -- Former buckets: what is stored of those that a run, or the check of the state, makes anew.
 -- Reads:  stored_visible_bucket, stored_bucket, cohort
 -- A row:  one bucket.
--- Slots:  :near  a condition on bucket that holds for all of them
+-- Slots:  :near    a condition on bucket that holds for all of them
+--         :within  the same of single rows, in literals, by which an index finds them
 SELECT
   member.channel_id AS channel_id,
   member.version_id AS version_id,
@@ -15,7 +16,11 @@ SELECT
   bucket.out_of_range AS out_of_range,
   bucket.novel_in_window AS novel_in_window
 FROM stored_visible_bucket AS bucket
-JOIN stored_bucket AS written
+JOIN (
+  SELECT version_id, bucket_no, run_id, still
+  FROM stored_bucket AS bucket
+  WHERE :within
+) AS written
   ON written.version_id = bucket.version_id
   AND written.bucket_no = bucket.bucket_no
   AND written.run_id = bucket.run_id
