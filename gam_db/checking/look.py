@@ -147,11 +147,8 @@ def look_at(
 ) -> Look:
     """Look at a source; arguments and errors as in :class:`~gam_db.study.Study`."""
     asked = session, source, parameters.finest(), calibration
-    study = Study(*asked, on_step, strict=False, counting=True)
+    study = Study(*asked, on_step, strict=False)
     add_look(study.steps, study.method, study.instant_of)
-    if repeating := {row["channel_id"] for row in study.rows("movements") if row["repeats"]}:
-        study.look_first(repeating)
-        add_look(study.steps, study.method, study.instant_of)
     summary = study.table(SUMMARY)
     table = summary.drop_columns(["settings_no"])
     rows = summary.drop_columns(["first_time", "last_time"]).to_pylist()

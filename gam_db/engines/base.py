@@ -168,7 +168,6 @@ class Engine:
     #: The body of the delay vectors that costs least (:mod:`gam_db.method.delays`); None for windows.
     delays: str | None = None
     holds_delays: bool = False  # whether that body has all of a source in memory at once
-    in_rounds: bool = False  # whether windows without an order cost less than a sort, where it keeps one
     by_sets: bool = False  # whether a row is looked up in a set (IN) at less cost than it is joined
     #: Asks how many rows a set may have for that (one row, *most*); None for any number.
     most_in_set: exp.Query | None = None

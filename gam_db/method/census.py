@@ -1,7 +1,7 @@
-"""The census: the steps for a source of which it is taken on trust that no instant occurs twice.
+"""The census: the steps for a source of which each instant is expected once.
 
 Where calibration ends, its range and the run-up are read off counts by slice of time, and a slice or
-two of samples; nothing is sorted for them. Every vector carries the mark of what would prove the trust
+two of samples; nothing is sorted for them. Every vector carries the mark of what would prove that
 wrong: *learnable* and what buckets are counted from hold ``doubled``. For methods that it
 :func:`serves`.
 """
@@ -48,7 +48,7 @@ IN_SLICE = 32
 
 #: Its own steps that are kept, up to what *names* are read off, and in all.
 OPENING = frozenset(("slices", *(step for steps in STORED.values() for step in steps)))
-KEPT = OPENING | {"edges", "edge_samples", "turns"}
+KEPT = OPENING | {"edges", "edge_samples", "conflicts"}
 
 #: Small steps that are read once or are constants here: a table of each would cost more.
 FLOWING = frozenset(("rules", "declared", "series", "calibrated"))
@@ -101,14 +101,14 @@ def add_census(steps: Pipeline, method: Method, slicing: Slicing, ways: Ways) ->
         _add_readings(steps, EDGES)
         add(steps, "source/identified", {"read": exp.true()}, "near_edges", {"readings": EDGES})
         add(steps, "census/edge_samples")
+    file = "conflicts" if ways.is_collapsed else "no_conflicts"
+    add(steps, f"census/{file}", name="conflicts")
     add(steps, "census/series")
     add_intervals(steps)
     add(steps, "census/calibrated")
     if ways.delays is None or ways.is_cut:
         _add_readings(steps, TAUGHT)
     add(steps, "source/identified", {"read": exp.true()})
-    if ways.round is not None:
-        add(steps, "rounds/turns", {"round": ways.round})
 
 
 def add_names(steps: Pipeline, slicing: Slicing, ways: Ways) -> None:
@@ -128,8 +128,6 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
     is_broken = not one.method.is_unbroken(one.number)
     complete = exp.Literal.number(0) if is_broken else exp.column("complete", table="reached")
     one.add("census/scale", {"complete": complete})
-    if ways.round is not None:
-        one.add("rounds/rounds", {"before": 0, "after": 0, "sharp": 0})
     scored = one.named(SCORED)
     if ways.delays is not None:
         for name in KEPT_BY[ways.delays]:  # what a body keeps for each set
@@ -172,7 +170,7 @@ def add_trusted_novelty(one: OfSet, bits: Bits | None, by_sets: bool = False) ->
 
 def kept(method: Method, ways: Ways) -> set[str]:
     """Return the steps of the census that are kept beside those of every form."""
-    own = [ways.taught, "scale", "rounds", *KEPT_BY.get(ways.delays or "", ())]
+    own = [ways.taught, "scale", *KEPT_BY.get(ways.delays or "", ())]
     if ways.has_room:
         told = ("moving_codes", "vectors")
         own += [f"{CALIBRATION}vectors", *(f"{INCOMPLETE}{step}" for step in told)]

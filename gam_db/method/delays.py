@@ -10,8 +10,7 @@ that is not right for a source shows it by ``doubled``, too: that costs time, ne
 * ``rowids``, by the numbers of rows that are kept in order: SQLite.
 * ``arrays``, by arrays that are kept in order: ClickHouse.
 
-What these two keep in order the census is made of, too. The fourth, ``rounds``, takes the place of
-windows where channels take turns as rows are stored (:attr:`Ways.round`).
+What these two keep in order the census is made of, too.
 """
 
 from collections.abc import Callable, Mapping
@@ -23,7 +22,7 @@ from gam_db.clock import FAR_AHEAD
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, filled
 from gam_db.method.adding import OfSet, add
-from gam_db.method.vectors import Round, add_vectors, compared, small_key
+from gam_db.method.vectors import add_vectors, compared, small_key
 
 #: What is kept before vectors are made of it, body by body.
 KEPT = {"rowids": ("coded", "runs"), "arrays": ()}
@@ -31,10 +30,6 @@ KEPT = {"rowids": ("coded", "runs"), "arrays": ()}
 #: What is kept of the samples of the source before they are cut, body by body: its *slices*, its
 #: *edge_samples* and its codes are read off it.
 STORED = {"rowids": ("spoken", "lined", "pieces"), "arrays": ("stored",)}
-
-#: The steps that take their place for a source that is taken to be stored in order, and their files, of
-#: the bodies that glance at it; *pieces* then shows by ``misplaced`` whether it is.
-AS_STORED = {"rowids": {"lined": "laid", "pieces": "laid_pieces"}}
 
 #: The step that shows by its column ``doubled`` of which names an instant occurs twice, body by body.
 IN_ORDER = {"rowids": "pieces", "arrays": "stored"}
@@ -58,29 +53,24 @@ class Ways:
     Attributes:
         delays: the body of the delays; None for windows.
         by_sets: whether a cell is looked up in the support as a set, instead of by a join.
-        as_stored: whether the source is taken to be stored in order of name and time.
         has_missing: whether a channel lacks a sample; if none does, nothing is made for such.
         asked: the last steps that will be asked for, where that is known; others may be, at a price.
         is_cut: whether samples that are none of calibration may come before scoring begins; vectors of
             calibration are then made by windows.
         by_windows: whether segments may end or samples stand still; vectors are then made by windows.
-        has_sets: whether anything of sets of parameters will be asked for, or of whole channels alone.
         has_room: whether vectors, and what is told of each sample, may be kept where several steps read
             them.
-        round: rows of a round, where channels are taken to take turns in the order in which rows are
-            stored, each once in every round; None where they are not.
+        is_collapsed: whether the readings are a table that has each instant once.
     """
 
     delays: str | None = None
     by_sets: bool = False
-    as_stored: bool = False
     has_missing: bool = True
     asked: frozenset[str] = frozenset()
     is_cut: bool = False
     by_windows: bool = False
-    has_sets: bool = True
     has_room: bool = False
-    round: int | None = None
+    is_collapsed: bool = False
 
     @property
     def scores(self) -> bool:
@@ -106,9 +96,8 @@ class Ways:
 def add_stored(steps: Pipeline, ways: Ways) -> None:
     """Add what a body keeps of the samples of a source, and their counts by slice."""
     body = ways.delays or ""
-    files = AS_STORED[body] if ways.as_stored else {name: name for name in STORED[body]}
-    for name, file in {**files, "slices": "slices"}.items():
-        add(steps, f"{body}/{file}", name=name)
+    for name in (*STORED[body], "slices"):
+        add(steps, f"{body}/{name}")
 
 
 def add_delays(one: OfSet, prefix: str, ways: Ways, rows: str, has_bits: bool) -> None:
@@ -126,38 +115,18 @@ def add_delays(one: OfSet, prefix: str, ways: Ways, rows: str, has_bits: bool) -
         tables = {name: one.named(name) for name in ("scale", *KEPT[body])}
         one.steps.add(one.named(f"{prefix}vectors"), query, "", tables)
         return
-    round_ = None
-    if ways.round is None or marked:
-        file = "census/marked_codes" if marked else "census/codes"
-        slots: dict[str, template.Slot] = {"read": _read(prefix), "carried": compared(one.setting)}
-        one.add(file, slots, f"{prefix}codes", {"readings": rows})
-    else:
-        round_ = _add_round(one, prefix, ways.round, rows)
+    file = "census/marked_codes" if marked else "census/codes"
+    slots: dict[str, template.Slot] = {"read": _read(prefix), "carried": compared(one.setting)}
+    one.add(file, slots, f"{prefix}codes", {"readings": rows})
     if has_bits:
         known["cell_key"] = small_key(one.setting)
     asked = ["doubled", *["calibration_vector"] * marked]
-    # Rounds list the supports' numbers, which of frozen ones are not those of their channels.
-    if one.method.pools or ways.round is not None:
-        pooled = ("support_id",)
-        add_vectors(one, prefix, asked, pooled, known=known, round_=round_)
+    if one.method.pools:
+        add_vectors(one, prefix, asked, ("support_id",), known=known)
         return
     # Without pools each channel has its own support, whose number is the channel's and not sorted along.
     own = exp.alias_(exp.column("channel_id"), "support_id")
     add_vectors(one, prefix, asked, told=[own], known=known)
-
-
-def _add_round(one: OfSet, prefix: str, length: int, rows: str) -> Round:
-    """Add the codes of a prefix where channels take turns, and return what vectors need of that."""
-    is_taught = prefix == CALIBRATION
-    first, last = (
-        template.fill("rounds/own", {"listed": exp.column(listed)})
-        for listed in ("taught_froms" if is_taught else "read_froms", "taught_tos")
-    )
-    slots: dict[str, template.Slot] = {"time_from": first, "time_to": last if is_taught else FAR_AHEAD}
-    # Of a round that is cut each row must have the instant of the one before.
-    one.add("rounds/places", {"round": length, "rows": 1}, f"{prefix}places", {"readings": rows})
-    one.add("rounds/codes", slots, f"{prefix}codes", {"places": f"{prefix}places"})
-    return Round(length, exp.true() if is_taught else _is_complete(prefix))
 
 
 def _by_row(one: OfSet, prefix: str, known: Mapping[str, template.Slot]) -> exp.Query:

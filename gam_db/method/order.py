@@ -3,7 +3,7 @@
 from sqlglot import exp
 
 from gam_db.composing import template
-from gam_db.composing.pipeline import Pipeline, union_of
+from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import OfSet, add, join_sets
 from gam_db.method.bits import Bits
 from gam_db.method.calibration import add_calibration
@@ -91,16 +91,13 @@ def trusting_pipeline(
     """Return the steps that take it on trust that no instant occurs twice (:mod:`gam_db.method.census`).
 
     Arguments as for :func:`pipeline`; ``slicing`` is how the times of the readings are cut, ``ways``
-    what engines do differently. Of the last steps *health_indicator* is not among them; where nothing of
-    sets of parameters is asked for, *samples* is the last one.
+    what engines do differently. Where samples come before calibration, *health_indicator* is not among
+    the last steps.
     """
     ways = ways or Ways()
     steps = Pipeline(small=frozenset(method.small() - FLOWING | kept(method, ways)))
     _add_readings(steps, readings)
     add_census(steps, method, slicing, ways)
-    if not ways.has_sets:
-        steps.add("samples", union_of(steps, ["identified"]), "Samples: every reading is one.")
-        return steps
     for number in range(len(method.settings)):
         one = OfSet(steps, method, number)
         add_census_set(one, bits, ways)

@@ -13,18 +13,6 @@ from gam_db.method.slots import cell_key, code_in, coordinates, known, outside, 
 from gam_db.settings.parameters import Parameters
 
 
-class Round(NamedTuple):
-    """Channels that take turns as rows are stored.
-
-    Attributes:
-        rows: of a round, one of each channel.
-        asked: of which channels vectors are asked for.
-    """
-
-    rows: int
-    asked: exp.Expr
-
-
 def add_vectors(
     one: OfSet,
     prefix: str,
@@ -32,7 +20,6 @@ def add_vectors(
     carried: Sequence[str] = (),
     told: Sequence[exp.Expr] = (),
     known: Mapping[str, template.Slot] | None = None,
-    round_: Round | None = None,
 ) -> None:
     """Add the vectors of one set (Eq. 1) over the codes of the same prefix.
 
@@ -53,10 +40,8 @@ def add_vectors(
         told: what else is told of a vector, by its own columns.
         known: slots otherwise than usual, where it is known that all coordinates are there, or that keys
             are small.
-        round_: where channels take turns as rows are stored, a sample is a round behind the one before,
-            and ``doubled`` marks what is not so, too.
     """
-    setting, rows = one.setting, None if round_ is None else round_.rows
+    setting = one.setting
     is_marked = "calibration_vector" in asked
     codes, over, whole = _last_codes(one, prefix, [*carried, *["calibrating"] * is_marked])
     delayed: list[exp.Expr] = [exp.column(name) for name in carried]
@@ -85,23 +70,19 @@ def add_vectors(
         is_next = setting.span == 2 and setting.still_after is None
         previous = exp.column("context_time" if is_next else "previous_time")
         if not is_next:
-            over[previous.name] = _before("time", 1, rows)
-        mark = "embedding/doubled" if round_ is None else "rounds/misplaced"
-        doubled = template.fill(mark, {"previous_time": previous})
+            over[previous.name] = _before("time", 1)
+        doubled = template.fill("embedding/doubled", {"previous_time": previous})
         said.append(exp.alias_(_flag(doubled), "doubled"))
         whole = exp.or_(whole, doubled)
-    coordinates = {f"code_{k}": _before("code", k * setting.tau, rows) for k in range(1, setting.m)}
+    coordinates = {f"code_{k}": _before("code", k * setting.tau) for k in range(1, setting.m)}
     slots: dict[str, template.Slot] = {
         "delayed": [*_named(coordinates), *delayed, *_named(over)],
-        "context": _context(setting, rows),
+        "context": _context(setting),
         "carried": said,
         "whole": whole,
         **(known or {}),
     }
-    file = "embedding/vectors"
-    if round_ is not None:
-        file, slots["asked"] = "rounds/vectors", round_.asked
-    one.add(file, slots, f"{prefix}vectors", {"codes": codes})
+    one.add("embedding/vectors", slots, f"{prefix}vectors", {"codes": codes})
 
 
 def compared(setting: Parameters) -> list[exp.Expr]:
@@ -209,11 +190,11 @@ def is_outside(setting: Parameters) -> exp.Expr:
     return _flag(outside(setting))
 
 
-def _context(setting: Parameters, rows: int | None = None) -> exp.Expr:
+def _context(setting: Parameters) -> exp.Expr:
     """Return the time from where on the next vector is decided."""
     delay = max(setting.reach - 1, 0)
     if setting.still_after is None:
-        return _before("time", delay, rows)
+        return _before("time", delay)
     return template.fill("embedding/context", {"delay": delay, "long_ago": LONG_AGO})
 
 

@@ -99,10 +99,6 @@ def calibrate(
     readings = {name_of(row): row["readings"] for row in found}
     at_once = state.session.rows_at_once()
     groups = list(whole_pools(due, readings, limit or at_once * study.taught_at_once))
-    if len(groups) > 1:
-        study.read_in_parts(len(groups))
-        if not study.is_ordered:
-            groups = list(whole_pools(due, readings, limit or at_once))
     if not study.is_ordered and (len(groups) > 1 or not study.method.kind.is_counter):
         # Five steps read a group's rows. Unless the engine can leave out what they do not need (other
         # groups, or what follows calibration, which it cannot tell by timestamps), they are copied once.

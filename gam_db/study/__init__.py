@@ -5,7 +5,6 @@ This module owns the order of work: look at the source, resolve what was asked, 
 
 import contextlib
 import dataclasses
-from collections import Counter
 from collections.abc import Collection, Iterator
 from functools import lru_cache, partial
 from pathlib import Path
@@ -32,15 +31,13 @@ from gam_db.reading.guess import sourced
 from gam_db.reading.preparing import prepared
 from gam_db.reading.undated import Undated, undated
 from gam_db.settings.calibration import Calibration
-from gam_db.settings.parameters import AUTO, RUNGS, Override, Parameters
-from gam_db.settings.patterns import grouped
-from gam_db.settings.setting import settings_of
+from gam_db.settings.parameters import Parameters
 from gam_db.settings.source import AnySource, is_file, paths_of
-from gam_db.study import trusting, turning
-from gam_db.study.running import PARTS_IN_TURN, TAUGHT, UNSORTED, Listener, Running, unheard
+from gam_db.study import census
+from gam_db.study.bins import found_bins
+from gam_db.study.census import Census, Outcome
+from gam_db.study.running import TAUGHT, Listener, Running, unheard
 from gam_db.study.streaming import Streams, seems_ordered
-from gam_db.study.trusting import Counts, Trust
-from gam_db.study.turning import Turns
 
 #: Studies whose filled and composed steps are kept; each has a few thousand nodes of trees.
 LATELY = 16
@@ -60,14 +57,12 @@ class Study:
         strict: refuse a source with rows that belong nowhere; else the step *names* counts them, and
             they are left out of all that follows.
         short_cuts: read channels that are stored in order of time in that order
-            (:mod:`gam_db.study.streaming`), and take it on trust that no instant occurs twice
-            (:mod:`gam_db.study.trusting`); not for who changes what the steps read.
+            (:mod:`gam_db.study.streaming`), and expect each instant once (:mod:`gam_db.study.census`);
+            not for who changes what the steps read.
         on_trust: of the two, take the second as well; not for who asks for calibration alone, which
             proves nothing of what comes after it.
         asked: the last steps that will be asked for, where that is known: what serves no other is made
             so that it costs least. Others may be asked for, at a price.
-        counting: take it on trust likewise, for who asks for steps of whole channels alone, and looks
-            himself whether it was right (:class:`gam_db.study.trusting.Counts`); no other short cuts.
 
     Raises:
         UserError: anything of the source, the parameters or the calibration that cannot be used.
@@ -84,7 +79,6 @@ class Study:
         short_cuts: bool = False,
         on_trust: bool = True,
         asked: Collection[str] = (),
-        counting: bool = False,
     ) -> None:
         self.session, self._named = session, source.relation
         self._is_lent = not isinstance(source.relation, (str, Path, tuple, list))
@@ -94,7 +88,8 @@ class Study:
         if parameters.is_open:
             listening = (on_step, strict, short_cuts, on_trust)
             rough = Study(session, source, parameters.finest(), calibration, *listening)
-            said, parameters = parameters, _found(parameters, rough)
+            judged = rough.rows("verdicts"), rough.rows("channels")
+            said, parameters = parameters, found_bins(parameters, *judged)
             rough.forget()
         self.method = Method(parameters, calibration, read.kind, said)
         unread = dataclasses.replace(read.rows, relation=None)  # the node counts
@@ -105,8 +100,11 @@ class Study:
         asking = self.method, unread, read.relation, session.engine
         until: int | None = None
         self._asked = (*asking, until)
-        options = short_cuts, on_trust, asked, counting
-        slicing, ways, is_streamed, names = self._begin(on_step, *options)
+        self._on_step, self._steps_wanted = on_step, frozenset(asked)
+        self._has_census = short_cuts and on_trust and census.serves(self.method)
+        self._form: Streams | Census | None = None
+        self._begin(short_cuts)
+        names = self._names()
         ends = () if self.clock.now is None else names["latest"].drop_null().to_pylist()
         if any(end > latest for end in ends):
             kept = self.running.placed.get("readings")
@@ -114,7 +112,8 @@ class Study:
             self.ahead = ahead.rows_ahead(session, rows, latest)
             self.running.forget()
             self._asked = (*asking, latest)
-            slicing, ways, is_streamed, names = self._begin(on_step, *options)
+            self._begin(short_cuts)
+            names = self._names()
             if not names.num_rows:
                 sentences = ahead.ahead_sentences(self.ahead, len(self.ahead), self.clock)
                 raise wrong("all_ahead", said=" ".join(sentences))
@@ -122,52 +121,47 @@ class Study:
             look.check_rows(names, source, self.undated, session.engine)
         else:
             look.check_clock(names)
-        may_trust = short_cuts and on_trust and trusting.serves(self.method)
+        self._choose(names)
+
+    def _begin(self, may_stream: bool, is_collapsed: bool = False) -> None:
+        """Ask for the names of a source, in the way in which its rows are best read."""
+        if not is_collapsed:
+            self.running = Running(self.session, self._opening(), on_step=self._on_step)
+        is_even = all(map(self.method.is_unbroken, range(len(self.method.settings))))
+        self._slicing: Slicing | None = None
+        self._ways = Ways(asked=self._steps_wanted, by_windows=not is_even, is_collapsed=is_collapsed)
+        self._is_streamed = may_stream and seems_ordered(self.method, self.running, self._ways.scores)
+        if self._has_census and not self._is_streamed:
+            self._slicing, self._ways = census.begun(self.running, self._ways, self._opening)
+        self.running.keep("names")
+
+    def _names(self) -> pa.Table:
+        """Return the rows of the step *names*."""
+        return self.session.fetch(self.steps.query("names", self.running.placed))
+
+    def _choose(self, names: pa.Table) -> None:
+        """Choose the form in which the steps are made: streams, the census, or those that look first."""
         # Supports are kept as bits where those of so many channels have room.
         grids = (one.radix**one.m for one in self.method.settings)
-        bits = session.engine.bits
+        self._bits = bits = self.session.engine.bits
         if bits is not None and not all(bits.serve(cells, names.num_rows) for cells in grids):
-            bits = None
+            self._bits = bits = None
+        ways = self._ways
         if not any(names["missing_readings"].to_pylist()):
             ways = dataclasses.replace(ways, has_missing=False)
         if any(one.still_after is not None for one in self.method.settings):
-            has_room = sum(names["readings"].to_pylist()) <= session.rows_at_once()
-            ways = dataclasses.replace(ways, has_room=has_room)
-        self.running.steps = self._steps(bits, slicing, ways)
-        self._short_cut: Streams | Trust | Counts | Turns | None = None
-        self._after_all = partial(self._trust_after_all, bits, ways, names) if may_trust else None
-        if is_streamed and bits is not None:
-            self._short_cut = Streams(
+            has_room = sum(names["readings"].to_pylist()) <= self.session.rows_at_once()
+            # A channel without a healthy range has no vectors that could be kept.
+            ways = dataclasses.replace(ways, has_room=has_room and not ways.is_collapsed)
+        self.running.steps = self._steps(bits, self._slicing, ways)
+        self._form = None
+        if self._is_streamed and bits is not None:
+            self._form = Streams(
                 self.method, self.running, ways.scores, ways.has_blocks, ways.has_missing
             )
-        elif slicing is not None and counting:
-            self._short_cut = Counts(self.running, partial(self._steps, bits), self._readings)
-        elif slicing is not None:
-            self._short_cut = self._trust(bits, slicing, ways, names)
-        elif short_cuts and sum(names["readings"].to_pylist()) >= turning.TURNED_FROM:
-            turns = Turns(self.method, self.running, self._readings)
-            self._short_cut = turns if turns.serve(names) else None
-
-    def _begin(
-        self,
-        on_step: Listener,
-        short_cuts: bool,
-        on_trust: bool,
-        asked: Collection[str],
-        counting: bool,
-    ) -> tuple[Slicing | None, Ways, bool, pa.Table]:
-        """Ask for the names of a source; return how its rows are best read, and the step *names*."""
-        session = self.session
-        self.running = Running(session, self._opening(), on_step=on_step)
-        is_even = all(map(self.method.is_unbroken, range(len(self.method.settings))))
-        slicing, ways = None, Ways(asked=frozenset(asked), by_windows=not is_even, has_sets=not counting)
-        is_streamed = short_cuts and seems_ordered(self.method, self.running, ways.scores)
-        may_trust = short_cuts and on_trust and trusting.serves(self.method)
-        if (may_trust and not is_streamed) or counting:
-            slicing, ways = trusting.begun(self.running, ways, self._opening)
-        self.running.keep("names")
-        names = session.fetch(self.steps.query("names", self.running.placed))
-        return slicing, ways, is_streamed, names
+        elif self._slicing is not None:
+            filled = partial(self._steps, bits, self._slicing)
+            self._form = Census(self.method, self.running, names, ways, filled, self._readings)
 
     @property
     def steps(self) -> Pipeline:
@@ -177,43 +171,27 @@ class Study:
     @property
     def is_ordered(self) -> bool:
         """Tell whether channels are to be read as they are stored."""
-        return isinstance(self._short_cut, (Streams, Turns)) and self._short_cut.holds
+        return isinstance(self._form, Streams) and self._form.holds
 
     @property
     def taught_at_once(self) -> int:
         """Return how many times the readings that can be sorted at once are best calibrated together.
 
-        What calibration makes of vectors has to have room, sorted or not; but turns are better read in
-        few parts.
+        What calibration makes of vectors has to have room, sorted or not.
         """
-        if not self.is_ordered:
-            return 1
-        return TAUGHT if isinstance(self._short_cut, Streams) else UNSORTED
-
-    def read_in_parts(self, parts: int) -> None:
-        """Give up turns if there are many parts: who asks for some channels reads the rows of all."""
-        if isinstance(self._short_cut, Turns) and parts > PARTS_IN_TURN:
-            self._short_cut = None
+        return TAUGHT if self.is_ordered else 1
 
     @property
-    def is_streamed(self) -> bool:
-        """Tell whether vectors were made of channels as they are stored."""
-        return isinstance(self._short_cut, Streams) and self._short_cut.holds_so_far
+    def form(self) -> str:
+        """What the steps were made by, as far as they were: ``streams``, ``census`` or ``windows``."""
+        if isinstance(self._form, Streams) and self._form.holds_so_far:
+            return "streams"
+        return "census" if isinstance(self._form, Census) and self._form.is_proven else "windows"
 
     @property
-    def is_trusting(self) -> bool:
-        """Tell whether it was taken on trust, and proven since, that no instant occurs twice."""
-        return isinstance(self._short_cut, Trust) and self._short_cut.holds_so_far
-
-    def look_first(self, repeating: Collection[int]) -> None:
-        """Begin anew with the steps that look first, of a study that counted: instants occur twice.
-
-        Args:
-            repeating: the numbers of the channels in which they do.
-        """
-        if isinstance(self._short_cut, Counts):
-            self._short_cut.look_first(repeating)
-            self._short_cut = None
+    def is_collapsed(self) -> bool:
+        """Tell whether an instant occurred twice, so that the steps run over collapsed readings."""
+        return self._ways.is_collapsed
 
     def table(self, step: str) -> pa.Table:
         """Return the rows of a step; the small steps before it are kept for the next call."""
@@ -287,27 +265,38 @@ class Study:
     def begin_anew(self) -> None:
         """Forget what was made of channels: others have the step *names* now."""
         self.running.forget(but=("names", "readings"))
-        if isinstance(self._short_cut, (Streams, Turns)):
-            self._short_cut.begin_anew()
+        if isinstance(self._form, Streams):
+            self._form.begin_anew()
 
     def _prepare(self, step: str) -> None:
-        if self._short_cut is not None:
-            self._short_cut.prepare(step)
-        has_failed = isinstance(self._short_cut, Streams) and not self._short_cut.holds
-        if has_failed and self._after_all is not None:
-            self._short_cut = self._after_all()
+        """Let the form prove what a step needs; where it cannot, run the steps once more."""
+        if self._form is None:
+            return
+        outcome = self._form.prepare(step)
+        if outcome is not Outcome.HOLDS:
+            self._run_again(outcome)
             self._prepare(step)
 
-    def _trust_after_all(self, bits: Bits | None, ways: Ways, names: pa.Table) -> Trust | None:
-        """Take on trust that no instant occurs twice, where channels are not stored in order."""
-        self.running.steps = self._opening()
-        slicing, ways = trusting.begun(self.running, ways, self._opening)
-        self.running.steps = self._steps(bits, slicing, ways)
-        return None if slicing is None else self._trust(bits, slicing, ways, names)
+    def _run_again(self, outcome: Outcome) -> None:
+        """Run the same steps over readings that are collapsed by instant: the only way back.
 
-    def _trust(self, bits: Bits | None, slicing: Slicing, ways: Ways, names: pa.Table) -> Trust:
-        made, careful = partial(self._steps, bits, slicing), partial(self._steps, bits)
-        return Trust(self.method, self.running, names, ways, made, careful, self._readings)
+        The steps that look first serve what the census does not; they collapse by themselves.
+        """
+        running = self.running
+        if outcome is Outcome.REPEATS and self._has_census and not self.is_collapsed:
+            running.forget(but=("readings",))
+            running.steps = self._opening()
+            collapsed = running.steps.copied()
+            add(collapsed, "source/collapsed_readings")
+            running.put("readings", collapsed.query("collapsed_readings", running.placed))
+            self._begin(may_stream=False, is_collapsed=True)
+            self._choose(self._names())
+            return
+        running.forget(but=() if self.is_collapsed else ("names", "readings", "channels"))
+        self._ways = dataclasses.replace(self._ways, is_collapsed=False)
+        if isinstance(self._form, Census):
+            running.steps = self._steps(self._bits)
+        self._form = None
 
     def _readings(self, earliest: int, latest: int) -> exp.Query:
         """Return the step *readings* for a range of time, with bounds that an index can serve."""
@@ -340,34 +329,6 @@ def studied(
         finally:
             if session is engine:  # it stays open, and nobody asks this study again
                 study.forget()
-
-
-def _found(asked: Parameters, rough: Study) -> Parameters:
-    """Return parameters with the bins that a study under the finest grids finds.
-
-    They have one override per pattern. A channel has the finest grid that its support's certificate
-    accepts, the coarsest if none, and the commonest if it has no certificate.
-    """
-    judged = {row["channel_id"]: row for row in rough.rows("verdicts")}
-    rungs, said = {}, {}
-    for row in rough.rows("channels"):
-        name, verdict = name_of(row), judged[row["channel_id"]]
-        said[name] = asked.of(*name)
-        if verdict["verdict"] not in ("no_data", "constant"):
-            rungs[name] = max(verdict["finest_bins"] or 0, RUNGS[-1])
-    usual = max(Counter(rungs.values()).items(), key=lambda one: one[::-1], default=(RUNGS[-1],))[0]
-    for name, one in said.items():
-        if one.bins == AUTO:
-            bins = min(rungs.get(name, usual), one.grid)
-            said[name] = dataclasses.replace(one, bins=bins)
-    rules, everything = grouped(said), ("*", "*")
-    general = next((one for pattern, one in rules if pattern == everything), asked.finest())
-    overrides = [
-        Override(*pattern, **{key: getattr(one, key) for key in settings_of(Parameters)})
-        for pattern, one in rules
-        if pattern != everything
-    ]
-    return dataclasses.replace(general, overrides=overrides)
 
 
 @lru_cache(maxsize=LATELY)

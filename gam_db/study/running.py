@@ -18,16 +18,10 @@ Listener = Callable[[str], None]
 #: Makes the step *readings* for a range of time.
 Between: TypeAlias = Callable[[int, int], exp.Query]
 
-#: Of channels that are read as they are stored, so many times the readings are worked on together that
-#: can be sorted at once. What is made of them is one transaction, and lost where it is killed.
-UNSORTED = 10
-
-#: Of the same channels, so many times those readings are calibrated together: the cells of each block
-#: are kept, on a fine grid nearly a row for each vector, and what finds no room goes to the disk.
+#: Of channels that are read as they are stored, so many times the readings are calibrated together that
+#: can be sorted at once: the cells of each block are kept, on a fine grid nearly a row for each vector,
+#: and what finds no room goes to the disk.
 TAUGHT = 2
-
-#: In so many parts at most channels in turn are calibrated: each reads the rows of all channels.
-PARTS_IN_TURN = 4
 
 
 def unheard(_: str) -> None:
@@ -112,13 +106,16 @@ class Running:
     def put(self, step: str, query: exp.Query) -> None:
         """Keep the rows of a query as the table of a step."""
         self.on_step(step)
+        before = self._kept.get(step)
         self._kept[step] = self.placed[step] = self.session.keep(step, query)
+        if before is not None:
+            self.session.forget(before)
 
-    def make(self, path: str, slots: Slots) -> None:
-        """Keep the rows of a file of ``sql/`` over the tables there are, as the step of its name."""
+    def make(self, path: str, slots: Slots, step: str | None = None) -> None:
+        """Keep the rows of a file of ``sql/`` over the tables there are, as a step, that of its name."""
         query = filled(path, slots)
         place(query, self.placed)
-        self.put(path.rpartition("/")[2], query)
+        self.put(step or path.rpartition("/")[2], query)
 
     def load(self, step: str, rows: pa.Table) -> None:
         """Let an Arrow table be the table of a step, instead of what was so before."""

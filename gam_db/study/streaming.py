@@ -21,6 +21,7 @@ from gam_db.method import Method
 from gam_db.method.bits import Bits
 from gam_db.method.vectors import Stream
 from gam_db.study import naming, streamed
+from gam_db.study.census import Outcome
 from gam_db.study.running import Running
 from gam_db.study.streamed import Own, of_channel, of_each, own, range_of
 
@@ -105,7 +106,7 @@ class Streams:
         self._done.clear()
         self._reached = {}
 
-    def prepare(self, step: str) -> None:
+    def prepare(self, step: str) -> Outcome:
         """Give the steps before one what streams make of them, if it needs them."""
         steps, method = self.running.steps, self.method
         giving = (
@@ -123,6 +124,8 @@ class Streams:
                 self.holds = give()
                 if not self.holds:
                     self._give_up()
+                    return Outcome.REPEATS
+        return Outcome.HOLDS
 
     def _learn(self) -> bool:
         """Give figures and the vectors of calibration; tell whether they are as they should be."""

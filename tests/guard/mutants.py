@@ -38,7 +38,7 @@ LIST = Path(__file__).with_name("mutants.txt")
 #: The folders of ``sql/`` of which every file has a mutant.
 FOLDERS = (
     *("source", "support", "embedding", "score", "health", "calibration", "certificate", "stored"),
-    *("streams", "census", "rounds", "rowids", "arrays", "judgement", "report", "alarms"),
+    *("streams", "census", "rowids", "arrays", "judgement", "report", "alarms"),
 )
 
 #: Files of ``sql/`` -> the engine that runs them; DuckDB runs all others.
@@ -61,9 +61,8 @@ _METHOD = (
     "test_spec",
     "test_agreement",
     "test_streaming",
-    "test_trusting",
-    "test_repeating",
-    "test_rounds",
+    "test_census",
+    "test_collapsed",
     "test_wide",
 )
 _STORED = (
@@ -87,16 +86,17 @@ _ABOUT = {
     **{f"source/{name}": "test_local_time" for name in ("shown_*", "undated")},
     "source/valid*": "test_valid_when",
     "source/*_term": "test_written",
-    **{f"census/{name}": "test_repeating" for name in ("proven", "repeat*")},
+    **{f"census/{name}": "test_collapsed" for name in ("*conflicts", "repeat*")},
+    "source/collapsed_readings": "test_collapsed",
+    "stored/scoring/collapsed": "test_first_runs",
     "certificate/known_codes": "test_interrupted",
     "census/held_vectors": "test_interrupted",
-    "health/running": "test_trusting",
+    "health/running": "test_census",
     "score/straddling": "test_agreement",
-    "census/*": "test_trusting",
-    "rowids/*": "test_trusting",
+    "census/*": "test_census",
+    "rowids/*": "test_census",
     "arrays/s*": "test_clickhouse[piece or widest",
-    "arrays/*": "test_trusting",
-    "rounds/*": "test_rounds",
+    "arrays/*": "test_census",
     "certificate/*": "test_spec[certificate",
     "embedding/context": "test_incremental[still",
     "embedding/moving_codes": "test_spec[still",
@@ -112,7 +112,7 @@ _ABOUT = {
     "stored/*/rep*": "test_check_state",
     "stored/state/withdrawal": "test_clickhouse_writers",
     **{f"streams/{name}": "test_naming" for name in ("names", "spread", "in_order")},
-    "streams/glance": "test_ordered",
+    "streams/glance": "test_naming",
     "stored/scoring/pla[n]": "test_incremental[still",
     "stored/pruning/expired_unplaced": "test_clocks_and_replays",
     "judgement/standing": "test_standing",

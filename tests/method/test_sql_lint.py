@@ -44,7 +44,7 @@ from gam_db.stored.schema.migration_files import definitions
 from gam_db.stored.schema.migrations import rendered
 from gam_db.stored.schema.tables import StateTables
 from gam_db.stored.scoring.publishing import withdraw
-from gam_db.study import Study, naming, rounds
+from gam_db.study import Study, naming
 from harness import arrow
 from sql_lint import Kind
 from strategies import Row
@@ -779,7 +779,7 @@ def stream_once() -> None:
             study = Study(session, *given, short_cuts=True, asked=asked)
             study.table("bucket_health")
             study.query("health_indicator")
-            assert study.is_streamed
+            assert study.form == "streams"
             study.forget()
         monitor = Monitor(session, source, gam_db.Parameters(), CALIBRATIONS[0])
         monitor.migrate()
@@ -792,52 +792,12 @@ def stream_once() -> None:
         study.table("support_summary")
         study.table("bucket_health")
         study.query("stillness")
-        assert study.is_streamed
+        assert study.form == "streams"
         study.forget()
-
-
-def turn_once() -> None:
-    """Read channels in rounds, in two pieces."""
-    rows = rounds.PIECE
-    columns = {"asset": [*"abc"] * rows, "channel": ["x"] * 3 * rows, "value": [0.5, 1.5, 2.5] * rows}
-    table = pa.table({"time": [number // 3 for number in range(3 * rows)], **columns})
-    with DuckSession(threads=2) as session, session.lent(table) as lent:
-        given = Source(lent.name), gam_db.Parameters(), CALIBRATIONS[0]
-        study = Study(session, *given, short_cuts=True)
-        study.table("bucket_health")
-        assert study.is_trusting
-        study.forget()
-        study = Study(session, *given, short_cuts=True, on_trust=False)
-        study.table("certificate")
-        assert study.is_ordered
-        study.forget()
-        monitor = Monitor(session, *given)
-        monitor.migrate()
-        monitor.calibrate()
-        monitor.score()
-
-
-def refine_once() -> None:
-    """Cut slices finer, where a row of long ago lets all others lie in one."""
-    table = pa.table({"time": [0, *range(10**9, 10**9 + 999)], "value": [2.5] * 1000})
-    with DuckSession() as session, session.lent(table) as lent:
-        source = Source(lent.name, None, None)
-        study = Study(session, source, gam_db.Parameters(), CALIBRATIONS[0], short_cuts=True)
-        study.table("bucket_health")
-        assert study.is_trusting
-        study.forget()
-
-
-def keep_once() -> None:
-    """Keep a source in order that seems to be stored so."""
-    session, table = engines.session("sqlite"), pa.table({"time": [1, 2, 3], "value": [2.5] * 3})
-    with session.lent(table) as lent:
-        source = Source(lent.name, None, None)
-        Study(session, source, gam_db.Parameters(), CALIBRATIONS[0], short_cuts=True).forget()
 
 
 def repeat_once() -> None:
-    """Do a channel again of which an instant occurs twice."""
+    """Run the steps once more, since an instant occurs twice."""
     session = engines.session("sqlite")
     table = pa.table({"time": [1, 2, 2, 1, 2, 3, 4], "asset": [*"aaabbbb"], "value": [2.5] * 7})
     with session.lent(table) as lent:
@@ -848,7 +808,7 @@ def repeat_once() -> None:
         )
         study = Study(session, *given, short_cuts=True)
         study.table("bucket_health")
-        assert study.is_trusting
+        assert study.form == "census"
         study.forget()
 
 
@@ -873,15 +833,12 @@ def test_every_file_is_used() -> None:
             gam_db.render(form, engine, source, gam_db.Parameters(), CALIBRATIONS[1])
         rendered(ENGINE, StateTables())
         setting = Setting(3, 1, 100, 5000, 100, None, False)
-        filled_steps(scoring_steps(setting, TimeKind.COUNTER, trusting=True))
+        filled_steps(scoring_steps(setting, TimeKind.COUNTER))
         still = Setting(3, 1, 100, 5000, 100, None, False, 25)
         filled_steps(scoring_steps(still, TimeKind.COUNTER))
         watch_once()
         alarm_once()
         stream_once()
-        turn_once()
-        refine_once()
-        keep_once()
         repeat_once()
         gam_db.check(gam_db.Source(pa.table({"time": [1], "value": [2.5], "more": ["3"]}), None, None))
         gam_db.check(gam_db.Source(pa.table({"time": ["2026-01-01"], "value": [2.5]}), None, None))

@@ -105,7 +105,7 @@ def test_a_text_file_is_parsed_once(folder: Path) -> None:
             source = sourced(GIVEN[what](folder), session)
             study = Study(session, source, SMALL, gam_db.Calibration(), short_cuts=True, asked=ASKED)
             assert study.table("bucket_health").num_rows > 0
-            assert study.is_trusting
+            assert study.form == "census"
             for step in (EDGES, TAUGHT, SCORED):
                 assert study.steps.steps[step].made.reads == reads
 

@@ -128,7 +128,7 @@ def answers(
         study = Study(session, gam_db.Source(lent.name), *method, short_cuts=True)
         questions = ("health_at_buckets", "support", "certificate")
         found = {name: study.table(harness.STEPS[name]).to_pylist() for name in questions}
-        is_trusting = study.is_trusting
+        is_trusting = study.form == "census"
         found["standing"] = standing(study)
         found["health_indicator"] = study.table("health_indicator").to_pylist()
         study.forget()
@@ -150,7 +150,7 @@ def test_what_stands_still_is_kept_where_it_has_room(
     with session.lent(harness.arrow(rows())) as lent:
         study = Study(session, gam_db.Source(lent.name), *method, short_cuts=True)
         found = study.table("bucket_health").to_pylist()
-        assert study.is_trusting
+        assert study.form == "census"
         for step in ("incomplete_moving_codes", "incomplete_vectors"):
             assert (step in study.running.placed) is has_room
         summary = study.table("support_summary").to_pylist()

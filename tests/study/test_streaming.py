@@ -111,19 +111,19 @@ def answers(
         study = Study(session, source, parameters, calibration, short_cuts=True, asked=asked)
         for step in asked:
             study.table(step)
-        is_short = study.is_streamed or study.is_trusting
+        is_short = study.form in ("streams", "census")
         assert ("taught" in "".join(study.running.placed)) == bool(asked and is_short)
         found = {question: study.table(step).to_pylist() for question, step in harness.STEPS.items()}
         novel = study.table("novel_cells").num_rows
-        if study.is_streamed:
+        if study.form == "streams":
             sorts = "samples" in {step.name for step in study.steps.needed(["health_indicator"])}
             may_sort = calibration.intervals is not None or len(study.method.settings) > 1
             assert not sorts or may_sort, "samples before calibration, or a set without a channel"
         study.forget()
-        assert macros(connection) > 0 or not study.is_streamed
+        assert macros(connection) > 0 or study.form != "streams"
     assert macros(connection) == 0
     assert novel or not any(row["novel"] for row in found["health_at_buckets"])
-    return found, study.is_streamed
+    return found, study.form == "streams"
 
 
 def macros(connection: duckdb.DuckDBPyConnection) -> int:
@@ -195,7 +195,7 @@ with DuckSession() as session:
     method = gam_db.Parameters(m=3, bins=4, window=20, stride=5), gam_db.Calibration(fraction=0.4)
     study = Study(session, gam_db.Source({str(path)!r}), *method, short_cuts=True)
     study.write("novel_cells", Path({str(tmp_path / "cells.parquet")!r}), "novel_cells")
-    print(study.is_streamed, "pandas" in sys.modules)
+    print(study.form == "streams", "pandas" in sys.modules)
 """
     done = subprocess.run([sys.executable, "-c", asked], capture_output=True, text=True, check=True)
     assert done.stdout.split() == ["True", "False"]
@@ -226,7 +226,7 @@ def test_single_steps_may_be_asked_for_before_the_others(
         study = Study(session, gam_db.Source("telemetry"), *method, short_cuts=True)
         study.table(first)
         found = {question: study.table(step).to_pylist() for question, step in harness.STEPS.items()}
-        assert study.is_streamed
+        assert study.form == "streams"
         study.forget()
     agrees(found, table, *method)
 
@@ -374,7 +374,7 @@ def test_rows_without_a_time_are_in_no_vector(connection: duckdb.DuckDBPyConnect
         given = session, gam_db.Source("telemetry"), *method
         study = Study(*given, strict=False, short_cuts=True, asked=["health_indicator"])
         found = study.table("health_indicator").to_pylist()
-        assert study.is_streamed
+        assert study.form == "streams"
         study.forget()
     harness.assert_same(harness.by_reference("health_indicator", table, *method), found)
 
@@ -386,7 +386,7 @@ def standing(connection: duckdb.DuckDBPyConnection, method: tuple[Any, Any], sho
         study.table("bucket_health")
         rows = study.table("stillness").to_pylist()
         study.forget()
-    assert study.is_streamed == short_cuts
+    assert (study.form == "streams") == short_cuts
     return sorted((one["channel_id"], one["still_since"]) for one in rows if one["still_since"])
 
 
@@ -476,7 +476,7 @@ def test_visits_that_are_not_those_of_the_counted_samples_are_made_anew(
         source = gam_db.Source("telemetry")
         study = Study(session, source, *method, on_step=on_step, short_cuts=True)
         study.table("novel_cells")
-        assert not study.is_streamed
+        assert study.form != "streams"
         study.forget()
 
 

@@ -21,7 +21,6 @@ ROOMS = {
     "census": "The same where it is taken on trust, and proven later, that no instant occurs twice.",
     "rowids": "Delay vectors and runs of an engine that numbers its rows (SQLite).",
     "arrays": "Delay vectors of an engine with arrays (ClickHouse).",
-    "rounds": "Delay vectors where channels take turns in the order in which rows are stored (DuckDB).",
     "streams": "The same where channels are stored in order of time.",
     "calibration": "When calibration begins and ends, and what may be learnt from (section 4).",
     "support": "The range of a channel, the code of a sample, the cells of calibration (section 3).",

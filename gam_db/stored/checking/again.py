@@ -17,7 +17,7 @@ from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add
 from gam_db.stored.alarms.judging import buckets_of
 from gam_db.stored.planning import Row, assets_of
-from gam_db.stored.planning.reading import Reader, cohort_of, listed, near
+from gam_db.stored.planning.reading import Reader, cohort_of, listed, make_vectors, near
 from gam_db.stored.planning.steps import (
     FORMER,
     LEARNT,
@@ -187,9 +187,8 @@ class Again:
             until = [row["until_late" if row["version_id"] in late else "until"] for row in group]
             if late:
                 running.load("cohort", cohort_of(group, read_until=until, **begin))
-                whole = running.placed["identified"]
                 running.put("identified", _cut(running))
-                self.session.forget(whole)
+            make_vectors(running)
             past: dict[str, template.Slot] = {"buckets": buckets_of(group[0])}
             running.make(
                 "stored/scoring/past_buckets", {**past, "near": near(group, buckets_of(group[0]))}

@@ -23,6 +23,7 @@ from gam_db.settings.source import AnySource, parsed_condition, under
 from gam_db.stored.planning import Row
 from gam_db.stored.planning.steps import DAY, plan_steps, searched_plan_steps
 from gam_db.stored.state import State, first_run_at, now
+from gam_db.study.running import Running
 
 #: Keys that a condition lists; of more it says in which range they are.
 _LISTED = 1000
@@ -166,6 +167,20 @@ def listed(column: exp.Expr, found: Iterable[int]) -> exp.Expr:
         ends = [exp.Literal.number(key) for key in (keys[0], keys[-1])]
         return exp.Between(this=column, low=ends[0], high=ends[1])
     return exp.In(this=column, expressions=[exp.Literal.number(key) for key in keys])
+
+
+def make_vectors(running: Running) -> None:
+    """Keep *visited*, the scored vectors in groups, of the steps of a run.
+
+    Where an instant occurs twice, the steps run once more over readings that are collapsed by instant.
+    """
+    before = running.kept()
+    running.keep("visited")
+    if "repeated_instants" in running.steps.steps and running.rows("repeated_instants"):
+        running.forget(but=before)
+        running.make("stored/scoring/repeats", {}, "timeline")
+        running.make("stored/scoring/collapsed", {}, "identified")
+        running.keep("visited")
 
 
 def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:

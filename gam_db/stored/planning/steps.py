@@ -165,17 +165,15 @@ def reading_steps(rows: exp.Query, is_ranged: bool = True) -> Pipeline:
 def scoring_steps(
     setting: Setting,
     kind: TimeKind,
-    trusting: bool = False,
     bits: Bits | None = None,
     compared: bool = False,
 ) -> Pipeline:
     """Return the steps from *identified* to the rows that are appended.
 
-    Looking whether an instant occurs twice takes a pass over all times. A ``trusting`` run takes it that
-    none does, and finds out on the way: *repeated_instants* holds the channels that deserved no trust,
-    whose rows must not be appended. With ``bits`` supports are kept so, and cells are looked up in them.
-    Buckets are ``compared`` with what is stored of them, and those before the first that differs not
-    written.
+    Each instant of a channel is expected once. Where *repeated_instants* has a row, one occurs twice:
+    no row must be appended, and *identified* be collapsed. With ``bits`` supports are kept so, and cells
+    are looked up in them. Buckets are ``compared`` with what is stored of them, and those before the
+    first that differs not written.
 
     Given by the caller are the state tables, *identified*, *past_buckets*, *recount*, *stamp* (run_id,
     started, committed, deletes_hidden), and *cohort*: the channels, from where on each is read and
@@ -183,11 +181,13 @@ def scoring_steps(
     *former_novel*, else what stands for :data:`WRITTEN`.
     """
     steps = _frozen()
+    # Where calibration is scored, too, the steps look first: no vector carries a mark.
+    trusting = can_trust(setting, kind)
     add_counting(steps, setting, kind, trusting=trusting, bits=bits)
     _add_stillness(steps, setting, kind)
     if trusting:
-        asked: dict[str, template.Slot] = {"names": [exp.column("channel_id")]}
-        add(steps, "census/repeated_instants", asked, tables={"marked": "visited"})
+        marked: dict[str, template.Slot] = {"names": [exp.column("channel_id")]}
+        add(steps, "census/repeated_instants", marked, tables={"marked": "visited"})
     for name in ("past_counts", "new_counts", "settled"):
         add(steps, f"stored/scoring/{name}")
     if compared:
@@ -294,8 +294,10 @@ def _add_samples(
     of_set = OfSet(steps, method_of(setting, kind, asked), 0)
     if trusting:
         add(steps, "census/trusted_timeline", name="timeline")
-    else:
-        add(steps, "stored/scoring/repeats", name="timeline")
+        rows = union_of(steps, ["identified"], ("channel_id", "time", "value"))
+        steps.add("samples", rows, "Samples: every reading is one.")
+        return of_set
+    add(steps, "stored/scoring/repeats", name="timeline")
     for name in ("collapsed", "samples"):
         add(steps, f"source/{name}")
     return of_set

@@ -19,17 +19,13 @@ from gam_db.stored.checking.proving import verify, verify_daily
 from gam_db.stored.planning import Cohort, Row, planned, portions, resumed, rows_of, unread
 from gam_db.stored.planning.gone import staying_rows
 from gam_db.stored.planning.reading import Reader, cohort_of, last_times, plan_rows, searched_plan_rows
-from gam_db.stored.planning.steps import can_trust, reading_steps, setting_of
+from gam_db.stored.planning.steps import reading_steps
 from gam_db.stored.scoring.groups import Groups
 from gam_db.stored.scoring.publishing import snapshots
 from gam_db.stored.scoring.report import Report, Wanted
 from gam_db.stored.state import State, kind_of, now
 from gam_db.study.naming import counted
-from gam_db.study.running import UNSORTED, Listener, Running, unheard
-
-#: Channels that deserve no trust are scored in groups of so many times fewer readings: their samples are
-#: collapsed by instant and sorted once more, which takes more room for each.
-CAREFUL = 2
+from gam_db.study.running import Listener, Running, unheard
 
 
 class Run:
@@ -98,19 +94,8 @@ class Run:
                 continue
             self._verify(cohort)
             limit = wanted.limit or self.session.rows_at_once()
-            whole = [] if wanted.limit else portions(cohort.channels, counts, UNSORTED * limit)
-            scored = {
-                row["version_id"]
-                for group in whole
-                for row in self.groups.score_as_stored(group, cohort, counts, limit)
-            }
-            rest = [row for row in cohort.channels if row["version_id"] not in scored]
-            for group in portions(rest, counts, limit):
-                read = rows_of(group, counts)
-                trusts = can_trust(setting_of(group[0]), self.reader.kind)
-                left = self.groups.score(group, cohort, read, True) if trusts else group
-                for part in portions(left, counts, wanted.limit or limit // CAREFUL):
-                    self.groups.score(part, cohort, rows_of(part, counts), False)
+            for group in portions(cohort.channels, counts, limit):
+                self.groups.score(group, cohort, rows_of(group, counts))
         self.report.channels = self.groups.channels
         self.report.parked = len(plan.parked) - sum(len(cohort.channels) for cohort in back)
         self.report.ahead = rows_ahead(self.session, self.reader.ahead(), latest)

@@ -17,19 +17,16 @@ from gam_db.errors import ConflictError
 from gam_db.method.bits import Bits
 from gam_db.stored.alarms.episodes import follow
 from gam_db.stored.alarms.judging import buckets_of, judge
-from gam_db.stored.planning import Cohort, Row, assets_of, is_due, rows_of
-from gam_db.stored.planning.reading import Reader, cohort_of, near
+from gam_db.stored.planning import Cohort, Row, assets_of, is_due
+from gam_db.stored.planning.reading import Reader, cohort_of, make_vectors, near
 from gam_db.stored.planning.steps import (
     FORMER,
     PUBLISHED,
     WRITTEN,
-    can_trust,
-    method_of,
     reading_steps,
     scoring_steps,
     setting_of,
 )
-from gam_db.stored.scoring.ordered import is_given
 from gam_db.stored.scoring.publishing import GONE, NOTHING, Snapshots, publication, withdraw
 from gam_db.stored.scoring.report import Wanted
 from gam_db.stored.state import State, now
@@ -68,57 +65,22 @@ class Groups:
         self.is_thorough = wanted.everything
         self.channels: list[Row] = []
 
-    def score_as_stored(
-        self, group: list[Row], cohort: Cohort, counts: dict[tuple[str, str], int], limit: int
-    ) -> list[Row]:
-        """Score channels with more readings than can be sorted at once, if nothing needs sorting.
-
-        Returns:
-            Those that were scored.
-        """
-        read = rows_of(group, counts)
-        if read <= limit or not can_trust(setting_of(group[0]), self.reader.kind):
-            return []
-        left = {row["version_id"] for row in self.score(group, cohort, read, True, as_stored=True)}
-        return [row for row in group if row["version_id"] not in left]
-
-    def score(
-        self,
-        group: list[Row],
-        cohort: Cohort,
-        read: int,
-        trusting: bool,
-        as_stored: bool = False,
-    ) -> list[Row]:
-        """Score channels of one setting, in four stages; return those that did not deserve trust.
-
-        Where nothing may be sorted, as they are stored, that can be all of them.
-        """
-        if not group:
-            return []
+    def score(self, group: list[Row], cohort: Cohort, read: int) -> None:
+        """Score channels of one setting, in four stages, of which so many rows are read."""
         setting = setting_of(group[0])
-        bits = self._bits(group, read)
         # Of what lies within the lookback hardly anything has changed; only that is written anew.
         compared = not self.wanted.is_anew and any(row["restarts"] for row in group)
-        asked = setting, self.reader.kind, trusting, bits, compared
-        steps = scoring_steps(*asked)
+        steps = scoring_steps(setting, self.reader.kind, self._bits(group, read), compared)
         with Running(self.session, steps, self.state.tables.placed(), self.on_step) as running:
             # A part of a cohort is found by name, or each part would read the rows of all.
             assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
             self._recount(running, group, assets)
-            if not (trusting and bits and self._in_order(running, group, assets, bits)):
-                if as_stored:
-                    return group
-                since = min(row["read_from"] for row in group)
-                rows = reading_steps(self.reader.readings(assets, since))
-                running.put("identified", rows.query("identified", running.placed))
-            repeating = self._repeating(running, group) if trusting else []
-            left_out = {row["channel_id"] for row in repeating}
-            group = [row for row in group if row["channel_id"] not in left_out]
-            if group:
-                self._count(running, group, compared)
-                self._publish(running, group)
-        return repeating
+            since = min(row["read_from"] for row in group)
+            rows = reading_steps(self.reader.readings(assets, since))
+            running.put("identified", rows.query("identified", running.placed))
+            make_vectors(running)
+            self._count(running, group, compared)
+            self._publish(running, group)
 
     def _bits(self, group: Sequence[Row], read: int) -> Bits | None:
         """Return how the engine keeps supports as bits; None where they take much beside the rows."""
@@ -138,25 +100,6 @@ class Groups:
         healthy = self.reader.readings(assets, edges["earliest"], edges["latest"])
         counting = reading_steps(healthy, is_ranged=False)
         running.put("recount", counting.query("recount", running.placed))
-
-    def _in_order(
-        self, running: Running, group: Sequence[Row], assets: Sequence[str] | None, bits: Bits
-    ) -> bool:
-        """Give the vectors of channels as they are stored, if they are in order."""
-        asked = [{**row, "read_until": self._until(row)} for row in group]
-        method = method_of(setting_of(group[0]), self.reader.kind)
-        if method.settings[0].still_after is not None:
-            return False
-        return is_given(running, self.reader, assets, asked, method.settings[0], bits, method.gaps[0])
-
-    def _repeating(self, running: Running, group: Sequence[Row]) -> list[Row]:
-        """Second stage: return the channels that did not deserve trust, and leave them out."""
-        running.keep("visited")
-        found = {row["channel_id"] for row in running.rows("repeated_instants")}
-        rest = [row for row in group if row["channel_id"] not in found]
-        if found and rest:
-            running.load("cohort", self._cohort(rest))
-        return [row for row in group if row["channel_id"] in found]
 
     def _count(self, running: Running, group: Sequence[Row], compared: bool) -> None:
         """Third stage: make the rows that are to be published, on from the buckets that stay."""

@@ -1,7 +1,4 @@
-"""Scoring channels as they are stored: the integers of the reference, or the steps that sort.
-
-Which of the two it was is asked for in each case, so that no case passes by the other way.
-"""
+"""First runs of a monitor: the integers of the reference, however rows lie."""
 
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -13,8 +10,6 @@ from sqlglot import exp
 from as_stored import METHODS, RUNS, compare, monitor, scored, twice_calibrated
 from gam_db.engines.duckdb.driver import DuckDriver
 from gam_db.engines.duckdb.session import DuckSession
-from gam_db.method.vectors import Stream
-from gam_db.stored.scoring import groups, ordered
 from gam_db.study import naming
 from gam_db.study.running import TAUGHT
 from small_plant import source
@@ -38,20 +33,12 @@ def by_channel() -> list[Row]:
     return [*channel("a", 0), *channel("b", 1, 3), *channel("c", 2)]
 
 
-@pytest.fixture
-def ways(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
-    """Whether channels were read as they are stored, run by run; short ones may be, too."""
-    found: list[bool] = []
-
-    def noted(*asked: Any) -> bool:
-        found.append(ordered.is_given(*asked))
-        return found[-1]
-
+@pytest.fixture(autouse=True)
+def short(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Short channels are calibrated in stored order, too."""
     monkeypatch.setattr(naming, "STREAMED_FROM", 2)
     monkeypatch.setattr(naming, "GLANCE", 20)
     monkeypatch.setattr(naming, "EVERY", 8)
-    monkeypatch.setattr(groups, "is_given", noted)
-    return found
 
 
 @pytest.fixture
@@ -62,26 +49,21 @@ def connection() -> Iterator[duckdb.DuckDBPyConnection]:
 
 @pytest.mark.parametrize("pool", ["channel", None])
 def test_a_support_need_not_have_the_number_of_its_channel(
-    connection: duckdb.DuckDBPyConnection, ways: list[bool], pool: str | None
+    connection: duckdb.DuckDBPyConnection, pool: str | None
 ) -> None:
     twice_calibrated(connection, by_channel(), pool)
-    assert ways == [True, True]
 
 
 @pytest.mark.parametrize("case", METHODS)
-def test_channels_in_order_are_scored_as_they_are_stored(
-    connection: duckdb.DuckDBPyConnection, ways: list[bool], case: str
-) -> None:
+def test_rows_in_any_order_are_scored_alike(connection: duckdb.DuckDBPyConnection, case: str) -> None:
     """What runs record is the same as well; and a later run goes on from there."""
     made = scored(connection, by_channel(), case)
-    assert ways == [True]
     with duckdb.connect() as other:
-        source(other, sorted(by_channel(), key=lambda row: row[2]))
+        source(other, by_time(by_channel()))
         sorting = monitor(other, METHODS[case])
         sorting.migrate()
         sorting.calibrate()
         sorting.score()
-        assert ways == [True, False]
         assert rows_of(connection, RUNS) == rows_of(other, RUNS)
     assert made.check_state().num_rows == 0
     more: list[Row] = [
@@ -93,10 +75,10 @@ def test_channels_in_order_are_scored_as_they_are_stored(
     assert made.check_state().num_rows == 0
 
 
-def test_nothing_of_what_is_stored_in_order_is_sorted(
-    connection: duckdb.DuckDBPyConnection, ways: list[bool], monkeypatch: pytest.MonkeyPatch
+def test_calibration_in_stored_order_sorts_nothing(
+    connection: duckdb.DuckDBPyConnection, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Neither calibration nor a run puts the readings in order, or asks for all of their instants."""
+    """It neither puts the readings in order nor asks for all of their instants."""
     sorting: set[str] = set()
     ask = DuckDriver.keep
 
@@ -107,13 +89,16 @@ def test_nothing_of_what_is_stored_in_order_is_sorted(
         ask(driver, table, query)
 
     monkeypatch.setattr(DuckDriver, "keep", noted)
-    scored(connection, by_channel(), "delays")
-    assert (ways, sorting) == ([True], set())
+    source(connection, by_channel())
+    made = monitor(connection, METHODS["delays"])
+    made.migrate()
+    made.calibrate()
+    assert sorting == set()
     with duckdb.connect() as other:
-        source(other, sorted(by_channel(), key=lambda row: row[2]))
-        turning = monitor(other, METHODS["delays"])
-        turning.migrate()
-        turning.calibrate()
+        source(other, by_time(by_channel()))
+        shuffled = monitor(other, METHODS["delays"])
+        shuffled.migrate()
+        shuffled.calibrate()
     assert any(name.endswith("timeline_0") for name in sorting)
 
 
@@ -132,7 +117,7 @@ def uneven(rows: list[Row]) -> list[Row]:
 
 @pytest.mark.parametrize("more", [{}, {"max_gap": 4}, {"max_gap": 4, "tau": 9}], ids=str)
 def test_what_does_not_count_is_left_out(
-    connection: duckdb.DuckDBPyConnection, ways: list[bool], more: dict[str, Any]
+    connection: duckdb.DuckDBPyConnection, more: dict[str, Any]
 ) -> None:
     """And so it is by the run after that, which goes on from there."""
     rows, method = uneven(by_channel()), METHODS["delays"] | more
@@ -151,19 +136,11 @@ def test_what_does_not_count_is_left_out(
             compare(one, rows, method, first)
             assert made.check_state().num_rows == 0
             found.append(rows_of(one, RUNS))
-    assert ways == [True, True, False, False]
     assert found[0] == found[1]
 
 
 def by_time(rows: list[Row]) -> list[Row]:
     return sorted(rows, key=lambda row: row[2])
-
-
-def test_others_are_left_to_the_steps_that_sort(
-    connection: duckdb.DuckDBPyConnection, ways: list[bool]
-) -> None:
-    scored(connection, by_time(by_channel()), "delays")
-    assert ways == [False]
 
 
 def twice(rows: list[Row]) -> list[Row]:
@@ -179,8 +156,8 @@ def swapped(rows: list[Row]) -> list[Row]:
 
 
 @pytest.mark.parametrize("changed", [twice, swapped])
-def test_a_channel_out_of_order_alone_is_done_again(
-    connection: duckdb.DuckDBPyConnection, ways: list[bool], changed: Callable[[list[Row]], list[Row]]
+def test_the_steps_run_once_more_where_an_instant_occurs_twice(
+    connection: duckdb.DuckDBPyConnection, changed: Callable[[list[Row]], list[Row]]
 ) -> None:
     heard: list[str] = []
     source(connection, changed(by_channel()))
@@ -188,31 +165,9 @@ def test_a_channel_out_of_order_alone_is_done_again(
     made.migrate()
     made.calibrate()
     made.score(on_step=heard.append)
-    assert ways == [True]
-    assert heard.count("visited") == 2
+    assert heard.count("visited") == 1 + (changed is twice)
     compare(connection, changed(by_channel()), METHODS["delays"])
-
-
-def test_rows_that_come_meanwhile_are_noticed(
-    connection: duckdb.DuckDBPyConnection, ways: list[bool], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """One of before the end is there when channels are counted again: then all is copied and sorted."""
-    late: Row = ("a", "x", 301, 99.0)
-    begun = Stream
-
-    def meanwhile(*asked: Any) -> Any:
-        put(connection, [late])
-        monkeypatch.setattr(ordered, "Stream", begun)
-        return begun(*asked)
-
-    monkeypatch.setattr(ordered, "Stream", meanwhile)
-    source(connection, by_channel())
-    made = monitor(connection, METHODS["delays"])
-    made.migrate()
-    made.calibrate()
-    made.score()
-    assert ways == [False]
-    compare(connection, [*by_channel(), late], METHODS["delays"], by_channel())
+    assert made.check_state().num_rows == 0
 
 
 #: Grids of the same channels that differ from one another.
@@ -226,7 +181,6 @@ DIFFERENT: dict[str, Any] = {
 @pytest.mark.parametrize(("room", "expected"), [(len(by_channel()), 1), (LENGTH, 3)])
 def test_more_is_calibrated_in_groups(
     connection: duckdb.DuckDBPyConnection,
-    ways: list[bool],
     monkeypatch: pytest.MonkeyPatch,
     room: int,
     expected: int,
@@ -244,19 +198,3 @@ def test_more_is_calibrated_in_groups(
     made.score()
     compare(connection, by_channel(), method)
     assert made.check_state().num_rows == 0
-
-
-def test_what_deserves_no_trust_is_scored_in_smaller_groups(
-    connection: duckdb.DuckDBPyConnection, ways: list[bool], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """All channels have an instant twice, and what was found of them together is done again by each."""
-    heard: list[str] = []
-    rows = by_time([*by_channel(), *(channel(asset, 0)[-1] for asset in "ac"), channel("b", 1, 3)[-1]])
-    source(connection, rows)
-    made = monitor(connection, METHODS["delays"])
-    made.migrate()
-    made.calibrate()
-    monkeypatch.setattr(DuckSession, "rows_at_once", lambda _: len(rows))
-    made.score(on_step=heard.append)
-    assert heard.count("writing") == 3
-    compare(connection, rows, METHODS["delays"])

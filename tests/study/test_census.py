@@ -1,6 +1,6 @@
-"""Sources whose instants are taken for single: the integers of the reference, or the steps that look.
+"""The census: the integers of the reference, also where an instant occurs twice, and in which form.
 
-Which of the two it was is asked for in each case, so that no case passes by the other way.
+Which form it was is asked for in each case, so that no case passes by the other way.
 """
 
 import dataclasses
@@ -22,7 +22,8 @@ import strategies
 from gam_db.engines.session import Session
 from gam_db.method import census
 from gam_db.method.delays import KEPT, STORED
-from gam_db.study import Study, naming, trusting
+from gam_db.study import Study
+from gam_db.study import census as at_work
 from harness import Answer, Row
 
 pytestmark = pytest.mark.thorough
@@ -96,7 +97,6 @@ UNSERVED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
         {"m": 1, "bins": 4, "window": 8},
         {"intervals": [(20, 90)], "score_from": -7},
     ),
-    "one without calibration": ({"m": 2, "bins": 4, "window": 8}, {"overrides": {"b": None}}),
 }
 
 
@@ -165,9 +165,11 @@ def answers(
         for name in ("support", "certificate"):
             found[name] = study.table(harness.STEPS[name]).to_pylist()
         novel = study.table("novel_cells").num_rows
-        is_trusting = study.is_trusting
+        is_trusting = study.form == "census"
         found["health_indicator"] = study.table("health_indicator").to_pylist()
-        assert study.is_trusting == (is_trusting and not is_cut(table, method[1])), "single vectors"
+        assert (study.form == "census") == (is_trusting and not is_cut(table, method[1])), (
+            "single vectors"
+        )
         study.forget()
     assert novel or not any(row["novel"] for row in found["health_at_buckets"])
     return found, is_trusting
@@ -250,7 +252,7 @@ def test_health_alone_has_the_same_proof(engine: str, again: str) -> None:
         for question in ("health_at_buckets", "support", "certificate"):
             found = study.table(harness.STEPS[question]).to_pylist()
             harness.assert_same(expected[question], found, question)
-            assert study.is_trusting, question
+            assert study.form == "census", question
         study.forget()
 
 
@@ -261,8 +263,7 @@ def test_wherever_an_instant_occurs_twice_it_is_found() -> None:
 @pytest.mark.parametrize("case", CUT)
 def test_what_is_not_of_calibration_is_proven_as_well(case: str) -> None:
     """Also what lies within an exclusion, before a declared interval, or before scoring begins."""
-    is_trusting = each_is_found("duckdb", range(5, 6 * LENGTH, 193), CUT[case])
-    assert is_trusting == ("pool" not in CUT[case][1])  # a pool is done again, here half of all
+    assert each_is_found("duckdb", range(5, 6 * LENGTH, 193), CUT[case])
 
 
 @pytest.mark.parametrize("case", UNSERVED)
@@ -273,8 +274,22 @@ def test_what_the_census_does_not_serve_is_looked_at(case: str) -> None:
     agrees("duckdb", found, rows(), method)
 
 
-def test_the_certificate_alone_is_not_taken_on_trust() -> None:
-    """What was not scored proves nothing: of three readings of an instant, two would be counted."""
+def test_a_channel_without_calibration_has_no_vector_as_proof(engine: str) -> None:
+    """The steps run over collapsed readings then, though no instant occurs twice."""
+    method = harness.made({"m": 2, "bins": 4, "window": 8}, {"overrides": {"b": None}})
+    for table in (rows(), doubled(rows(), 8)):
+        session = engines.session(engine)
+        with session.lent(harness.arrow(table)) as lent:
+            study = study_of(session, lent.name, method)
+            study.table("bucket_health")
+            assert (study.form, study.is_collapsed) == ("census", True)
+            study.forget()
+        found, _ = answers(session, table, method)
+        agrees(engine, found, table, method)
+
+
+def test_the_certificate_alone_is_proven_by_the_scored_vectors() -> None:
+    """Of three readings of an instant, two would be counted."""
     method = harness.made(*SERVED["delays"])
     table = doubled(rows(), -1)
     session = engines.session("duckdb")
@@ -282,7 +297,7 @@ def test_the_certificate_alone_is_not_taken_on_trust() -> None:
         study = study_of(session, lent.name, method)
         assert study.table("channels").num_rows == 6
         found = study.table("support_summary").to_pylist()
-        assert not study.is_trusting
+        assert (study.form, study.is_collapsed) == ("census", True)
         study.forget()
     harness.assert_same(harness.by_reference("support", table, *method), found)
 
@@ -298,27 +313,9 @@ def test_single_vectors_have_the_same_proof(engine: str, again: str, case: str) 
         asked = gam_db.Source(lent.name), *method
         study = Study(session, *asked, short_cuts=True, asked=["health_indicator"])
         found = study.table("health_indicator").to_pylist()
-        assert study.is_trusting == (again == "none" or case == "delays")  # a pool is half of all
+        assert (study.form, study.is_collapsed) == ("census", again != "none")
         study.forget()
     harness.assert_same(harness.by_reference("health_indicator", table, *method), found)
-
-
-def test_single_vectors_go_on_from_what_is_proven() -> None:
-    """Nothing that was found of calibration is found again, where they are not served."""
-    method = harness.made(*CUT["exclusions"])
-    session = engines.session("duckdb")
-    begun: list[str] = []
-    with session.lent(harness.arrow(rows())) as lent:
-        asked = gam_db.Source(lent.name), *method
-        study = Study(session, *asked, on_step=begun.append, short_cuts=True)
-        study.table("bucket_health")
-        before = set(begun)
-        begun.clear()
-        found = study.table("health_indicator").to_pylist()
-        study.forget()
-    assert {"support", "bounds"} <= before
-    assert not before & set(begun)
-    harness.assert_same(harness.by_reference("health_indicator", rows(), *method), found)
 
 
 def test_slices_reach_from_the_first_instant_to_the_last() -> None:
@@ -332,57 +329,20 @@ def test_slices_reach_from_the_first_instant_to_the_last() -> None:
     assert census.SLICES - 4 < max(slices) < census.SLICES  # a width is rounded up
 
 
-#: name -> as above, and from when on which machine has samples, besides one of long ago
-SKEWED: dict[str, tuple[dict[str, Any], dict[str, Any], dict[str, int]]] = {
-    "all begin together": ({"m": 3, "tau": 2, "bins": 4, "window": 20}, {"fraction": 0.4}, {}),
-    "one begins before, and is taught by others": (
-        {"m": 2, "bins": 4, "window": 8, "stride": 2},
-        {"fraction": 0.3, "exclude": [(90, 100)], "pool": "channel", "overrides": {"b": None}},
-        {"a": 61, "c": 75},
-    ),
-}
-
-
-@pytest.mark.parametrize("case", SKEWED)
-def test_slices_that_hold_nearly_all_are_cut_finer(engine: str, case: str) -> None:
-    """Where samples are not kept in order; their slices are cut by number."""
-    parameters, calibration, starts = SKEWED[case]
-    method, session = harness.made(parameters, calibration), engines.session(engine)
-    table = [row for row in rows() if row[2] >= starts.get(row[0], 0)]
-    table += [("c", "y", -(10**9), 1.5), ("a", "x", 10**9, 1.5)]
-    edges: list[dict[str, Any]] = []
-
-    def look(study: Study) -> None:
-        edges.extend(row for row in study.running.rows("edges") if row["is_edge"])
-
-    found, is_trusting = answers(session, table, method, look)
+def test_one_row_of_long_ago(engine: str) -> None:
+    """All others lie in one slice then, which is read sample by sample."""
+    method = harness.made({"m": 3, "tau": 2, "bins": 4, "window": 20}, {"fraction": 0.4})
+    table = [*rows(), ("c", "y", -(10**9), 1.5), ("a", "x", 10**9, 1.5)]
+    found, is_trusting = answers(engines.session(engine), table, method)
     assert is_trusting
-    assert 0 < sum(row["samples"] for row in edges) < len(table) / 3
     agrees(engine, found, table, method)
-
-
-def test_rows_of_one_instant_are_not_cut() -> None:
-    """A clock that stood still: no slice is narrower than an instant."""
-    table: list[Row] = [("a", "x", time, float(time % 5)) for time in range(40)]
-    table += [("a", "x", 1000, float(number % 3)) for number in range(900)]
-    method = harness.made({"m": 2, "bins": 4, "window": 4}, {"fraction": 0.5})
-    begun: list[str] = []
-    session = engines.session("duckdb")
-    with session.lent(harness.arrow(table)) as lent:
-        source = gam_db.Source(lent.name)
-        study = Study(session, source, *method, on_step=begun.append, short_cuts=True)
-        found = study.table("bucket_health").to_pylist()
-        study.forget()
-    assert "edges" in begun
-    assert "refined" not in begun
-    harness.assert_same(harness.by_reference("health_at_buckets", table, *method), found)
 
 
 def cut_into(table: list[Row], glanced_at: int) -> int:
     """Return into how many slices a source is cut of which so many rows are glanced at."""
     session = engines.session("duckdb")
     with pytest.MonkeyPatch.context() as patched, session.lent(harness.arrow(table)) as lent:
-        patched.setattr(trusting, "GLANCED", glanced_at)
+        patched.setattr(at_work, "GLANCED", glanced_at)
         study = study_of(session, lent.name, harness.made(*SERVED["delays"]))
         slices = study.running.table("slices")["slice_no"].to_pylist()
         study.forget()
@@ -489,36 +449,6 @@ def test_what_the_body_of_the_engine_keeps(engine: str) -> None:
         study.forget()
 
 
-#: Ways in which rows may lie that differ from the stored order late in a source.
-NEARLY: dict[str, Callable[[list[Row]], list[Row]]] = {
-    **ORDERS,
-    "the last two turned round": lambda table: [*(by := by_channel(table))[:-2], by[-1], by[-2]],
-    "the last channel before": lambda table: [*(by := by_channel(table))[-LENGTH:], *by[:-LENGTH]],
-    "one among another channel": lambda table: [*(by := by_channel(table))[:200], by[660], *by[200:660]],
-    "the first channel once more": lambda table: [*by_channel(table), ("a", "x", 999, 1.0)],
-}
-
-
-@pytest.mark.parametrize("glance", [1, naming.GLANCE])
-@pytest.mark.parametrize("order", NEARLY)
-def test_what_is_stored_in_order_is_not_sorted(
-    monkeypatch: pytest.MonkeyPatch, order: str, glance: int
-) -> None:
-    """Also where the first rows say that it is: then it is found out, and sorted."""
-    monkeypatch.setattr(trusting, "GLANCE", glance)
-    session, method = engines.session("sqlite"), harness.made(*SERVED["delays"])
-    table = NEARLY[order](rows())
-    sorted_by: list[Any] = []
-
-    def look(study: Study) -> None:
-        sorted_by.append(study.steps.steps["lined"].query.args.get("order"))
-
-    found, is_trusting = answers(session, table, method, look)
-    assert is_trusting
-    agrees("sqlite", found, table, method)
-    assert (sorted_by != [None]) is (order != "by channel")
-
-
 @pytest.mark.parametrize("place", [0, 100, 200, 321, -1])
 def test_rows_without_a_time_are_counted_where_they_lie(engine: str, place: int) -> None:
     """Two of the first channel, wherever they are stored, beside one without a value."""
@@ -568,7 +498,7 @@ def test_numbers_are_as_wide_as_they_may_be(engine: str, order: str) -> None:
 
 
 def test_a_support_too_large_for_a_set_is_joined(engine: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(trusting.Trust, "_has_large_support", lambda trust: True)
+    monkeypatch.setattr(at_work.Census, "_has_large_support", lambda _: True)
     method = harness.made(*SERVED["delays"])
     session = engines.session(engine)
 
@@ -588,7 +518,7 @@ def test_a_large_support_is_told_by_the_engine(engine: str, monkeypatch: pytest.
     with session.lent(harness.arrow(rows())) as lent:
         study = study_of(session, lent.name, harness.made(*SERVED["delays"]))
         study.table("bucket_health")
-        assert study.is_trusting
+        assert study.form == "census"
         assert study.steps.steps["complete_novelty"].query.find(exp.In) is None
         study.forget()
 
@@ -603,6 +533,6 @@ def test_rows_that_came_after_the_count_are_not_read(name: str, time: int) -> No
         with session.lent(late) as more:
             session.execute(exp.insert(exp.select("*").from_(more), lent))
         found = study.table("bucket_health").to_pylist()
-        assert study.is_trusting
+        assert study.form == "census"
         study.forget()
     harness.assert_same(harness.by_reference("health_at_buckets", rows(), *method), found)

@@ -1,6 +1,6 @@
-"""Channels in which an instant occurs twice are done again, and no others, as the reference has them.
+"""Where an instant occurs twice, the steps run once more over collapsed readings: as the reference.
 
-Which ones it were is asked for in each case, so that no case passes by the steps that look first.
+Each case asks whether they did, so that none passes by the steps that look first.
 """
 
 import math
@@ -61,13 +61,6 @@ def again(table: list[Row], name: str, place: int, value: float | None = 7.5) ->
     return [*table[:number], (*table[number][:3], value), *table[number:]]
 
 
-def done_again(study: Study) -> set[str]:
-    """Return the channels that were done again."""
-    if "again_channels" not in study.steps.steps:
-        return set()
-    return {row["asset"] + row["channel"] for row in study.rows("again_channels")}
-
-
 def in_order(found: Answer) -> Answer:
     return sorted(found, key=lambda row: [(value is not None, value) for value in row.values()])
 
@@ -97,8 +90,8 @@ QUESTIONS = {step: question for question, step in harness.STEPS.items()}
 
 def asked_for(
     engine: str, table: list[Row], method: Method, asked: Sequence[str], order: Sequence[str]
-) -> tuple[dict[str, Answer], set[str], bool]:
-    """Return what a study answers, in some order, what was done again, and whether on trust.
+) -> tuple[dict[str, Answer], bool, str]:
+    """Return what a study answers, in some order, whether readings were collapsed, and the form.
 
     The answers are by step, with *cells*: the novel ones by the steps that look first.
     """
@@ -115,10 +108,10 @@ def asked_for(
 
         for step in order:
             ask(step)
-        names, is_trusting = done_again(study), study.is_trusting
+        is_collapsed, form = study.is_collapsed, study.form
         ask("health_indicator")
         study.forget()
-    return found, names, is_trusting
+    return found, is_collapsed, form
 
 
 def agrees(engine: str, found: Mapping[str, Answer], table: list[Row], method: Method) -> None:
@@ -136,59 +129,55 @@ def answers(
     method: Method,
     asked: Sequence[str] = (),
     order: Sequence[str] = ORDER,
-) -> tuple[set[str], bool]:
-    """Compare what a study answers, in some order; return what was done again, and whether on trust."""
-    found, names, is_trusting = asked_for(engine, table, method, asked, order)
+) -> tuple[bool, str]:
+    """Compare what a study answers, in some order; return whether it collapsed, and the form."""
+    found, is_collapsed, form = asked_for(engine, table, method, asked, order)
     agrees(engine, found, table, method)
-    return names, is_trusting
+    return is_collapsed, form
 
 
-#: name -> the source, the method, and what is to be done again
-CASES: dict[str, tuple[list[Row], Said, set[str]]] = {
-    "in calibration": (again(rows(), "by", 30), method_of(), {"by"}),
-    "the first of all": (again(rows(), "ax", 0), method_of(), {"ax"}),
-    "before the first vector": (again(rows(), "by", 2), method_of(), {"by"}),
-    "in the run-up": (again(rows(), "cx", QUOTA - 3), method_of(), {"cx"}),
-    "at the quota": (again(rows(), "by", QUOTA - 1), method_of(), {"by"}),
-    "right after it": (again(rows(), "by", QUOTA), method_of(), {"by"}),
-    "while scoring": (again(rows(), "cy", 120), method_of(), {"cy"}),
-    "the last of all": (again(rows(), "cy", LENGTH - 1), method_of(), {"cy"}),
-    "after the last bucket": (again(rows(), "ay", LENGTH - 2, 0.75), method_of(), {"ay"}),
-    "alike": (again(rows(), "by", 110, sample("by", 1, 110, ())), method_of(), {"by"}),
-    "far away": (again(rows(), "by", 20, -1e6), method_of(), {"by"}),
-    "with NULL beside": (again(rows(), "by", 90, None), method_of(), {"by"}),
-    "with NaN beside": (again(rows(), "by", 40, math.nan), method_of(), {"by"}),
-    "beside a missing one": (again(rows(), "ax", 28, 3.5), method_of(), {"ax"}),
-    "missing twice": (again(rows(), "ax", 28, None), method_of(), {"ax"}),
-    "of a channel that lacks samples": (again(rows(), "ax", 100), method_of(), {"ax"}),
-    "none lacks samples": (again(rows(()), "ay", 100), method_of(), {"ay"}),
-    "in two channels": (again(again(rows(), "ax", 30), "cy", 120), method_of(), {"ax", "cy"}),
-    "three times": (again(again(rows(), "ax", 30), "ax", 30, -3.0), method_of(), {"ax"}),
-    "one coordinate": (again(rows(), "bx", 99), method_of({"m": 1}), {"bx"}),
-    "large keys": (again(rows(), "bx", 99), method_of({"m": 9, "tau": 1, "bins": 100}), {"bx"}),
-    "a duration": (again(rows(), "bx", 45), method_of(duration=90), {"bx"}),
-    "an interval": (again(rows(), "bx", 45), method_of(intervals=[(-5, 99)]), {"bx"}),
-    "all of it": (again(rows(), "bx", 45), method_of(fraction=1.0), {"bx"}),
-    "in a pool": (again(rows(), "by", 30), method_of(fraction=0.4, pool=[["a", "b"]]), {"ay", "by"}),
+#: name -> the source, and the method
+CASES: dict[str, tuple[list[Row], Said]] = {
+    "in calibration": (again(rows(), "by", 30), method_of()),
+    "the first of all": (again(rows(), "ax", 0), method_of()),
+    "before the first vector": (again(rows(), "by", 2), method_of()),
+    "in the run-up": (again(rows(), "cx", QUOTA - 3), method_of()),
+    "at the quota": (again(rows(), "by", QUOTA - 1), method_of()),
+    "right after it": (again(rows(), "by", QUOTA), method_of()),
+    "while scoring": (again(rows(), "cy", 120), method_of()),
+    "the last of all": (again(rows(), "cy", LENGTH - 1), method_of()),
+    "after the last bucket": (again(rows(), "ay", LENGTH - 2, 0.75), method_of()),
+    "alike": (again(rows(), "by", 110, sample("by", 1, 110, ())), method_of()),
+    "far away": (again(rows(), "by", 20, -1e6), method_of()),
+    "with NULL beside": (again(rows(), "by", 90, None), method_of()),
+    "with NaN beside": (again(rows(), "by", 40, math.nan), method_of()),
+    "beside a missing one": (again(rows(), "ax", 28, 3.5), method_of()),
+    "missing twice": (again(rows(), "ax", 28, None), method_of()),
+    "of a channel that lacks samples": (again(rows(), "ax", 100), method_of()),
+    "none lacks samples": (again(rows(()), "ay", 100), method_of()),
+    "in two channels": (again(again(rows(), "ax", 30), "cy", 120), method_of()),
+    "three times": (again(again(rows(), "ax", 30), "ax", 30, -3.0), method_of()),
+    "one coordinate": (again(rows(), "bx", 99), method_of({"m": 1})),
+    "large keys": (again(rows(), "bx", 99), method_of({"m": 9, "tau": 1, "bins": 100})),
+    "a duration": (again(rows(), "bx", 45), method_of(duration=90)),
+    "an interval": (again(rows(), "bx", 45), method_of(intervals=[(-5, 99)])),
+    "all of it": (again(rows(), "bx", 45), method_of(fraction=1.0)),
+    "in a pool": (again(rows(), "by", 30), method_of(fraction=0.4, pool=[["a", "b"]])),
     "in a pool, while scoring": (
         again(rows(), "ax", 100),
         method_of(fraction=0.4, pool=[["a", "b"]]),
-        {"ax", "bx"},
     ),
     "without calibration of its own": (
         again(rows(), "by", 30),
         method_of(fraction=0.4, pool=[["a", "b"]], overrides={"b": None}),
-        {"ay", "by"},
     ),
     "of one of two sets": (
         again(rows(), "by", 70),
         method_of({"overrides": [{"channel": "y", "m": 1, "bins": 6}]}),
-        {"by"},
     ),
     "of each of two sets": (
         again(again(rows(), "by", 20), "cx", 130),
         method_of({"overrides": [{"channel": "y", "m": 2, "bins": 6}]}),
-        {"by", "cx"},
     ),
 }
 
@@ -204,7 +193,7 @@ TOGETHER = 12
 def grouped() -> dict[str, list[str]]:
     """Return the cases that are one source: those of one set of parameters, where some lack samples."""
     alike: dict[str, list[str]] = {}
-    for name, (table, (parameters, _), _) in CASES.items():
+    for name, (table, (parameters, _)) in CASES.items():
         lacks = any(value is None for *_, value in table)
         alike.setdefault(repr((parameters, lacks, name == ALONE)), []).append(name)
     groups = [
@@ -221,44 +210,41 @@ def grouped() -> dict[str, list[str]]:
 GROUPS = grouped()
 
 
-def only_theirs_are_done_again(
+def readings_are_collapsed(
     engine: str, names: Sequence[str], asked: Sequence[str] = (), order: Sequence[str] = ORDER
 ) -> None:
     """Compare cases that are one source, each by itself; a single one has its settings as written."""
     if len(names) == 1:
-        table, said, expected = CASES[names[0]]
-        assert answers(engine, table, harness.made(*said), asked, order) == (expected, True)
+        table, said = CASES[names[0]]
+        assert answers(engine, table, harness.made(*said), asked, order) == (True, "census")
         return
     source = gathering.Gathered({name: (CASES[name][0], *CASES[name][1]) for name in names})
     method = source.parameters, source.calibration
     by_time = sorted(source.rows, key=itemgetter(2))
-    found, again_of_all, is_trusting = asked_for(engine, by_time, method, asked, order)
-    assert is_trusting
+    found, is_collapsed, form = asked_for(engine, by_time, method, asked, order)
+    assert (is_collapsed, form) == (True, "census")
 
     def compare(name: str) -> None:
-        table, said, expected = CASES[name]
-        prefix = source.prefixes[name]
-        own = {one.removeprefix(prefix) for one in again_of_all if one.startswith(prefix)}
-        assert own == expected
+        table, said = CASES[name]
         agrees(engine, source.answers(found, name), table, harness.made(*said))
 
     gathering.each(names, compare)
 
 
 @pytest.mark.parametrize("group", GROUPS)
-def test_only_its_channel_is_done_again(engine: str, group: str) -> None:
+def test_the_steps_run_once_more(engine: str, group: str) -> None:
     """Of each case, in a source of all that have the same parameters."""
-    only_theirs_are_done_again(engine, GROUPS[group])
+    readings_are_collapsed(engine, GROUPS[group])
 
 
 @pytest.mark.parametrize("stored", ["by channel", "shuffled"])
 @pytest.mark.parametrize("case", ["at the quota", "in two channels", "in a pool", "of each of two sets"])
 def test_however_rows_lie(engine: str, case: str, stored: str) -> None:
-    table, said, expected = CASES[case]
+    table, said = CASES[case]
     lain = sorted(table, key=lambda row: row[:3])
     if stored == "shuffled":
         lain = random.Random(5).sample(table, len(table))
-    assert answers(engine, lain, harness.made(*said)) == (expected, True)
+    assert answers(engine, lain, harness.made(*said)) == (True, "census")
 
 
 #: What may be asked for first, where it is said that health alone will be, and what after it.
@@ -276,39 +262,14 @@ ORDERS: dict[str, Sequence[str]] = {
     "names", [("in calibration", "while scoring", "in a pool"), ("of each of two sets",)], ids=", ".join
 )
 def test_what_else_is_asked_for_is_answered(engine: str, names: Sequence[str], order: str) -> None:
-    only_theirs_are_done_again(engine, names, ["bucket_health"], ORDERS[order])
+    readings_are_collapsed(engine, names, ["bucket_health"], ORDERS[order])
 
 
 @pytest.mark.parametrize("first", ["support_summary", "certificate"])
-def test_what_proves_nothing_is_looked_at(engine: str, first: str) -> None:
-    """Asked for before anything is scored."""
-    table, said, _ = CASES["while scoring"]
-    names, is_trusting = answers(engine, table, harness.made(*said), order=(first, *ORDER))
-    assert (names, is_trusting) == (set(), False)
-
-
-@pytest.mark.parametrize("case", ["in calibration", "while scoring"])
-def test_where_half_of_all_is_done_again_the_study_begins_anew(engine: str, case: str) -> None:
-    table, said, _ = CASES[case]
-    for name in ("ax", "ay", "bx", "cx"):
-        table = again(table, name, 30 if case == "in calibration" else 100)
-    assert answers(engine, table, harness.made(*said)) == (set(), False)
-
-
-def test_no_other_is_looked_at(engine: str) -> None:
-    """No step reads the times of all channels to find what occurs twice."""
-    table, said, _ = CASES["while scoring"]
-    heard, session = list[str](), engines.session(engine)
-    with session.lent(harness.arrow(table)) as lent:
-        source = gam_db.Source(lent.name)
-        asked = source, *harness.made(*said)
-        study = Study(session, *asked, on_step=heard.append, short_cuts=True)
-        study.table("bucket_health")
-        study.table("support_summary")
-        times = study.table("again_samples")["time"].to_pylist()
-        study.forget()
-    assert not {"timeline", "collapsed", "samples"} & set(heard)
-    assert len(times) == LENGTH
+def test_what_is_not_scored_is_proven_as_well(engine: str, first: str) -> None:
+    """The summary of calibration, before anything of the scored vectors."""
+    table, said = CASES["while scoring"]
+    assert answers(engine, table, harness.made(*said), order=(first, *ORDER)) == (True, "census")
 
 
 @settings(max_examples=max(1, settings().max_examples // 8))
