@@ -6,14 +6,14 @@ SELECT
   asset,
   channel,
   time,
-  MIN(valued.reading) AS reading,
-  CASE WHEN MIN(valued.reading) < MAX(valued.reading) THEN 1 ELSE 0 END AS conflict
+  MIN(valued.value) AS reading,
+  CASE WHEN MIN(valued.value) < MAX(valued.value) THEN 1 ELSE 0 END AS conflict
 FROM (
   SELECT
     asset,
     channel,
     time,
-    CASE WHEN reading BETWEEN CAST(-1e300 AS DOUBLE) AND CAST(1e300 AS DOUBLE) THEN reading END AS reading
+    CASE WHEN reading BETWEEN CAST(-1e300 AS DOUBLE) AND CAST(1e300 AS DOUBLE) THEN reading END AS value
   FROM readings
   WHERE time IS NOT NULL
 ) AS valued
