@@ -15,6 +15,7 @@ from typer.testing import CliRunner
 
 import engine_page
 import engines
+import sets
 from evidence import version_of
 from gam_db import data
 from gam_db.cli import app
@@ -75,6 +76,16 @@ def test_every_refusal_can_be_told() -> None:
         *("duckdb_opening", "mariadb_connecting", "postgres_connecting", "spark_starting", "results")
     }
     assert refusal("sqlite", "no such table: x") is None
+
+
+def test_the_first_set_names_tests_that_there_are() -> None:
+    for slow, addresses in sets.FIRST.items():
+        for address in addresses:
+            file, _, test = address.partition("::")
+            place = ROOT / "tests" / file
+            assert place.exists(), (slow, address)
+            name = test.partition("[")[0]
+            assert not test or f"\ndef {name}" in place.read_text(encoding="utf-8"), (slow, address)
 
 
 def test_the_command_says_what_the_table_says() -> None:
