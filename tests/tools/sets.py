@@ -14,7 +14,7 @@ FIRST: dict[str, tuple[str, ...]] = {
         "method/test_agreement.py",
         "method/test_spec.py::test_cases[",
         "reading/",
-        "stored/test_calibrated_together.py",
+        "stored/test_calibrated_together.py::test_versions_and_limits_come_together[postgres-limit",
         "stored/test_data_problems.py",
         "stored/test_idle_runs.py",
         "stored/test_stored_on_engines.py",
