@@ -10,6 +10,7 @@ from hypothesis.internal.conjecture import providers
 
 import begun
 import engines
+import sets
 import tiny
 from gam_db.engines import storage
 
@@ -58,13 +59,16 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     """Run a test that has an argument ``engine`` on every engine that is asked for."""
-    named = [mark.args[0] for mark in metafunc.definition.iter_markers("parametrize")]
-    if "engine" in metafunc.fixturenames and not any("engine" in names for names in named):
+    if "engine" in metafunc.fixturenames and not sets.names_engines(metafunc.definition):
         metafunc.parametrize("engine", engines.chosen(metafunc.config.getoption("engines")))
 
 
+@pytest.hookimpl(tryfirst=True)  # before pytest looks at the marks
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Leave out what would take too long together, where all engines are asked for."""
+    if config.getoption("--engines") == "all":
+        for later in filter(sets.is_later, items):
+            later.add_marker(pytest.mark.full)
     is_whole = config.args_source is pytest.Config.ArgsSource.TESTPATHS and not config.option.keyword
     plain = is_whole and config.option.markexpr == "not full"
     kept = engines.shortened(items, config.getoption("--engines"), plain)

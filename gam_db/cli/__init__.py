@@ -19,7 +19,7 @@ import typer
 from typer.core import TyperGroup
 
 from gam_db.address import without_passwords
-from gam_db.cli import commands
+from gam_db.cli import commands, installed
 from gam_db.cli.exits import MEANINGS, Exit
 from gam_db.errors import (
     NO_ROOM,
@@ -175,16 +175,18 @@ app = typer.Typer(
 )
 
 
-def _version(wanted: bool) -> None:
+def _version(context: typer.Context, wanted: bool) -> None:
     if wanted:
-        typer.echo(f"gam-db {__version__}")
+        more = installed.lines() if context.params["verbose"] else ()
+        typer.echo("\n".join((f"gam-db {__version__}", *more)))
         raise typer.Exit
 
 
 @app.callback()
 def of_every_command(
-    version: bool = typer.Option(
-        False, "--version", help="Print the version.", callback=_version, is_eager=True
+    version: bool = typer.Option(False, "--version", help="Print the version.", callback=_version),
+    verbose: bool = typer.Option(
+        False, "--verbose", help="With --version: print what else is installed.", is_eager=True
     ),
     debug: bool = typer.Option(
         False, "--debug", help="With any command: show the traceback of an error."
@@ -200,7 +202,13 @@ def of_every_command(
         help="With any command: stop it after so long, as Ctrl-C does, and end with 75.",
     ),
 ) -> None:
-    """Take the options of every command; all but ``--version`` were taken by :class:`Commands`."""
+    """Take the options of every command; ``--debug`` and what follows were taken by :class:`Commands`.
+
+    Raises:
+        ConfigurationError: ``--verbose`` stands without ``--version``.
+    """
+    if verbose:
+        raise ConfigurationError("--verbose goes with --version.")
 
 
 def main() -> None:

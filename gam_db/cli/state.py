@@ -1,8 +1,7 @@
-"""``gam migrate``, ``prune``, ``compact`` and ``drop``: the state is made, kept small, removed."""
+"""``gam migrate``, ``prune`` and ``drop``: the state is made, kept small, removed."""
 
 from functools import partial
 
-import pyarrow as pa
 import typer
 
 from gam_db.cli import options, page
@@ -100,33 +99,18 @@ def prune(
     Age is counted from the newest bucket of each channel. What the next run needs stays whatever its
     age: the buckets that lookback reaches, and a window before them. The file does not shrink; the room
     is used again.
+
+    Rows that nobody sees go, too: hidden by a later run, or left by one that was cut short. On engines
+    without transactions (ClickHouse, Spark), where scoring only appends, nothing else removes them.
     """
     said = settings.monitor
     kept = said.keep, said.keep_novel, keep_versions, said.lookback
     with options.opened(settings) as session:
         sizes = pruning.prune(State(session, said.tables), said.name, *kept, dry_run)
-    _tell_sizes(sizes, said.name, dry_run, common)
-
-
-@options.of_state(*options.STATE, "everything", "as_json")
-def compact(settings: Settings, common: options.Common) -> None:
-    """Delete rows that nobody sees: hidden by a later run, or left by one that was cut short.
-
-    For engines without transactions (ClickHouse, Spark), where scoring only appends; on the others it
-    finds nothing. The indicator does not change.
-    """
-    said = settings.monitor
-    with options.opened(settings) as session:
-        sizes = pruning.compact(State(session, said.tables), said.name)
-    _tell_sizes(sizes, said.name, False, common)
-
-
-def _tell_sizes(sizes: pa.Table, monitor: str, dry_run: bool, common: options.Common) -> None:
-    """Print how much there was and is of each channel."""
     rows = sizes.to_pylist()
-    said = {kind: f"rows of {word}" for kind, word in _KINDS.items()} | {"versions": "versions"}
-    counts = {kind: sum(row[kind] - row[f"{kind}_after"] for row in rows) for kind in said}
-    gone = ", ".join(f"{count:,} {said[kind]}" for kind, count in counts.items() if count)
+    words = {kind: f"rows of {word}" for kind, word in _KINDS.items()} | {"versions": "versions"}
+    counts = {kind: sum(row[kind] - row[f"{kind}_after"] for row in rows) for kind in words}
+    gone = ", ".join(f"{count:,} {words[kind]}" for kind, count in counts.items() if count)
 
     def left(row: Row, kind: str) -> str:
         after, before = row[f"{kind}_after"], row[kind]
@@ -141,7 +125,7 @@ def _tell_sizes(sizes: pa.Table, monitor: str, dry_run: bool, common: options.Co
         deleted = f"{'would delete' if dry_run else 'deleted'}: {gone}"
         page.say(out, deleted if gone else "nothing to delete")
 
-    page.tell({"monitor": monitor, "dry_run": dry_run, "channels": rows}, show, common)
+    page.tell({"monitor": said.name, "dry_run": dry_run, "channels": rows}, show, common)
 
 
 @options.of_state("schema", "prefix")

@@ -1,4 +1,4 @@
-"""``gam compile``, ``gam export`` and ``gam engines``: for a warehouse that runs the method itself."""
+"""``gam compile`` and ``gam export``: for a warehouse that runs the method itself."""
 
 import dataclasses
 from pathlib import Path
@@ -7,11 +7,11 @@ from typing import Any, Literal
 import typer
 
 from gam_db import data
-from gam_db.cli import options, page
+from gam_db.cli import options
 from gam_db.cli.config import Settings
 from gam_db.cli.options import argument, option
 from gam_db.clock import TimeKind
-from gam_db.engines import EVIDENCE, NAMES, engine_named
+from gam_db.engines import NAMES, engine_named
 from gam_db.engines.connecting import connect
 from gam_db.errors import ConfigurationError, unwritable, wrong
 from gam_db.export import Package, write
@@ -139,34 +139,3 @@ def grafana(
     """
     made = dashboards.write(engine, folder, StateTables(schema, prefix), name, uid)
     print(f"written: {', '.join(map(str, made))}; docs/grafana.md says where they go.")
-
-
-def engines(as_json: options.Json = False) -> None:
-    """Tell which engines gam-db writes SQL for, and what is known of each at work.
-
-    *Executed* means that the tests run there and compare every integer; *rendered*, that the SQL is only
-    made. Version and date are those of the last run of the tests.
-    """
-    found = []
-    for name in NAMES:
-        engine, told = engine_named(name), ("title", "oldest", "extra", "transactions", "limits")
-        known = {one: getattr(engine, one) for one in told}
-        found.append({**dataclasses.asdict(EVIDENCE[name]), **known})
-    if as_json:
-        page.print_json(found)
-    else:
-        _show(page.console(), found)
-
-
-def _show(out: page.Out, found: list[dict[str, Any]]) -> None:
-    for row in found:
-        rest = [
-            *([f"accepted from {row['oldest']} on"] if row["oldest"] else []),
-            *([f'pip install "gam-db[{row["extra"]}]"'] if row["extra"] else []),
-            "transactions" if row["transactions"] else "no transactions",
-        ]
-        page.say(out, f"{row['title']} ({row['engine']}): {row['evidence']}")
-        tested = f"by {row['by']} {row['version']} on {row['date']}, {row['tests']}"
-        page.notes(out, [(" ", line) for line in (tested, "; ".join(rest), row["limits"])])
-        if row is not found[-1]:
-            out.print()

@@ -32,7 +32,7 @@ from gam_db.stored.alarms import told as stored_alarms
 from gam_db.stored.calibrating import calibrate, without
 from gam_db.stored.checking import Checked, check_state
 from gam_db.stored.checking.proving import keep
-from gam_db.stored.pruning import compact, prune
+from gam_db.stored.pruning import prune
 from gam_db.stored.schema import migrations
 from gam_db.stored.scoring import Run
 from gam_db.stored.scoring.report import Report, Wanted
@@ -321,7 +321,7 @@ class Monitor(MonitorSettings):
         keep_versions: int | None = None,
         dry_run: bool = False,
     ) -> pa.Table:
-        """Delete what is old, and return how much there was and is of each channel.
+        """Delete what is old or hidden, and return how much there was and is of each channel.
 
         Args:
             keep: instead of the monitor's own; see :func:`gam_db.stored.pruning.prune`.
@@ -335,14 +335,6 @@ class Monitor(MonitorSettings):
         kept = self.keep if keep is None else keep
         novel = self.keep_novel if keep_novel is None else keep_novel
         return prune(self.state, self.name, kept, novel, keep_versions, self.lookback, dry_run)
-
-    def compact(self) -> pa.Table:
-        """Delete the rows that nobody sees; see :func:`gam_db.stored.pruning.compact`.
-
-        Raises:
-            UserError: there is no such monitor, or the database cannot be written.
-        """
-        return compact(self.state, self.name)
 
     def health(self, asset: str = "*", channel: str = "*") -> pa.Table:
         """Return the stored health indicator; the source is not read.

@@ -1,4 +1,4 @@
-"""Pruning: old rows of the state go, so that no channel grows without bound.
+"""Pruning: old and hidden rows of the state go, so that no channel grows without bound.
 
 This module owns how long what is kept. What a restart needs stays whatever its age, so that pruning
 changes nothing that a later run computes.
@@ -64,9 +64,6 @@ _EXPIRED = {
 }
 
 
-_LIMITS = ("keep", "keep_novel", "novel_rows", "keep_versions")
-
-
 class _UndoneError(Exception):
     """Ends a dry run, and undoes it."""
 
@@ -84,7 +81,9 @@ def prune(
 
     It is one transaction where there are any; else what is cut short is mended by the next call.
 
-    Rows go that are hidden by a later run, or left by one that never finished; buckets and novel cells
+    Rows go that are hidden by a later run, or left by one that never finished (where there are
+    transactions, scoring does so itself; without them, rows of a run without end are taken for those of
+    one at work until a day has passed); buckets and novel cells
     beyond their age; versions beyond their number, with what only they had learnt; records of runs of
     which nothing else is left. Of an active version stay the buckets that ``lookback`` reaches and a
     window of buckets before them.
@@ -131,21 +130,7 @@ def prune(
     return _deleted(state, monitor, {**slots, "keep_versions": versions}, dry_run)
 
 
-def compact(state: State, monitor: str = "default") -> pa.Table:
-    """Delete the rows that a later run hides or that a run left unfinished; nothing visible changes.
-
-    Where there are transactions, scoring does so itself, and there is little left to do. Without them,
-    rows of a run without end are taken for those of one at work until a day has passed.
-
-    Arguments, errors and the result are those of :func:`prune`.
-    """
-    migrations.require(state.session, state.tables)
-    return _deleted(state, monitor, {**dict.fromkeys(_LIMITS, FAR_AHEAD), "lookback": 0})
-
-
-def _deleted(
-    state: State, monitor: str, limits: Mapping[str, template.Slot], dry_run: bool = False
-) -> pa.Table:
+def _deleted(state: State, monitor: str, limits: Mapping[str, template.Slot], dry_run: bool) -> pa.Table:
     session, tables = state.session, state.tables
     monitor_id = state.monitor(monitor)["monitor_id"]
     # A run that is seen without its end, where there are transactions, was cut short; else it may go on

@@ -48,7 +48,6 @@ WORDS: dict[str, tuple[str, ...]] = {
     "status": (),
     "report": (),
     "prune": ("--keep", "30 d"),
-    "compact": (),
     "drop": ("--yes",),
     "run": ("telemetry",),
     "select": ("telemetry",),

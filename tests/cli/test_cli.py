@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import platform
 import signal
 import subprocess
 import sys
@@ -19,7 +20,7 @@ from rich.cells import cell_len
 from typer.testing import CliRunner, Result
 
 import gam_db
-from gam_db.cli import app, options, page
+from gam_db.cli import app, installed, options, page
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import StatementError
@@ -584,7 +585,31 @@ def test_every_command_has_help() -> None:
         assert command in listed.stdout
         assert gam(command, "--help").exit_code == 0
     assert gam().exit_code == 1
+
+
+def test_what_is_installed_is_shown_with_the_version(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is not there is named with what installs it; extras for work on gam-db are not named."""
     assert gam("--version").stdout == f"gam-db {gam_db.__version__}\n"
+    required = [
+        *("duckdb<3,>=2.0", "no-such-thing>=1; extra == 'spark'", "pytest>=8; extra == 'test'"),
+        *('no-such-thing[c]>=1; python_version > "3" and extra == "plot"', "no.thing"),
+    ]
+    monkeypatch.setattr(installed, "requires", lambda _: required)
+    for words in (("--version", "--verbose"), ("--verbose", "--version")):
+        head, python, place, *libraries = gam(*words).stdout.splitlines()
+        assert head == f"gam-db {gam_db.__version__}"
+        assert python.startswith(f"Python {platform.python_version()}, SQLite ")
+        assert place == f"gam-db is in {Path(gam_db.__file__).parent}"
+        assert libraries == [
+            f"duckdb {duckdb.__version__}",
+            'no-such-thing is not installed: pip install "gam-db[spark]" or pip install "gam-db[plot]"',
+            'no.thing is not installed: pip install "gam-db"',
+        ]
+
+
+def test_verbose_goes_with_the_version() -> None:
+    found = gam("--verbose", "status")
+    assert (found.exit_code, found.stderr) == (1, "gam: --verbose goes with --version.\n")
 
 
 def test_progress_shows_the_step_only_at_a_terminal(

@@ -247,7 +247,7 @@ OF_A_MONITOR = (
         "select telemetry",
         "prune --keep 800",
     ),
-    *("compact", "report --out page.html", "drop", "drop --yes"),
+    *("report --out page.html", "drop", "drop --yes"),
 )
 
 

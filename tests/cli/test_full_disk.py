@@ -139,10 +139,10 @@ def test_a_copy_that_finds_no_room(full_disk: Path, tmp_path: Path, recording: s
 @pytest.mark.parametrize(
     ("words", "what"),
     [
-        (("engines", "--json"), "What this command prints"),
+        (("compile", "telemetry", "--engine", "duckdb"), "What this command prints"),
         (("compile", "telemetry", "--engine", "duckdb", "--out", "/dev/full"), "/dev/full"),
     ],
-    ids=["json", "a script"],
+    ids=["printed", "a file"],
 )
 def test_what_is_printed_finds_no_room(words: tuple[str, ...], what: str) -> None:
     with Path("/dev/full").open("w") as out:

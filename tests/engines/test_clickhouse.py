@@ -252,7 +252,7 @@ def test_a_user_who_may_only_read(session: Session) -> None:
 # State
 
 
-def test_compacting_survives_what_a_killed_process_left(
+def test_pruning_survives_what_a_killed_process_left(
     session: Session, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     table = engines.fresh_name("telemetry")
@@ -273,10 +273,10 @@ def test_compacting_survives_what_a_killed_process_left(
     before = session.driver.fetch(stored)["n"][0].as_py()
     left = f"gam_doomed_{int(time.time())}_00"
     run(session, f"CREATE TABLE {left} (version_id Int64) ENGINE = MergeTree ORDER BY tuple()")
-    monitor.compact()
+    monitor.prune()
     assert left in session.relations(), "it may be of a process at work"
     monkeypatch.setattr(clickhouse_driver, "_STALE", 0)
-    monitor.compact()
+    monitor.prune()
     assert not [name for name in session.relations() if name.startswith("gam_doomed")]
     assert [visible(monitor, BUCKETS), visible(monitor, NOVEL)] == small_plant.whole()
     assert session.driver.fetch(stored)["n"][0].as_py() < before

@@ -87,8 +87,8 @@ def test_killed_while_scoring(tmp_path: Path, victims: Victims, kills: int) -> N
         unfinished = max(unfinished, killed["unfinished"])
         assert scored["seen"] == expected, number
     assert unfinished > 0, "no run died between what it appends and its commit"
-    victims.lifetime(**order, work=["compact", "look"])
-    (compacted,) = json.loads(into.read_text())
-    assert compacted["seen"] == expected
-    assert compacted["unfinished"] == 0
-    assert compacted["stored"] == len(expected[0]), "hidden rows are left"
+    victims.lifetime(**order, work=["prune", "look"])
+    (pruned,) = json.loads(into.read_text())
+    assert pruned["seen"] == expected
+    assert pruned["unfinished"] == 0
+    assert pruned["stored"] == len(expected[0]), "hidden rows are left"

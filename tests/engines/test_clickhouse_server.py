@@ -60,7 +60,7 @@ def test_a_server_is_asked_over_http(server: Server, monkeypatch: pytest.MonkeyP
         monitor.calibrate()
         arrive(session, exp.to_table(table), readings(FIRST, LENGTH))
         monitor.score()
-        monitor.compact()
+        monitor.prune()
         assert [visible(monitor, BUCKETS), visible(monitor, NOVEL)] == small_plant.whole()
 
 

@@ -3,7 +3,6 @@
 import csv
 import datetime as dt
 import importlib
-import json
 from pathlib import Path
 
 import duckdb
@@ -11,13 +10,12 @@ import pyarrow as pa
 import pytest
 import sqlglot
 from sqlglot import exp
-from typer.testing import CliRunner
 
 import engine_page
 import engines
+import sets
 from evidence import version_of
 from gam_db import data
-from gam_db.cli import app
 from gam_db.composing import template
 from gam_db.engines import EVIDENCE, NAMES, engine_named
 from gam_db.engines.refusals import refusal
@@ -77,13 +75,14 @@ def test_every_refusal_can_be_told() -> None:
     assert refusal("sqlite", "no such table: x") is None
 
 
-def test_the_command_says_what_the_table_says() -> None:
-    found = json.loads(CliRunner().invoke(app, ["engines", "--json"]).stdout)
-    assert [row["engine"] for row in found] == list(NAMES)
-    shown = CliRunner().invoke(app, ["engines"]).stdout
-    for row in found:
-        assert row["evidence"] == EVIDENCE[row["engine"]].evidence
-        assert f"{row['title']} ({row['engine']}): {row['evidence']}\n  by {row['by']}" in shown
+def test_the_first_set_names_tests_that_there_are() -> None:
+    for slow, addresses in sets.FIRST.items():
+        for address in addresses:
+            file, _, test = address.partition("::")
+            place = ROOT / "tests" / file
+            assert place.exists(), (slow, address)
+            name = test.partition("[")[0]
+            assert not test or f"\ndef {name}" in place.read_text(encoding="utf-8"), (slow, address)
 
 
 def test_the_page_is_up_to_date() -> None:

@@ -174,9 +174,9 @@ def test_the_users_session_keeps_its_ways_and_its_tables(theirs: Any, tmp_path: 
         monitor.score()
         monitor.score(full=True)
         found = monitor.health().to_pylist()
-        monitor.compact()
+        monitor.prune()
         assert monitor.health().to_pylist() == found
-        sizes = monitor.compact().to_pylist()
+        sizes = monitor.prune().to_pylist()
         assert [row["bucket_rows"] for row in sizes] == [row["bucket_rows_after"] for row in sizes]
     with gam_db.connect() as duck:
         source = gam_db.Source(readings(0, 300))

@@ -217,5 +217,5 @@ def test_killed_while_scoring(tmp_path: Path) -> None:
         monitor.score()
         assert look(folder) == states[-1]
         noted(len(plant().batches))
-        monitor.compact()
+        monitor.prune()
         assert look(folder) == states[-1]

@@ -174,7 +174,7 @@ def test_the_command_line_takes_an_address(tmp_path: Path, monkeypatch: pytest.M
         "calibrate": ["telemetry", "--window", "500"],
         "score": [],
         "check --state": [],
-        "compact": [],
+        "prune": [],
         "drop": ["--yes"],
     }
     for command, more in words.items():

@@ -34,7 +34,9 @@ def test_every_link_of_every_page_leads_somewhere(tmp_path: Path) -> None:
 def test_ci_runs_the_tests_as_the_readme_says() -> None:
     command = re.search(r"^python -m pytest --engines all$", README, re.MULTILINE)
     assert command
-    assert command[0] in (ROOT / ".ci" / "run").read_text(encoding="utf-8").splitlines()
+    run = (ROOT / ".ci" / "run").read_text(encoding="utf-8").splitlines()
+    assert f"{command[0]} --junitxml=durations.xml" in run
+    assert "durations.xml" in (ROOT / ".gitignore").read_text(encoding="utf-8").splitlines()
 
 
 def test_the_documented_settings_file_is_read(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 import ast
 import importlib
+import re
 import shutil
 import subprocess
 import sys
@@ -20,7 +21,7 @@ PACKAGE = Path(gam_db.__file__).parent
 #: Lower modules first; one may import what stands in lines above its own, and its own room. Where a room
 #: is a hall, the modules in it are told apart, and its name alone is what stands at its entrance.
 LAYERS = [
-    ["columns", "data", "version", "composing.lately"],
+    ["columns", "data", "plot", "sklearn", "version", "composing.lately"],
     ["errors"],
     ["address", "clock", "extras", "langevin", "composing.template"],
     ["composing.pipeline", "settings.local_time", "settings.setting"],
@@ -39,7 +40,7 @@ LAYERS = [
     ["study.streaming"],
     ["study"],
     ["alarms", "checking", "health", "selection"],
-    ["alarms.backtesting", "findings", "sklearn"],
+    ["alarms.backtesting", "findings"],
     ["report"],
     ["stored.lengths", "stored.problems", "stored.schema", "stored.sources"],
     ["stored.state"],
@@ -51,9 +52,9 @@ LAYERS = [
     ["stored.scoring", "stored.status"],
     ["stored.monitor"],
     ["gam_db"],
-    ["export", "plot"],
+    ["export"],
     ["cli"],
-    ["lab.estimators", "lab.evaluation", "lab.simulate"],
+    ["lab.estimators", "lab.evaluation", "lab.plot", "lab.simulate", "lab.sklearn"],
     ["lab.benchmark", "lab.baselines"],
     ["lab.reproduce"],
 ]
@@ -156,6 +157,17 @@ def test_help_reads_neither_the_laboratory_nor_sql(words: list[str]) -> None:
         name for name in loaded if name.startswith("gam_db.lab") or name == "gam_db.composing.template"
     }
     assert not loaded.intersection(HEAVY[:-1])
+
+
+@pytest.mark.parametrize("name", ["plot", "sklearn"])
+def test_a_public_module_of_the_laboratory_is_imported_when_it_is_used(name: str) -> None:
+    """It lists the public names where a type checker looks, and each is there."""
+    stub = (PACKAGE / f"{name}.pyi").read_text(encoding="utf-8")
+    names = re.findall(rf"^from gam_db\.lab\.{name} import (\w+) as \1$", stub, re.MULTILINE)
+    assert len(names) == stub.count("import ") > 0
+    assert not any(one.startswith("gam_db.lab") for one in loaded_by(f"import gam_db.{name}"))
+    code = f"from gam_db.{name} import {', '.join(names)}"
+    assert f"gam_db.lab.{name}" in loaded_by(code)
 
 
 def test_every_public_name_is_there() -> None:

@@ -137,7 +137,7 @@ def test_rows_of_a_run_that_was_cut_short_while_the_clock_stood_ahead_go(
         plant.execute(f"INSERT INTO gam_novel SELECT 1, 90, {run_id}, 7, 1, 0, 0")
     mine = monitor(plant)
     mine.session.transactions = False
-    pruning.compact(mine.state)
+    pruning.prune(mine.state)
     for table in ("bucket", "novel"):
         left = asked(plant, f"SELECT run_id FROM gam_{table} WHERE bucket_no = 90")
         assert left == [(alive,)], table
@@ -158,7 +158,7 @@ def test_runs_go_on_from_ids_of_a_clock_that_stood_ahead(
     assert min(given) > newest
     plant.execute(f"INSERT INTO gam_bucket SELECT 1, 90, {max(given)}, 0, 0, 0, 5, 0, 0, NULL, NULL")
     mine.session.transactions = False
-    pruning.compact(mine.state)
+    pruning.prune(mine.state)
     assert asked(plant, "SELECT run_id FROM gam_bucket WHERE bucket_no = 90") == [(max(given),)]
     mine.session.transactions = True
     put(plant, readings(200, LENGTH))

@@ -1,6 +1,6 @@
 """Histories with everything in the mix end in the tables of one full run, on engines of each kind.
 
-Repairs, full runs, two writers at once, runs cut short, pruning, compaction, new versions, a clock that
+Repairs, full runs, two writers at once, runs cut short, pruning, new versions, a clock that
 jumps, rows that come late, too late (a repair follows) and again.
 """
 
@@ -78,8 +78,8 @@ class Course:
             self.patched.setattr(time, "time_ns", lambda: true() + number * 1000 * DAY)
         elif what == "prune":
             mine.prune(keep=number)
-        elif what == "compact":
-            mine.compact()
+        elif what == "hidden":
+            mine.prune()
         elif what == "crash":
             with contextlib.suppress(CrashError):
                 mine.score(on_step=crashing(number), **limit)

@@ -64,9 +64,9 @@ def test_any_history_ends_in_the_tables_of_one_full_run(engine: str) -> None:
         since = frozen.still_since(*asked)
         for row in visible(monitor, STANDING):
             assert row["still_since"] == since[row["asset"], row["channel"]]
-        monitor.compact()
-        harness.assert_same(buckets, visible(monitor, BUCKETS), "buckets after compacting")
-        harness.assert_same(novel, visible(monitor, NOVEL), "novel cells after compacting")
+        monitor.prune()
+        harness.assert_same(buckets, visible(monitor, BUCKETS), "buckets after pruning")
+        harness.assert_same(novel, visible(monitor, NOVEL), "novel cells after pruning")
         comparisons.compared(engine, "stored", told.final, parameters, calibration, told.first)
         # Late rows may change calibration, which stays as it was frozen; nothing that is scored differs.
         assert set(monitor.check_state()["part"].to_pylist()) <= {"calibration"}

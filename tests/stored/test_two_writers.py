@@ -184,7 +184,7 @@ def test_no_repair_inside_a_run_is_lost(plant: Plant, repair: str) -> None:
 OTHERS: dict[str, Callable[[Plant], Any]] = {
     "calibrate": lambda plant: plant.monitor().calibrate(again=True),
     "prune": lambda plant: plant.monitor().prune(keep=NEW),
-    "compact": lambda plant: plant.monitor().compact(),
+    "hidden": lambda plant: plant.monitor().prune(),
 }
 
 
@@ -335,7 +335,7 @@ def assert_one_stays(session: Session, first_to_look: str) -> None:
     assert outcomes == ["larger" if first_to_look == "larger" else "smaller"]
     plant.monitor().score(full=outcomes == ["larger"])
     plant.assert_as_one_full_run()
-    plant.monitor().compact()
+    plant.monitor().prune()
     plant.assert_as_one_full_run()
 
 

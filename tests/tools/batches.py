@@ -25,7 +25,7 @@ KINDS = ("short form", "pauses", "given start", "pools", "still samples")
 PLAIN = (*["score"] * 6, *["crash"] * 3, "full", "everything")
 
 #: The same where all is in the mix; and with pruning, where no row comes too late.
-MIXED = (*PLAIN, *["beside"] * 4, *["clock"] * 3, *["from"] * 2, "recalibrate", "compact")
+MIXED = (*PLAIN, *["beside"] * 4, *["clock"] * 3, *["from"] * 2, "recalibrate", "hidden")
 PRUNED = (*MIXED, *["prune"] * 3)
 
 #: What a second writer does inside a run.
@@ -40,8 +40,9 @@ class Batch:
         rows: that arrive.
         runs: what is done then, in order: "score", "full", "everything", or "crash": a run that is cut
             off when it announces its so-manieth step. In a mixed history also "from" a time; "clock":
-            from now on it stands so many days ahead; "recalibrate", "compact"; "prune" to so much time;
-            "beside full" and the like: that is done inside a run, at its so-manieth step.
+            from now on it stands so many days ahead; "recalibrate"; "prune" to so much time; "hidden":
+            what nobody sees is pruned; "beside full" and the like: that is done inside a run, at its
+            so-manieth step.
     """
 
     rows: list[Row]

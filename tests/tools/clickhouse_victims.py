@@ -1,7 +1,7 @@
 """Processes on a folder of chdb that are made to be killed; see :mod:`victims`, whose program this is.
 
 A process does ``work``, in this order: ``begin`` makes the source and calibrates on its rows, ``look``
-writes down what is seen and stored, ``score`` scores, ``compact`` compacts, ``arrive`` adds rows. A
+writes down what is seen and stored, ``score`` scores, ``prune`` prunes, ``arrive`` adds rows. A
 process that is told to die ``after`` a table dies when that table was appended to.
 """
 
@@ -89,9 +89,9 @@ def work(session: Session, order: dict[str, Any], announce: Any) -> None:
             looks.append(looked(monitor))
         elif task == "arrive":
             arrive(session, table, order["rows"])
-        elif task == "compact":
+        elif task == "prune":
             setattr(pruning, "DAY", 0)  # noqa: B010
-            monitor.compact()
+            monitor.prune()
         else:
             monitor.score(on_step=announce)
     if looks:

@@ -23,8 +23,9 @@ CLASSES = {
 HEAD = """\
 # Engines
 
-What `gam engines` prints. gam-db's SQL is written once and rendered for each engine; how much is
-known of it at work differs. Version and date are those of the last run of the tests.
+gam-db's SQL is written once and rendered for each engine; how much is known of it at work differs.
+Version and date are those of the last run of the tests. `gam --version --verbose` prints what is
+installed here.
 """
 
 LIMITS = """\

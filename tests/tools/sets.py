@@ -4,7 +4,66 @@ from typing import Any
 
 import pytest
 
+#: What is slow -> its tests in the first set, by how their addresses below ``tests/`` begin. Slow is an
+#: engine (of the argument ``engine``, or in the name of a file) or a fixture. Its others repeat what
+#: the first set shows on other engines: they are in the full set alone.
+FIRST: dict[str, tuple[str, ...]] = {
+    "postgres": (
+        "checking/",
+        "engines/",
+        "method/test_agreement.py",
+        "method/test_spec.py::test_cases[",
+        "reading/",
+        "stored/test_calibrated_together.py::test_versions_and_limits_come_together[postgres-limit",
+        "stored/test_data_problems.py",
+        "stored/test_idle_runs.py",
+        "stored/test_stored_on_engines.py",
+        "stored/test_two_writers.py",
+    ),
+    "clickhouse": (
+        "engines/",
+        "method/test_agreement.py",
+        "method/test_spec.py::test_cases[",
+        "reading/test_ahead.py",
+        "reading/test_valid_when.py",
+        "stored/test_stored_on_engines.py",
+    ),
+    "mariadb": (
+        "engines/test_mariadb.py",
+        "engines/test_types.py",
+        "method/test_spec.py::test_cases[",
+        "stored/test_stored_on_engines.py",
+    ),
+    "spark": (
+        "engines/test_relatives.py",
+        "engines/test_spark.py",
+        "engines/test_types.py",
+        "method/test_spec.py::test_cases[spark-28 cases",
+        "stored/test_backlog.py::test_a_live_row",
+    ),
+    "chrome": ("report/test_report_page.py::test_every_figure",),
+}
+
 
 def amounts(name: str, first: Any, full: Any) -> pytest.MarkDecorator:
     """Run a test with an amount in the first set, and once more, with a larger one, in the full set."""
     return pytest.mark.parametrize(name, [first, pytest.param(full, marks=pytest.mark.full)])
+
+
+def names_engines(test: pytest.Item | pytest.Function) -> bool:
+    """Tell whether a test names its engines itself; it reads texts then, and opens no session."""
+    return any("engine" in mark.args[0] for mark in test.iter_markers("parametrize"))
+
+
+def is_later(test: pytest.Item) -> bool:
+    """Tell whether a test is of something slow, and not of its first set."""
+    return any(not test.nodeid.removeprefix("tests/").startswith(FIRST[slow]) for slow in _slow(test))
+
+
+def _slow(test: pytest.Item) -> set[str]:
+    used = {one for one in FIRST if test.path.name[:-3].startswith(f"test_{one}")}
+    used |= FIRST.keys() & set(getattr(test, "fixturenames", ()))
+    callspec = getattr(test, "callspec", None)
+    if callspec and not names_engines(test):
+        used |= FIRST.keys() & {callspec.params.get("engine")}
+    return used

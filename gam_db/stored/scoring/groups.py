@@ -140,7 +140,7 @@ class Groups:
                     judged = judge(self.state, group, given)
                     compare_again()
                 self.state.append(part.removesuffix("_rows"), running.query(part))
-            if self.session.transactions:  # else `gam compact` does it now and then
+            if self.session.transactions:  # else `gam prune` does it now and then
                 for table in ("bucket", "novel", "judgement"):
                     self.state.delete_hidden(table, run_id, after, near(group))
                 follow(self.state, monitor_id, group, judged)
