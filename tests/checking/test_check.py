@@ -18,11 +18,9 @@ import harness
 import look_reference
 import reference
 from gam_db import Calibration, Parameters, Source, WideSource
-from gam_db.checking import look_at
 from gam_db.checking.look import add_look
 from gam_db.checking.words import roundest, setting, spoken
 from gam_db.clock import TimeKind, length
-from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import SourceError
 from gam_db.method import census
 from gam_db.study import Study
@@ -88,19 +86,6 @@ def test_long_series_agree_too(length: int, period: int) -> None:
     assert abs(expected[0]["cycle_length"] - period) <= max(0.03 * period, 0.5)
 
 
-@pytest.mark.parametrize("repeats", [False, True])
-def test_no_step_looks_at_times_alone(repeats: bool) -> None:
-    """An instant that occurs twice shows where samples are in order; then they are put so once more."""
-    times = [*range(300), *[150] * repeats]
-    seen: list[str] = []
-    with DuckSession() as session:
-        source = Source(table([*wave(300), *[9.0] * repeats], times=times))
-        (row,) = look_at(session, source, Parameters(), Calibration(), seen.append).channels
-    assert (row["samples"], row["repeated"], row["conflicts"]) == (300, repeats, repeats)
-    assert "timeline" not in seen
-    assert seen.count("step_counts") == 1 + repeats
-
-
 def test_sqlite_reads_samples_once_for_each_look() -> None:
     """Not once for each row of a grouping that they are joined with."""
     with closing(sqlite3.connect(":memory:")) as connection, gam_db.connect(connection) as session:
@@ -108,7 +93,7 @@ def test_sqlite_reads_samples_once_for_each_look() -> None:
         rows = [("a", channel, time, time // 3 % 7) for time in range(300) for channel in "xyz"]
         connection.executemany("INSERT INTO telemetry VALUES (?, ?, ?, ?)", rows)
         asked = session, Source("telemetry"), Parameters(), Calibration()
-        study = Study(*asked, strict=False, counting=True)
+        study = Study(*asked, strict=False)
         add_look(study.steps, study.method, study.instant_of)
         for step in ("step_counts", "longest_stills", "stood", "granules", "quanta"):
             text = f"EXPLAIN QUERY PLAN {session.engine.text(study.query(step))}"

@@ -227,12 +227,12 @@ def test_a_run_says_the_same_whatever_short_cuts_it_takes(monkeypatch: pytest.Mo
     parameters = gam_db.Parameters(m=1, bins=40, window=4, stride=2, target_floor=0.9)
     calibration = gam_db.Calibration(intervals=[(0, 219)])
     told = []
-    for rows, way in ((by_time, "none"), (by_time, "trust"), (by_channel, "stream")):
+    for rows, form in ((by_time, "windows"), (by_time, "census"), (by_channel, "streams")):
         with DuckSession() as session:
             source = gam_db.Source(harness.arrow(rows))
-            study = Study(session, source, parameters, calibration, short_cuts=way != "none")
+            study = Study(session, source, parameters, calibration, short_cuts=form != "windows")
             found = findings(study, gam_db.Alarms("5 per 1000 judgements"))
-            assert (study.is_trusting, study.is_streamed) == (way == "trust", way == "stream")
+            assert study.form == form
             told.append([{**row, "course": row["course"].tolist()} for row in found])
     assert str(told[0]) == str(told[1]) == str(told[2])
     assert {row["status"] for row in told[0]} >= {"proving", "open", "setup"}
