@@ -208,8 +208,13 @@ class _Check:
                 continue
             until = self._until(version, newest, settled[key]["first_scored"] - 1, ends.get(key))
             kept = {"first_kept": version["first_bucket"], "first_novel": version["first_novel"]}
-            next_bucket = settled[key]["first_bucket"]
-            planned.append({**row, **kept, **until, "next_bucket": next_bucket, "is_gone": is_gone})
+            following = settled[key]
+            until |= {
+                "until_settled": following["first_scored"] - 1,
+                "next_bucket": following["first_bucket"],
+                "is_ended": ends.get(key, LONG_AGO) >= following["first_scored"],
+            }
+            planned.append({**row, **kept, **until, "is_gone": is_gone})
         return planned
 
     def _until(self, version: Row, newest: int | None, settled: int, end: int | None) -> Row:

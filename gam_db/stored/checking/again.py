@@ -8,6 +8,7 @@ compared with them both ways, in all columns that they have.
 from collections.abc import Mapping, Sequence, Set
 from typing import NamedTuple
 
+import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.clock import FAR_AHEAD, LONG_AGO
@@ -162,8 +163,9 @@ class Again:
 
         The rows of a group are those of a plan, which says where computing begins and by which number,
         with: first_kept and first_novel, the first bucket and novel cells that pruning left; until, how
-        far the source is read; until_late, how far where rows came since the last run, and next_bucket,
-        from which on that one's successor writes anew; is_gone, whether rows have gone from the source.
+        far the source is read; until_late, how far where rows came since the last run; next_bucket, from
+        which on its successor writes anew, until_settled, where the one before ends, and is_ended,
+        whether it is stored; is_gone, whether rows have gone from the source.
         """
         begin = {
             "oldest_bucket": [max(row["first_bucket"], row["first_kept"]) for row in group],
@@ -186,16 +188,24 @@ class Again:
             }
             until = [row["until_late" if row["version_id"] in late else "until"] for row in group]
             if late:
-                running.load("cohort", cohort_of(group, read_until=until, **begin))
-                running.put("identified", _cut(running))
-            make_vectors(running)
-            past: dict[str, template.Slot] = {"buckets": buckets_of(group[0])}
-            running.make(
-                "stored/scoring/past_buckets", {**past, "near": near(group, buckets_of(group[0]))}
-            )
-            running.keep("new_buckets")
-            made = self.session.rows(_last_made(running))
-            last = {row["channel_id"]: row["last_bucket"] for row in made}
+                self._cut(running, cohort_of(group, read_until=until, **begin))
+            last = self._count(running, group)
+            # A late row may end a bucket sooner that is not settled: it is the next run's all the same.
+            sooner = {
+                row["version_id"]
+                for row in group
+                if row["version_id"] in late
+                and row["is_ended"]
+                and last.get(row["channel_id"]) == row["next_bucket"]
+            }
+            if sooner:
+                until = [
+                    row["until_settled"] if row["version_id"] in sooner else end
+                    for row, end in zip(group, until, strict=True)
+                ]
+                running.forget(but=("cohort", "identified"))
+                self._cut(running, cohort_of(group, read_until=until, **begin))
+                last = self._count(running, group)
             settled = [
                 max(last.get(row["channel_id"], -1) + 1, row["next_bucket"])
                 if row["version_id"] in late
@@ -216,6 +226,21 @@ class Again:
                 running.make(f"stored/scoring/{kept}", slots)
                 found[table] = compared(running, table, f"{table}_rows", kept)
         return Scored(found["bucket"], found["novel"], again, late)
+
+    def _cut(self, running: Running, cohort: pa.Table) -> None:
+        """Let the readings of each channel end where a cohort says."""
+        running.load("cohort", cohort)
+        running.put("identified", _cut(running))
+
+    def _count(self, running: Running, group: Sequence[Row]) -> dict[int, int]:
+        """Make the buckets of some channels, and return the last one of each."""
+        make_vectors(running)
+        buckets = buckets_of(group[0])
+        past: dict[str, template.Slot] = {"buckets": buckets, "near": near(group, buckets)}
+        running.make("stored/scoring/past_buckets", past)
+        running.keep("new_buckets")
+        made = self.session.rows(_last_made(running))
+        return {row["channel_id"]: row["last_bucket"] for row in made}
 
     def _part(self, running: Running, part: str, group: Sequence[Row]) -> list[Row]:
         owner = "support_id" if part in OF_SUPPORT else "version_id"
