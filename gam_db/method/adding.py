@@ -76,8 +76,12 @@ class OfSet:
         """Return the slots of a file: those that are given, and what follows from the parameters."""
         names = template.load(path).slots - given.keys()
         own = {"settings_no": self.number, "max_gap": self.method.gaps[self.number]}
-        mine = {name: of for name, of in own.items() if name in names}
-        return {**mine, **following(self.setting, names), **given}
+        mine: dict[str, template.Slot] = {name: of for name, of in own.items() if name in names}
+        if "settings" in names:
+            mine["settings"] = [
+                exp.alias_(exp.column(name, table="scale"), name) for name in self.method.columns
+            ]
+        return {**mine, **following(self.setting, names, self.method.columns), **given}
 
 
 def add_stacked(

@@ -4,7 +4,7 @@ from sqlglot import exp
 
 from gam_db.composing import template
 from gam_db.method.adding import OfSet
-from gam_db.method.vectors import add_vectors, compared
+from gam_db.method.vectors import add_vectors, compared, varying
 
 
 def add_calibration(one: OfSet) -> None:
@@ -30,7 +30,7 @@ def add_learnable(one: OfSet) -> None:
 
 def add_marked_codes(one: OfSet, prefix: str, read: exp.Expr) -> None:
     """Add the codes of one set over the samples to be read, with which ones are of calibration."""
-    slots: dict[str, template.Slot] = {"read": read, "carried": compared(one.setting)}
+    slots: dict[str, template.Slot] = {"read": read, "carried": [*compared(one.setting), *varying(one)]}
     one.add("support/marked_codes", slots, f"{prefix}codes")
 
 

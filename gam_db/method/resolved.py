@@ -35,6 +35,8 @@ class Method:
         calibration: with its overrides and pools, as the user gave it.
         kind: how the source tells time.
         asked: the parameters as they were said, where bins were found since.
+        columns: the settings in which channels of one set may differ: the steps read them as columns. Of
+            these the parameters have the largest.
         assets: the patterns of the calibration's overrides; that of number n has rule n + 1.
         pools: groups of asset patterns.
         settings: the distinct sets of parameters; number 0 is the general one.
@@ -50,6 +52,7 @@ class Method:
     calibration: Calibration = field(compare=False)  # may hold a dict; what is made of it is compared
     kind: TimeKind
     asked: Parameters | None = field(default=None, compare=False)
+    columns: tuple[str, ...] = ()
     assets: tuple[str, ...] = field(init=False)
     pools: tuple[tuple[str, ...], ...] = field(init=False)
     settings: tuple[Parameters, ...] = field(init=False)

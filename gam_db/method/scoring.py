@@ -10,7 +10,7 @@ from gam_db.method.adding import OfSet
 from gam_db.method.bits import Bits
 from gam_db.method.calibration import add_marked_codes
 from gam_db.method.delays import COMPLETE, INCOMPLETE
-from gam_db.method.vectors import add_vectors, compared
+from gam_db.method.vectors import add_vectors, compared, varying
 from gam_db.settings.parameters import LARGEST_KEY, Parameters
 
 
@@ -236,7 +236,8 @@ def _add_vectors_from_run_up(
 ) -> None:
     """Add codes and vectors of channels with, or without, missing samples, or of those to ``read``."""
     of_prefix = exp.column("complete", table="scale").eq(int(prefix == COMPLETE))
-    slots: dict[str, template.Slot] = {"read": read or of_prefix, "carried": compared(one.setting)}
+    carried = [*compared(one.setting), *varying(one)]
+    slots: dict[str, template.Slot] = {"read": read or of_prefix, "carried": carried}
     one.add("support/codes", slots, f"{prefix}codes")
     add_vectors(one, prefix, asked)
 

@@ -9,9 +9,13 @@ from gam_db.composing import template
 from gam_db.settings.parameters import Parameters
 
 
-def following(setting: Parameters, names: Collection[str]) -> dict[str, template.Slot]:
-    """Return those of some slots that follow from the parameters."""
-    return {name: _FOLLOWS[name](setting) for name in names if name in _FOLLOWS}
+def following(
+    setting: Parameters, names: Collection[str], columns: Collection[str] = ()
+) -> dict[str, template.Slot]:
+    """Return those of some slots that follow from the parameters, or read them as ``columns``."""
+    reading = _READS if "bins" in columns else {}
+    follows = {**_FOLLOWS, **reading}
+    return {name: follows[name](setting) for name in names if name in follows}
 
 
 def code_in(bins: int | exp.Expr, place: exp.Expr | None = None) -> exp.Expr:
@@ -24,11 +28,11 @@ def place_in(bins: int | exp.Expr) -> exp.Expr:
     return template.fill("support/place", {"bins": bins})
 
 
-def code_of(setting: Parameters) -> exp.Expr:
+def code_of(setting: Parameters, bins: exp.Expr | None = None) -> exp.Expr:
     """Return the code of a sample cast to the narrowest integer: it is what a window has to sort."""
     largest = setting.grid + 2
     narrow = "SMALLINT" if largest < 2**15 else "INT" if largest < 2**31 else "BIGINT"
-    return exp.cast(code_in(setting.grid), narrow)
+    return exp.cast(code_in(bins or setting.grid), narrow)
 
 
 def block_no(setting: Parameters, vectors: exp.Expr | None = None) -> exp.Expr:
@@ -42,9 +46,9 @@ def coordinates(setting: Parameters) -> list[exp.Expr]:
     return [exp.column(f"code_{k}") for k in range(setting.m)]
 
 
-def outside(setting: Parameters) -> exp.Expr:
+def outside(setting: Parameters, bins: exp.Expr | None = None) -> exp.Expr:
     """Return the condition that one of these lies outside the calibrated range."""
-    above = setting.grid + 2
+    above = setting.grid + 2 if bins is None else bins + 2
     return exp.or_(
         *(
             template.fill("embedding/outside", {"code": code, "above": above})
@@ -58,20 +62,40 @@ def known(setting: Parameters) -> exp.Expr:
     return exp.and_(*(template.fill("embedding/known", {"code": one}) for one in coordinates(setting)))
 
 
-def cell_key(setting: Parameters, term: str = "embedding/cell_term") -> exp.Expr:
+def cell_key(
+    setting: Parameters, term: str = "embedding/cell_term", radix: exp.Expr | None = None
+) -> exp.Expr:
     """Return the key of a vector's cell: a term for each coordinate, of that file of ``sql/``."""
     return template.added(
         [
-            template.fill(term, {"code": code, "weight": setting.radix**k})
+            template.fill(term, {"code": code, "weight": _weight(setting, k, radix)})
             for k, code in enumerate(coordinates(setting))
         ]
     )
+
+
+def _weight(setting: Parameters, power: int, radix: exp.Expr | None) -> template.Slot:
+    """Return the radix to a power: a number, or the product of a column."""
+    if radix is None or power == 0:
+        weight_of: int = setting.radix**power
+        return weight_of
+    weight: exp.Expr = exp.Paren(this=radix.copy())
+    for _ in range(power - 1):
+        weight = exp.Mul(this=weight, expression=exp.Paren(this=radix.copy()))
+    return weight
 
 
 def novel_before(setting: Parameters, delayed: str) -> exp.Expr:
     """Return how many vectors were novel up to the one a window before, by a file that looks back."""
     return template.fill(delayed, {"column": exp.column("novel_so_far"), "delay": setting.window})
 
+
+#: What reads the bins as a column, where channels differ in them.
+_READS: Mapping[str, Callable[[Parameters], template.Slot]] = {
+    "code": lambda setting: code_of(setting, exp.column("bins")),
+    "cell_key": lambda setting: cell_key(setting, radix=template.fill("embedding/radix")),
+    "outside": lambda setting: outside(setting, exp.column("bins")),
+}
 
 _FOLLOWS: Mapping[str, Callable[[Parameters], template.Slot]] = {
     "bins": lambda setting: setting.grid,

@@ -43,9 +43,11 @@ def add_vectors(
     """
     setting = one.setting
     is_marked = "calibration_vector" in asked
-    codes, over, whole = _last_codes(one, prefix, [*carried, *["calibrating"] * is_marked])
+    bins = ["bins"] * ("bins" in one.method.columns)
+    codes, over, whole = _last_codes(one, prefix, [*carried, *bins, *["calibrating"] * is_marked])
     delayed: list[exp.Expr] = [exp.column(name) for name in carried]
     said = [*delayed, *told]
+    delayed += [exp.column(name) for name in bins]
     if is_marked:
         over["oldest_time"] = _before("time", setting.span)
         over["last_uncalibrated"] = _newest(exp.column("calibrating").eq(0), setting.span)
@@ -88,6 +90,11 @@ def add_vectors(
 def compared(setting: Parameters) -> list[exp.Expr]:
     """Return what codes carry by which it is told which samples stand still."""
     return [] if setting.still_after is None else [exp.column("value")]
+
+
+def varying(one: OfSet) -> list[exp.Expr]:
+    """Return what codes carry of the settings in which the channels of a set differ."""
+    return [exp.column(name) for name in one.method.columns]
 
 
 class Stream(NamedTuple):
@@ -223,7 +230,7 @@ def _last_codes(
     columns: list[exp.Expr] = [exp.column(name) for name in carried]
     breaking, gap = None, one.method.gaps[one.number]
     if gap is not None:
-        breaking = _breaking(gap)
+        breaking = _breaking(exp.column("max_gap") if "max_gap" in one.method.columns else gap)
         told_by, whole = _in_segment(setting)
     if setting.still_after is not None:
         before, codes = codes, f"{prefix}moving_codes"
@@ -236,7 +243,7 @@ def _last_codes(
     return codes, told_by, whole
 
 
-def _breaking(gap: int, rows: int | None = None) -> exp.Expr:
+def _breaking(gap: int | exp.Expr, rows: int | None = None) -> exp.Expr:
     """Return 1 where a segment begins with a sample, since the step to it is longer than a gap."""
     slots: dict[str, template.Slot] = {"previous_time": _before("time", 1, rows), "max_gap": gap}
     return template.fill("embedding/breaking", slots)

@@ -4,6 +4,7 @@
 -- Slots:  :code     the expression of support/code.sql, cast to the narrowest integer that holds it
 --         :read     which samples are read
 --         :carried  columns that travel with the sample
+--         :settings the settings of a channel that are read with its range; none where all channels share them
 SELECT channel_id, time, :code AS code, calibrating, :carried
 FROM (
   SELECT
@@ -12,7 +13,8 @@ FROM (
     sampled.value AS value,
     scale.calibrated_lo AS lo,
     scale.calibrated_hi AS hi,
-    CAST(CASE WHEN piece.hit = 1 THEN 1 ELSE 0 END AS SMALLINT) AS calibrating
+    CAST(CASE WHEN piece.hit = 1 THEN 1 ELSE 0 END AS SMALLINT) AS calibrating,
+    :settings
   FROM samples AS sampled
   JOIN bounds AS scale ON scale.channel_id = sampled.channel_id
   LEFT JOIN (

@@ -99,6 +99,7 @@ _ABOUT = {
     "arrays/*": "test_census",
     "certificate/*": "test_spec[certificate",
     "embedding/context": "test_incremental[still",
+    "embedding/radix": "test_first_runs",
     "embedding/moving_codes": "test_spec[still",
     "embedding/still_so_far": "test_incremental[still",
     "embedding/moving_*": "test_incremental[still",

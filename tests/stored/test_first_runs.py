@@ -170,6 +170,25 @@ def test_the_steps_run_once_more_where_an_instant_occurs_twice(
     assert made.check_state().num_rows == 0
 
 
+@pytest.mark.parametrize("gap", [None, 5])
+def test_channels_of_different_grids_are_scored_by_one_query(
+    connection: duckdb.DuckDBPyConnection, gap: int | None
+) -> None:
+    """Bins and the longest gap are columns; where segments may end is a query of its own."""
+    overrides = [{"asset": "b", "bins": 7}, {"asset": "c", "bins": 40, "max_gap": gap}]
+    method = METHODS["delays"] | {"overrides": overrides}
+    heard: list[str] = []
+    rows = uneven(by_channel())
+    source(connection, rows)
+    made = monitor(connection, method)
+    made.migrate()
+    made.calibrate()
+    made.score(on_step=heard.append)
+    assert heard.count("visited") == (1 if gap is None else 2)
+    compare(connection, rows, method)
+    assert made.check_state().num_rows == 0
+
+
 #: Grids of the same channels that differ from one another.
 DIFFERENT: dict[str, Any] = {
     **METHODS["delays"],

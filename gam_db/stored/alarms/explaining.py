@@ -42,7 +42,7 @@ def explain(state: State, reader: Reader, monitor_id: int, plan: Iterable[Row], 
     for together in zip_longest(*runs.values()):  # of one channel one at most
         channels = [_asked(found, known) for found in together if found]
         counts = {name_of(row): 6 * row["window_length"] for row in channels}
-        for group in portions(channels, counts, limit):
+        for group in portions(channels, counts, limit, setting_of):
             _count(state, reader, group)
 
 

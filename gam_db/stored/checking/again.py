@@ -27,6 +27,7 @@ from gam_db.stored.planning.steps import (
     reading_steps,
     scoring_steps,
     setting_of,
+    shared_by,
 )
 from gam_db.stored.schema.migration_files import columns_of
 from gam_db.stored.state import State
@@ -172,7 +173,7 @@ class Again:
             "novel_from": [max(row["first_bucket"], row["first_novel"]) for row in group],
         }
         until = [row["until"] for row in group]
-        steps = scoring_steps(setting_of(group[0]), self.reader.kind, compared=True).copied()
+        steps = scoring_steps(shared_by(group), self.reader.kind, compared=True).copied()
         add(steps, "stored/checking/reread")
         with self._running(steps) as running:
             running.load("cohort", cohort_of(group, read_until=until, **begin))

@@ -7,14 +7,14 @@ parked: a run asks only for values later than those that it has read, and reads 
 any, on request, or once a day.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from typing import Any
 
 from gam_db.clock import LONG_AGO
 from gam_db.columns import name_of
-from gam_db.stored.planning.steps import DAY, setting_of
+from gam_db.stored.planning.steps import DAY, Setting, shape_of
 
 Row = dict[str, Any]
 
@@ -153,15 +153,18 @@ def alike(rows: Sequence[Row], newest: int, lookback: int) -> list[list[Row]]:
 
 
 def portions(
-    channels: Sequence[Row], readings: dict[tuple[str, str], int], limit: int
+    channels: Sequence[Row],
+    readings: Mapping[tuple[str, str], int],
+    limit: int,
+    alike: Callable[[Row], Setting] = shape_of,
 ) -> Iterator[list[Row]]:
-    """Cut a cohort into groups of the same parameters whose readings stay below the limit.
+    """Cut a cohort into groups of channels that one query serves, whose readings stay below the limit.
 
-    A channel with more is a group of its own.
+    Channels of one query are ``alike``. A channel with more readings is a group of its own.
     """
-    ordered = sorted(channels, key=lambda row: (repr(setting_of(row)), row["channel_id"]))
-    for _, alike in groupby(ordered, key=setting_of):
-        yield from _below(limit, ([row] for row in alike), readings)
+    ordered = sorted(channels, key=lambda row: (repr(alike(row)), row["channel_id"]))
+    for _, group in groupby(ordered, key=alike):
+        yield from _below(limit, ([row] for row in group), readings)
 
 
 def whole_pools(

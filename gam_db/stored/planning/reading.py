@@ -195,14 +195,24 @@ def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
         }
         usual = {"recounted": 0, "settled": 0, "novel_from": 0, "differs": 0}
         last_read = row.get("read_until", LONG_AGO)
-        made.append({"lookback": 0, **row, **usual, "last_read": last_read, **said})
+        made.append(
+            {
+                "lookback": 0,
+                "bins": None,
+                "max_gap": None,
+                **row,
+                **usual,
+                "last_read": last_read,
+                **said,
+            }
+        )
     return table_of(made, _COHORT)
 
 
 _COHORT = columns(
     (COUNT, "channel_id version_id support_id first_bucket first_scored read_from read_until"),
     (COUNT, "context_expected calibration_end oldest_bucket recounted settled planned_from novel_from"),
-    (COUNT, "lookback last_read differs"),
+    (COUNT, "lookback last_read differs bins max_gap"),
     (WORD, "asset channel"),
     (SHARE, "lo hi"),
 )

@@ -6,7 +6,7 @@ once.
 """
 
 import datetime as dt
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -96,6 +96,16 @@ def setting_of(version: Mapping[str, Any]) -> Setting:
     return Setting(**figures, has_start=version["score_from"] is not None)
 
 
+def shape_of(version: Mapping[str, Any]) -> Setting:
+    """Return what stands in the text of a run: the setting without what is read as a column."""
+    return setting_of(version)._replace(bins=0, max_gap=None if version["max_gap"] is None else 1)
+
+
+def shared_by(group: Sequence[Mapping[str, Any]]) -> Setting:
+    """Return the setting of channels of one shape, with the most bins of any."""
+    return shape_of(group[0])._replace(bins=max(row["bins"] for row in group))
+
+
 def plan_steps(monitor_id: int, lookback: int, since: int = 0) -> Pipeline:
     """Return the steps that tell from where on each version must be read; the last is *plan*.
 
@@ -168,7 +178,7 @@ def scoring_steps(
     bits: Bits | None = None,
     compared: bool = False,
 ) -> Pipeline:
-    """Return the steps from *identified* to the rows that are appended.
+    """Return the steps from *identified* to the rows that are appended, of channels of one shape.
 
     Each instant of a channel is expected once. Where *repeated_instants* has a row, one occurs twice:
     no row must be appended, and *identified* be collapsed. With ``bits`` supports are kept so, and cells
@@ -180,10 +190,12 @@ def scoring_steps(
     scored, the number of its first bucket, and its lookback; to compare, *former_buckets* and
     *former_novel*, else what stands for :data:`WRITTEN`.
     """
-    steps = _frozen()
+    # Settings in which the channels of a run may differ are columns.
+    columns = ("bins",) if setting.max_gap is None else ("bins", "max_gap")
+    steps = _frozen(columns)
     # Where calibration is scored, too, the steps look first: no vector carries a mark.
     trusting = can_trust(setting, kind)
-    add_counting(steps, setting, kind, trusting=trusting, bits=bits)
+    add_counting(steps, setting, kind, trusting=trusting, bits=bits, columns=columns)
     _add_stillness(steps, setting, kind)
     if trusting:
         marked: dict[str, template.Slot] = {"names": [exp.column("channel_id")]}
@@ -206,14 +218,16 @@ def add_counting(
     has_past: bool = True,
     trusting: bool = False,
     bits: Bits | None = None,
+    columns: Sequence[str] = (),
 ) -> None:
     """Add the steps from *identified* to *new_buckets* and *bucket_counts*.
 
     The steps hold *cohort*, and what is frozen of its channels: channels, bounds, calibration, support.
-    With ``has_past`` there may be buckets that stay (*stored_visible_bucket*). Trusting and bits are
-    those of :func:`scoring_steps`.
+    With ``has_past`` there may be buckets that stay (*stored_visible_bucket*). One that is ``trusting``
+    expects each instant once; bits are those of :func:`scoring_steps`. Settings that are ``columns`` of
+    the cohort may differ.
     """
-    of_set = _add_samples(steps, setting, kind, trusting)
+    of_set = _add_samples(steps, setting, kind, trusting, columns=columns)
     add_support_bits(of_set, bits)
     _add_new_buckets(of_set, trusting, bits)
     buckets = "new_buckets"
@@ -274,11 +288,11 @@ def can_trust(setting: Setting, kind: TimeKind) -> bool:
     return method_of(setting, kind).is_parted
 
 
-def _frozen(kept: frozenset[str] = frozenset()) -> Pipeline:
+def _frozen(columns: Sequence[str] = ()) -> Pipeline:
     """Return the steps that give what is frozen of the channels of a cohort."""
-    steps = Pipeline(small=KEPT | kept)
+    steps = Pipeline(small=KEPT)
     for name in ("channels", "bounds", "calibration", "support"):
-        add(steps, f"stored/scoring/{name}")
+        add(steps, f"stored/scoring/{name}", _read_as(columns) if name == "bounds" else None)
     add(steps, "stored/scoring/calibration_range")
     return steps
 
@@ -289,9 +303,10 @@ def _add_samples(
     kind: TimeKind,
     trusting: bool = False,
     asked: Mapping[str, Any] | None = None,
+    columns: Sequence[str] = (),
 ) -> OfSet:
     """Add the steps from *identified* to the samples, and return the one set of the setting."""
-    of_set = OfSet(steps, method_of(setting, kind, asked), 0)
+    of_set = OfSet(steps, method_of(setting, kind, asked, columns), 0)
     if trusting:
         add(steps, "census/trusted_timeline", name="timeline")
         rows = union_of(steps, ["identified"], ("channel_id", "time", "value"))
@@ -306,7 +321,7 @@ def _add_samples(
 def _add_new_buckets(of_set: OfSet, trusting: bool = False, bits: Bits | None = None) -> None:
     steps, setting = of_set.steps, of_set.setting
     add(steps, "stored/scoring/seen")
-    add(steps, "stored/scoring/run_up", {"span": setting.span})
+    add(steps, "stored/scoring/run_up", {"span": setting.span, **_read_as(of_set.method.columns)})
     ends = dict(ENDS)
     is_told = setting.still_after is not None
     if not of_set.method.is_parted:
@@ -330,7 +345,19 @@ def _add_stillness(steps: Pipeline, setting: Setting, kind: TimeKind) -> None:
     add(steps, "stored/scoring/still_counts")
 
 
-def method_of(setting: Setting, kind: TimeKind, asked: Mapping[str, Any] | None = None) -> Method:
+def _read_as(columns: Sequence[str]) -> dict[str, template.Slot]:
+    """Return the slot of the settings that are read as columns of the cohort, as narrow as they are."""
+    types = {"bins": "INT", "max_gap": "BIGINT"}
+    read = (exp.cast(exp.column(name, table="member"), types[name]) for name in columns)
+    return {"settings": [exp.alias_(of, name) for of, name in zip(read, columns, strict=True)]}
+
+
+def method_of(
+    setting: Setting,
+    kind: TimeKind,
+    asked: Mapping[str, Any] | None = None,
+    columns: Sequence[str] = (),
+) -> Method:
     """Return the method of a stored version; its calibration is in the tables.
 
     What its certificate was asked for is not needed to score.
@@ -343,4 +370,5 @@ def method_of(setting: Setting, kind: TimeKind, asked: Mapping[str, Any] | None 
     start = None
     if setting.has_start:
         start = 0 if kind.is_counter else dt.date(1970, 1, 1)
-    return Method(Parameters(**figures, **(asked or {})), Calibration(score_from=start), kind)
+    parameters = Parameters(**figures, **(asked or {}))
+    return Method(parameters, Calibration(score_from=start), kind, columns=tuple(columns))

@@ -25,7 +25,7 @@ from gam_db.stored.planning.steps import (
     WRITTEN,
     reading_steps,
     scoring_steps,
-    setting_of,
+    shared_by,
 )
 from gam_db.stored.scoring.publishing import GONE, NOTHING, Snapshots, publication, withdraw
 from gam_db.stored.scoring.report import Wanted
@@ -66,8 +66,8 @@ class Groups:
         self.channels: list[Row] = []
 
     def score(self, group: list[Row], cohort: Cohort, read: int) -> None:
-        """Score channels of one setting, in four stages, of which so many rows are read."""
-        setting = setting_of(group[0])
+        """Score channels of one shape, in four stages, of which so many rows are read."""
+        setting = shared_by(group)
         # Of what lies within the lookback hardly anything has changed; only that is written anew.
         compared = not self.wanted.is_anew and any(row["restarts"] for row in group)
         steps = scoring_steps(setting, self.reader.kind, self._bits(group, read), compared)
@@ -84,7 +84,7 @@ class Groups:
 
     def _bits(self, group: Sequence[Row], read: int) -> Bits | None:
         """Return how the engine keeps supports as bits; None where they take much beside the rows."""
-        bits, setting = self.session.engine.bits, setting_of(group[0])
+        bits, setting = self.session.engine.bits, shared_by(group)
         cells, supports = setting.radix**setting.m, len({row["support_id"] for row in group})
         is_little = cells * supports <= BITS_OF_A_ROW * read
         return bits if bits is not None and is_little and bits.serve(cells, supports) else None
