@@ -19,7 +19,7 @@ import typer
 from typer.core import TyperGroup
 
 from gam_db.address import without_passwords
-from gam_db.cli import commands, installed
+from gam_db.cli import commands
 from gam_db.cli.exits import MEANINGS, Exit
 from gam_db.errors import (
     NO_ROOM,
@@ -177,6 +177,8 @@ app = typer.Typer(
 
 def _version(context: typer.Context, wanted: bool) -> None:
     if wanted:
+        from gam_db.cli import installed  # no other command needs what it imports
+
         more = installed.lines() if context.params["verbose"] else ()
         typer.echo("\n".join((f"gam-db {__version__}", *more)))
         raise typer.Exit

@@ -4,6 +4,7 @@ import csv
 import datetime as dt
 import importlib
 from pathlib import Path
+from types import SimpleNamespace
 
 import duckdb
 import pyarrow as pa
@@ -83,6 +84,37 @@ def test_the_first_set_names_tests_that_there_are() -> None:
             assert place.exists(), (slow, address)
             name = test.partition("[")[0]
             assert not test or f"\ndef {name}" in place.read_text(encoding="utf-8"), (slow, address)
+
+
+@pytest.mark.parametrize(
+    ("address", "fixture", "engine", "named", "later"),
+    [
+        ("method/test_spec.py::test_cases[spark-28 cases: m=1]", "engine", "spark", "group", False),
+        ("method/test_spec.py::test_cases[spark-9 cases: m=2]", "engine", "spark", "group", True),
+        ("method/test_spec.py::test_cases[mariadb-9 cases: m=2]", "engine", "mariadb", "group", False),
+        ("method/test_wide.py::test_wide[mariadb]", "engine", "mariadb", "group", True),
+        ("method/test_wide.py::test_wide[duckdb]", "engine", "duckdb", "group", False),
+        ("export/test_script.py::test_script[spark]", "engine", "spark", "engine", False),
+        ("engines/test_spark_files.py::test_files", "tmp_path", None, None, True),
+        ("report/test_report_page.py::test_it_prints", "chrome", None, None, True),
+        ("report/test_report_page.py::test_every_figure_is", "chrome", None, None, False),
+        ("method/test_langevin.py::test_it", "tmp_path", None, None, False),
+    ],
+)
+def test_what_is_listed_of_a_slow_engine_is_in_the_first_set(
+    address: str, fixture: str, engine: str | None, named: str | None, later: bool
+) -> None:
+    """A test that names its engines itself, as those of texts do, is in the first set on all of them."""
+    marks = [pytest.mark.parametrize(named, ["a"]).mark] if named else []
+    test = SimpleNamespace(
+        nodeid=f"tests/{address}",
+        path=Path(address.partition("::")[0]),
+        fixturenames=[fixture],
+        iter_markers=lambda _: marks,
+    )
+    if engine:
+        test.callspec = SimpleNamespace(params={"engine": engine})
+    assert sets.is_later(test) == later  # type: ignore[arg-type]
 
 
 def test_the_page_is_up_to_date() -> None:

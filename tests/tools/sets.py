@@ -39,7 +39,7 @@ FIRST: dict[str, tuple[str, ...]] = {
         "engines/test_spark.py",
         "engines/test_types.py",
         "method/test_spec.py::test_cases[spark-28 cases",
-        "stored/test_backlog.py::test_a_live_row",
+        "reading/test_valid_when.py::test_what_is_not_valid_is_missing_in_a_monitor",
     ),
     "chrome": ("report/test_report_page.py::test_every_figure",),
 }
