@@ -22,7 +22,7 @@ from gam_db.errors import ConflictError, EngineError, FullError, UserError
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.schema import migrations
 from gam_db.stored.schema.migration_files import files
-from gam_db.stored.schema.tables import StateTables
+from gam_db.stored.schema.tables import TABLES, StateTables
 from gam_db.study.running import Listener
 from nobody import as_nobody
 from small_plant import FIRST, LENGTH, begin, monitor, readings, seen, source, stored, whole
@@ -363,7 +363,7 @@ def test_two_migrations_at_once_leave_one_record() -> None:
     with duckdb.connect() as connection, DuckSession(connection.cursor(), writable=True) as other:
 
         def meanwhile(step: str) -> None:
-            if step == files()[6].name:
+            if step == TABLES[6]:
                 with pytest.raises(ConflictError, match=CONFLICT):
                     migrations.migrate(other, StateTables())
 

@@ -71,15 +71,15 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
                 "version": f"{key + 100}, {key}, {key + 200}, NULL, 1, 'active', 'r', 3, 1, 10, 50, 10, "
                 "NULL, NULL, 0.05, NULL, 0, 0, 0, 0, 'h', 'h', 0, NULL, NULL",
                 "calibration": f"{key + 100}, 0, 1",
-                "bounds": f"{key + 200}, 0, 1, 2, 3, 4, 5, 'ready', 0, 0, 0, 1, 0, 1, 2",
+                "bounds": f"{key + 200}, 0, 1, 2, 3, 4, 5, 'ready', 0, 0, 0, 1, 0",
                 "block": f"{key + 200}, 0, {key}, 0, 1, 2, 3",
                 "ladder": f"{key + 200}, 4, 0.5",
                 "support": f"{key + 200}, 1, 2, 0, 0, 0, 1",
                 "bucket": f"{key + 100}, 0, 1, 0, 1, 0, 1, 1, 0, NULL, NULL",
                 "novel": f"{key + 100}, 0, 1, 1, 1, 1, 1",
                 "run": f"1, {key + 100}, 0, 0, 0, 0, 0, NULL, NULL, 0, NULL, NULL, NULL, 0, 0, 0, "
-                "NULL, NULL, NULL, NULL, NULL, NULL",
-                "checksum": f"{key + 100}, 1, 2, 3, 0, 1, 0.05, 'h', 'h', 1, 2",
+                "NULL, NULL, NULL, NULL",
+                "checksum": f"{key + 100}, 1, 2, 3, 0, 1, 0.05, 'h', 'h'",
                 "horizon": f"{key + 100}, 0, 1",
                 "proof": f"{monitor}, {key}, 'state', 2, 2, 2, 0",
                 "buffered": f"{key + 100}, 0, 1, 10, 1",
@@ -102,7 +102,7 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
 def test_migrate_makes_the_state_and_status_says_so() -> None:
     made = gam("migrate", "--database", FILE)
     assert (made.exit_code, made.stderr) == (0, "")
-    assert "gam_*: applied 1 migration, 2 monitor" in made.stdout
+    assert "gam_*: applied 1 tables, 2 state_views, 3 signals" in made.stdout
     again = gam("migrate", "--database", FILE)
     assert again.stdout == f"gam_*: up to date, {len(files())} migrations\n"
     shown = gam("migrate", "--database", FILE, "--status")
@@ -239,11 +239,11 @@ def test_a_newer_state_is_not_dropped_and_a_broken_one_is() -> None:
     with DuckSession(writable=True) as session:
         migrate(session, STATE)
         session.connection.execute("DROP TABLE gam_support")
-        session.connection.execute("UPDATE gam_migration SET checksum = 'x' WHERE number = 1")
         session.connection.execute("INSERT INTO gam_migration VALUES (99, 'x', 'y', 0, '7.1')")
         with pytest.raises(StateError, match=r"7\.1"):
             dropping.removals(session, STATE)
         session.connection.execute("DELETE FROM gam_migration WHERE number = 99")
+        session.connection.execute("UPDATE gam_migration SET checksum = 'x' WHERE number = 1")
         dropping.remove(session, dropping.removals(session, STATE))
         assert session.relations() == {}
 

@@ -1,7 +1,8 @@
 """Removing state: all of it, or the rows of one monitor.
 
-This module owns what belongs to a monitor. Only what the record of migrations says was made is touched:
-other tables that begin with the prefix stay.
+This module owns what belongs to a monitor. Only what the record of migrations lists is touched, and what a
+migration that was cut short left: tables and views with the names and the columns of this gam-db. Other
+tables that begin with the prefix stay.
 """
 
 from collections.abc import Sequence
@@ -11,7 +12,8 @@ from sqlglot import exp
 
 from gam_db.engines.session import Session
 from gam_db.errors import StateError, nearest
-from gam_db.stored.schema.migrations import recorded
+from gam_db.stored.schema.migration_files import definitions, files
+from gam_db.stored.schema.migrations import Relations, recorded
 from gam_db.stored.schema.tables import TABLES, VIEWS, StateTables
 
 
@@ -41,7 +43,7 @@ def removals(session: Session, tables: StateTables, monitor: str | None = None) 
         StateError: there is no state, no such monitor, or a newer gam-db made the state.
     """
     there = session.relations(tables.schema)
-    made = {row.name for row in recorded(session, tables, there)}
+    made = _made(session, tables, there)
     present = [name for name in (*TABLES, *VIEWS) if name in made and tables.folded(name) in there]
     if not present:
         raise StateError(f"There are no state tables {tables}* in this database.")
@@ -73,6 +75,19 @@ def remove(session: Session, found: Sequence[Removal]) -> None:
             else:
                 keys = removal.statement.named_selects
                 session.delete(removal.table, keys, removal.statement)
+
+
+def _made(session: Session, tables: StateTables, there: Relations) -> set[str]:
+    """Return the names of the tables and views that are certainly of this state."""
+    rows = recorded(session, tables, there)
+    by_file = {migration.name: migration.definitions for migration in files()}
+    if tables.folded("migration") not in there:
+        return set()
+    if any(row.name not in by_file for row in rows):  # of before: each row names what its file made
+        return {row.name for row in rows}
+    made = {name for row in rows for name in by_file[row.name]}
+    columns = {name: tuple(about.columns) for name, about in definitions().items()}
+    return made | {name for name in columns if there.get(tables.folded(name)) == columns[name]}
 
 
 def _dropped(session: Session, tables: StateTables, name: str) -> Removal:

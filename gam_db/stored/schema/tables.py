@@ -22,8 +22,8 @@ TABLES = (
 #: Each after those that it reads.
 VIEWS = (
     *("finished_run", "visible_bucket", "visible_novel", "visible_judgement", "visible_episode"),
-    *("labelled_episode", "alarm", "alarm_event", "onset", "health", "stillness", "fleet"),
-    *("quarantine", "unplaced_day", "machine", "growth", "cell", "alarm_band", "alarm_cell", "trend"),
+    *("labelled_episode", "health", "stillness", "onset", "fleet", "machine", "trend", "unplaced_day"),
+    *("cell", "quarantine", "growth", "alarm", "alarm_event", "alarm_band", "alarm_cell"),
 )
 
 _PREFIX = re.compile(r"([A-Za-z_][A-Za-z0-9_]{0,39})?")
