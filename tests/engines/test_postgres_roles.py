@@ -17,6 +17,7 @@ from gam_db.cli import app
 from gam_db.stored.schema.tables import TABLES, VIEWS
 from small_plant import readings
 from small_postgres import administrator, database, source
+from state_names import called
 
 pytestmark = pytest.mark.migrates
 
@@ -33,7 +34,7 @@ SETTINGS = (
 STATUS = {"migration", "monitor", "proof", "visible_bucket", "fleet", "stillness"}
 STATUS |= {"version", "run", "finished_run", "unplaced", "left_out"}
 SHOWN = {"health", "quarantine", "unplaced_day", "onset", "machine", "growth", "cell", "trend"}
-SHOWN |= {"channel", "bounds", "limit", "alarm"}
+SHOWN |= {"channel", "bounds", "limit", "alarm", "ladder", "label"}
 SHOWN |= {"visible_judgement", "labelled_episode", "alarm_event", "alarm_band", "alarm_cell"}
 
 #: The views that a writer takes, and the tables whose rows stay.
@@ -139,7 +140,7 @@ def worked(plant: Any, give: Callable[[str], None] | None = None) -> None:
 def test_each_does_its_work_and_no_other(plant: Any) -> None:
     administered(plant)
     worked(plant)
-    assert plant.execute(f'SELECT differences FROM "{SCHEMA}".gam_proof').fetchall()
+    assert plant.execute(f'SELECT differences FROM "{SCHEMA}".gam_state_proof').fetchall()
     owners = "SELECT DISTINCT pg_get_userbyid(relowner) FROM pg_class WHERE relname LIKE 'gam%'"
     assert plant.execute(owners).fetchall() == [(OWNER,)]
 
@@ -165,17 +166,17 @@ def test_statements_of_all_kinds(plant: Any, role: str) -> None:
         mine.execute(f'SET search_path = "{SCHEMA}"')
         for name in (*TABLES, *VIEWS):
             kind = "TABLE" if name in TABLES else "VIEW"
-            assert denied(mine, f"SELECT FROM gam_{name}") is (name not in seen), name
-            assert denied(mine, f"DROP {kind} gam_{name}")
-            assert denied(mine, f"ALTER {kind} gam_{name} RENAME TO mine")
+            assert denied(mine, f"SELECT FROM {called(name)}") is (name not in seen), name
+            assert denied(mine, f"DROP {kind} {called(name)}")
+            assert denied(mine, f"ALTER {kind} {called(name)} RENAME TO mine")
         for name in TABLES:
-            assert denied(mine, f"TRUNCATE gam_{name}")
-            assert denied(mine, f"INSERT INTO gam_{name} SELECT * FROM gam_{name} WHERE false") is (
-                role == READER or name == "migration"
-            )
-            assert denied(mine, f"DELETE FROM gam_{name}") is (role == READER or name in KEPT), name
-            for (column,) in plant.execute(COLUMNS, [f'"{SCHEMA}".gam_{name}']).fetchall():
-                change = f'UPDATE gam_{name} SET "{column}" = NULL WHERE false'
+            assert denied(mine, f"TRUNCATE {called(name)}")
+            assert denied(
+                mine, f"INSERT INTO {called(name)} SELECT * FROM {called(name)} WHERE false"
+            ) is (role == READER or name == "migration")
+            assert denied(mine, f"DELETE FROM {called(name)}") is (role == READER or name in KEPT), name
+            for (column,) in plant.execute(COLUMNS, [f'"{SCHEMA}".{called(name)}']).fetchall():
+                change = f'UPDATE {called(name)} SET "{column}" = NULL WHERE false'
                 assert denied(mine, change) is not (written.get(name) == column)
         assert denied(mine, "CREATE TABLE mine (a int)")
 
@@ -218,7 +219,7 @@ def test_a_writer_needs_all_that_is_printed(plant: Any) -> None:
     with by_degrees(plant, WRITER) as (give, given):
         worked(plant, give)
     # Without this one the state is checked all the same, and nobody knows of it.
-    assert printed(WRITER) - given == {("INSERT", "gam_proof")}
+    assert printed(WRITER) - given == {("INSERT", "gam_state_proof")}
     assert given <= printed(WRITER)
 
 
@@ -228,16 +229,16 @@ def test_a_reader_needs_all_that_is_printed(plant: Any) -> None:
     with by_degrees(plant, READER) as (give, given):
         while (result := gam(plant, READER, "status"))[0] == 1:
             give(result[1])
-    assert given == {("SELECT", f"gam_{name}") for name in STATUS}
-    assert printed(READER) == {("SELECT", f"gam_{name}") for name in STATUS | SHOWN}
+    assert given == {("SELECT", called(name)) for name in STATUS}
+    assert printed(READER) == {("SELECT", called(name)) for name in STATUS | SHOWN}
 
 
 def test_an_owner_migrates_and_the_script_is_run_again(plant: Any) -> None:
     administered(plant)
     worked(plant)
     before = plant.execute(BUCKETS).fetchall()
-    plant.execute(f'DROP TABLE "{SCHEMA}".gam_proof')
-    record = f'"{SCHEMA}".gam_migration'
+    plant.execute(f'DROP TABLE "{SCHEMA}".gam_state_proof')
+    record = f'"{SCHEMA}".gam_state_migration'
     made = f"(SELECT number FROM {record} WHERE name = 'proof')"
     plant.execute(f"DELETE FROM {record} WHERE number >= {made}")
     assert refused(plant, WRITER, "migrate")

@@ -130,7 +130,7 @@ def test_redshift_keeps_its_state_on_postgresql(postgres: psycopg.Connection[dic
     script = statements(shared(rendered(engine_named("redshift"), StateTables("plant"))))
     for statement in [*script, *script]:
         postgres.execute(statement.encode())
-    found = postgres.execute("SELECT COUNT(*) AS n FROM plant.gam_migration").fetchall()
+    found = postgres.execute("SELECT COUNT(*) AS n FROM plant.gam_state_migration").fetchall()
     assert found == [{"n": len(files())}]
 
 

@@ -18,6 +18,7 @@ from gam_db.stored.schema import migration_files, migrations
 from gam_db.stored.schema.migration_files import definitions, files
 from gam_db.stored.schema.migrations import migrate, rendered, require, status
 from gam_db.stored.schema.tables import TABLES, VIEWS, StateTables
+from state_names import called
 
 pytestmark = pytest.mark.migrates
 
@@ -68,7 +69,7 @@ def test_what_other_tests_begin_with_is_what_a_migration_makes(monkeypatch: pyte
         "SELECT sql FROM duckdb_tables() WHERE NOT temporary ORDER BY ALL",
         "SELECT sql FROM duckdb_views() WHERE NOT internal ORDER BY ALL",
         "SELECT sql FROM duckdb_indexes() ORDER BY ALL",
-        "SELECT number, name, checksum, gam_version FROM gam_migration ORDER BY ALL",
+        "SELECT number, name, checksum, gam_version FROM gam_state_migration ORDER BY ALL",
     )
     found = []
     for is_copied in (False, True):
@@ -85,27 +86,27 @@ def test_a_fresh_database_gets_every_table_with_its_comments(session: DuckSessio
     assert [migration.name for migration in migrate(session, STATE)] == ALL
     require(session, STATE)
     said = {
-        (f"gam_{table}", name): comment.name
+        (called(table), name): comment.name
         for table, definition in definitions().items()
         for name, comment in definition.columns.items()
     }
     query = "SELECT table_name, column_name, comment FROM duckdb_columns() WHERE NOT internal"
     assert {(table, column): comment for table, column, comment in rows(session, query)} == said
     query = "SELECT table_name, comment FROM duckdb_tables() UNION ALL SELECT view_name, comment "
-    whole = {f"gam_{name}": definition.comment.name for name, definition in definitions().items()}
+    whole = {called(name): definition.comment.name for name, definition in definitions().items()}
     found = rows(session, query + "FROM duckdb_views() WHERE NOT internal")
     assert dict(found) == whole  # type: ignore[arg-type]
-    recorded = rows(session, "SELECT number, name, checksum FROM gam_migration ORDER BY number")
+    recorded = rows(session, "SELECT number, name, checksum FROM gam_state_migration ORDER BY number")
     assert recorded == [(one.number, one.name, one.checksum) for one in files()]
 
 
 def test_a_second_time_nothing_is_done(session: DuckSession) -> None:
     migrate(session, STATE)
-    rows(session, "INSERT INTO gam_channel VALUES (1, 2, 'a', 'c')")
-    before = catalog(session), rows(session, "FROM gam_migration")
+    rows(session, "INSERT INTO gam_state_channel VALUES (1, 2, 'a', 'c')")
+    before = catalog(session), rows(session, "FROM gam_state_migration")
     assert migrate(session, STATE) == ()
-    assert (catalog(session), rows(session, "FROM gam_migration")) == before
-    assert rows(session, "FROM gam_channel") == [(1, 2, "a", "c")]
+    assert (catalog(session), rows(session, "FROM gam_state_migration")) == before
+    assert rows(session, "FROM gam_state_channel") == [(1, 2, "a", "c")]
 
 
 def test_cut_short_anywhere(session: DuckSession, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -164,15 +165,11 @@ def test_several_states_share_a_database(session: DuckSession) -> None:
     ]
     for tables in places:
         assert len(migrate(session, tables)) == len(ALL)
-    rows(session, "INSERT INTO press_channel VALUES (1, 2, 'a', 'c')")
+    rows(session, "INSERT INTO press_state_channel VALUES (1, 2, 'a', 'c')")
     for tables in places:
         require(session, tables)
-    assert (
-        rows(
-            session, 'FROM gam_channel UNION ALL FROM m.x_channel UNION ALL FROM "the ""plant""".channel'
-        )
-        == []
-    )
+    for channels in ("gam_state_channel", "m.x_state_channel", '"the ""plant""".state_channel'):
+        assert rows(session, f"FROM {channels}") == []
 
 
 @pytest.mark.parametrize("tables", [STATE, StateTables("plant", "x_")], ids=str)
@@ -201,19 +198,28 @@ def test_without_any_state(session: DuckSession) -> None:
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ("INSERT INTO gam_migration VALUES (99, 'x', 'y', 0, '7.1')", r"gam-db 7\.1 \(migration 99\)"),
-        ("UPDATE gam_migration SET checksum = 'x' WHERE number = 3", OF_BEFORE),
-        ("UPDATE gam_migration SET name = 'cell' WHERE number = 4", OF_BEFORE),
         (
-            "UPDATE gam_migration SET checksum = 'x' WHERE number = 3;"
-            "INSERT INTO gam_migration VALUES (99, 'x', 'y', 0, '7.1')",
+            "INSERT INTO gam_state_migration VALUES (99, 'x', 'y', 0, '7.1')",
+            r"gam-db 7\.1 \(migra.* 99\)",
+        ),
+        ("UPDATE gam_state_migration SET checksum = 'x' WHERE number = 3", OF_BEFORE),
+        ("UPDATE gam_state_migration SET name = 'cell' WHERE number = 4", OF_BEFORE),
+        (
+            "UPDATE gam_state_migration SET checksum = 'x' WHERE number = 3;"
+            "INSERT INTO gam_state_migration VALUES (99, 'x', 'y', 0, '7.1')",
             OF_BEFORE,
         ),
-        ("DELETE FROM gam_migration WHERE number = 3", "changed by hand: it lacks number 3"),
-        ("INSERT INTO gam_migration FROM gam_migration WHERE number = 3", "it is there twice"),
-        ("DROP TABLE gam_support", "gam_support was made once and is no longer there"),
-        ("DROP VIEW gam_visible_novel", "gam_visible_novel was made once"),
-        ("ALTER TABLE gam_migration RENAME name TO title", "a gam_migration .* no state table"),
+        ("DELETE FROM gam_state_migration WHERE number = 3", "changed by hand: it lacks number 3"),
+        (
+            "INSERT INTO gam_state_migration FROM gam_state_migration WHERE number = 3",
+            "it is there twice",
+        ),
+        ("DROP TABLE gam_state_support", "gam_state_support was made once and is no longer there"),
+        ("DROP VIEW gam_state_visible_novel", "gam_state_visible_novel was made once"),
+        (
+            "ALTER TABLE gam_state_migration RENAME name TO title",
+            "a gam_state_migration .* no state",
+        ),
     ],
 )
 def test_a_state_that_was_changed_is_refused(session: DuckSession, change: str, message: str) -> None:
@@ -229,18 +235,18 @@ def test_a_state_that_was_changed_is_refused(session: DuckSession, change: str, 
 @pytest.mark.parametrize(
     "taken",
     [
-        "CREATE TABLE gam_support (asset VARCHAR, channel VARCHAR, lo DOUBLE)",
-        "CREATE VIEW GAM_visible_bucket AS SELECT 1 AS asset",
+        "CREATE TABLE gam_health (asset VARCHAR, channel VARCHAR, hi DOUBLE)",
+        "CREATE VIEW GAM_state_visible_bucket AS SELECT 1 AS asset",
     ],
 )
 def test_tables_of_others_under_our_names_are_left_alone(session: DuckSession, taken: str) -> None:
-    """``gam run --out`` and the view form of ``gam compile`` make a gam_support, too."""
+    """``gam run --out`` and the view form of ``gam compile`` may make a gam_health, too."""
     rows(session, taken)
     before = catalog(session)
     with pytest.raises(StateError, match=r"no state table of gam-db; give another --prefix or --schema"):
         migrate(session, STATE)
     assert catalog(session) == before
-    migrate(session, StateTables(prefix="state_"))
+    migrate(session, StateTables(prefix="other_"))
 
 
 @pytest.mark.parametrize("number", [0, 2, len(ALL)])

@@ -14,6 +14,7 @@ from gam_db.stored.schema import migration_files
 from gam_db.stored.schema.migration_files import files
 from gam_db.stored.schema.migrations import rendered
 from gam_db.stored.schema.tables import TABLES, VIEWS, StateTables
+from state_names import called
 
 pytestmark = [pytest.mark.thorough, pytest.mark.migrates]
 
@@ -29,11 +30,11 @@ def test_the_script_of_an_engine_can_be_parsed(name: str) -> None:
     parsed = [one for one in sqlglot.parse(script, dialect=engine.dialect) if one]
     made = [one for one in parsed if isinstance(one, exp.Create) and one.args["kind"] != "INDEX"]
     tables = [table for one in made if (table := one.find(exp.Table))]
-    assert [table.name for table in tables] == [f"gam_{name}" for name in (*TABLES, *VIEWS)]
+    assert [table.name for table in tables] == [called(name) for name in (*TABLES, *VIEWS)]
     filled = [
         table.name for one in parsed if isinstance(one, exp.Insert) and (table := one.find(exp.Table))
     ]
-    assert filled == ["gam_migration"] * len(ALL)
+    assert filled == ["gam_state_migration"] * len(ALL)
     others = {type(one) for one in parsed} - {exp.Create, exp.Insert}
     assert others <= {exp.Comment, exp.Drop}
 
@@ -52,9 +53,9 @@ def test_the_script_of_an_engine_can_be_parsed(name: str) -> None:
         ("databricks", "CLUSTER BY (version_id, bucket_no)\nCOMMENT 'Full"),
         ("snowflake", "CLUSTER BY (version_id, bucket_no)\nCOMMENT='Full"),
         ("redshift", "COMPOUND SORTKEY(version_id, bucket_no)"),
-        ("trino", 'COMMENT ON COLUMN "gam_run".run_id IS \'The run'),
-        ("sqlite", 'DROP VIEW IF EXISTS "gam_visible_novel"'),
-        ("postgres", 'COMMENT ON COLUMN "public"."gam_run".withdrawn IS \'In a second'),
+        ("trino", 'COMMENT ON COLUMN "gam_state_run".run_id IS \'The run'),
+        ("sqlite", 'DROP VIEW IF EXISTS "gam_state_visible_novel"'),
+        ("postgres", 'COMMENT ON COLUMN "public"."gam_state_run".withdrawn IS \'In a second'),
         ("clickhouse", "withdrawn Nullable(Int64) COMMENT 'In a second"),
         ("bigquery", "withdrawn INT64 OPTIONS (\n    description='In a second"),
         ("spark", "withdrawn BIGINT COMMENT 'In a second"),
@@ -82,7 +83,7 @@ def test_the_script_runs_twice_on_sqlite() -> None:
     connection = sqlite3.connect(":memory:")
     for _ in range(2):
         connection.executescript(rendered(engine_named("sqlite"), STATE))
-    assert connection.execute("SELECT name FROM gam_migration ORDER BY number").fetchall() == [
+    assert connection.execute("SELECT name FROM gam_state_migration ORDER BY number").fetchall() == [
         (name,) for name in ALL
     ]
     connection.close()
@@ -105,12 +106,12 @@ def test_instants_in_views_are_the_engines(tmp_path: Path) -> None:
         if name == "duckdb":
             with duckdb.connect() as connection:
                 connection.execute(rendered(engine, STATE) + ";".join(script))
-                connection.execute(f"INSERT INTO gam_run VALUES {run}")
+                connection.execute(f"INSERT INTO gam_state_run VALUES {run}")
                 found = connection.execute("SELECT CAST(b AS VARCHAR) FROM gam_health").fetchall()
         elif name == "sqlite":
             lite = sqlite3.connect(":memory:")
             lite.executescript(rendered(engine, STATE) + ";".join(script))
-            lite.execute(f"INSERT INTO gam_run VALUES {run}")
+            lite.execute(f"INSERT INTO gam_state_run VALUES {run}")
             found = lite.execute("SELECT b FROM gam_health").fetchall()
             lite.close()
         else:

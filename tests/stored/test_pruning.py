@@ -16,6 +16,7 @@ from gam_db.stored.schema.tables import TABLES as ALL
 from gam_db.stored.schema.tables import StateTables
 from gam_db.stored.state import State, first_run_at, now
 from gam_db.stored.status import status
+from state_names import called
 from stored_rows import STEP, Plant, Version, emptied
 
 TABLES = StateTables()
@@ -30,7 +31,7 @@ def session() -> Iterator[DuckSession]:
 
 def rows(session: DuckSession, table: str, columns: str = "*") -> list[tuple[Any, ...]]:
     """All rows of a state table or view, in an order."""
-    query = f"SELECT {columns} FROM gam_{table} ORDER BY ALL"
+    query = f"SELECT {columns} FROM {called(table)} ORDER BY ALL"
     found: list[tuple[Any, ...]] = session.connection.execute(query).fetchall()
     return found
 

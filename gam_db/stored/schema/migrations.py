@@ -5,6 +5,7 @@ record of each migration is written after it, and a run that is cut short applie
 a newer gam-db made is refused, and so is one that was made by other files than these.
 """
 
+import dataclasses
 import time
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -19,7 +20,7 @@ from gam_db.errors import ConflictError, EngineError, StateError
 from gam_db.stored.schema import roles
 from gam_db.stored.schema.migration_files import RECORD, Migration, files, placed, record
 from gam_db.stored.schema.roles import Roles
-from gam_db.stored.schema.tables import StateTables
+from gam_db.stored.schema.tables import TABLES, VIEWS, StateTables
 from gam_db.study.running import Listener, unheard
 from gam_db.version import __version__
 
@@ -69,6 +70,21 @@ def recorded(session: Session, tables: StateTables, there: Relations) -> tuple[A
     return rows
 
 
+def former(
+    session: Session, tables: StateTables, there: Relations
+) -> tuple[StateTables, tuple[Applied, ...]]:
+    """Return what a state of before schema 0.1 called its tables, and its record; no rows if it is none.
+
+    Each of its rows names the table or view that its file made.
+    """
+    names = dataclasses.replace(tables, apart="")
+    is_there = there.get(names.folded("migration")) == RECORD
+    if tables.folded("migration") in there or not is_there:
+        return names, ()
+    rows = recorded(session, names, there)
+    return names, rows if all(row.name in (*TABLES, *VIEWS) for row in rows) else ()
+
+
 def status(session: Session, tables: StateTables, there: Relations | None = None) -> Status:
     """Return what was applied and what is pending; nothing is written.
 
@@ -77,7 +93,7 @@ def status(session: Session, tables: StateTables, there: Relations | None = None
             taken.
     """
     there = session.relations(tables.schema) if there is None else there
-    applied = recorded(session, tables, there)
+    applied = recorded(session, tables, there) or former(session, tables, there)[1]
     _check_record(applied, tables)
     made, pending = files()[: len(applied)], files()[len(applied) :]
     for name in sorted(name for migration in made for name in migration.definitions):
