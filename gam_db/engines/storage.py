@@ -41,13 +41,13 @@ class Storage:
         if is_view and not self.replaces_views:
             create.set("replace", False)
             statements.insert(0, exp.Drop(tables=[target.copy()], kind="VIEW", exists=True))
-        if is_view and is_inside:
+        if is_view and is_inside and definition.is_shown:
             named = [exp.ColumnDef(this=exp.to_identifier(name)) for name in definition.columns]
             create.set("this", exp.Schema(this=target, expressions=named))
         for column in create.this.expressions:
             if not is_view:
                 self.column(column)
-            if is_inside:
+            if is_inside and definition.is_shown:
                 self._comment(column, definition.columns)
         properties += [self.note(definition.comment.copy())] if is_inside else []
         if properties:
@@ -57,7 +57,7 @@ class Storage:
         if self.comments == "apart":
             comment = definition.comment.copy()
             statements.append(exp.Comment(this=target.copy(), kind=create.kind, expression=comment))
-            statements += _about(target, definition.columns)
+            statements += _about(target, definition.columns) if definition.is_shown else []
         return statements
 
     def _comment(self, column: exp.ColumnDef, comments: Mapping[str, exp.Expr]) -> None:
@@ -77,6 +77,7 @@ class Definition:
     create: exp.Create  # CREATE TABLE with its columns, or CREATE VIEW with its query
     comment: exp.Expr  # what it holds, as a literal
     columns: Mapping[str, exp.Expr]  # what each column means, by its name, in order
+    is_shown: bool = True  # whether the database says of each column what it means, too
 
     @property
     def is_view(self) -> bool:

@@ -3,6 +3,7 @@
 import dataclasses
 import hashlib
 import json
+import re
 from pathlib import Path
 
 import duckdb
@@ -142,7 +143,7 @@ def test_the_script_is_printed_without_a_database() -> None:
     expected = rendered(engine_named("postgres"), StateTables(prefix="x_"))
 
     def timeless(script: str) -> list[str]:
-        return [line for line in script.splitlines() if not line.endswith("AS applied_at,")]
+        return re.sub(r"\d{16}(?= AS BIGINT\) AS applied_at)", "now", script).splitlines()
 
     assert found.exit_code == 0
     assert timeless(found.stdout) == timeless(expected)

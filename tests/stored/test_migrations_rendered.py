@@ -11,9 +11,9 @@ from sqlglot import exp
 from gam_db.engines import NAMES, engine_named
 from gam_db.errors import EngineError
 from gam_db.stored.schema import migration_files
-from gam_db.stored.schema.migration_files import files
+from gam_db.stored.schema.migration_files import definitions, files
 from gam_db.stored.schema.migrations import rendered
-from gam_db.stored.schema.tables import TABLES, VIEWS, StateTables
+from gam_db.stored.schema.tables import FOR_READERS, TABLES, VIEWS, StateTables
 from state_names import called
 
 pytestmark = [pytest.mark.thorough, pytest.mark.migrates]
@@ -43,26 +43,34 @@ def test_the_script_of_an_engine_can_be_parsed(name: str) -> None:
     ("name", "said"),
     [
         ("postgres", "floor DOUBLE PRECISION,\n"),
-        ("clickhouse", "bucket_no Int64 COMMENT 'Number of the bucket"),
-        ("clickhouse", "novel_in_window Nullable(Int64) COMMENT"),
+        ("clickhouse", "bucket_no Int64,"),
+        ("clickhouse", "novel_in_window Nullable(Int64),"),
         ("clickhouse", "\nSETTINGS\n  index_granularity = 512\nCOMMENT 'Full buckets"),
         ("clickhouse", "ORDER BY (support_id)\nCOMMENT 'Range"),
+        ("clickhouse", "note Nullable(String) COMMENT 'What"),
         ("bigquery", "CLUSTER BY version_id, bucket_no\nOPTIONS (\n  description='Full"),
-        ("bigquery", "novel_in_window INT64 OPTIONS (\n    description='Novel"),
+        ("bigquery", "novel_in_window INT64,"),
+        ("bigquery", "note STRING OPTIONS (\n    description='What"),
         ("spark", "INTO 4 BUCKETS\nCOMMENT 'Full"),
+        ("spark", "note STRING COMMENT 'What"),
         ("databricks", "CLUSTER BY (version_id, bucket_no)\nCOMMENT 'Full"),
         ("snowflake", "CLUSTER BY (version_id, bucket_no)\nCOMMENT='Full"),
         ("redshift", "COMPOUND SORTKEY(version_id, bucket_no)"),
-        ("trino", 'COMMENT ON COLUMN "gam_state_run".run_id IS \'The run'),
+        ("trino", "COMMENT ON COLUMN \"gam_fleet\".monitor IS 'The monitor'"),
         ("sqlite", 'DROP VIEW IF EXISTS "gam_state_visible_novel"'),
-        ("postgres", 'COMMENT ON COLUMN "public"."gam_state_run".withdrawn IS \'In a second'),
-        ("clickhouse", "withdrawn Nullable(Int64) COMMENT 'In a second"),
-        ("bigquery", "withdrawn INT64 OPTIONS (\n    description='In a second"),
-        ("spark", "withdrawn BIGINT COMMENT 'In a second"),
+        ("postgres", 'COMMENT ON COLUMN "public"."gam_fleet".monitor IS \'The monitor'),
     ],
 )
 def test_types_keys_and_comments_are_the_engines(name: str, said: str) -> None:
     assert said in rendered(engine_named(name), STATE)
+
+
+def test_the_script_for_postgresql_is_not_long() -> None:
+    script = rendered(engine_named("postgres"), STATE)
+    assert script.count("\n") <= 2600
+    assert script.count("COMMENT ON COLUMN") == sum(
+        len(definitions()[name].columns) for name in FOR_READERS
+    )
 
 
 @pytest.mark.parametrize("name", [name for name in NAMES if engine_named(name).schemas])

@@ -1,7 +1,8 @@
 """The files of ``migrations/``: read, checked, placed where the state lies, rendered for an engine.
 
 A file makes tables or views, each with its comments; it is safe to run twice, and calls them
-``stored_run`` and so on. Its checksum is that of its bytes.
+``stored_run`` and so on. Its checksum is that of its bytes. The database gets the comments of columns
+only where readers look; all of them are in ``docs/tables.md``.
 """
 
 import hashlib
@@ -19,7 +20,7 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import filled, place
 from gam_db.engines.base import Engine
 from gam_db.engines.storage import Definition
-from gam_db.stored.schema.tables import TABLES, VIEWS, StateTables, insertion
+from gam_db.stored.schema.tables import FOR_READERS, TABLES, VIEWS, StateTables, insertion
 from gam_db.version import __version__
 
 RECORD = ("number", "name", "checksum", "applied_at", "gam_version")
@@ -77,7 +78,8 @@ def placed(about: Definition, name: str, engine: Engine, tables: StateTables) ->
         for instant in list(create.find_all(exp.UnixToTime)):
             found = engine.instant_of(TimeKind.TIMESTAMP, instant.this.copy())
             instant.replace(exp.paren(found) if isinstance(instant.parent, exp.Binary) else found)
-    return engine.storage.define(Definition(create, about.comment, about.columns))
+    is_shown = name in FOR_READERS
+    return engine.storage.define(Definition(create, about.comment, about.columns, is_shown))
 
 
 def record(migration: Migration, tables: StateTables, applied_at: int) -> exp.Expr:

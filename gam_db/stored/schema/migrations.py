@@ -177,8 +177,8 @@ def rendered(engine: Engine, tables: StateTables, who: Roles | None = None) -> s
         title = f"-- Migration {migration.number}: {migration.name.replace('_', ' ')}."
         statements = _schema(engine, tables) if migration.number == 1 and who is None else []
         statements += migration.statements(engine, tables)
-        statements.append(record(migration, tables, now))
-        parts.append(_part(title, statements, engine))
+        recording = engine.text(record(migration, tables, now))
+        parts.append(f"{_part(title, statements, engine)}\n{recording};")
     if who is not None:
         parts.append(_part(roles.ALSO, roles.after(tables, who), engine))
     return "\n\n".join(parts) + "\n"
