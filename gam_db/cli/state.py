@@ -29,7 +29,7 @@ def migrate(
     engine: str | None = option("migrate.engine", names=", ".join(NAMES)),
     grants: str | None = option("migrate.grants"),
 ) -> None:
-    """Make the state tables in a database, or bring those of an older gam-db up to date.
+    """Make the state tables in a database.
 
     It can be run at any time: what was applied is recorded and not applied again, and rows stay.
     """
@@ -143,7 +143,7 @@ def drop(
             out = page.console()
             page.say(out, "This removes" if name is None else f"This removes, of monitor {name},")
             columns: dict[str, page.Cell] = {
-                "table": lambda row: tables.shown(row["name"]),
+                "table": lambda row: ".".join(part.name for part in row["table"].parts),
                 "rows": lambda row: "view" if row["rows"] is None else str(row["rows"]),
             }
             page.table(out, list(map(vars, found)), columns)

@@ -17,7 +17,7 @@ from gam_db import data
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.composing import template
 from gam_db.composing.lately import Lately
-from gam_db.engines.storage import APART, Filling, Storage, updated
+from gam_db.engines.storage import APART, Storage
 from gam_db.engines.types import USUAL, Types
 from gam_db.errors import EngineError
 from gam_db.method.bits import Bits
@@ -143,8 +143,6 @@ class Engine:
     create_table: Callable[[exp.Table, exp.Query], exp.Create] = table_as
     #: How tables and views of the state are kept, with keys, formats and comments.
     storage: Storage = APART
-    #: Writes what the rows that are there have in columns that were added, as one step.
-    fill: Callable[[Filling], list[exp.Expr]] = updated
     schemas: bool = True  # whether CREATE SCHEMA is known
     #: The schema of tables that name none, which is then written out; None leaves it to the engine. In a
     #: session it is the current schema of the connection.

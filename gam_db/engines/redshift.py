@@ -12,5 +12,5 @@ def _sorted(definition: Definition) -> list[exp.Expr]:
     return [exp.SortKeyProperty(this=[column.this for column in definition.key], compound=True)]
 
 
-_STORAGE = Storage(properties=_sorted, adds_twice=False)
+_STORAGE = Storage(properties=_sorted)
 ENGINE = Engine.named("redshift", instant=POSTGRES.instant, storage=_STORAGE)

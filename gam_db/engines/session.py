@@ -330,6 +330,7 @@ def check_columns(table: pa.Table) -> None:
 
 def _of_others(names: set[str]) -> list[str]:
     """Return names without those of the state of monitors: nobody means one of them for a source."""
-    of_runs = [name.removesuffix("finished_run") for name in names if name.endswith("finished_run")]
-    ours = tuple(prefix for prefix in of_runs if prefix and f"{prefix}migration" in names)
+    record = "state_migration"
+    of_runs = [name.removesuffix(record) for name in names if name.endswith(record)]
+    ours = tuple(prefix for prefix in of_runs if prefix and f"{prefix}state_finished_run" in names)
     return sorted(name for name in names if not name.startswith(ours))

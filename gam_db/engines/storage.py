@@ -6,7 +6,7 @@ This module owns the forms that engines share; what an engine wants is said in i
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import takewhile
-from typing import Literal, TypeAlias, cast
+from typing import Literal, TypeAlias
 
 from sqlglot import exp
 
@@ -25,11 +25,10 @@ class Storage:
     column_note: Note = lambda said: exp.CommentColumnConstraint(this=said)  # the same of a column
     #: What is said of the storage of a table.
     properties: Callable[["Definition"], Sequence[exp.Expr]] = lambda _: ()
-    #: Changes a column of a table that is made or added.
+    #: Changes a column of a table that is made.
     column: Callable[[exp.ColumnDef], None] = lambda _: None
     #: Whether texts of any length can be in an index on the key; None for no index.
     index: bool | None = None
-    adds_twice: bool = True  # whether a column that is there can be left alone when it is added again
     replaces_views: bool = True  # whether CREATE OR REPLACE VIEW is known
 
     def define(self, definition: "Definition") -> list[exp.Expr]:
@@ -42,13 +41,13 @@ class Storage:
         if is_view and not self.replaces_views:
             create.set("replace", False)
             statements.insert(0, exp.Drop(tables=[target.copy()], kind="VIEW", exists=True))
-        if is_view and is_inside:
+        if is_view and is_inside and definition.is_shown:
             named = [exp.ColumnDef(this=exp.to_identifier(name)) for name in definition.columns]
             create.set("this", exp.Schema(this=target, expressions=named))
         for column in create.this.expressions:
             if not is_view:
                 self.column(column)
-            if is_inside:
+            if is_inside and definition.is_shown:
                 self._comment(column, definition.columns)
         properties += [self.note(definition.comment.copy())] if is_inside else []
         if properties:
@@ -58,21 +57,8 @@ class Storage:
         if self.comments == "apart":
             comment = definition.comment.copy()
             statements.append(exp.Comment(this=target.copy(), kind=create.kind, expression=comment))
-            statements += _about(target, definition.columns)
+            statements += _about(target, definition.columns) if definition.is_shown else []
         return statements
-
-    def extend(self, addition: "Addition") -> list[exp.Expr]:
-        """Return an ALTER TABLE for each column that is added, and the comments."""
-        statements: list[exp.Expr] = []
-        for column in addition.columns.values():
-            made = column.copy()
-            made.set("exists", self.adds_twice or None)
-            self.column(made)
-            if self.comments == "inside":
-                self._comment(made, addition.comments)
-            statements.append(exp.Alter(this=addition.table.copy(), kind="TABLE", actions=[made]))
-        apart = _about(addition.table, addition.comments) if self.comments == "apart" else []
-        return [*statements, *apart]
 
     def _comment(self, column: exp.ColumnDef, comments: Mapping[str, exp.Expr]) -> None:
         """Write the comment of a column inside its definition."""
@@ -91,6 +77,7 @@ class Definition:
     create: exp.Create  # CREATE TABLE with its columns, or CREATE VIEW with its query
     comment: exp.Expr  # what it holds, as a literal
     columns: Mapping[str, exp.Expr]  # what each column means, by its name, in order
+    is_shown: bool = True  # whether the database says of each column what it means, too
 
     @property
     def is_view(self) -> bool:
@@ -103,69 +90,6 @@ class Definition:
         columns = [] if self.is_view else self.create.this.expressions
         present = takewhile(lambda column: column.find(exp.NotNullColumnConstraint) is not None, columns)
         return [exp.column(column.this.copy()) for column in list(present)[:2]]
-
-
-@dataclass(frozen=True)
-class Addition:
-    """Columns that a table gets later; rows that are there have NULL in them."""
-
-    table: exp.Table  # that is changed
-    columns: Mapping[str, exp.ColumnDef]  # what is added, by name, in order
-    #: What each column means, by its name, and what columns that are there mean from now on: an engine
-    #: whose comments stand inside the definition leaves those as they are.
-    comments: Mapping[str, exp.Expr]
-
-
-@dataclass(frozen=True)
-class Filling:
-    """What the rows that are there have in columns that were added."""
-
-    whole: Definition  # the table with them
-    #: UPDATE ... AS kept SET column = COALESCE(kept.column, found.column), ... FROM (...) AS found WHERE
-    #: kept.key = found.key AND ...; there is one row of *found* at most for each key.
-    update: exp.Update
-
-    @property
-    def table(self) -> exp.Table:
-        """The table."""
-        return cast(exp.Table, self.whole.create.this.this)
-
-    @property
-    def rows(self) -> exp.Insert:
-        """All rows of the table as they are to be, inserted into it."""
-        changed = {one.this.name: one.expression for one in self.update.expressions}
-        names = [exp.to_identifier(name) for name in self.whole.columns]
-        columns = [changed.get(name.name, exp.column(name, table="kept")) for name in names]
-        named = [exp.alias_(one.copy(), name) for one, name in zip(columns, names, strict=True)]
-        found, same = self.update.args["from_"].this, self.update.args["where"].this
-        query = exp.select(*named).from_(self.update.this.copy())
-        query = query.join(found.copy(), on=same.copy(), join_type="left")
-        return exp.Insert(this=exp.Schema(this=self.table.copy(), expressions=names), expression=query)
-
-
-def updated(filling: Filling) -> list[exp.Expr]:
-    """Return the UPDATE as it is."""
-    return [filling.update.copy()]
-
-
-def merged(filling: Filling) -> list[exp.Expr]:
-    """Return a MERGE, for engines whose UPDATE has no FROM."""
-    update = filling.update.copy()
-    matched = exp.When(matched=True, then=exp.Update(expressions=update.expressions))
-    merge = exp.Merge(
-        this=update.this,
-        using=update.args["from_"].this,
-        on=update.args["where"].this,
-        whens=exp.Whens(expressions=[matched]),
-    )
-    return [merge]
-
-
-def overwritten(filling: Filling) -> list[exp.Expr]:
-    """Return an INSERT OVERWRITE of all rows, for tables that know no UPDATE."""
-    insert = filling.rows
-    insert.set("overwrite", True)
-    return [insert]
 
 
 def _about(table: exp.Table, columns: Mapping[str, exp.Expr]) -> list[exp.Expr]:

@@ -25,7 +25,6 @@ from gam_db.settings.calibration import Calibration, subtract
 from gam_db.settings.parameters import Parameters, pattern_matches
 from gam_db.stored.draft import TAUGHT, Draft
 from gam_db.stored.planning import Row, by, whole_pools
-from gam_db.stored.schema import checksums
 from gam_db.stored.sources import described
 from gam_db.stored.state import State, kind_of, now
 from gam_db.study import Study
@@ -314,7 +313,7 @@ _RESULT = columns(
     (COUNT, "version_no"),
     (WORD, "reason"),
     (COUNT, "m tau bins"),
-    (SHARE, " ".join(checksums.ENDS)),
+    (SHARE, "calibrated_lo calibrated_hi"),
     (WORD, "verdict"),
     (SHARE, "floor floor_sd floor_max"),
     (COUNT, "vectors cells blocks finest_bins vectors_needed"),

@@ -1,7 +1,7 @@
 """What calibration made and nobody sees yet: written as a whole, versions and limits together.
 
-This module owns the order in which that is written: the rows in ``gam_version`` come last, after the
-limits, so that versions and limits are there together or not at all.
+This module owns the order in which that is written: the rows in ``gam_state_version`` come last, after
+the limits, so that versions and limits are there together or not at all.
 """
 
 from collections import defaultdict

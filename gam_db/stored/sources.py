@@ -1,6 +1,6 @@
 """The source of a monitor, as its row keeps it: a later run needs no word of it.
 
-This module owns how a source becomes columns of ``gam_monitor`` and comes back.
+This module owns how a source becomes columns of ``gam_state_monitor`` and comes back.
 """
 
 from collections.abc import Mapping, Sequence
@@ -17,7 +17,7 @@ from gam_db.settings.local_time import local_time
 from gam_db.settings.setting import settings_of
 from gam_db.settings.source import AnySource, Source, WideSource, is_file, paths_of
 
-#: The columns of ``gam_monitor`` that tell of the source.
+#: The columns of ``gam_state_monitor`` that tell of the source.
 SOURCE_COLUMNS = (
     *("source", "layout", "asset_column", "channel_column"),
     *("time_column", "value_column", "condition"),

@@ -98,7 +98,7 @@ def test_a_database_that_may_not_grow(tmp_path: Path, address: str, what: str) -
     before = counted(database)
     names_what_is_full(invoked(*command, room=2_000), what)
     after = counted(database)
-    assert {name for name in after if after[name] != before[name]} <= {"gam_monitor"}
+    assert {name for name in after if after[name] != before[name]} <= {"gam_state_monitor"}
     assert invoked(*command).exit_code in (Exit.FINE, Exit.ATTENTION)
     assert counted(database)["gam_version"] == 4
 

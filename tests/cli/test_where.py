@@ -124,7 +124,7 @@ def test_a_monitor_with_a_condition_is_watched_as_any_other(folder: Path) -> Non
         answer = invoked(*command)
         assert answer.exit_code in (0, 2), (command, answer.stderr)
     with duckdb.connect("copy.duckdb", read_only=True) as copy:
-        assert copy.execute("SELECT COUNT(*) > 0 FROM gam_bucket").fetchall() == [(True,)]
+        assert copy.execute("SELECT COUNT(*) > 0 FROM gam_state_bucket").fetchall() == [(True,)]
 
 
 def test_what_was_not_named_before_is_told_to_be_named() -> None:

@@ -32,6 +32,7 @@ from gam_db.stored.schema.migration_files import files
 from gam_db.stored.schema.tables import TABLES, VIEWS, StateTables
 from googlesql import GoogleSqlError, Plant, Table
 from googlesql_driver import GoogleSqlDriver
+from state_names import called
 from strategies import Case, cases
 from test_spec import GROUPS, arguments_of, compare, compare_all
 from test_spec import Case as Worked
@@ -206,7 +207,7 @@ def test_the_stored_form_gives_what_duckdb_gives() -> None:
         assert there.status()["asset"] == here.status()["asset"]
     tables = there.state.tables
     dropping.remove(there.session, dropping.removals(there.session, tables, "default"))
-    assert not made.tables["gam_bucket"].rows
+    assert not made.tables["gam_state_bucket"].rows
     dropping.remove(there.session, dropping.removals(there.session, tables))
     assert list(made.relations()) == ["telemetry"]
 
@@ -216,10 +217,10 @@ def test_the_migrations_can_be_run_twice() -> None:
     script = migrations.rendered(BIGQUERY, StateTables())
     for statement in [*googlesql.statements(script), *googlesql.statements(script)]:
         made.execute(statement)
-    assert len(made.tables["gam_migration"].rows) == len(files())
-    assert set(made.relations()) == {f"gam_{name}" for name in (*TABLES, *VIEWS)}
+    assert len(made.tables["gam_state_migration"].rows) == len(files())
+    assert set(made.relations()) == {called(name) for name in (*TABLES, *VIEWS)}
     for view in VIEWS:
-        assert not made.run(f"SELECT * FROM gam_{view}").rows
+        assert not made.run(f"SELECT * FROM {called(view)}").rows
     schema, *_ = googlesql.statements(migrations.rendered(BIGQUERY, StateTables("plant")))
     assert googlesql.analyzed(schema, {})
 

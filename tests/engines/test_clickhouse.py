@@ -269,7 +269,7 @@ def test_pruning_survives_what_a_killed_process_left(
     arrive(session, exp.to_table(table), readings(FIRST, LENGTH))
     monitor.score()
     monitor.score(since=FIRST)
-    stored = f"SELECT count() AS n FROM {prefix}bucket"
+    stored = f"SELECT count() AS n FROM {prefix}state_bucket"
     before = session.driver.fetch(stored)["n"][0].as_py()
     left = f"gam_doomed_{int(time.time())}_00"
     run(session, f"CREATE TABLE {left} (version_id Int64) ENGINE = MergeTree ORDER BY tuple()")
@@ -300,14 +300,13 @@ def test_an_incremental_run_reads_its_range_only(session: Session) -> None:
     monitor.migrate()
     run(
         session,
-        f"INSERT INTO {prefix}bucket SELECT number % 16, intDiv(number, 16), 1, 0, 0, 0, 0, 0, 0, 0, "
-        "NULL FROM numbers(16 * 10000)",
-        f"INSERT INTO {prefix}run SELECT 1, number, 0, 0, 0, 0, 0, 0, 0, 0, NULL, NULL, NULL, 0, 0, "
-        "0, NULL, NULL, NULL, NULL, NULL, NULL FROM numbers(16)",
+        f"INSERT INTO {prefix}state_bucket SELECT number % 16, intDiv(number, 16), 1, 0, 0, 0, 0, 0, "
+        "0, 0, NULL FROM numbers(16 * 10000)",
+        f"INSERT INTO {prefix}state_run SELECT 1, number, 0, 0, 0, 0, 0, 0, 0, 0, NULL, NULL, NULL, "
+        "0, 0, 0, NULL, NULL, NULL, NULL FROM numbers(16)",
     )
-    literal = (
-        f"SELECT bucket_no, novel FROM {prefix}visible_bucket WHERE version_id = 5 AND bucket_no >= 9900"
-    )
+    condition = "version_id = 5 AND bucket_no >= 9900"
+    literal = f"SELECT bucket_no, novel FROM {prefix}state_visible_bucket WHERE {condition}"
     read_of, there = granules(session, sqlglot.parse_one(literal))
     assert (read_of, there) == (1, 312)
     group = [{"version_id": 5, "first_bucket": 9950}]

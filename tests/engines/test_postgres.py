@@ -266,12 +266,12 @@ def test_a_reader_of_the_state_is_told_what_to_ask_for(worker: str, plant: Any) 
     plant.execute("GRANT SELECT ON ALL TABLES IN SCHEMA public TO worker")
     with gam_db.connect(worker) as session:
         assert monitor(session).status().num_rows == 4
-        with pytest.raises(EngineError, match="GRANT UPDATE ON TABLE gam_monitor TO it"):
+        with pytest.raises(EngineError, match="GRANT UPDATE ON TABLE gam_state_monitor TO it"):
             monitor(session).score()  # one writer at a time: it locks the row of its monitor
-        plant.execute("GRANT UPDATE ON TABLE gam_monitor TO worker")
-        with pytest.raises(EngineError, match="GRANT INSERT ON TABLE gam_bucket TO it"):
+        plant.execute("GRANT UPDATE ON TABLE gam_state_monitor TO worker")
+        with pytest.raises(EngineError, match="GRANT INSERT ON TABLE gam_state_bucket TO it"):
             monitor(session).score()
-        with pytest.raises(EngineError, match="GRANT UPDATE ON TABLE gam_migration TO it"):
+        with pytest.raises(EngineError, match="GRANT UPDATE ON TABLE gam_state_migration TO it"):
             monitor(session).calibrate(again=True)
     assert stored(plant) == before
 

@@ -14,6 +14,7 @@ from gam_db.errors import EngineError
 from sets import amounts
 from small_plant import monitor, whole
 from small_postgres import administrator, begin, database, rows_of, seen
+from state_names import called
 
 #: Steps that a run announces, and one more.
 STEPS = 54
@@ -56,7 +57,7 @@ def test_a_crash_of_the_server_loses_nothing(crashes: int) -> None:
                     assert seen(connection) == expected, (step, delay)
                     for table in ("bucket", "novel"):
                         counts = [
-                            rows_of(connection, f"SELECT count(*) AS n FROM gam_{shown}{table}")
+                            rows_of(connection, f"SELECT count(*) AS n FROM {called(shown + table)}")
                             for shown in ("", "visible_")
                         ]
                         assert counts[0] == counts[1], (step, delay)

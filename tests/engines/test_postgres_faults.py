@@ -23,6 +23,7 @@ from gam_db.study.running import Listener
 from sets import amounts
 from small_plant import FIRST, LOOKBACK, monitor, readings, whole
 from small_postgres import administrator, begin, database, put, rows_of, seen, source, stored
+from state_names import called
 from strategies import Row
 from victims import Moment, Victims
 
@@ -67,7 +68,7 @@ def url(name: str) -> str:
 def without_doubles(connection: Any) -> bool:
     """Tell whether no row of the state is hidden, or of no run."""
     counts = [
-        rows_of(connection, f"SELECT count(*) AS n FROM gam_{table}")
+        rows_of(connection, f"SELECT count(*) AS n FROM {called(table)}")
         for table in ("bucket", "visible_bucket", "novel", "visible_novel")
     ]
     return counts[0] == counts[1] and counts[2] == counts[3]
@@ -195,7 +196,7 @@ def test_two_calibrations_at_once_do_not_double_versions(plant: Any, name: str) 
     found = at_once(name, lambda mine, meet: mine.calibrate(again=True, on_step=meet), "writing")
     assert [type(error) for error in found] == [ConflictError]
     assert str(found[0]).startswith("Another connection changed")
-    versions = "SELECT version_id, channel_id, version_no FROM gam_version ORDER BY version_id"
+    versions = "SELECT version_id, channel_id, version_no FROM gam_state_version ORDER BY version_id"
     assert plant.execute(versions).fetchall() == [
         (4 * number + channel, channel, number + 1) for number in (0, 1) for channel in (1, 2, 3, 4)
     ]
@@ -215,10 +216,12 @@ def test_one_that_waits_for_another_is_refused(name: str, plant: Any, level: str
             except UserError as error:
                 refused.append(error)
 
-        first.execute("UPDATE gam_migration SET applied_at = applied_at WHERE number = 1")
-        first.execute("CREATE TEMPORARY TABLE another AS SELECT * FROM gam_version WHERE version_id = 1")
+        first.execute("UPDATE gam_state_migration SET applied_at = applied_at WHERE number = 1")
+        first.execute(
+            "CREATE TEMPORARY TABLE another AS SELECT * FROM gam_state_version WHERE version_id = 1"
+        )
         first.execute("UPDATE another SET version_id = 99")
-        first.execute("INSERT INTO gam_version SELECT * FROM another")
+        first.execute("INSERT INTO gam_state_version SELECT * FROM another")
         waiting = threading.Thread(target=second)
         waiting.start()
         blocked = "SELECT count(*) FROM pg_locks WHERE NOT granted"
@@ -238,7 +241,7 @@ def test_two_migrations_at_once(name: str) -> None:
         assert all(str(error).startswith("Another connection changed") for error in found)
         with administrator(empty) as connection, gam_db.connect(url(empty)) as session:
             monitor(session).migrate()
-            numbers = connection.execute("SELECT number FROM gam_migration ORDER BY 1").fetchall()
+            numbers = connection.execute("SELECT number FROM gam_state_migration ORDER BY 1").fetchall()
             assert numbers == [(number,) for number in range(1, len(numbers) + 1)]
 
 
@@ -279,17 +282,18 @@ def test_a_run_reads_its_range_of_the_source_and_of_what_is_stored() -> None:
         report = score(url(made))
         wait_until_alone(connection)
         assert 0 < sum(row["rows_read"] for row in report.channels) < 4 * 1.5 * late
-        there = connection.execute("SELECT COUNT(*) FROM gam_bucket").fetchone()[0]
+        there = connection.execute("SELECT COUNT(*) FROM gam_state_bucket").fetchone()[0]
         read = rows_of(
             connection,
             "SELECT relname AS name, seq_tup_read AS walked, idx_tup_fetch AS fetched "
-            "FROM pg_stat_user_tables WHERE relname IN ('telemetry', 'gam_bucket', 'gam_novel')",
+            "FROM pg_stat_user_tables "
+            "WHERE relname IN ('telemetry', 'gam_state_bucket', 'gam_state_novel')",
         )
         assert [row["walked"] for row in read] == [0, 0, 0]
         fetched = {row["name"]: row["fetched"] for row in read}
         assert 0 < fetched["telemetry"] < length
-        assert 0 < fetched["gam_bucket"] < there / 4
-        assert 0 < fetched["gam_novel"] < there / 4
+        assert 0 < fetched["gam_state_bucket"] < there / 4
+        assert 0 < fetched["gam_state_novel"] < there / 4
 
 
 def wait_until_alone(connection: Any) -> None:

@@ -18,6 +18,7 @@ from gam_db.stored.schema.tables import VIEWS
 from gam_db.study import Study
 from small_plant import readings
 from small_postgres import administrator, database, source
+from state_names import called
 
 PARAMETERS = gam_db.Parameters(m=2, tau=1, bins=4, window=20, stride=5)
 HEALTHY = gam_db.Calibration(intervals=[(0, 99)])
@@ -140,7 +141,7 @@ def test_no_trap_is_called(plant: Plant, tmp_path: Path, monkeypatch: pytest.Mon
         plant.gam("check", name, *columns, "--state")
         with psycopg.connect(plant.url) as reader:
             for view in VIEWS:
-                assert reader.execute(f"SELECT * FROM gam_{view}").fetchall() or view in EMPTY
+                assert reader.execute(f"SELECT * FROM {called(view)}").fetchall() or view in EMPTY
         plant.check("views")
         plant.gam("prune", "--keep-versions", "0", "--keep-novel", "10", "--keep", "100")
         assert plant.connection.execute(FOREIGN).fetchall() == []
@@ -155,8 +156,8 @@ def test_no_trap_is_called(plant: Plant, tmp_path: Path, monkeypatch: pytest.Mon
         plant.psql(plant.gam("migrate", "--sql", "--engine", "postgres", "--schema", "scripted"))
         assert plant.connection.execute(FOREIGN).fetchall() == []
     own = plant.connection.execute("SELECT DISTINCT proname FROM pg_catalog.pg_proc").fetchall()
-    called = postgres_traps.named([plant.said()]) & {name for (name,) in own}
-    assert called - postgres_traps.known() == set()
+    run = postgres_traps.named([plant.said()]) & {name for (name,) in own}
+    assert run - postgres_traps.known() == set()
 
 
 def test_a_lent_connection_calls_none_and_keeps_its_path(plant: Plant) -> None:

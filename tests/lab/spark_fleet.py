@@ -31,23 +31,24 @@ LOGGED = "--conf spark.eventLog.enabled=true --conf spark.eventLog.compress=fals
 QUERIES = {
     "buckets": (
         "SELECT asset, channel, bucket_no, first_time, last_time, context_time, samples, novel, "
-        "out_of_range, novel_in_window FROM gam_visible_bucket JOIN gam_version USING (version_id) "
-        "JOIN gam_channel USING (channel_id) ORDER BY asset, channel, bucket_no"
+        "out_of_range, novel_in_window FROM gam_state_visible_bucket "
+        "JOIN gam_state_version USING (version_id) JOIN gam_state_channel USING (channel_id) "
+        "ORDER BY asset, channel, bucket_no"
     ),
     "novel": (
         "SELECT asset, channel, bucket_no, cell_key, visits, first_time, last_time "
-        "FROM gam_visible_novel JOIN gam_version USING (version_id) "
-        "JOIN gam_channel USING (channel_id) ORDER BY asset, channel, bucket_no, cell_key"
+        "FROM gam_state_visible_novel JOIN gam_state_version USING (version_id) "
+        "JOIN gam_state_channel USING (channel_id) ORDER BY asset, channel, bucket_no, cell_key"
     ),
     "support": (
         "SELECT asset, channel, cell_key, visits, first_block, last_block, first_time, last_time "
-        "FROM gam_support JOIN gam_version USING (support_id) "
-        "JOIN gam_channel USING (channel_id) ORDER BY asset, channel, cell_key"
+        "FROM gam_state_support JOIN gam_state_version USING (support_id) "
+        "JOIN gam_state_channel USING (channel_id) ORDER BY asset, channel, cell_key"
     ),
     "bounds": (
         "SELECT asset, channel, lo, hi, calibration_vectors, cells, seen_once, verdict, finest_bins "
-        "FROM gam_bounds JOIN gam_version USING (support_id) "
-        "JOIN gam_channel USING (channel_id) ORDER BY asset, channel"
+        "FROM gam_state_bounds JOIN gam_state_version USING (support_id) "
+        "JOIN gam_state_channel USING (channel_id) ORDER BY asset, channel"
     ),
 }
 

@@ -134,7 +134,7 @@ def test_one_wrong_bucket_is_found(tmp_path: Path) -> None:
     stored_run.done(replace(job, task="from_nothing"))
     stored_run.done(job)
     with duckdb.connect(job.state) as connection:
-        connection.execute("UPDATE gam_bucket SET novel = novel + 1 WHERE bucket_no = 3")
+        connection.execute("UPDATE gam_state_bucket SET novel = novel + 1 WHERE bucket_no = 3")
     with pytest.raises(InternalError, match="disagree in the column novel"):
         stored_run.done(job)
     with pytest.raises(InternalError, match="no task 'nothing'"):

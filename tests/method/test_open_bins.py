@@ -141,8 +141,8 @@ def test_bins_that_are_found_make_no_family(engine: str) -> None:
     assert len({row["bins"] for row in made}) >= 3, "or the case says nothing"
     monitor.limits(again=True)
     stored = """
-        SELECT asset, channel, limit_no, family FROM gam_limit
-        JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+        SELECT asset, channel, limit_no, family FROM gam_state_limit
+        JOIN gam_state_version USING (version_id) JOIN gam_state_channel USING (channel_id)
     """
     families: dict[Any, set[Any]] = {}
     for row in visible(monitor, stored):

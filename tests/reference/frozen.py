@@ -60,7 +60,7 @@ def resolved(calibration: Any, channel: Channel) -> list[tuple[float, float]]:
 def buckets(
     first: list[Row], final: list[Row], parameters: Any, calibration: Any
 ) -> list[dict[str, Any]]:
-    """Return what ``gam_bucket`` must show, in order, names in the place of numbers."""
+    """Return what ``gam_state_bucket`` must show, in order, names in the place of numbers."""
     answer = []
     for channel, pool in channels(first, final, parameters, calibration):
         stride, window = pool.settings.stride, pool.settings.window
@@ -105,7 +105,7 @@ def stands_still(channel: Channel) -> list[bool]:
 def still_counts(
     first: list[Row], final: list[Row], parameters: Any, calibration: Any
 ) -> list[dict[str, Any]]:
-    """Return the column ``still`` of ``gam_bucket``, in order."""
+    """Return the column ``still`` of ``gam_state_bucket``, in order."""
     stands: dict[tuple[str, str], tuple[int, list[int] | None]] = {
         (channel.asset, channel.name): (
             scored_from(channel) - 1,
@@ -140,7 +140,7 @@ def still_since(
 def novel_cells(
     first: list[Row], final: list[Row], parameters: Any, calibration: Any
 ) -> list[dict[str, Any]]:
-    """Return what ``gam_novel`` must show, in order, names in the place of numbers."""
+    """Return what ``gam_state_novel`` must show, in order, names in the place of numbers."""
     answer = []
     for channel, pool in channels(first, final, parameters, calibration):
         stride = pool.settings.stride

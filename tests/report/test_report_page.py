@@ -123,7 +123,7 @@ def made(folder: Path, source: pa.Table, **wished: Any) -> Plant:
     again.score()
     session.connection.execute(
         "INSERT INTO gam_label SELECT monitor_id, 1, episode_id, 'm1', 0, 1, 'false_alarm', ?, NULL, 0 "
-        "FROM gam_episode WHERE seq = 1",
+        "FROM gam_state_episode WHERE seq = 1",
         [HOSTILE[1]],
     )
     file = folder / "the 'page' <b>.html"
@@ -137,7 +137,7 @@ def made(folder: Path, source: pa.Table, **wished: Any) -> Plant:
     for row in rows("SELECT * FROM gam_health ORDER BY bucket"):
         health[row["asset"], row["channel"]].append(row)
     healthy, new = defaultdict(set), defaultdict(set)
-    known = "FROM gam_support JOIN gam_version USING (support_id) JOIN gam_channel USING (channel_id)"
+    known = "FROM gam_state_support JOIN gam_state_version USING (support_id) JOIN gam_state_channel USING (channel_id)"
     for row in rows(f"SELECT asset, channel, cell_key {known}"):
         healthy[row["asset"], row["channel"]].add(row["cell_key"])
     for row in rows("SELECT asset, channel, cell_key FROM gam_quarantine"):
@@ -319,7 +319,7 @@ FLAT = """codes => { const canvas = document.querySelector('figure canvas'), siz
 
 
 def compare_states(seen: browser.Seen, plant: Plant, name: tuple[str, str]) -> None:
-    """Each cell of the first flat picture is healthy or new as gam_support and gam_quarantine say."""
+    """Each cell of the first flat picture is healthy or new as gam_state_support and gam_quarantine say."""
     codes = PARAMETERS.grid + 3
     flat: dict[tuple[int, int], str] = {}
     for keys, kind in ((plant.new[name], "new"), (plant.healthy[name], "healthy")):

@@ -23,8 +23,9 @@ GROUP = 2 * FIRST
 
 LIMITS = """
     SELECT asset, version_no, limit_no, from_judgement, cause, blocks, reference, height, basis,
-        gam_limit.reason
-    FROM gam_limit JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+        gam_state_limit.reason
+    FROM gam_state_limit JOIN gam_state_version USING (version_id)
+    JOIN gam_state_channel USING (channel_id)
     ORDER BY asset, version_no, limit_no
 """
 

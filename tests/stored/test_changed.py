@@ -13,7 +13,7 @@ from visible import put, rows_of
 LOOKBACK = 60
 
 #: The visible buckets without the runs that wrote them.
-UNSIGNED = "SELECT * EXCLUDE (run_id) FROM gam_visible_bucket ORDER BY version_id, bucket_no"
+UNSIGNED = "SELECT * EXCLUDE (run_id) FROM gam_state_visible_bucket ORDER BY version_id, bucket_no"
 
 pytestmark = pytest.mark.thorough
 
@@ -39,13 +39,15 @@ def plant() -> Iterator[duckdb.DuckDBPyConnection]:
 def last_run(connection: duckdb.DuckDBPyConnection, asset: str) -> tuple[int, int, list[int], int]:
     """Return from where on the last run of an asset wrote and made, its buckets, and the last of all."""
     run_id, first, made = connection.execute(
-        "SELECT run_id, from_bucket, made_from FROM gam_run JOIN gam_version USING (version_id) "
-        "JOIN gam_channel USING (channel_id) WHERE asset = ? ORDER BY run_id DESC LIMIT 1",
+        "SELECT run_id, from_bucket, made_from FROM gam_state_run "
+        "JOIN gam_state_version USING (version_id) JOIN gam_state_channel USING (channel_id) "
+        "WHERE asset = ? ORDER BY run_id DESC LIMIT 1",
         [asset],
     ).fetchall()[0]
     numbers = connection.execute(
-        "SELECT bucket_no, run_id FROM gam_visible_bucket JOIN gam_version USING (version_id) "
-        "JOIN gam_channel USING (channel_id) WHERE asset = ? ORDER BY bucket_no",
+        "SELECT bucket_no, run_id FROM gam_state_visible_bucket "
+        "JOIN gam_state_version USING (version_id) JOIN gam_state_channel USING (channel_id) "
+        "WHERE asset = ? ORDER BY bucket_no",
         [asset],
     ).fetchall()
     return first, made, [number for number, by in numbers if by == run_id], numbers[-1][0]
@@ -81,8 +83,8 @@ def test_buckets_before_the_first_that_changed_stay_as_they_were(
     time = changed(plant, "b", 22, "1e6")
     first, made, written, last = last_run(plant, "b")
     (expected,) = plant.execute(
-        "SELECT MIN(bucket_no) FROM gam_visible_bucket JOIN gam_version USING (version_id) "
-        "JOIN gam_channel USING (channel_id) WHERE asset = 'b' AND last_time >= ?",
+        "SELECT MIN(bucket_no) FROM gam_state_visible_bucket JOIN gam_state_version USING (version_id) "
+        "JOIN gam_state_channel USING (channel_id) WHERE asset = 'b' AND last_time >= ?",
         [time],
     ).fetchall()[0]
     assert made < first == expected
@@ -92,14 +94,14 @@ def test_buckets_before_the_first_that_changed_stay_as_they_were(
 
 def test_a_run_that_finds_everything_as_it_was_hides_nothing(plant: duckdb.DuckDBPyConnection) -> None:
     """The same row again is read within the lookback; its instant is one sample still."""
-    before, runs = rows_of(plant, "FROM gam_visible_bucket"), rows_of(plant, "FROM gam_run")
+    before, runs = rows_of(plant, "FROM gam_state_visible_bucket"), rows_of(plant, "FROM gam_state_run")
     plant.execute(
         "INSERT INTO telemetry FROM telemetry "
         "WHERE asset = 'b' AND time = (SELECT MAX(time) - 22 FROM telemetry WHERE asset = 'b')"
     )
     assert monitor(plant).score().channels
-    assert rows_of(plant, "FROM gam_visible_bucket") == before
-    assert rows_of(plant, "FROM gam_run") == runs, "there is nothing to record"
+    assert rows_of(plant, "FROM gam_state_visible_bucket") == before
+    assert rows_of(plant, "FROM gam_state_run") == runs, "there is nothing to record"
     put(plant, readings(LENGTH - 20, LENGTH - 10))
     (run,) = (row for row in monitor(plant).score().channels if row["asset"] == "b")
     assert run["rows_read"] < 3 * LOOKBACK
@@ -147,7 +149,7 @@ def test_what_changes_after_the_look_and_before_the_reading_is_found(end: int) -
         mine.calibrate()
         put(connection, readings(FIRST, end))
         mine.score()
-        ((last,),) = connection.execute("SELECT MAX(last_time) FROM gam_visible_bucket").fetchall()
+        ((last,),) = connection.execute("SELECT MAX(last_time) FROM gam_state_visible_bucket").fetchall()
         put(connection, readings(end, end + 2))
         told: list[str] = []
 

@@ -56,7 +56,7 @@ def test_a_check_is_recorded_and_told_by_status(plant: Path) -> None:
     )
     assert "a x: scored: rows after 199 came since the last run: gam score scores them" in said(sound)
     assert "s ago: no difference (gam check --state)" in said(gam("status"))
-    changed("UPDATE gam_bucket SET novel_in_window = novel_in_window + 1 WHERE bucket_no = 9")
+    changed("UPDATE gam_state_bucket SET novel_in_window = novel_in_window + 1 WHERE bucket_no = 9")
     wrong = gam("check", "--state")
     assert wrong.exit_code == 2, wrong.output
     assert "4 of 4 channels are not as they should be" in said(wrong)
@@ -72,8 +72,8 @@ def test_a_check_is_recorded_and_told_by_status(plant: Path) -> None:
 
 
 def test_damage_says_what_to_do(plant: Path) -> None:
-    changed("UPDATE gam_bounds SET floor = floor / 2, cells = cells + 1 WHERE support_id = 1")
-    changed("INSERT INTO gam_run SELECT * REPLACE (77 AS version_id) FROM gam_run LIMIT 1")
+    changed("UPDATE gam_state_bounds SET floor = floor / 2, cells = cells + 1 WHERE support_id = 1")
+    changed("INSERT INTO gam_state_run SELECT * REPLACE (77 AS version_id) FROM gam_state_run LIMIT 1")
     result = gam("check", "--state", "--json")
     figures = json.loads(result.stdout)
     assert (result.exit_code, figures["recorded"]) == (2, True)
@@ -81,7 +81,7 @@ def test_damage_says_what_to_do(plant: Path) -> None:
     assert {("a", "frozen"), ("a", "versions"), (None, "tables")} <= parts
     text = said(gam("check", "--state"))
     assert "a x: version 1: frozen: changed since calibration froze it: its integers (1)" in text
-    assert "tables: rows of gam_run whose version is not there (1)" in text
+    assert "tables: rows of gam_state_run whose version is not there (1)" in text
     assert "1 of 4 channels are not as they should be" in text
     assert "put them back from a copy of the database; or gam calibrate --again" in text
     refused = gam("score")
@@ -104,15 +104,17 @@ def test_what_cannot_be_recorded_is_checked_all_the_same(
 
 
 def test_what_a_clock_ahead_recorded_is_not_told(plant: Path) -> None:
-    changed("INSERT INTO gam_proof VALUES (1, 9000000000000000, 'state', 4, 4, 92, 0)")
+    changed("INSERT INTO gam_state_proof VALUES (1, 9000000000000000, 'state', 4, 4, 92, 0)")
     assert "never compared with its source" in said(gam("status"))
 
 
 def test_rows_that_came_are_left_to_the_next_run(plant: Path) -> None:
     """The newest buckets are compared as long as nothing came; then they are the next run's."""
     with duckdb.connect("plant.duckdb") as connection:
-        newest = "bucket_no = (SELECT MAX(bucket_no) FROM gam_bucket)"
-        connection.execute(f"UPDATE gam_bucket SET samples = samples + 1 WHERE {newest}").fetchall()
+        newest = "bucket_no = (SELECT MAX(bucket_no) FROM gam_state_bucket)"
+        connection.execute(
+            f"UPDATE gam_state_bucket SET samples = samples + 1 WHERE {newest}"
+        ).fetchall()
     wrong = gam("check", "--state")
     assert wrong.exit_code == 2, wrong.output
     with duckdb.connect("plant.duckdb") as connection:
@@ -134,6 +136,8 @@ def test_a_version_of_which_no_bucket_is_left_is_in_order() -> None:
         put(connection, small_plant.readings(small_plant.LENGTH, small_plant.LENGTH + 90))
         made.score()
         made.prune(keep=20)
-        left = connection.execute("SELECT COUNT(*) FROM gam_bucket WHERE version_id = 1").fetchall()
+        left = connection.execute(
+            "SELECT COUNT(*) FROM gam_state_bucket WHERE version_id = 1"
+        ).fetchall()
         assert left == [(0,)]
         assert made.check_state().num_rows == 0

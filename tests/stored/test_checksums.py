@@ -7,7 +7,6 @@ from typing import Any
 import duckdb
 import pyarrow as pa
 import pytest
-from sqlglot import exp
 
 import engines
 import gam_db
@@ -17,8 +16,6 @@ from gam_db.errors import StateError
 from gam_db.stored.checking import proving
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.planning.steps import DAY
-from gam_db.stored.schema import migrations
-from gam_db.stored.schema.migration_files import files
 from strategies import Row
 from test_falsified import put_back, stored
 
@@ -66,7 +63,6 @@ def sums(version: dict[str, Any], tables: dict[str, list[dict[str, Any]]]) -> di
             if figures[name] is not None
         ),
         **{name: bounds[name] for name in ("calibrated_lo", "calibrated_hi")},
-        **dict.fromkeys(("lo", "hi")),  # their earlier names
         **{name: version[name] for name in ("target_floor", "settings_hash", "method_hash")},
     }
 
@@ -113,31 +109,12 @@ def check_sums(engine: str) -> None:
     expected = [sums(version, tables) for version in tables["version"]]
     kept = stored(monitor, "checksum")
     assert sorted(kept.to_pylist(), key=lambda row: row["version_id"]) == expected
-    # A state that is older gets them from its tables; what is there already stays.
-    put_back(monitor, "checksum", kept.slice(0, 1))
-    bounds = stored(monitor, "bounds")
-    for earlier in ("lo", "hi"):
-        place = bounds.schema.get_field_index(earlier)
-        bounds = bounds.set_column(place, earlier, bounds[f"calibrated_{earlier}"])
-    put_back(monitor, "bounds", bounds)
-    first, renamed = (one for one in files() if one.name == "checksum")
-    known, state = monitor.session.engine, monitor.state.tables
-    for _ in range(2):
-        for statement in first.statements(known, state):
-            if isinstance(statement, exp.Insert):
-                monitor.session.execute(statement)
-        for statement in renamed.statements(known, state, ("calibrated_lo", "calibrated_hi")):
-            monitor.session.execute(statement)
-    after = stored(monitor, "checksum").drop_columns(["lo", "hi"])
-    older = [sums({**version, "least_vectors": None}, tables) for version in tables["version"]]
-    put_in = [{name: row[name] for name in after.column_names} for row in [expected[0], *older[1:]]]
-    assert after.to_pylist() == put_in
 
 
 def test_the_file_runs_in_duckdb_as_it_is() -> None:
     """With what it reads under the names that it has for it; its macros are DuckDB's own."""
     monitor = made("duckdb")
-    kept = stored(monitor, "checksum").drop_columns(["lo", "hi"])
+    kept = stored(monitor, "checksum")
     with duckdb.connect() as shell:
         for name in ("version", "bounds", "support", "calibration"):
             shell.register("rows", stored(monitor, name))
@@ -224,15 +201,3 @@ def test_all_active_versions_are_verified_once_a_day(monkeypatch: pytest.MonkeyP
 
 def proofs(monitor: Monitor) -> list[str]:
     return [row["extent"] for row in stored(monitor, "proof").to_pylist()]
-
-
-def test_a_record_under_another_name_is_refused() -> None:
-    source = gam_db.Source("telemetry")
-    monitor = Monitor(engines.session("duckdb"), source, prefix=engines.fresh_name("state"))
-    monitor.migrate()
-    rows = stored(monitor, "migration")
-    changed = rows.to_pylist()
-    changed[2]["name"] = "chanel"
-    put_back(monitor, "migration", pa.Table.from_pylist(changed, schema=rows.schema))
-    with pytest.raises(StateError, match="migration 3 is called 'chanel' in it and made"):
-        migrations.require(monitor.session, monitor.state.tables)

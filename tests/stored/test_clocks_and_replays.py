@@ -18,6 +18,7 @@ from gam_db.stored.monitor import Monitor
 from gam_db.stored.planning.steps import DAY
 from gam_db.stored.state import first_run_at, now
 from small_plant import FIRST, LENGTH, monitor, readings, source
+from state_names import called
 from visible import put, visible
 
 pytestmark = pytest.mark.thorough
@@ -96,7 +97,9 @@ def test_a_parked_channel_is_read_after_the_clock_stood_ahead(
 def test_calibration_is_counted_after_the_clock_stood_ahead(
     anywhere: Plant, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    counted = "SELECT COUNT(calibration_readings) AS n FROM gam_run GROUP BY run_id ORDER BY run_id"
+    counted = (
+        "SELECT COUNT(calibration_readings) AS n FROM gam_state_run GROUP BY run_id ORDER BY run_id"
+    )
     anywhere.put(readings(FIRST, 200))
     anywhere.monitor().score()
     with monkeypatch.context() as patched:
@@ -118,7 +121,7 @@ def test_versions_of_a_clock_that_stood_ahead_are_counted_at_once() -> None:
         patched.undo()
         for _ in range(2):
             monitor(connection).score()
-        counted = "SELECT COUNT(calibration_readings) FROM gam_run GROUP BY run_id ORDER BY run_id"
+        counted = "SELECT COUNT(calibration_readings) FROM gam_state_run GROUP BY run_id ORDER BY run_id"
         assert asked(connection, counted) == [(4,)]
 
 
@@ -130,16 +133,18 @@ def test_rows_of_a_run_that_was_cut_short_while_the_clock_stood_ahead_go(
     refused = first_run_at(now() - 1)
     monitor(plant).score()
     dead, alive = first_run_at(now() + AHEAD), first_run_at(now())
-    ((newest,),) = asked(plant, "SELECT MAX(run_id) FROM gam_run")
+    ((newest,),) = asked(plant, "SELECT MAX(run_id) FROM gam_state_run")
     assert refused < newest < alive
     for run_id in (dead, alive, refused):
-        plant.execute(f"INSERT INTO gam_bucket SELECT 1, 90, {run_id}, 0, 0, 0, 5, 0, 0, NULL, NULL")
-        plant.execute(f"INSERT INTO gam_novel SELECT 1, 90, {run_id}, 7, 1, 0, 0")
+        plant.execute(
+            f"INSERT INTO gam_state_bucket SELECT 1, 90, {run_id}, 0, 0, 0, 5, 0, 0, NULL, NULL"
+        )
+        plant.execute(f"INSERT INTO gam_state_novel SELECT 1, 90, {run_id}, 7, 1, 0, 0")
     mine = monitor(plant)
     mine.session.transactions = False
     pruning.prune(mine.state)
     for table in ("bucket", "novel"):
-        left = asked(plant, f"SELECT run_id FROM gam_{table} WHERE bucket_no = 90")
+        left = asked(plant, f"SELECT run_id FROM {called(table)} WHERE bucket_no = 90")
         assert left == [(alive,)], table
 
 
@@ -154,12 +159,14 @@ def test_runs_go_on_from_ids_of_a_clock_that_stood_ahead(
     mine = monitor(plant)
     given = {mine.state.next_run() for _ in range(20)}
     assert len(given) > 10
-    ((newest,),) = asked(plant, "SELECT MAX(run_id) FROM gam_run")
+    ((newest,),) = asked(plant, "SELECT MAX(run_id) FROM gam_state_run")
     assert min(given) > newest
-    plant.execute(f"INSERT INTO gam_bucket SELECT 1, 90, {max(given)}, 0, 0, 0, 5, 0, 0, NULL, NULL")
+    plant.execute(
+        f"INSERT INTO gam_state_bucket SELECT 1, 90, {max(given)}, 0, 0, 0, 5, 0, 0, NULL, NULL"
+    )
     mine.session.transactions = False
     pruning.prune(mine.state)
-    assert asked(plant, "SELECT run_id FROM gam_bucket WHERE bucket_no = 90") == [(max(given),)]
+    assert asked(plant, "SELECT run_id FROM gam_state_bucket WHERE bucket_no = 90") == [(max(given),)]
     mine.session.transactions = True
     put(plant, readings(200, LENGTH))
     monitor(plant).score()
@@ -203,7 +210,9 @@ def test_rows_that_belong_nowhere_stay_known(anywhere: Plant) -> None:
     assert counts == ["default", 2, 2, 1, 3, 2]
     assert 0 <= time.time() - instant_of(day) + 86_400 < 3 * 86_400
     assert instant_of(day) % 86_400 == 0
-    begun = "SELECT COUNT(DISTINCT started) AS n FROM gam_unplaced JOIN gam_run USING (started)"
+    begun = (
+        "SELECT COUNT(DISTINCT started) AS n FROM gam_state_unplaced JOIN gam_state_run USING (started)"
+    )
     assert anywhere.asked(begun) == [(3,)]
 
 
@@ -215,9 +224,9 @@ def instant_of(day: Any) -> float:
 def test_what_belongs_nowhere_is_pruned_after_a_year(plant: duckdb.DuckDBPyConnection) -> None:
     put(plant, [("z", "x", 199, 1.0)])
     monitor(plant).score()
-    plant.execute(f"UPDATE gam_unplaced SET started = started - {366 * DAY}")
-    (old,) = asked(plant, "SELECT started FROM gam_unplaced")
+    plant.execute(f"UPDATE gam_state_unplaced SET started = started - {366 * DAY}")
+    (old,) = asked(plant, "SELECT started FROM gam_state_unplaced")
     monitor(plant).score()
     monitor(plant).prune()
-    (young,) = asked(plant, "SELECT started FROM gam_unplaced")
+    (young,) = asked(plant, "SELECT started FROM gam_state_unplaced")
     assert young[0] - old[0] > 365 * DAY

@@ -12,6 +12,7 @@ from gam_db.errors import EngineError, SourceError, StateError
 from gam_db.stored.schema.copying import copy
 from gam_db.stored.schema.tables import TABLES as ALL
 from gam_db.stored.schema.tables import VIEWS, StateTables
+from state_names import called
 from stored_rows import Plant
 
 pytestmark = pytest.mark.migrates
@@ -87,13 +88,13 @@ def test_a_copy_holds_the_state_and_nothing_else(tmp_path: Path) -> None:
         assert sorted(file.name for file in tmp_path.iterdir() if "copy" in file.name) == [path.name]
         with duckdb.connect(path, read_only=True) as reader:
             for name in (*ALL, *VIEWS):
-                query = f"SELECT * FROM factory.gam_{name} ORDER BY ALL"
+                query = f"SELECT * FROM factory.{called(name)} ORDER BY ALL"
                 if name != "migration":
                     expected = session.connection.execute(query).fetchall()
                     assert reader.execute(query).fetchall() == expected
                     assert expected
             made = reader.execute("SELECT table_name FROM information_schema.tables").fetchall()
-            assert sorted(name for (name,) in made) == sorted(f"gam_{name}" for name in (*ALL, *VIEWS))
+            assert sorted(name for (name,) in made) == sorted(called(name) for name in (*ALL, *VIEWS))
             said = "SELECT comment FROM duckdb_views() WHERE view_name = 'gam_health'"
             assert "Health indicator" in reader.execute(said).fetchall()[0][0]
 

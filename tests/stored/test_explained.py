@@ -116,9 +116,9 @@ def test_how_far_away_a_block_may_be(session: DuckSession) -> None:
     for block, value in ((0, 30.0), (8, 30.0), (16, 30.0), (1, 20.0), (9, 20.0), (18, 20.0)):
         calm[block][3] = value
     monitor = Plant(session, calm=calm).monitor
-    novel = "SELECT block FROM gam_buffered WHERE g = 8 AND novel_buffered > 0"
+    novel = "SELECT block FROM gam_state_buffered WHERE g = 8 AND novel_buffered > 0"
     assert visible(monitor, novel) == [{"block": 8}]
-    (of_bands,) = visible(monitor, "SELECT SUM(novel_buffered) AS novel FROM gam_band WHERE g = 8")
+    (of_bands,) = visible(monitor, "SELECT SUM(novel_buffered) AS novel FROM gam_state_band WHERE g = 8")
     assert of_bands["novel"] == 1
 
 
@@ -171,7 +171,7 @@ def test_a_cell_is_decoded_on_each_axis_from_the_newest_sample_back(
 def test_ten_cells_are_shown_equal_ones_by_their_keys(session: DuckSession) -> None:
     plant = Plant(session)
     plant.score(*[[float(12 + 4 * n + i) for i in range(W)] for n in range(6)])
-    (row,) = visible(plant.monitor, "SELECT first_judgement FROM gam_visible_episode")
+    (row,) = visible(plant.monitor, "SELECT first_judgement FROM gam_state_visible_episode")
     begin = 12.0 + 4 * row["first_judgement"]
     shown = plant.cells("cell_rank", "visits", "value_from")
     assert shown == [(n + 1, 1, begin + n) for n in range(10)]
@@ -199,9 +199,9 @@ def test_pruning_takes_what_a_later_run_counted_again(session: DuckSession) -> N
     plant = Plant(session)
     plant.score(*[RAISED] * 6)
     plant.monitor.score(full=True)
-    before, said = visible(plant.monitor, "SELECT * FROM gam_band_visit"), plant.bands()
+    before, said = visible(plant.monitor, "SELECT * FROM gam_state_band_visit"), plant.bands()
     plant.monitor.prune()
-    after = visible(plant.monitor, "SELECT * FROM gam_band_visit")
+    after = visible(plant.monitor, "SELECT * FROM gam_state_band_visit")
     assert (len(before), len(after)) == (18, 9), "three bands of three judgements, counted twice"
     assert plant.bands() == said
 
@@ -216,9 +216,11 @@ def test_rows_that_went_from_the_source_are_asked_for_no_more(
         plant.score(*[RAISED] * 6)
     session.connection.execute(f"DELETE FROM {plant.table.name} WHERE time < {13 * W}")
     plant.monitor.score()
-    counted = visible(plant.monitor, "SELECT judgement_no, band, visits FROM gam_band_visit")
+    counted = visible(plant.monitor, "SELECT judgement_no, band, visits FROM gam_state_band_visit")
     assert sorted(tuple(row.values()) for row in counted) == [(3, -1, 0), (4, -1, 0), (5, -1, 0)]
     assert plant.bands() == []
     plant.monitor.score()
-    counted = visible(plant.monitor, "SELECT judgement_no FROM gam_band_visit WHERE judgement_no < 5")
+    counted = visible(
+        plant.monitor, "SELECT judgement_no FROM gam_state_band_visit WHERE judgement_no < 5"
+    )
     assert len(counted) == 2, "the fifth was written again, and its rows are there"

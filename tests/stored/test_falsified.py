@@ -49,19 +49,6 @@ MAY_DIFFER = {
         "hides",
     ): "whether all earlier runs are looked at; one that hides all the same shows rows twice",
     **{
-        (
-            table,
-            column,
-        ): "empty since it is called calibrated_lo or calibrated_hi; nobody reads it"
-        for table in ("bounds", "checksum")
-        for column in ("lo", "hi")
-    },
-    **{
-        ("run", f"{column}{null}"): "empty since runs read the lookback again; nobody reads it"
-        for column in ("summed_from", "read_sum")
-        for null in ("", " IS NULL")
-    },
-    **{
         ("unplaced", column): "a record of what a run met then; nothing is computed from it"
         for column in (
             *("monitor_id", "started", "nameless", "undated", "strangers", "stranger_channels"),
@@ -345,7 +332,6 @@ def find_all(engine: str) -> None:
                 for column in ("order_ratio", "judgements_per_day", "reason")
             ),
         ),
-        *((table, f"{column} IS NULL") for table in ("bounds", "checksum") for column in ("lo", "hi")),
     }
 
 

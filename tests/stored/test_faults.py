@@ -22,10 +22,11 @@ from gam_db.errors import ConflictError, EngineError, FullError, UserError
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.schema import migrations
 from gam_db.stored.schema.migration_files import files
-from gam_db.stored.schema.tables import StateTables
+from gam_db.stored.schema.tables import TABLES, StateTables
 from gam_db.study.running import Listener
 from nobody import as_nobody
 from small_plant import FIRST, LENGTH, begin, monitor, readings, seen, source, stored, whole
+from state_names import called
 from visible import put
 
 pytestmark = [pytest.mark.thorough, pytest.mark.migrates]
@@ -117,7 +118,8 @@ def test_rows_later_than_lookback_show_in_the_context(
     read = [row for row in report.channels if row["read_to"] is not None]
     odd = [row["asset"] for row in read if row["context_rows"] != row["context_expected"]]
     recorded = """
-        SELECT asset FROM gam_run JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+        SELECT asset FROM gam_state_run JOIN gam_state_version USING (version_id)
+        JOIN gam_state_channel USING (channel_id)
         WHERE context_rows <> context_expected AND read_to IS NOT NULL
     """
     assert odd == ["a"]
@@ -136,8 +138,8 @@ def test_rows_that_come_late_to_calibration_are_counted() -> None:
         put(connection, [*late, *readings(FIRST, 200)])
         counted = """
             SELECT asset, run.calibration_readings - frozen.calibration_readings
-            FROM gam_run AS run JOIN gam_version AS frozen USING (version_id)
-            JOIN gam_channel USING (channel_id) ORDER BY asset
+            FROM gam_state_run AS run JOIN gam_state_version AS frozen USING (version_id)
+            JOIN gam_state_channel USING (channel_id) ORDER BY asset
         """
         monitor(connection).score()
         # Not counted by every run: it takes the whole source.
@@ -333,7 +335,7 @@ def test_of_three_runs_at_once_one_counts_and_no_hidden_row_stays(
         assert [type(error) for error in found] == [ConflictError] * 2
         assert seen(connection) == expected
         for table in ("bucket", "novel"):
-            kept = connection.execute(f"SELECT COUNT(*) FROM gam_{table}").fetchall()
+            kept = connection.execute(f"SELECT COUNT(*) FROM {called(table)}").fetchall()
             assert kept == connection.execute(f"SELECT COUNT(*) FROM gam_visible_{table}").fetchall()
 
 
@@ -349,7 +351,7 @@ def test_two_calibrations_at_once_do_not_double_versions(expected: list[Any]) ->
         assert at_once(connection, lambda mine, meet: mine.calibrate(on_step=meet), "names") == []
         found = at_once(connection, lambda mine, meet: mine.calibrate(again=True, on_step=meet), "names")
         assert len(found) == 1
-        versions = "SELECT version_id, channel_id, version_no FROM gam_version ORDER BY version_id"
+        versions = "SELECT version_id, channel_id, version_no FROM gam_state_version ORDER BY version_id"
         assert connection.execute(versions).fetchall() == [
             (4 * number + channel, channel, number + 1) for number in (0, 1) for channel in (1, 2, 3, 4)
         ]
@@ -363,7 +365,7 @@ def test_two_migrations_at_once_leave_one_record() -> None:
     with duckdb.connect() as connection, DuckSession(connection.cursor(), writable=True) as other:
 
         def meanwhile(step: str) -> None:
-            if step == files()[6].name:
+            if step == TABLES[6]:
                 with pytest.raises(ConflictError, match=CONFLICT):
                     migrations.migrate(other, StateTables())
 

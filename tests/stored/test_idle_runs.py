@@ -14,8 +14,8 @@ from small_plant import FIRST, LENGTH, LOOKBACK, monitor, readings
 from visible import BUCKETS, NOVEL, visible
 
 RUNS = """
-    SELECT asset, COUNT(*) AS runs FROM gam_run
-    JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+    SELECT asset, COUNT(*) AS runs FROM gam_state_run
+    JOIN gam_state_version USING (version_id) JOIN gam_state_channel USING (channel_id)
     GROUP BY asset ORDER BY asset
 """
 

@@ -16,6 +16,7 @@ import harness
 from batches import KINDS, History, history
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.schema.tables import TABLES
+from state_names import called
 from visible import BUCKETS, NOVEL, STANDING, STILL, CrashError, crashing, put, rows_of
 
 #: Histories of each kind; each is one of several channels, whose rows arrive each in their own way.
@@ -55,7 +56,7 @@ def connection() -> Iterator[duckdb.DuckDBPyConnection]:
 
 def empty(connection: duckdb.DuckDBPyConnection) -> None:
     """Take back all that a history has left."""
-    for table in ("telemetry", *(f"gam_{table}" for table in TABLES if table != "migration")):
+    for table in ("telemetry", *(called(table) for table in TABLES if table != "migration")):
         connection.execute(f"TRUNCATE {table}")
 
 

@@ -25,6 +25,7 @@ from gam_db.stored.monitor import Monitor
 from gam_db.stored.schema.tables import TABLES
 from killed_plant import ALARMS, CALIBRATION, LOOKBACK, METHOD, PARAMETERS, plant
 from sets import amounts
+from state_names import called
 from strategies import Row
 from test_migrations import catalog
 from victims import Moment, Victims, carry_out
@@ -53,7 +54,7 @@ SIZES = "SELECT table_name, estimated_size FROM duckdb_tables() WHERE NOT tempor
 STAMPS = ("run_id", "created", "started", "committed", "applied_at", "figures_sum", "noticed_at")
 
 #: Alarms as they are seen, names in the place of numbers.
-NAMED = "JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)"
+NAMED = "JOIN gam_state_version USING (version_id) JOIN gam_state_channel USING (channel_id)"
 JUDGEMENTS = f"""
     SELECT asset, channel, judgement_no, known.* EXCLUDE (run_id, version_id)
     FROM gam_visible_judgement AS known {NAMED} ORDER BY ALL
@@ -61,9 +62,9 @@ JUDGEMENTS = f"""
 EPISODES = """
     SELECT asset, channel, what, known.status, merged_into, onset, first_judgement, last_judgement,
         onset_time, first_time, last_time, evidence, height, is_proving
-    FROM gam_episode AS known
-    JOIN (SELECT version_id, channel_id FROM gam_version) AS made USING (version_id)
-    JOIN gam_channel AS named ON named.channel_id = made.channel_id
+    FROM gam_state_episode AS known
+    JOIN (SELECT version_id, channel_id FROM gam_state_version) AS made USING (version_id)
+    JOIN gam_state_channel AS named ON named.channel_id = made.channel_id
     ORDER BY asset, channel, seq
 """
 
@@ -113,8 +114,8 @@ def stored(session: DuckSession) -> State:
     there = session.relations()
     state: State = {}
     for table in TABLES:
-        columns = [column for column in there[f"gam_{table}"] if column not in STAMPS]
-        query = f"SELECT {', '.join(columns)} FROM gam_{table} ORDER BY ALL"
+        columns = [column for column in there[called(table)] if column not in STAMPS]
+        query = f"SELECT {', '.join(columns)} FROM {called(table)} ORDER BY ALL"
         state[table] = session.connection.execute(query).fetchall()
     return state
 
@@ -126,8 +127,8 @@ def results(session: DuckSession) -> list[Any]:
     for table, key in LEARNT.items():
         query = f"""
             SELECT named.asset, named.channel, frozen.version_no, learnt.*
-            FROM gam_{table} AS learnt JOIN gam_version AS frozen USING ({key})
-            JOIN gam_channel AS named ON named.channel_id = frozen.channel_id
+            FROM {called(table)} AS learnt JOIN gam_state_version AS frozen USING ({key})
+            JOIN gam_state_channel AS named ON named.channel_id = frozen.channel_id
         """
         rows = [
             tuple((name, value) for name, value in row.items() if not name.endswith("_id"))
@@ -145,7 +146,7 @@ def by_channel(session: DuckSession) -> dict[tuple[str, str], list[Any]]:
         *(("judgement", JUDGEMENTS), ("episode", EPISODES)),
     ):
         rows = rows_of(session.connection, query)
-        kept = session.connection.execute(f"SELECT COUNT(*) FROM gam_{table}").fetchall()
+        kept = session.connection.execute(f"SELECT COUNT(*) FROM {called(table)}").fetchall()
         assert kept == [(len(rows),)], "rows that are hidden, or of no run, are left"
         for row in rows:
             seen.setdefault((row["asset"], row["channel"]), []).append(row)
@@ -239,8 +240,8 @@ def test_killed_while_migrating(tmp_path: Path, victims: Victims, kills: int) ->
     path = tmp_path / "plant.duckdb"
 
     def look(session: DuckSession) -> Any:
-        there = "gam_migration" in session.relations()
-        query = "SELECT number, name, checksum FROM gam_migration ORDER BY number"
+        there = "gam_state_migration" in session.relations()
+        query = "SELECT number, name, checksum FROM gam_state_migration ORDER BY number"
         return catalog(session), session.connection.execute(query).fetchall() if there else []
 
     order: dict[str, Any] = {"command": "migrate", "options": {}}

@@ -20,17 +20,19 @@ pytestmark = pytest.mark.thorough
 BOUNDS = """
     SELECT asset, channel, calibrated_lo, calibrated_hi, calibration_samples, calibration_vectors,
         cells, seen_once, blocks, verdict, floor, floor_sd, floor_max, finest_bins, vectors_needed
-    FROM gam_bounds JOIN gam_version USING (support_id) JOIN gam_channel USING (channel_id)
+    FROM gam_state_bounds JOIN gam_state_version USING (support_id)
+    JOIN gam_state_channel USING (channel_id)
     ORDER BY asset, channel
 """
 SUPPORT = """
     SELECT asset, channel, cell_key, visits, first_block, last_block, first_time, last_time
-    FROM gam_support JOIN gam_version USING (support_id) JOIN gam_channel USING (channel_id)
+    FROM gam_state_support JOIN gam_state_version USING (support_id)
+    JOIN gam_state_channel USING (channel_id)
     ORDER BY asset, channel, cell_key
 """
 BLOCKS = """
     SELECT asset, channel, block, vectors, novel, first_time, last_time
-    FROM gam_block JOIN gam_channel USING (channel_id)
+    FROM gam_state_block JOIN gam_state_channel USING (channel_id)
     ORDER BY asset, channel, block
 """
 

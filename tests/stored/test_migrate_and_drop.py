@@ -1,7 +1,9 @@
 """``gam migrate`` and ``gam drop``: what they print, change and refuse."""
 
+import dataclasses
 import hashlib
 import json
+import re
 from pathlib import Path
 
 import duckdb
@@ -13,9 +15,11 @@ from gam_db.engines import engine_named
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import EngineError, StateError
 from gam_db.stored.schema import dropping
-from gam_db.stored.schema.migration_files import files
+from gam_db.stored.schema.migration_files import definitions, files, placed
 from gam_db.stored.schema.migrations import migrate, rendered, require
 from gam_db.stored.schema.tables import StateTables
+from gam_db.version import __version__
+from state_names import called
 
 pytestmark = pytest.mark.migrates
 
@@ -54,15 +58,15 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
     """Give each monitor two channels, each with a version of its own and rows in every table."""
     for monitor in monitors:
         connection.execute(
-            f"INSERT INTO gam_monitor VALUES ({monitor}, 'm{monitor}', 's', 'long', 'a', 'c', 't', 'v', "
-            "NULL, 'counter', 0)"
+            f"INSERT INTO gam_state_monitor VALUES ({monitor}, 'm{monitor}', 's', 'long', 'a', 'c', "
+            "'t', 'v', NULL, 'counter', 0)"
         )
         connection.execute(
-            f"INSERT INTO gam_unplaced VALUES ({monitor}, 0, 1, 2, 3, 4, 5, 6), "
+            f"INSERT INTO gam_state_unplaced VALUES ({monitor}, 0, 1, 2, 3, 4, 5, 6), "
             f"({monitor}, 1, 1, 2, 3, 4, NULL, NULL)"
         )
         connection.execute(
-            f"INSERT INTO gam_left_out VALUES ({monitor}, 1, 'unknown', 'z', 'c', 3, 9), "
+            f"INSERT INTO gam_state_left_out VALUES ({monitor}, 1, 'unknown', 'z', 'c', 3, 9), "
             f"({monitor}, 1, 'ahead', 'a', 'c', 1, 10)"
         )
         for key in (10 * monitor, 10 * monitor + 1):
@@ -71,15 +75,15 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
                 "version": f"{key + 100}, {key}, {key + 200}, NULL, 1, 'active', 'r', 3, 1, 10, 50, 10, "
                 "NULL, NULL, 0.05, NULL, 0, 0, 0, 0, 'h', 'h', 0, NULL, NULL",
                 "calibration": f"{key + 100}, 0, 1",
-                "bounds": f"{key + 200}, 0, 1, 2, 3, 4, 5, 'ready', 0, 0, 0, 1, 0, 1, 2",
+                "bounds": f"{key + 200}, 0, 1, 2, 3, 4, 5, 'ready', 0, 0, 0, 1, 0",
                 "block": f"{key + 200}, 0, {key}, 0, 1, 2, 3",
                 "ladder": f"{key + 200}, 4, 0.5",
                 "support": f"{key + 200}, 1, 2, 0, 0, 0, 1",
                 "bucket": f"{key + 100}, 0, 1, 0, 1, 0, 1, 1, 0, NULL, NULL",
                 "novel": f"{key + 100}, 0, 1, 1, 1, 1, 1",
                 "run": f"1, {key + 100}, 0, 0, 0, 0, 0, NULL, NULL, 0, NULL, NULL, NULL, 0, 0, 0, "
-                "NULL, NULL, NULL, NULL, NULL, NULL",
-                "checksum": f"{key + 100}, 1, 2, 3, 0, 1, 0.05, 'h', 'h', 1, 2",
+                "NULL, NULL, NULL, NULL",
+                "checksum": f"{key + 100}, 1, 2, 3, 0, 1, 0.05, 'h', 'h'",
                 "horizon": f"{key + 100}, 0, 1",
                 "proof": f"{monitor}, {key}, 'state', 2, 2, 2, 0",
                 "buffered": f"{key + 100}, 0, 1, 10, 1",
@@ -93,7 +97,7 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
                 "0, 0, 0, 0, 0, 1, 4, 3, 0",
                 "label": f"{monitor}, {key}, {key}, 'a', 0, 1, 'snoozed', NULL, NULL, 0",
             }.items():
-                connection.execute(f"INSERT INTO gam_{table} VALUES ({values})")
+                connection.execute(f"INSERT INTO {called(table)} VALUES ({values})")
 
 
 # gam migrate
@@ -102,7 +106,7 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
 def test_migrate_makes_the_state_and_status_says_so() -> None:
     made = gam("migrate", "--database", FILE)
     assert (made.exit_code, made.stderr) == (0, "")
-    assert "gam_*: applied 1 migration, 2 monitor" in made.stdout
+    assert "gam_*: applied 1 tables, 2 state_views, 3 signals" in made.stdout
     again = gam("migrate", "--database", FILE)
     assert again.stdout == f"gam_*: up to date, {len(files())} migrations\n"
     shown = gam("migrate", "--database", FILE, "--status")
@@ -131,7 +135,7 @@ def test_the_place_can_come_from_the_settings_file() -> None:
     assert gam("migrate", "--prefix", "y_").exit_code == 0
     found = json.loads(gam("migrate", "--status", "--json").stdout)
     assert (found["schema"], found["prefix"], found["pending"]) == ("north", "x_", [])
-    assert {"north.x_run", "north.y_run"} <= counts().keys()
+    assert {"north.x_state_run", "north.y_state_run"} <= counts().keys()
 
 
 def test_the_script_is_printed_without_a_database() -> None:
@@ -139,7 +143,7 @@ def test_the_script_is_printed_without_a_database() -> None:
     expected = rendered(engine_named("postgres"), StateTables(prefix="x_"))
 
     def timeless(script: str) -> list[str]:
-        return [line for line in script.splitlines() if not line.endswith("AS applied_at,")]
+        return re.sub(r"\d{16}(?= AS BIGINT\) AS applied_at)", "now", script).splitlines()
 
     assert found.exit_code == 0
     assert timeless(found.stdout) == timeless(expected)
@@ -186,8 +190,8 @@ def test_drop_lists_what_goes_and_asks_for_the_name() -> None:
         refused = gam("drop", "--database", FILE, typed=typed)
         assert refused.exit_code == 1
         assert "Nothing was removed" in told(refused)
-        assert "gam_support" in refused.stdout
-        assert ["gam_channel", "2"] in [line.split() for line in refused.stdout.splitlines()]
+        assert "gam_state_support" in refused.stdout
+        assert ["gam_state_channel", "2"] in [line.split() for line in refused.stdout.splitlines()]
         assert "gam_mine" not in refused.stdout
     assert counts() == before
     assert gam("drop", "--database", FILE, typed="gam_\n").exit_code == 0
@@ -199,18 +203,18 @@ def test_one_monitor_goes_and_the_others_stay() -> None:
     gam("migrate", "--database", FILE)
     with duckdb.connect(FILE) as connection:
         fill(connection, 2)
-        expected = connection.execute("SELECT * FROM gam_bucket ORDER BY ALL").fetchall()
+        expected = connection.execute("SELECT * FROM gam_state_bucket ORDER BY ALL").fetchall()
         fill(connection, 1, 3)
     assert gam("drop", "--database", FILE, "--name", "m1", typed="m1\n").exit_code == 0
     removed = gam("drop", "--database", FILE, "--name", "m3", "--yes")
     assert removed.stdout == "removed: monitor m3 from gam_*\n"
     found = counts()
-    assert found.pop("main.gam_migration") == len(files())
-    assert found.pop("main.gam_monitor") == 1
+    assert found.pop("main.gam_state_migration") == len(files())
+    assert found.pop("main.gam_state_monitor") == 1
     assert len(found) == TABLES_OF_A_MONITOR - 1
     assert set(found.values()) == {2}
     with duckdb.connect(FILE) as connection:
-        assert connection.execute("SELECT * FROM gam_bucket ORDER BY ALL").fetchall() == expected
+        assert connection.execute("SELECT * FROM gam_state_bucket ORDER BY ALL").fetchall() == expected
     unknown = gam("drop", "--database", FILE, "--name", "m4", "--yes")
     assert unknown.exit_code == 1
     assert "no monitor 'm4'" in told(unknown)
@@ -230,7 +234,7 @@ def test_other_states_stay() -> None:
 
 def test_tables_without_a_record_are_not_ours_to_drop() -> None:
     with DuckSession(writable=True) as session:
-        session.connection.execute("CREATE TABLE gam_support AS SELECT 1 AS a")
+        session.connection.execute("CREATE TABLE gam_state_support AS SELECT 1 AS a")
         with pytest.raises(StateError, match=r"no state tables gam_\*"):
             dropping.removals(session, STATE)
 
@@ -238,14 +242,76 @@ def test_tables_without_a_record_are_not_ours_to_drop() -> None:
 def test_a_newer_state_is_not_dropped_and_a_broken_one_is() -> None:
     with DuckSession(writable=True) as session:
         migrate(session, STATE)
-        session.connection.execute("DROP TABLE gam_support")
-        session.connection.execute("UPDATE gam_migration SET checksum = 'x' WHERE number = 1")
-        session.connection.execute("INSERT INTO gam_migration VALUES (99, 'x', 'y', 0, '7.1')")
+        session.connection.execute("DROP TABLE gam_state_support")
+        session.connection.execute("INSERT INTO gam_state_migration VALUES (99, 'x', 'y', 0, '7.1')")
         with pytest.raises(StateError, match=r"7\.1"):
             dropping.removals(session, STATE)
-        session.connection.execute("DELETE FROM gam_migration WHERE number = 99")
+        session.connection.execute("DELETE FROM gam_state_migration WHERE number = 99")
+        session.connection.execute("UPDATE gam_state_migration SET checksum = 'x' WHERE number = 1")
         dropping.remove(session, dropping.removals(session, STATE))
         assert session.relations() == {}
+
+
+def test_what_a_migration_that_was_cut_short_left_is_dropped() -> None:
+    """Where definitions cannot be undone: the record is there, and none of its rows."""
+    with DuckSession(writable=True) as session:
+        migrate(session, STATE)
+        session.connection.execute("DROP VIEW gam_fleet")
+        session.connection.execute("CREATE VIEW gam_fleet AS SELECT 1 AS mine")
+        session.connection.execute("DELETE FROM gam_state_migration")
+        dropping.remove(session, dropping.removals(session, STATE))
+        assert set(session.relations()) == {"gam_fleet"}
+
+
+def as_of_before(session: DuckSession) -> None:
+    """Make the tables of a state under the names of before schema 0.1, and the rows of its record."""
+    names = dataclasses.replace(STATE, apart="")
+    for name, about in definitions().items():
+        for statement in placed(about, name, session.engine, names):
+            session.execute(statement)
+    for number, name in enumerate(("migration", "monitor", "run", "run", "visible_bucket", "fleet"), 1):
+        row = f"{number}, '{name}', 'x', 0, '0.0.9'"
+        session.connection.execute(f"INSERT INTO gam_migration VALUES ({row})")
+
+
+def test_a_state_of_before_is_refused_in_one_sentence_and_can_be_dropped() -> None:
+    with DuckSession(FILE, writable=True) as session:
+        as_of_before(session)
+        session.connection.execute(
+            "CREATE TABLE telemetry AS SELECT 'a' AS asset, 1 AS time, 1.0 AS value"
+        )
+        before = session.relations()
+    said = (
+        "gam: The state tables gam_* were made by gam-db 0.0.9 in another form than gam-db "
+        f"{__version__} has: drop them with `gam drop --yes`, then `gam calibrate` makes them anew."
+    )
+    place = ("--database", FILE)
+    commands = ("migrate", "calibrate telemetry", "score", "status", "check --state", "prune", "alarms")
+    for words in commands:
+        found = gam(*words.split(), *place)
+        assert (found.exit_code, told(found)) == (1, said), words
+    dropped = gam("drop", *place, typed="gam_\n")
+    assert ["gam_run", "0"] in [line.split() for line in dropped.stdout.splitlines()]
+    with DuckSession(FILE) as session:
+        # The record lists six files: of what it does not list nobody knows whose it is.
+        gone = {"gam_migration", "gam_monitor", "gam_run", "gam_visible_bucket", "gam_fleet"}
+        assert set(session.relations()) == before.keys() - gone
+
+
+def test_another_state_may_begin_like_ours() -> None:
+    """The record of one with the prefix gam_state_ is called as ours is."""
+    longer = StateTables(prefix="gam_state_", apart="")
+    with DuckSession(writable=True) as session:
+        for name, about in definitions().items():
+            for statement in placed(about, name, session.engine, longer):
+                session.execute(statement)
+        session.connection.execute(
+            "INSERT INTO gam_state_migration VALUES (1, 'migration', 'x', 0, '0')"
+        )
+        with pytest.raises(StateError, match="no state tables"):
+            dropping.removals(session, STATE)
+        found = dropping.removals(session, StateTables(prefix="gam_state_"))
+        assert [one.table.name for one in found] == ["gam_state_migration"]
 
 
 def test_all_is_removed_or_nothing(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -37,7 +37,7 @@ HISTORIES = {
 }
 CHANNELS = 12
 
-ACTIVE = "WHERE version_id IN (SELECT MAX(version_id) FROM gam_version GROUP BY channel_id)"
+ACTIVE = "WHERE version_id IN (SELECT MAX(version_id) FROM gam_state_version GROUP BY channel_id)"
 
 
 class Course:

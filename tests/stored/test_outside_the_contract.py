@@ -131,8 +131,8 @@ def test_a_late_calibration_row_is_counted(
     put(connection, [("r1", "torque", 20, 2.0)])
     monitor.score(everything=True)
     counts = connection.execute(
-        "SELECT asset, r.calibration_readings - v.calibration_readings FROM gam_run AS r "
-        "JOIN gam_version AS v USING (version_id) JOIN gam_channel USING (channel_id) "
+        "SELECT asset, r.calibration_readings - v.calibration_readings FROM gam_state_run AS r "
+        "JOIN gam_state_version AS v USING (version_id) JOIN gam_state_channel USING (channel_id) "
         "WHERE r.calibration_readings IS NOT NULL ORDER BY asset"
     ).fetchall()
     assert counts == [("r1", 1), ("r2", 0)]

@@ -27,6 +27,7 @@ from gam_db.stored.planning.steps import plan_steps
 from gam_db.stored.pruning import prune
 from gam_db.stored.scoring.report import Wanted
 from small_plant import FIRST, LENGTH, LOOKBACK, monitor, readings, seen, source
+from state_names import called
 from test_views import scanned
 from visible import put
 
@@ -73,8 +74,8 @@ def test_what_was_recorded_is_what_a_search_finds(
         recorded = planned(plant, LOOKBACK, False)
         assert recorded == planned(plant, LOOKBACK, True)
         ends = plant.execute(
-            "SELECT last_time + 1, context_time FROM gam_visible_bucket "
-            "JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id) "
+            "SELECT last_time + 1, context_time FROM gam_state_visible_bucket "
+            "JOIN gam_state_version USING (version_id) JOIN gam_state_channel USING (channel_id) "
             "WHERE bucket_no = ? - 1 ORDER BY asset",
             [recorded[0]["first_bucket"]],
         ).fetchall()
@@ -138,7 +139,7 @@ def test_runs_of_late_are_enough_or_all_are_looked_at(
         monitor(plant).score()
     whole = planned(plant, LOOKBACK, False)
     with monitor(plant) as mine:
-        runs = plant.execute("SELECT DISTINCT run_id FROM gam_run ORDER BY run_id").fetchall()
+        runs = plant.execute("SELECT DISTINCT run_id FROM gam_state_run ORDER BY run_id").fetchall()
         for (since,) in [*runs, (runs[-1][0] + 1,)]:
             monkeypatch.setattr(reading, "recent_run", lambda since=since: since)
             assert planned(plant, LOOKBACK, False) == whole
@@ -153,13 +154,13 @@ def test_runs_of_late_are_enough_or_all_are_looked_at(
 
 def test_where_nothing_is_new_nothing_is_written_anew(plant: duckdb.DuckDBPyConnection) -> None:
     """Of one channel, or of all; the next rows go on from what is stored."""
-    every = "SELECT * FROM gam_bucket ORDER BY ALL"
+    every = "SELECT * FROM gam_state_bucket ORDER BY ALL"
     put(plant, readings(FIRST, 200))
     monitor(plant).score()
     stored = plant.execute(every).fetchall()
     monitor(plant).score()
     assert plant.execute(every).fetchall() == stored
-    assert plant.execute("SELECT COUNT(*) FROM gam_run").fetchall() == [(4,)]
+    assert plant.execute("SELECT COUNT(*) FROM gam_state_run").fetchall() == [(4,)]
     put(plant, [row for row in readings(200, 220) if row[0] == "a"])
     report = monitor(plant).score()
     written = {(row["asset"], row["channel"]): row["buckets"] for row in report.channels}
@@ -224,11 +225,11 @@ def test_pruning_leaves_the_newest_record(plant: duckdb.DuckDBPyConnection) -> N
 def test_the_past_window_is_found_by_literals(plant: duckdb.DuckDBPyConnection) -> None:
     """The condition reaches the scan; DuckDB says how many rows come out of it."""
     plant.execute(
-        "INSERT INTO gam_bucket SELECT 1, n, 7, n, n, n, 1, 0, 0, 0, NULL "
+        "INSERT INTO gam_state_bucket SELECT 1, n, 7, n, n, n, 1, 0, 0, 0, NULL "
         "FROM range(200000) AS others(n)"
     )
-    nothing = "NULL, NULL, 0, 0, 0, 0, 0, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL"
-    plant.execute(f"INSERT INTO gam_run SELECT 7, 1, 0, 0, 0, 0, 0, {nothing}")
+    nothing = "NULL, NULL, 0, 0, 0, 0, 0, 0, 0, NULL, NULL, NULL, NULL"
+    plant.execute(f"INSERT INTO gam_state_run SELECT 7, 1, 0, 0, 0, 0, 0, {nothing}")
     group = [{"version_id": 1, "first_bucket": 199_000}]
     query = filled("stored/scoring/past_buckets", {"buckets": 4, "near": near(group, 4)})
     with monitor(plant) as mine:
@@ -239,7 +240,7 @@ def test_the_past_window_is_found_by_literals(plant: duckdb.DuckDBPyConnection) 
         text = mine.session.engine.text(query)
     assert len(plant.execute(text).fetchall()) == 4
     said = plant.execute(f"EXPLAIN (ANALYZE, FORMAT JSON) {text}").fetchall()[0][1]
-    assert sum(scanned(json.loads(said)["operator"], "gam_bucket")) <= 1004
+    assert sum(scanned(json.loads(said)["operator"], "gam_state_bucket")) <= 1004
 
 
 def test_runs_of_years_are_not_put_in_order(plant: duckdb.DuckDBPyConnection) -> None:
@@ -249,18 +250,20 @@ def test_runs_of_years_are_not_put_in_order(plant: duckdb.DuckDBPyConnection) ->
     """
     monitor(plant).score()
     fleet, plan = everything(plant, "gam_fleet"), planned(plant, LOOKBACK, False)
-    buckets = everything(plant, "gam_visible_bucket")
-    few = len(everything(plant, "gam_run"))
+    buckets = everything(plant, "gam_state_visible_bucket")
+    few = len(everything(plant, "gam_state_run"))
     plant.execute(
-        "INSERT INTO gam_run BY NAME SELECT run.* REPLACE (run_id - back AS run_id) "
-        "FROM gam_run AS run, range(1, 3000) AS others(back)"
+        "INSERT INTO gam_state_run BY NAME SELECT run.* REPLACE (run_id - back AS run_id) "
+        "FROM gam_state_run AS run, range(1, 3000) AS others(back)"
     )
     assert everything(plant, "gam_fleet") == fleet
     assert planned(plant, LOOKBACK, False) == plan
-    assert everything(plant, "gam_visible_bucket") == buckets
+    assert everything(plant, "gam_state_visible_bucket") == buckets
     with monitor(plant) as mine:
         reads = plan_steps(1, LOOKBACK).query("last_reads", mine.state.tables.placed())
-        views = (f"SELECT * FROM gam_{view}" for view in ("fleet", "visible_novel", "visible_judgement"))
+        views = (
+            f"SELECT * FROM {called(view)}" for view in ("fleet", "visible_novel", "visible_judgement")
+        )
         for text in (*views, mine.session.engine.text(reads)):
             said = plant.execute(f"EXPLAIN (ANALYZE, FORMAT JSON) {text}").fetchall()[0][1]
             pending = json.loads(said)["operator"]
@@ -294,8 +297,10 @@ def test_sqlite_finds_what_is_stored_by_its_key() -> None:
             for asked in (past, gone):
                 text = f"EXPLAIN QUERY PLAN {session.engine.text(asked)}"
                 plan = [row[3] for row in connection.execute(text)]
-                assert any("gam_bucket_key (version_id=? AND bucket_no>?)" in step for step in plan)
-                assert not [step for step in plan if step in ("SCAN written", "SCAN gam_bucket")]
+                assert any(
+                    "gam_state_bucket_key (version_id=? AND bucket_no>?)" in step for step in plan
+                )
+                assert not [step for step in plan if step in ("SCAN written", "SCAN gam_state_bucket")]
 
 
 def test_what_was_scored_after_an_end_is_hidden_until_the_next_run(
@@ -306,7 +311,7 @@ def test_what_was_scored_after_an_end_is_hidden_until_the_next_run(
     mine.score()
     before = seen(plant)
     mine.score(until=end)
-    newest = plant.execute("SELECT MAX(last_time) FROM gam_visible_bucket").fetchone()
+    newest = plant.execute("SELECT MAX(last_time) FROM gam_state_visible_bucket").fetchone()
     assert newest is not None
     assert end - 5 <= newest[0] <= end
     assert mine.check_state().num_rows == 0
@@ -319,7 +324,7 @@ def test_an_end_before_all_that_is_read_is_refused(plant: duckdb.DuckDBPyConnect
     mine = monitor(plant)
     mine.score()
     before = seen(plant)
-    ((begin,),) = plant.execute("SELECT MIN(read_from) FROM gam_run").fetchall()
+    ((begin,),) = plant.execute("SELECT MIN(read_from) FROM gam_state_run").fetchall()
     for full in (False, True):
         with pytest.raises(ParameterError, match=rf"end at {begin - 1}: .* a x \(and of 3 more\)"):
             mine.score(until=begin - 1, full=full)

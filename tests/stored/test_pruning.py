@@ -7,17 +7,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gam_db.composing.pipeline import place
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import ConfigurationError, EngineError, ParameterError
 from gam_db.stored import pruning
 from gam_db.stored.planning.steps import DAY
 from gam_db.stored.pruning import COUNTED, prune
-from gam_db.stored.schema import checksums
 from gam_db.stored.schema.tables import TABLES as ALL
 from gam_db.stored.schema.tables import StateTables
 from gam_db.stored.state import State, first_run_at, now
 from gam_db.stored.status import status
+from state_names import called
 from stored_rows import STEP, Plant, Version, emptied
 
 TABLES = StateTables()
@@ -32,7 +31,7 @@ def session() -> Iterator[DuckSession]:
 
 def rows(session: DuckSession, table: str, columns: str = "*") -> list[tuple[Any, ...]]:
     """All rows of a state table or view, in an order."""
-    query = f"SELECT {columns} FROM gam_{table} ORDER BY ALL"
+    query = f"SELECT {columns} FROM {called(table)} ORDER BY ALL"
     found: list[tuple[Any, ...]] = session.connection.execute(query).fetchall()
     return found
 
@@ -243,26 +242,6 @@ def test_records_of_runs_go_unless_they_still_tell_something(session: DuckSessio
     plant.write(session, TABLES)
     prune(State(session, TABLES), keep=0, lookback=0)
     assert differing not in [row[0] for row in rows(session, "run", "run_id")]
-
-
-def test_what_was_pruned_before_that_was_recorded_is_found_when_the_state_goes_up(
-    session: DuckSession,
-) -> None:
-    plant = Plant()
-    version = plant.version(
-        plant.channel(plant.monitor(time_kind="counter"), "R1", "j1"), plant.support()
-    )
-    plant.run(version, [{0: 1}] * 8)
-    plant.write(emptied(session, TABLES), TABLES)
-    prune(State(session, TABLES), keep=60 * STEP, keep_novel=30 * STEP, lookback=0)
-    recorded = rows(session, "horizon")
-    assert recorded == [(version.version_id, 1, 4)]
-    session.connection.execute("DELETE FROM gam_horizon")
-    made = checksums.first_rows("horizon")
-    assert made is not None
-    query = made.copy()
-    place(query, TABLES.placed())
-    assert [tuple(row.values()) for row in session.rows(query)] == recorded
 
 
 def test_without_transactions_what_a_run_left_without_end_waits_for_a_day(

@@ -50,7 +50,7 @@ def lived(kind: str, seed: int) -> tuple[int, Checked, list[dict[str, Any]]]:
                     monitor.score(**options, **({"on_step": crashing(step)} if run == "crash" else {}))
             happen(monitor, chance, told.final[: number + 1])
         first = monitor.checked_state()
-        found = connection.execute("SELECT COUNT(*) FROM gam_visible_bucket").fetchone()
+        found = connection.execute("SELECT COUNT(*) FROM gam_state_visible_bucket").fetchone()
         assert found is not None
         monitor.score(everything=True)
         return found[0], first, monitor.checked_state().differences.to_pylist()

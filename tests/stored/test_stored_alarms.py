@@ -43,12 +43,13 @@ PLANTS = {
     "spark": (1, 1),
 }
 
-ACTIVE = "version_id IN (SELECT MAX(version_id) FROM gam_version GROUP BY channel_id)"
-LIMITS = f"SELECT * FROM gam_limit WHERE {ACTIVE}"
+ACTIVE = "version_id IN (SELECT MAX(version_id) FROM gam_state_version GROUP BY channel_id)"
+LIMITS = f"SELECT * FROM gam_state_limit WHERE {ACTIVE}"
 JUDGEMENTS = f"""
     SELECT asset, channel, judgement_no AS judgement, novel, root, evidence, is_open, last_zero,
         reference, height
-    FROM gam_visible_judgement JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+    FROM gam_visible_judgement JOIN gam_state_version USING (version_id)
+    JOIN gam_state_channel USING (channel_id)
     WHERE {ACTIVE} ORDER BY asset, channel, judgement_no
 """
 EPISODES = f"""
@@ -57,7 +58,7 @@ EPISODES = f"""
     ORDER BY asset, channel, first_judgement
 """
 RAISED = f"""
-    JOIN gam_visible_episode AS raised ON raised.episode_id = told.episode_id
+    JOIN gam_state_visible_episode AS raised ON raised.episode_id = told.episode_id
     WHERE raised.{ACTIVE} AND raised.status IN ('open', 'ended')
     ORDER BY told.asset, told.channel, raised.first_judgement
 """
@@ -72,7 +73,7 @@ CELLS = f"""
         told.first_tick, told.last_tick, told.axis, told.nearest_key, told.steps, told.displacement
     FROM gam_alarm_cell AS told {RAISED}, told.cell_rank, told.axis
 """
-RECORDS = "SELECT * FROM gam_episode ORDER BY seq"
+RECORDS = "SELECT * FROM gam_state_episode ORDER BY seq"
 EVENTS = "SELECT * FROM gam_alarm_event ORDER BY seq"
 
 
@@ -370,8 +371,8 @@ def test_what_is_labelled_unhealthy_is_left_out_of_later_calibrations(plant: Pla
     (version,) = plant.monitor.calibrate().to_pylist()
     assert version["left_out"] == 2
     left = """
-        SELECT time_from, time_to FROM gam_calibration
-        WHERE version_id = (SELECT MAX(version_id) FROM gam_version) ORDER BY time_from
+        SELECT time_from, time_to FROM gam_state_calibration
+        WHERE version_id = (SELECT MAX(version_id) FROM gam_state_version) ORDER BY time_from
     """
     assert visible(plant.monitor, left) == [
         {"time_from": 0, "time_to": 2 * W - 1},
@@ -426,4 +427,4 @@ def test_a_rate_in_days_is_refused_before_anything_is_written(plant: Plant) -> N
     plant.monitor.asked = gam_db.Alarms("1 per month")
     with pytest.raises(ParameterError, match="the source counts time in integers"):
         plant.monitor.calibrate(again=True)
-    assert len(visible(plant.monitor, "SELECT * FROM gam_version")) == 1
+    assert len(visible(plant.monitor, "SELECT * FROM gam_state_version")) == 1

@@ -9,6 +9,7 @@ import sql_lint
 from gam_db.clock import TimeKind
 from gam_db.composing.pipeline import Pipeline
 from gam_db.settings.source import Source, readings
+from gam_db.stored.checking.proving import matching_steps
 from gam_db.stored.checking.soundness import soundness_steps
 from gam_db.stored.planning.reading import cohort_of
 from gam_db.stored.planning.steps import (
@@ -21,7 +22,6 @@ from gam_db.stored.planning.steps import (
     searched_plan_steps,
     whole_plan_steps,
 )
-from gam_db.stored.schema.checksums import matching_steps
 from gam_db.stored.schema.migration_files import definitions
 from sql_lint import Kind
 

@@ -30,6 +30,7 @@ from gam_db.stored.schema.tables import StateTables
 from gam_db.stored.scoring import publishing
 from gam_db.stored.state import State
 from gam_db.study.running import Listener
+from state_names import called
 from strategies import Row
 from visible import BUCKETS, NOVEL, visible
 
@@ -40,7 +41,7 @@ CALIBRATION = gam_db.Calibration(fraction=0.8)
 ASSETS = ("a", "b")
 FIRST, LOOKBACK = 40, 1
 
-ACTIVE = "WHERE version_id IN (SELECT MAX(version_id) FROM gam_version GROUP BY channel_id)"
+ACTIVE = "WHERE version_id IN (SELECT MAX(version_id) FROM gam_state_version GROUP BY channel_id)"
 
 #: New rows of each channel before a run, and how far behind their end one of them comes a run too late.
 NEW, LATE = 9, 7
@@ -271,8 +272,8 @@ def test_of_three_runs_at_once_on_sqlite_no_hidden_row_stays(tmp_path: Path) -> 
             assert refused == [ConflictError] * 2
             plant.assert_as_one_full_run()
             for table in ("bucket", "novel"):
-                counted = f"SELECT COUNT(*) AS n FROM gam_{table}"
-                shown = f"SELECT COUNT(*) AS n FROM gam_visible_{table}"
+                counted = f"SELECT COUNT(*) AS n FROM {called(table)}"
+                shown = f"SELECT COUNT(*) AS n FROM {called(f'visible_{table}')}"
                 assert visible(plant.monitor(), counted) == visible(plant.monitor(), shown)
 
 
@@ -341,7 +342,7 @@ def assert_one_stays(session: Session, first_to_look: str) -> None:
 
 def run_ids(plant: Plant) -> int:
     """Return how many runs have rows since the first one."""
-    counted = "SELECT COUNT(DISTINCT run_id) - 1 AS runs FROM gam_run WHERE withdrawn IS NULL"
+    counted = "SELECT COUNT(DISTINCT run_id) - 1 AS runs FROM gam_state_run WHERE withdrawn IS NULL"
     return int(visible(plant.monitor(), counted)[0]["runs"])
 
 

@@ -17,10 +17,11 @@ from gam_db.engines.duckdb.session import DuckSession
 from gam_db.stored.schema.migrations import rendered
 from gam_db.stored.schema.tables import TABLES as ALL
 from gam_db.stored.schema.tables import StateTables
+from state_names import called
 from stored_rows import STEP, Plant, Version, emptied
 
 TABLES = StateTables(schema='the "state"', prefix="Odd_")
-STATE = '"the ""state""".Odd_'
+ODD = StateTables('"the ""state"""', "Odd_").shown
 NAMES = ("R1", "r1", "it's", 'a "quoted" name', "Ünï %_\n", "")
 
 
@@ -33,7 +34,7 @@ def session() -> Iterator[DuckSession]:
 
 def shown(session: DuckSession, view: str) -> list[dict[str, Any]]:
     """The rows of a view."""
-    query = f"SELECT * FROM {STATE}{view} ORDER BY ALL"
+    query = f"SELECT * FROM {ODD(view)} ORDER BY ALL"
     rows: list[dict[str, Any]] = session.connection.sql(query).to_arrow_table().to_pylist()
     return rows
 
@@ -233,14 +234,14 @@ def test_sqlite_shows_the_same(session: DuckSession) -> None:
     with contextlib.closing(sqlite3.connect(":memory:")) as lite:
         lite.executescript(rendered(engine_named("sqlite"), StateTables()))
         for table in ALL[1:]:
-            rows = session.connection.execute(f"SELECT * FROM {STATE}{table}").fetchall()
+            rows = session.connection.execute(f"SELECT * FROM {ODD(table)}").fetchall()
             for row in rows:
                 marks = ", ".join("?" * len(row))
-                lite.execute(f"INSERT INTO gam_{table} VALUES ({marks})", row)
+                lite.execute(f"INSERT INTO {called(table)} VALUES ({marks})", row)
         for view in ("health", "quarantine", "fleet"):
             expected = shown(session, view)
             columns = [one for one in expected[0] if not one.endswith(("_time", "_at"))]
-            found_rows = lite.execute(f"SELECT {', '.join(columns)} FROM gam_{view}").fetchall()
+            found_rows = lite.execute(f"SELECT {', '.join(columns)} FROM {called(view)}").fetchall()
             wanted = [tuple(row[column] for column in columns) for row in expected]
             assert sorted(found_rows, key=repr) == sorted(wanted, key=repr)
 
@@ -254,13 +255,13 @@ def test_a_look_at_one_machine_reads_only_its_stored_rows(session: DuckSession) 
     plant.run(version, [{}])
     plant.write(emptied(session, TABLES), TABLES)
     session.connection.execute(
-        f"INSERT INTO {STATE}bucket SELECT 100 + n // 4096, 0, 1, 0, 0, 0, 1, 0, 0, 0, NULL "
+        f"INSERT INTO {ODD('bucket')} SELECT 100 + n // 4096, 0, 1, 0, 0, 0, 1, 0, 0, 0, NULL "
         "FROM range(200000) AS others(n)"
     )
     said = session.connection.execute(
-        f"EXPLAIN (ANALYZE, FORMAT JSON) SELECT hi FROM {STATE}health WHERE asset = 'R1'"
+        f"EXPLAIN (ANALYZE, FORMAT JSON) SELECT hi FROM {ODD('health')} WHERE asset = 'R1'"
     ).fetchall()[0][1]
-    assert 0 < sum(scanned(json.loads(said)["operator"], "Odd_bucket")) < 100_000
+    assert 0 < sum(scanned(json.loads(said)["operator"], "Odd_state_bucket")) < 100_000
 
 
 def scanned(operators: list[dict[str, Any]], table: str) -> Iterator[int]:

@@ -25,7 +25,8 @@ METHODS: dict[str, dict[str, Any]] = {
 RUNS = """
     SELECT asset, channel, from_bucket, read_from, read_to, rows_read, context_rows, context_expected,
         settled_bucket, settled_time, settled_context
-    FROM gam_run JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+    FROM gam_state_run JOIN gam_state_version USING (version_id)
+    JOIN gam_state_channel USING (channel_id)
     ORDER BY ALL
 """
 
@@ -56,8 +57,8 @@ def twice_calibrated(connection: duckdb.DuckDBPyConnection, rows: list[Row], poo
         made = monitor(connection, METHODS[case], pool)
         made.calibrate()
         made.score()
-        older = "version_no < (SELECT MAX(version_no) FROM gam_version)"
-        connection.execute(f"DELETE FROM gam_version WHERE {older}")
+        older = "version_no < (SELECT MAX(version_no) FROM gam_state_version)"
+        connection.execute(f"DELETE FROM gam_state_version WHERE {older}")
         compare(connection, rows, METHODS[case], pool=pool)
 
 

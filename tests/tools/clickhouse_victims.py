@@ -28,12 +28,12 @@ from visible import BUCKETS, NOVEL, visible
 BLOCK = 7
 
 _UNFINISHED = """
-    SELECT COUNT(*) AS unfinished FROM gam_bucket AS written
-    LEFT JOIN (SELECT run_id, 1 AS hit FROM gam_run GROUP BY run_id) AS finished
+    SELECT COUNT(*) AS unfinished FROM gam_state_bucket AS written
+    LEFT JOIN (SELECT run_id, 1 AS hit FROM gam_state_run GROUP BY run_id) AS finished
     ON finished.run_id = written.run_id
     WHERE finished.hit IS NULL OR finished.hit <> 1
 """
-_STORED = "SELECT COUNT(*) AS stored FROM gam_bucket"
+_STORED = "SELECT COUNT(*) AS stored FROM gam_state_bucket"
 
 
 def looked(monitor: Monitor) -> dict[str, Any]:

@@ -10,6 +10,7 @@ import gam_db
 import harness
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.schema.tables import TABLES
+from state_names import called
 from strategies import Row
 from visible import BUCKETS, NOVEL, put, rows_of
 
@@ -44,9 +45,9 @@ def stored(connection: duckdb.DuckDBPyConnection) -> dict[str, list[tuple[Any, .
     query = "SELECT table_name FROM duckdb_tables() WHERE table_name LIKE 'gam%'"
     there = {name for (name,) in connection.execute(query).fetchall()}
     return {
-        table: connection.execute(f"FROM gam_{table} ORDER BY ALL").fetchall()
+        table: connection.execute(f"FROM {called(table)} ORDER BY ALL").fetchall()
         for table in TABLES
-        if f"gam_{table}" in there
+        if called(table) in there
     }
 
 

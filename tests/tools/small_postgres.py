@@ -12,6 +12,7 @@ from psycopg.rows import dict_row
 import postgres_server
 from gam_db.stored.schema import tables
 from small_plant import FIRST, LENGTH, monitor, readings
+from state_names import called
 from strategies import Row
 from visible import BUCKETS, NOVEL
 
@@ -76,6 +77,6 @@ def seen(connection: Any) -> list[Any]:
 def stored(connection: Any) -> dict[str, list[tuple[Any, ...]]]:
     """Return every row of every state table."""
     return {
-        name: sorted(connection.execute(f"SELECT * FROM gam_{name}").fetchall(), key=repr)
+        name: sorted(connection.execute(f"SELECT * FROM {called(name)}").fetchall(), key=repr)
         for name in TABLES
     }

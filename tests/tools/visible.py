@@ -9,33 +9,36 @@ from sqlglot import exp
 import harness
 from gam_db.composing.pipeline import place
 from gam_db.stored.monitor import Monitor
+from state_names import called
 from strategies import Row
 
 BUCKETS = """
     SELECT asset, channel, bucket_no AS bucket, first_time, last_time, context_time, samples, novel,
         out_of_range, novel_in_window
-    FROM gam_visible_bucket JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+    FROM gam_state_visible_bucket JOIN gam_state_version USING (version_id)
+    JOIN gam_state_channel USING (channel_id)
     ORDER BY asset, channel, bucket_no
 """
 NOVEL = """
     SELECT asset, channel, bucket_no AS bucket, cell_key, visits, first_time, last_time
-    FROM gam_visible_novel JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+    FROM gam_state_visible_novel JOIN gam_state_version USING (version_id)
+    JOIN gam_state_channel USING (channel_id)
     ORDER BY asset, channel, bucket_no, cell_key
 """
 STILL = """
     SELECT asset, channel, bucket_no AS bucket, still
-    FROM (SELECT version_id, bucket_no, run_id FROM gam_visible_bucket) AS seen
-    JOIN gam_bucket USING (version_id, bucket_no, run_id)
-    JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+    FROM (SELECT version_id, bucket_no, run_id FROM gam_state_visible_bucket) AS seen
+    JOIN gam_state_bucket USING (version_id, bucket_no, run_id)
+    JOIN gam_state_version USING (version_id) JOIN gam_state_channel USING (channel_id)
     ORDER BY asset, channel, bucket_no
 """
 STANDING = """
     SELECT asset, channel, still_since
     FROM (
-        SELECT version_id, MAX(run_id) AS run_id FROM gam_finished_run
+        SELECT version_id, MAX(run_id) AS run_id FROM gam_state_finished_run
         WHERE settled_bucket IS NOT NULL GROUP BY version_id
-    ) AS newest JOIN gam_run USING (version_id, run_id)
-    JOIN gam_version USING (version_id) JOIN gam_channel USING (channel_id)
+    ) AS newest JOIN gam_state_run USING (version_id, run_id)
+    JOIN gam_state_version USING (version_id) JOIN gam_state_channel USING (channel_id)
     ORDER BY asset, channel
 """
 
@@ -72,7 +75,7 @@ def put(connection: duckdb.DuckDBPyConnection, rows: list[Row]) -> None:
 def visible(monitor: Monitor, query: str) -> list[dict[str, Any]]:
     """Return rows of the state, by a query that names tables as DuckDB's tests do."""
     tree = sqlglot.parse_one(query, dialect="duckdb")
-    placed = {f"gam_{name}": table for name, table in _tables(monitor).items()}
+    placed = {called(name): table for name, table in _tables(monitor).items()}
     place(tree, placed)
     found: list[dict[str, Any]] = monitor.session.fetch(tree).to_pylist()
     return found

@@ -7,7 +7,7 @@ from sqlglot import exp
 
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, called, escape_by_backslash, formula, table_as, temporary
-from gam_db.engines.storage import Definition, Filling, Storage
+from gam_db.engines.storage import Definition, Storage
 from gam_db.engines.types import Types
 
 #: Rows of a channel that lie beside one another, and groups of versions.
@@ -60,25 +60,6 @@ def _null_by_type(column: exp.ColumnDef) -> None:
     column.args["kind"].set("nullable", not present)
 
 
-def exchanged(filling: Filling) -> list[exp.Expr]:
-    """Return what fills another table and exchanges the two, which is one step.
-
-    Cause: an UPDATE can look nothing up in other tables. Symptom: a correlated query is refused there.
-    """
-    beside = filling.table.copy()
-    beside.set("this", exp.to_identifier(f"{beside.name}_filled", quoted=True))
-    create = filling.whole.create.copy()
-    create.this.set("this", beside.copy())
-    insert = filling.rows
-    insert.this.set("this", beside.copy())
-    insert.expression.set("settings", [formula("join_use_nulls = 1")])
-    drop = exp.Drop(tables=[beside], kind="TABLE", exists=True)
-    names = " AND ".join(one.sql(dialect="clickhouse") for one in (beside, filling.table))
-    exchange = exp.Command(this="EXCHANGE", expression=f"TABLES {names}")
-    made = ENGINE.storage.define(Definition(create, filling.whole.comment, filling.whole.columns))
-    return [drop, *made, insert, exchange, drop.copy()]
-
-
 def _merge_tree(key: exp.Expr) -> list[exp.Expr]:
     order = exp.Order(expressions=[exp.Ordered(this=key)])
     return [exp.EngineProperty(this=exp.to_identifier("MergeTree")), order]
@@ -108,5 +89,4 @@ ENGINE = Engine.named(
     rewrites=(escape_by_backslash, allow_long_plans),
     create_table=create_table,
     storage=Storage("inside", view_comments=False, properties=_stored, column=_null_by_type),
-    fill=exchanged,
 )

@@ -8,7 +8,7 @@ import dataclasses
 from sqlglot import exp
 
 from gam_db.engines.base import Engine, called, table_as
-from gam_db.engines.storage import Definition, Storage, clustered, merged, overwritten
+from gam_db.engines.storage import Definition, Storage, clustered
 from gam_db.engines.types import Types
 
 #: Groups of channels, by hash, that the large tables are stored in: a look at one machine opens the
@@ -40,7 +40,7 @@ def _stored(form: str) -> Storage:
         buckets = exp.ClusteredByProperty(expressions=key[:1], sorted_by=ordered, buckets=groups)
         return [_format(form), buckets]
 
-    return Storage("inside", properties=properties, adds_twice=False)
+    return Storage("inside", properties=properties)
 
 
 def is_large(columns: list[str]) -> bool:
@@ -72,12 +72,10 @@ ENGINE = Engine.named(
     types=Types("spark"),
     create_table=create_table,
     storage=_stored("PARQUET"),
-    fill=overwritten,
     rewrites=(rebalanced,),
 )
 
 #: The same over another format of tables.
 OVER = {"parquet": ENGINE} | {
-    form: dataclasses.replace(ENGINE, storage=_stored(form.upper()), fill=merged)
-    for form in ("delta", "iceberg")
+    form: dataclasses.replace(ENGINE, storage=_stored(form.upper())) for form in ("delta", "iceberg")
 }

@@ -116,14 +116,9 @@ class FolderTables(Rewriting):
         elif isinstance(tree, exp.Create) and str(tree.kind) == "VIEW":
             self.ready(text)
             self._create_view(tree, text)
-        elif isinstance(tree, exp.Alter):
-            self._add_columns(tree)
         elif isinstance(tree, exp.Drop):
             self.ready(text)
             self._drop(tree, text)
-        elif isinstance(tree, exp.Insert) and tree.args.get("overwrite"):
-            self.ready(text)
-            self._exchange(tree.this.this, lambda _: tree.expression)
         else:
             self.ready(text)
             self._run(text)
@@ -230,16 +225,6 @@ class FolderTables(Rewriting):
         self._folder.put(kept)
         self._known[kept.key] = kept, _changed(self._folder.place(kept))
 
-    def _add_columns(self, tree: exp.Alter) -> None:
-        """Let a table have more columns: NULL in the files that are there, without them."""
-        entry = self._folder.entries()[_key(tree.this)]
-        create = sqlglot.parse_one(entry.statement, dialect="spark")
-        more = [column for column in tree.args["actions"] if isinstance(column, exp.ColumnDef)]
-        create.this.set("expressions", [*create.this.expressions, *(one.copy() for one in more)])
-        columns = (*entry.columns, *(one.name for one in more))
-        statement = create.sql(dialect="spark")
-        self._folder.put(dataclasses.replace(entry, columns=columns, statement=statement))
-
     def _create_view(self, tree: exp.Create, text: str) -> None:
         target = tree.find(exp.Table)
         assert target is not None
@@ -284,12 +269,7 @@ class MetastoreTables(Rewriting):
 
     def execute(self, text: str) -> None:
         """Run a statement that changes something."""
-        tree = sqlglot.parse_one(text, dialect="spark") if text.startswith("INSERT OVERWRITE") else None
-        if tree is None:
-            self._run(text)
-        else:
-            columns = [column.name for column in tree.this.expressions]
-            self._exchange(tree.this.this, columns, tree.expression)
+        self._run(text)
 
     def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
         """Delete rows by their keys: Delta and Iceberg do, a Parquet table is pointed to other files."""

@@ -101,6 +101,6 @@ ENGINE = Engine.named(
     heeds=frozenset({"null"}),
     range_of=range_of,
     zoned=is_zoned,
-    storage=Storage("none", index=True, adds_twice=False, replaces_views=False),
+    storage=Storage("none", index=True, replaces_views=False),
     rewrites=(glob_for_like,),
 )

@@ -1,7 +1,7 @@
 """Alarms for people: which episodes there are, what was said of them, and what follows from that.
 
-Which episode needs attention is said by the view ``gam_labelled_episode``; this module owns what a label
-may be.
+Which episode needs attention is said by the view ``gam_state_labelled_episode``; this module owns what a
+label may be.
 """
 
 import datetime as dt

@@ -8,15 +8,17 @@ This module owns that, and the record of what was checked.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 
 from sqlglot import exp
 
 from gam_db import data
 from gam_db.columns import counts, table_of
+from gam_db.composing.pipeline import Pipeline
 from gam_db.errors import StateError
+from gam_db.method.adding import add
 from gam_db.stored.planning import Row
 from gam_db.stored.planning.steps import DAY
-from gam_db.stored.schema import checksums
 from gam_db.stored.state import State, now
 
 #: How much was checked: the whole state with its source, or the checksums of the active versions.
@@ -47,6 +49,15 @@ class Proof:
     differences: int
 
 
+@cache
+def matching_steps() -> Pipeline:
+    """Return the steps up to *mismatched*, over the state tables and *wanted* (version_id)."""
+    steps = Pipeline(small=frozenset({"frozen", "wanted"}))  # read several times: planned once
+    for name in ("frozen", "checksum_rows", "mismatched"):
+        add(steps, f"stored/calibrating/{name}")
+    return steps
+
+
 def mismatched(state: State, wanted: exp.Table) -> list[Row]:
     """Return those of the wanted versions that are no longer what calibration froze.
 
@@ -55,7 +66,7 @@ def mismatched(state: State, wanted: exp.Table) -> list[Row]:
     """
     found = []
     placed = {**state.tables.placed(), "wanted": wanted}
-    for row in state.session.rows(checksums.matching_steps().query("mismatched", placed)):
+    for row in state.session.rows(matching_steps().query("mismatched", placed)):
         words = data.table("gam_db.stored.checking", "checks.toml")["frozen"]
         said = ", ".join(what for column, what in words.items() if row[column])
         if not row["summed"]:

@@ -1,7 +1,8 @@
 """Removing state: all of it, or the rows of one monitor.
 
-This module owns what belongs to a monitor. Only what the record of migrations says was made is touched:
-other tables that begin with the prefix stay.
+This module owns what belongs to a monitor. Only what the record of migrations lists is touched, also
+that of a state of before schema 0.1, and what a migration that was cut short left beside its record:
+tables and views with the names and the columns of this gam-db. Other tables stay, whatever their prefix.
 """
 
 from collections.abc import Sequence
@@ -11,7 +12,8 @@ from sqlglot import exp
 
 from gam_db.engines.session import Session
 from gam_db.errors import StateError, nearest
-from gam_db.stored.schema.migrations import recorded
+from gam_db.stored.schema.migration_files import files
+from gam_db.stored.schema.migrations import Relations, former, recorded
 from gam_db.stored.schema.tables import TABLES, VIEWS, StateTables
 
 
@@ -41,7 +43,10 @@ def removals(session: Session, tables: StateTables, monitor: str | None = None) 
         StateError: there is no state, no such monitor, or a newer gam-db made the state.
     """
     there = session.relations(tables.schema)
-    made = {row.name for row in recorded(session, tables, there)}
+    made = _made(session, tables, there)
+    names_before, of_before = former(session, tables, there)
+    if of_before:
+        tables, made = names_before, {row.name for row in of_before}
     present = [name for name in (*TABLES, *VIEWS) if name in made and tables.folded(name) in there]
     if not present:
         raise StateError(f"There are no state tables {tables}* in this database.")
@@ -73,6 +78,25 @@ def remove(session: Session, found: Sequence[Removal]) -> None:
             else:
                 keys = removal.statement.named_selects
                 session.delete(removal.table, keys, removal.statement)
+
+
+def _made(session: Session, tables: StateTables, there: Relations) -> set[str]:
+    """Return the names of the tables and views that are certainly of this state.
+
+    The record lists files. A name counts if its file is listed, or if it has the columns that it has
+    here: a migration may have been cut short.
+    """
+    if tables.folded("migration") not in there:
+        return set()
+    listed = {row.name for row in recorded(session, tables, there)}
+    if not listed <= {migration.name for migration in files()}:
+        return set()
+    return {
+        name
+        for migration in files()
+        for name, about in migration.definitions.items()
+        if migration.name in listed or there.get(tables.folded(name)) == tuple(about.columns)
+    }
 
 
 def _dropped(session: Session, tables: StateTables, name: str) -> Removal:

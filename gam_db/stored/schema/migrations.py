@@ -1,10 +1,11 @@
 """Applying migrations: what was applied to a database, what is pending, and the record of it.
 
-Where an engine undoes definitions, all that is pending is one transaction with its record, and a state
-that begins is made as it is in the end; else the record of each migration is written after it, and a run
-that is cut short applies it again. A state that a newer gam-db made is refused.
+Where an engine undoes definitions, all that is pending is one transaction with its record; else the
+record of each migration is written after it, and a run that is cut short applies it again. A state that
+a newer gam-db made is refused, and so is one that was made by other files than these.
 """
 
+import dataclasses
 import time
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -15,12 +16,11 @@ from sqlglot import exp
 from gam_db.composing import template
 from gam_db.engines.base import Engine
 from gam_db.engines.session import CONFLICT, Session
-from gam_db.engines.storage import Definition
 from gam_db.errors import ConflictError, EngineError, StateError
 from gam_db.stored.schema import roles
-from gam_db.stored.schema.migration_files import RECORD, Migration, files, made_by, placed, record
+from gam_db.stored.schema.migration_files import RECORD, Migration, files, placed, record
 from gam_db.stored.schema.roles import Roles
-from gam_db.stored.schema.tables import VIEWS, StateTables
+from gam_db.stored.schema.tables import TABLES, VIEWS, StateTables
 from gam_db.study.running import Listener, unheard
 from gam_db.version import __version__
 
@@ -57,94 +57,91 @@ def recorded(session: Session, tables: StateTables, there: Relations) -> tuple[A
     """
     if tables.folded("migration") not in there:
         return ()
-    _check_own(tables, "migration", there, [RECORD])
+    _check_own(tables, "migration", there, RECORD)
     query = exp.select(*RECORD).from_(tables.table("migration")).order_by("number")
     rows = tuple(Applied(**row) for row in session.rows(query))
-    if rows and rows[-1].number > len(files()):
+    known = len(files())
+    if rows and rows[-1].number > known and all(_is_known(row) for row in rows if row.number <= known):
         raise StateError(
             f"The state tables {tables}* were last migrated by gam-db {rows[-1].gam_version} (migration "
-            f"{rows[-1].number}); this is gam-db {__version__}, which knows {len(files())}. Install "
+            f"{rows[-1].number}); this is gam-db {__version__}, which knows {known}. Install "
             "that version or a newer one."
         )
     return rows
+
+
+def former(
+    session: Session, tables: StateTables, there: Relations
+) -> tuple[StateTables, tuple[Applied, ...]]:
+    """Return what a state of before schema 0.1 called its tables, and its record; no rows if it is none.
+
+    Each of its rows names the table or view that its file made.
+    """
+    names = dataclasses.replace(tables, apart="")
+    is_there = there.get(names.folded("migration")) == RECORD
+    if tables.folded("migration") in there or not is_there:
+        return names, ()
+    rows = recorded(session, names, there)
+    return names, rows if all(row.name in (*TABLES, *VIEWS) for row in rows) else ()
 
 
 def status(session: Session, tables: StateTables, there: Relations | None = None) -> Status:
     """Return what was applied and what is pending; nothing is written.
 
     Raises:
-        StateError: the state is of a newer gam-db, was changed by hand, or its names are taken.
+        StateError: the state is of other files or a newer gam-db, was changed by hand, or its names are
+            taken.
     """
     there = session.relations(tables.schema) if there is None else there
-    applied = recorded(session, tables, there)
+    applied = recorded(session, tables, there) or former(session, tables, there)[1]
     _check_record(applied, tables)
-    known = files()
-    made = {migration.name for migration in known[: len(applied)]}
-    for name in sorted(made):
+    made, pending = files()[: len(applied)], files()[len(applied) :]
+    for name in sorted(name for migration in made for name in migration.definitions):
         if tables.folded(name) not in there:
             raise StateError(
                 f"{tables.shown(name)} was made once and is no longer there; put it back from a copy of "
                 "the database, or make it anew, empty, with what `gam migrate --sql` prints for it."
             )
-    pending = known[len(applied) :]
-    forms: dict[str, list[tuple[str, ...]]] = {}  # a view that is made again may have more columns
     for migration in pending:
-        if isinstance(migration.definition, Definition) and migration.name not in made:
-            forms.setdefault(migration.name, []).append(tuple(migration.definition.columns))
-    for name in forms:
-        if tables.folded(name) in there:
-            _check_own(tables, name, there, forms[name])
+        for name, about in migration.definitions.items():
+            if tables.folded(name) in there:
+                _check_own(tables, name, there, tuple(about.columns))
     return Status(applied, pending)
 
 
 def migrate(session: Session, tables: StateTables, on_step: Listener = unheard) -> tuple[Migration, ...]:
     """Apply what is pending and return it: all as one with its record where definitions can be undone.
 
-    A schema is made if it is not there. The name of each is told (``on_step``) before it is applied.
+    A schema is made if it is not there. The name of each table and view is told (``on_step``) before it
+    is made.
 
     Raises:
         StateError: see :func:`status`.
         EngineError: the database cannot be written, or another connection migrates it now.
     """
-    there = session.relations(tables.schema)
-    pending = status(session, tables, there).pending
+    pending = status(session, tables).pending
     as_one = session.transactions and session.engine.undoes_definitions
     for group in [pending] if as_one and pending else [(migration,) for migration in pending]:
         with session.transaction():
-            _apply(session, tables, group, there, on_step)
+            _apply(session, tables, group, on_step)
     return pending
 
 
-def _apply(
-    session: Session,
-    tables: StateTables,
-    group: Sequence[Migration],
-    there: Relations,
-    on_step: Listener,
-) -> None:
-    """Apply migrations and record them; *there* is what was there before the first of all."""
+def _apply(session: Session, tables: StateTables, group: Sequence[Migration], on_step: Listener) -> None:
     first = group[0].number
     # After the first one the record is there, and need not be looked for.
-    now_there = session.relations(tables.schema) if first == 1 else {tables.folded("migration"): RECORD}
-    if len(recorded(session, tables, now_there)) >= first:
+    there = session.relations(tables.schema) if first == 1 else {tables.folded("migration"): RECORD}
+    if len(recorded(session, tables, there)) >= first:
         raise ConflictError(CONFLICT)
     now = time.time_ns() // 1000
-    fresh = not any(tables.folded(migration.name) in there for migration in files())
     for statement in _schema(session.engine, tables) if first == 1 else ():
         session.execute(statement)
-    at_once = made_by(group) if fresh and len(group) > 1 else {}
-    for name, about in at_once.items():
-        on_step(name)
-        for statement in placed(about, name, session.engine, tables):
-            session.execute(statement)
-    for migration in () if at_once else group:
-        on_step(migration.name)
-        # Some columns may be there, of a run that was cut short or of a script that was printed.
-        present = there.get(tables.folded(migration.name), ())
-        if not (_gets_more(migration) and len(present) > len(migration.definition.columns)):
-            for statement in migration.statements(session.engine, tables, present, fresh):
+    for migration in group:
+        for name, about in migration.definitions.items():
+            on_step(name)
+            for statement in placed(about, name, session.engine, tables):
                 session.execute(statement)
-    session.execute(record(group, tables, now))
+        session.execute(record(migration, tables, now))
 
 
 def require(session: Session, tables: StateTables) -> None:
@@ -164,10 +161,9 @@ def require(session: Session, tables: StateTables) -> None:
 
 
 def rendered(engine: Engine, tables: StateTables, who: Roles | None = None) -> str:
-    """Return all migrations as a script of an engine; it can be run on an empty or an older state.
+    """Return all migrations as a script of an engine; it can be run again.
 
-    Where an engine has no ADD COLUMN IF NOT EXISTS, what adds a column says so, and is left out where it
-    was applied. Owner, writer and reader (``who``) are given what they need.
+    Owner, writer and reader (``who``) are given what they need.
 
     Raises:
         EngineError: the engine has no schemas, and one is named; or it has other grants.
@@ -178,15 +174,11 @@ def rendered(engine: Engine, tables: StateTables, who: Roles | None = None) -> s
     if who is not None:
         parts.append(_part("-- Who may do what.", roles.before(engine, tables, who), engine))
     for migration in files():
-        title = f"-- Migration {migration.number}: {tables.shown(migration.name)}."
+        title = f"-- Migration {migration.number}: {migration.name.replace('_', ' ')}."
         statements = _schema(engine, tables) if migration.number == 1 and who is None else []
-        statements += [] if _gets_more(migration) else migration.statements(engine, tables)
-        statements.append(record([migration], tables, now))
-        if any(_adds_once(statement) for statement in statements):
-            title += f" Only where it is pending: {engine.title} cannot be told to add a column once."
-        if migration.filling is not None:
-            title += " What fills the columns has nothing to do where the table is empty."
-        parts.append(_part(title, statements, engine))
+        statements += migration.statements(engine, tables)
+        recording = engine.text(record(migration, tables, now))
+        parts.append(f"{_part(title, statements, engine)}\n{recording};")
     if who is not None:
         parts.append(_part(roles.ALSO, roles.after(tables, who), engine))
     return "\n\n".join(parts) + "\n"
@@ -205,44 +197,34 @@ def _schema(engine: Engine, tables: StateTables) -> list[exp.Expr]:
     return [exp.Create(this=exp.Table(db=template.name(tables.schema)), kind="SCHEMA", exists=True)]
 
 
-def _gets_more(migration: Migration) -> bool:
-    """Tell whether a view is made again with more columns: an engine may refuse to take them away."""
-    later = [one for one in files()[migration.number :] if one.name == migration.name]
-    columns = {tuple(one.definition.columns) for one in (migration, *later)}
-    return migration.name in VIEWS and len(columns) > 1
-
-
-def _adds_once(statement: exp.Expr) -> bool:
-    """Tell whether a statement fails where the column that it adds is there."""
-    actions = statement.args["actions"] if isinstance(statement, exp.Alter) else []
-    return not all(action.args.get("exists") for action in actions)
+def _is_known(row: Applied) -> bool:
+    """Tell whether what was applied is a file of this gam-db."""
+    known = {one.number: (one.name, one.checksum) for one in files()}
+    return known.get(row.number) == (row.name, row.checksum)
 
 
 def _check_record(applied: Sequence[Applied], tables: StateTables) -> None:
-    for place_of, row in enumerate(applied, start=1):
-        what = None
-        if row.number != place_of:
-            what = "it is there twice" if row.number < place_of else f"it lacks number {place_of}"
-        elif row.name != (name := files()[place_of - 1].name):
-            what = f"migration {row.number} is called {row.name!r} in it and made {tables.shown(name)}"
-        if what is not None:
+    for place, row in enumerate(applied, start=1):
+        if not _is_known(row):
+            raise _of_before(tables, row)
+        if row.number != place:
+            what = "it is there twice" if row.number < place else f"it lacks number {place}"
             raise StateError(
                 f"The record {tables.shown('migration')} was changed by hand: {what}; put it back "
                 "from a copy of the database."
             )
-        if row.checksum != files()[place_of - 1].checksum:
-            raise StateError(
-                f"Migration {row.number} ({row.name}) was applied by gam-db {row.gam_version} with "
-                f"another text than gam-db {__version__} has. Drop the state (gam drop --yes), then gam "
-                "calibrate makes it anew."
-            )
 
 
-def _check_own(
-    tables: StateTables, name: str, there: Relations, forms: Sequence[tuple[str, ...]]
-) -> None:
-    """Refuse a table that is called like one of ours and has none of the forms that ours has."""
-    if there[tables.folded(name)] not in forms:
+def _of_before(tables: StateTables, row: Applied) -> StateError:
+    return StateError(
+        f"The state tables {tables}* were made by gam-db {row.gam_version} in another form than gam-db "
+        f"{__version__} has: drop them with `gam drop --yes`, then `gam calibrate` makes them anew."
+    )
+
+
+def _check_own(tables: StateTables, name: str, there: Relations, columns: tuple[str, ...]) -> None:
+    """Refuse a table or view that is called like one of ours and has other columns."""
+    if there[tables.folded(name)] != columns:
         raise StateError(
             f"There is a {tables.shown(name)} in the database that is no state table of gam-db; give "
             "another --prefix or --schema, or rename it."

@@ -13,7 +13,7 @@ from sqlglot import exp
 from gam_db.composing import template
 from gam_db.engines.base import Engine
 from gam_db.errors import ConfigurationError, EngineError
-from gam_db.stored.schema.tables import TABLES, StateTables
+from gam_db.stored.schema.tables import FOR_READERS, TABLES, VIEWS, StateTables
 
 ROLES = ("owner", "writer", "reader")
 
@@ -39,11 +39,10 @@ _STATUS = (
     *("version", "run", "finished_run", "unplaced", "left_out"),
 )
 
-#: The views that are for whoever reads on, and what other commands of a reader take.
+#: What readers use, and what other commands of a reader take.
 _SHOWN = (
-    *("health", "quarantine", "unplaced_day", "onset", "machine", "growth", "cell", "trend"),
-    *("visible_judgement", "labelled_episode", "alarm_event", "alarm_band", "alarm_cell"),
-    *("channel", "bounds", "limit", "alarm"),
+    *(name for name in (*VIEWS, *TABLES) if name in FOR_READERS and name not in _STATUS),
+    *("labelled_episode", "channel", "bounds", "limit"),
 )
 
 #: What a script cannot know, as comments of it.

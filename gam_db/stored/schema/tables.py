@@ -1,6 +1,7 @@
 """The state tables: their names, and where they lie.
 
-This module owns the names; the files in ``migrations/`` own what the tables hold.
+This module owns the names; the files in ``migrations/`` own what the tables hold. What people and other
+tools read is called ``<prefix>fleet`` and so on, what only gam-db uses ``<prefix>state_run``.
 """
 
 import re
@@ -22,8 +23,17 @@ TABLES = (
 #: Each after those that it reads.
 VIEWS = (
     *("finished_run", "visible_bucket", "visible_novel", "visible_judgement", "visible_episode"),
-    *("labelled_episode", "alarm", "alarm_event", "onset", "health", "stillness", "fleet"),
-    *("quarantine", "unplaced_day", "machine", "growth", "cell", "alarm_band", "alarm_cell", "trend"),
+    *("labelled_episode", "health", "stillness", "onset", "fleet", "machine", "trend", "unplaced_day"),
+    *("cell", "quarantine", "growth", "alarm", "alarm_event", "alarm_band", "alarm_cell"),
+)
+
+#: What people and other tools read or write. All else is of gam-db alone.
+FOR_READERS = frozenset(
+    {
+        *("fleet", "machine", "health", "stillness", "onset", "trend", "unplaced_day", "ladder"),
+        *("cell", "quarantine", "growth"),
+        *("alarm", "alarm_event", "alarm_band", "alarm_cell", "visible_judgement", "label"),
+    }
 )
 
 _PREFIX = re.compile(r"([A-Za-z_][A-Za-z0-9_]{0,39})?")
@@ -37,6 +47,7 @@ class StateTables:
         schema: the schema that holds them; None for the current one of the connection.
         prefix: begins each name: letters, digits and underscores, at most 40, no digit first. It may be
             empty in a schema.
+        apart: stands between the prefix and the name of what only gam-db uses.
 
     Raises:
         ConfigurationError: the schema or prefix is no such name.
@@ -44,6 +55,7 @@ class StateTables:
 
     schema: str | None = None
     prefix: str = "gam_"
+    apart: str = "state_"
 
     def __post_init__(self) -> None:
         if self.schema is not None and (not isinstance(self.schema, str) or not self.schema):
@@ -60,23 +72,27 @@ class StateTables:
         return self.prefix if self.schema is None else f"{self.schema}.{self.prefix}"
 
     def table(self, name: str) -> exp.Table:
-        """Return the node of a table or view, ``"run"`` for ``<schema>.<prefix>run``."""
+        """Return the node of a table or view, ``"run"`` for ``<schema>.<prefix>state_run``."""
         if name not in (*TABLES, *VIEWS):
             raise InternalError(f"There is no state table {name!r}.")
         db = None if self.schema is None else template.name(self.schema)
-        return exp.Table(this=template.name(f"{self.prefix}{name}"), db=db)
+        return exp.Table(this=template.name(self._called(name)), db=db)
 
     def shown(self, name: str) -> str:
         """Return the name of a table or view as messages show it."""
-        return f"{self}{name}"
+        called = self._called(name)
+        return called if self.schema is None else f"{self.schema}.{called}"
 
     def folded(self, name: str) -> str:
         """Return the name of a table or view in lower case, to look it up among others."""
-        return f"{self.prefix}{name}".casefold()
+        return self._called(name).casefold()
 
     def placed(self) -> dict[str, exp.Table]:
         """Return what the SQL calls the tables (``stored_run``), each with the node that it means."""
         return dict(_placed(self))
+
+    def _called(self, name: str) -> str:
+        return f"{self.prefix}{'' if name in FOR_READERS else self.apart}{name}"
 
 
 @lru_cache(maxsize=64)

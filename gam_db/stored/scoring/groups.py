@@ -1,9 +1,9 @@
 """Scoring a group of channels of one setting, from its rows to what is committed, in four stages.
 
 This module owns the stages: counting calibration anew where that is due, the vectors, the rows that are
-to be published, and their publication. Rows are appended first and one row per version in ``gam_run``
-last: that is the commit. Where an engine has transactions, all of it is one, and rows that are now
-hidden go in the same. It counts only if nobody else wrote meanwhile
+to be published, and their publication. Rows are appended first and one row per version in
+``gam_state_run`` last: that is the commit. Where an engine has transactions, all of it is one, and rows
+that are now hidden go in the same. It counts only if nobody else wrote meanwhile
 (:mod:`gam_db.stored.scoring.publishing`).
 """
 

@@ -7,7 +7,7 @@ SELECT
       FROM extract_bucket
       EXCEPT
       SELECT version_id, bucket_no, first_time, last_time, novel, out_of_range, novel_in_window
-      FROM gam_visible_bucket
+      FROM gam_state_visible_bucket
     ) AS buckets
   )
   + (
@@ -16,6 +16,6 @@ SELECT
       FROM extract_novel
       EXCEPT
       SELECT version_id, bucket_no, cell_key, visits, first_time, last_time
-      FROM gam_visible_novel
+      FROM gam_state_visible_novel
     ) AS cells
   ) AS missed

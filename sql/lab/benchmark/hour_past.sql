@@ -11,7 +11,7 @@ FROM (
     ROW_NUMBER() OVER (PARTITION BY version_id ORDER BY bucket_no DESC) AS places_back
   FROM (
     SELECT *, MAX(last_time) OVER (PARTITION BY version_id) AS newest_time
-    FROM gam_bucket
+    FROM gam_state_bucket
   ) AS dated
   WHERE last_time < newest_time - :lookback
 ) AS staying

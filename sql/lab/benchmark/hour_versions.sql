@@ -11,9 +11,9 @@ SELECT
   staying.bucket_no + 1 AS first_bucket,
   staying.context_time,
   staying.last_time
-FROM gam_version AS version
-JOIN gam_channel AS named ON named.channel_id = version.channel_id
-JOIN gam_bounds AS learnt ON learnt.support_id = version.support_id
+FROM gam_state_version AS version
+JOIN gam_state_channel AS named ON named.channel_id = version.channel_id
+JOIN gam_state_bounds AS learnt ON learnt.support_id = version.support_id
 JOIN (
   SELECT
     version_id,
@@ -22,7 +22,7 @@ JOIN (
     MAX(last_time) AS last_time
   FROM (
     SELECT *, MAX(last_time) OVER (PARTITION BY version_id) AS newest_time
-    FROM gam_bucket
+    FROM gam_state_bucket
   ) AS dated
   WHERE last_time < newest_time - :lookback
   GROUP BY version_id

@@ -9,7 +9,7 @@ SELECT
   bucket.novel AS novel,
   bucket.out_of_range AS out_of_range,
   bucket.novel_in_window AS novel_in_window
-FROM gam_visible_bucket AS bucket
-JOIN gam_version AS frozen ON frozen.version_id = bucket.version_id
-JOIN gam_channel AS named ON named.channel_id = frozen.channel_id
+FROM gam_state_visible_bucket AS bucket
+JOIN gam_state_version AS frozen ON frozen.version_id = bucket.version_id
+JOIN gam_state_channel AS named ON named.channel_id = frozen.channel_id
 ORDER BY named.asset, named.channel, bucket.bucket_no

@@ -204,3 +204,134 @@ COMMENT ON COLUMN stored_cell.place
   IS 'missing: no reading; below or above the range of calibration; within: in the bin from value_from to value_to';
 COMMENT ON COLUMN stored_cell.value_from IS 'Lower end in units of the signal; NULL where there is none';
 COMMENT ON COLUMN stored_cell.value_to IS 'Upper end in units of the signal; NULL where there is none';
+
+-- Quarantine: the states that calibration never visited and the machine has visited since, one row per
+-- channel and cell, under the active version: what explains a raised indicator, and what a recalibration
+-- would have to take in. Only what is kept is counted; gam prune drops old buckets.
+CREATE OR REPLACE VIEW stored_quarantine AS
+SELECT
+  watching.name AS monitor,
+  named.asset AS asset,
+  named.channel AS channel,
+  version.version_no AS version_no,
+  held.cell_key AS cell_key,
+  held.visits AS visits,
+  held.buckets AS buckets,
+  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(held.first_tick) END AS first_time,
+  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(held.last_tick) END AS last_time,
+  held.first_tick AS first_tick,
+  held.last_tick AS last_tick
+FROM (
+  SELECT
+    version_id,
+    cell_key,
+    CAST(SUM(cell.visits) AS BIGINT) AS visits,
+    CAST(COUNT(*) AS BIGINT) AS buckets,
+    MIN(first_time) AS first_tick,
+    MAX(last_time) AS last_tick
+  FROM stored_visible_novel AS cell
+  GROUP BY version_id, cell_key
+) AS held
+JOIN stored_version AS version ON version.version_id = held.version_id
+JOIN (
+  SELECT channel_id, MAX(version_id) AS newest_id
+  FROM stored_version
+  GROUP BY channel_id
+) AS active ON active.newest_id = version.version_id
+JOIN stored_channel AS named ON named.channel_id = version.channel_id
+JOIN stored_monitor AS watching ON watching.monitor_id = named.monitor_id;
+
+COMMENT ON VIEW stored_quarantine
+  IS 'Cells visited since calibration that it never visited, active versions only';
+COMMENT ON COLUMN stored_quarantine.monitor IS 'The monitor';
+COMMENT ON COLUMN stored_quarantine.asset IS 'The machine';
+COMMENT ON COLUMN stored_quarantine.channel IS 'The signal';
+COMMENT ON COLUMN stored_quarantine.version_no IS 'Which calibration of the channel: 1, 2, ...';
+COMMENT ON COLUMN stored_quarantine.cell_key IS 'The cell: its codes on the m axes, as one integer';
+COMMENT ON COLUMN stored_quarantine.visits IS 'Scored vectors in it';
+COMMENT ON COLUMN stored_quarantine.buckets IS 'Buckets in which it was visited';
+COMMENT ON COLUMN stored_quarantine.first_time
+  IS 'Time of the first visit (UTC); NULL where the source counts time, see first_tick';
+COMMENT ON COLUMN stored_quarantine.last_time
+  IS 'Time of the last visit (UTC); NULL where the source counts time, see last_tick';
+COMMENT ON COLUMN stored_quarantine.first_tick
+  IS 'Time of the first visit: microseconds since 1970 (UTC), or the counter of the source';
+COMMENT ON COLUMN stored_quarantine.last_tick
+  IS 'Time of the last visit: microseconds since 1970 (UTC), or the counter of the source';
+
+-- Growth: how many cells are known of each channel by then, one row per block of calibration and one per full
+-- bucket, under the active version: cells of the support, and new ones. Of new ones only those that are kept count.
+CREATE OR REPLACE VIEW stored_growth AS
+SELECT
+  watching.name AS monitor,
+  named.asset AS asset,
+  named.channel AS channel,
+  version.version_no AS version_no,
+  known.phase AS phase,
+  known.number AS number,
+  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(known.last_tick) END AS last_time,
+  known.last_tick AS last_tick,
+  known.healthy AS healthy,
+  known.novel AS novel
+FROM (
+  SELECT
+    made.version_id AS version_id,
+    'calibration' AS phase,
+    part.block AS number,
+    part.last_time AS last_tick,
+    CAST(SUM(CASE WHEN cell.first_time <= part.last_time THEN 1 ELSE 0 END) AS BIGINT) AS healthy,
+    CAST(0 AS BIGINT) AS novel
+  FROM stored_version AS made
+  JOIN stored_block AS part ON part.support_id = made.support_id AND part.channel_id = made.channel_id
+  JOIN stored_support AS cell ON cell.support_id = made.support_id
+  GROUP BY made.version_id, part.block, part.last_time
+  UNION ALL
+  SELECT
+    full_bucket.version_id AS version_id,
+    'scored' AS phase,
+    full_bucket.bucket_no AS number,
+    full_bucket.last_time AS last_tick,
+    learnt.cells AS healthy,
+    CAST(
+      SUM(CASE WHEN found.hit = 1 THEN found.cells ELSE 0 END) OVER (
+        PARTITION BY full_bucket.version_id
+        ORDER BY full_bucket.bucket_no
+        ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
+      ) AS BIGINT
+    ) AS novel
+  FROM stored_visible_bucket AS full_bucket
+  JOIN stored_version AS made ON made.version_id = full_bucket.version_id
+  JOIN stored_bounds AS learnt ON learnt.support_id = made.support_id
+  LEFT JOIN (
+    SELECT version_id, first_no, CAST(COUNT(*) AS BIGINT) AS cells, 1 AS hit
+    FROM (
+      SELECT version_id, cell_key, MIN(bucket_no) AS first_no
+      FROM stored_visible_novel
+      GROUP BY version_id, cell_key
+    ) AS seen
+    GROUP BY version_id, first_no
+  ) AS found ON found.version_id = full_bucket.version_id AND found.first_no = full_bucket.bucket_no
+) AS known
+JOIN stored_version AS version ON version.version_id = known.version_id
+JOIN (
+  SELECT channel_id, MAX(version_id) AS newest_id
+  FROM stored_version
+  GROUP BY channel_id
+) AS active ON active.newest_id = version.version_id
+JOIN stored_channel AS named ON named.channel_id = version.channel_id
+JOIN stored_monitor AS watching ON watching.monitor_id = named.monitor_id;
+
+COMMENT ON VIEW stored_growth
+  IS 'Cells known of each channel by then, active versions only; one row per block of calibration and per bucket';
+COMMENT ON COLUMN stored_growth.monitor IS 'The monitor';
+COMMENT ON COLUMN stored_growth.asset IS 'The machine';
+COMMENT ON COLUMN stored_growth.channel IS 'The signal';
+COMMENT ON COLUMN stored_growth.version_no IS 'Which calibration of the channel: 1, 2, ...';
+COMMENT ON COLUMN stored_growth.phase IS 'calibration: a block of it; scored: a full bucket';
+COMMENT ON COLUMN stored_growth.number IS 'Number of the block or of the bucket';
+COMMENT ON COLUMN stored_growth.last_time
+  IS 'Time of its last vector (UTC); NULL where the source counts time, see last_tick';
+COMMENT ON COLUMN stored_growth.last_tick
+  IS 'Time of its last vector: microseconds since 1970 (UTC), or the counter of the source';
+COMMENT ON COLUMN stored_growth.healthy IS 'Cells of the support that were visited by then';
+COMMENT ON COLUMN stored_growth.novel IS 'Different cells outside the support that were visited by then, of those kept';

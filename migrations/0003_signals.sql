@@ -1,4 +1,205 @@
--- Fleet, made again: what is known of every channel now, one row each, under its active version. A channel that would
+-- Health: the indicator at the end of every full bucket, with its limit beside it, which is that of
+-- sql/judgement/hi_limit.sql, word for word. Filters reach the stored rows.
+CREATE OR REPLACE VIEW stored_health AS
+SELECT
+  watching.name AS monitor,
+  named.asset AS asset,
+  named.channel AS channel,
+  version.version_no AS version_no,
+  full_bucket.bucket_no AS bucket,
+  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(full_bucket.first_time) END
+    AS first_time,
+  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(full_bucket.last_time) END
+    AS last_time,
+  full_bucket.first_time AS first_tick,
+  full_bucket.last_time AS last_tick,
+  full_bucket.samples AS samples,
+  full_bucket.novel AS novel,
+  full_bucket.out_of_range AS out_of_range,
+  full_bucket.novel_in_window AS novel_in_window,
+  version.window_length AS window_length,
+  CASE
+    WHEN full_bucket.novel_in_window IS NOT NULL
+      THEN CAST(full_bucket.novel_in_window AS DOUBLE) / CAST(version.window_length AS DOUBLE)
+  END AS hi,
+  learnt.verdict AS verdict,
+  CASE
+    WHEN learnt.verdict <> 'ready' OR learnt.floor IS NULL OR learnt.floor_max IS NULL THEN NULL
+    WHEN 2 * learnt.floor >= learnt.floor_max AND 2 * learnt.floor >= version.target_floor
+      THEN 2 * learnt.floor
+    WHEN learnt.floor_max >= version.target_floor THEN learnt.floor_max
+    ELSE version.target_floor
+  END AS hi_limit
+FROM stored_visible_bucket AS full_bucket
+JOIN stored_version AS version ON version.version_id = full_bucket.version_id
+JOIN stored_bounds AS learnt ON learnt.support_id = version.support_id
+JOIN (
+  SELECT channel_id, MAX(version_id) AS newest_id
+  FROM stored_version
+  GROUP BY channel_id
+) AS active ON active.newest_id = version.version_id
+JOIN stored_channel AS named ON named.channel_id = version.channel_id
+JOIN stored_monitor AS watching ON watching.monitor_id = named.monitor_id;
+
+COMMENT ON VIEW stored_health
+  IS 'Health indicator at the end of every full bucket of scored vectors, active versions only';
+COMMENT ON COLUMN stored_health.monitor IS 'The monitor';
+COMMENT ON COLUMN stored_health.asset IS 'The machine';
+COMMENT ON COLUMN stored_health.channel IS 'The signal';
+COMMENT ON COLUMN stored_health.version_no IS 'Which calibration of the channel: 1, 2, ...';
+COMMENT ON COLUMN stored_health.bucket
+  IS 'Number of the bucket: (number of a scored vector - 1) div stride';
+COMMENT ON COLUMN stored_health.first_time
+  IS 'Time of its first vector (UTC); NULL where the source counts time, see first_tick';
+COMMENT ON COLUMN stored_health.last_time
+  IS 'Time of its last vector (UTC); NULL where the source counts time, see last_tick';
+COMMENT ON COLUMN stored_health.first_tick
+  IS 'Time of its first vector: microseconds since 1970 (UTC), or the counter of the source';
+COMMENT ON COLUMN stored_health.last_tick
+  IS 'Time of its last vector: microseconds since 1970 (UTC), or the counter of the source';
+COMMENT ON COLUMN stored_health.samples
+  IS 'Samples after the previous bucket up to the end of this one, missing ones included';
+COMMENT ON COLUMN stored_health.novel IS 'Vectors in the bucket whose cell is not in the support';
+COMMENT ON COLUMN stored_health.out_of_range
+  IS 'Vectors in the bucket with a sample outside the range of calibration; all of them are novel';
+COMMENT ON COLUMN stored_health.novel_in_window
+  IS 'Novel vectors in the window that ends with the bucket; NULL until the window is full';
+COMMENT ON COLUMN stored_health.window_length IS 'Scored vectors in a window';
+COMMENT ON COLUMN stored_health.hi
+  IS 'Health indicator: novel_in_window / window_length, 0 like calibration, 1 all states never seen';
+COMMENT ON COLUMN stored_health.verdict
+  IS 'Is the calibration good enough? ready, too_fine, needs_data, constant or no_data';
+COMMENT ON COLUMN stored_health.hi_limit IS 'Where hi is high; NULL where nothing is to be judged';
+
+-- Stillness: the channels whose signal stands still now, at the end of what the newest run that found any row read.
+CREATE OR REPLACE VIEW stored_stillness AS
+SELECT
+  watching.name AS monitor,
+  named.asset AS asset,
+  named.channel AS channel,
+  version.version_id AS version_id,
+  version.still_after AS still_after,
+  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(held.still_tick) END AS still_since_time,
+  held.still_tick AS still_since_tick
+FROM (
+  SELECT run.version_id AS version_id, MAX(run.still_since) AS still_tick
+  FROM stored_run AS run
+  JOIN (
+    SELECT version_id, MAX(run_id) AS newest_id
+    FROM stored_finished_run
+    WHERE settled_bucket IS NOT NULL
+    GROUP BY version_id
+  ) AS reading ON reading.version_id = run.version_id AND reading.newest_id = run.run_id
+  WHERE run.still_since IS NOT NULL
+  GROUP BY run.version_id
+) AS held
+JOIN stored_version AS version ON version.version_id = held.version_id
+JOIN (
+  SELECT channel_id, MAX(version_id) AS newest_id
+  FROM stored_version
+  GROUP BY channel_id
+) AS active ON active.newest_id = version.version_id
+JOIN stored_channel AS named ON named.channel_id = version.channel_id
+JOIN stored_monitor AS watching ON watching.monitor_id = named.monitor_id;
+
+COMMENT ON VIEW stored_stillness IS 'The channels whose signal stands still now; a machine that stands, or a frozen reading';
+COMMENT ON COLUMN stored_stillness.monitor IS 'The monitor';
+COMMENT ON COLUMN stored_stillness.asset IS 'The machine';
+COMMENT ON COLUMN stored_stillness.channel IS 'The signal';
+COMMENT ON COLUMN stored_stillness.version_id IS 'Its active version';
+COMMENT ON COLUMN stored_stillness.still_after
+  IS 'Equal samples in a row from which on the signal stands still and counts as missing';
+COMMENT ON COLUMN stored_stillness.still_since_time
+  IS 'Since when it stands still (UTC), as far as it is scored; NULL where the source counts time';
+COMMENT ON COLUMN stored_stillness.still_since_tick
+  IS 'The same in microseconds since 1970 (UTC), or as the counter of the source';
+
+-- Onset: since when the indicator of each version is above its limit without a break, over the buckets that are
+-- kept, and how long its buckets take. The limit is that of sql/judgement/hi_limit.sql, word for word.
+CREATE OR REPLACE VIEW stored_onset AS
+SELECT
+  placed.version_id AS version_id,
+  CAST(COUNT(*) AS BIGINT) AS buckets,
+  MIN(placed.first_time) AS first_tick,
+  MAX(placed.last_time) AS last_tick,
+  MAX(placed.since_bucket) AS since_bucket,
+  MAX(CASE WHEN placed.bucket_no = placed.since_bucket THEN placed.last_time END) AS since_tick,
+  MIN(
+    CASE WHEN placed.bucket_no > placed.since_bucket - placed.in_window THEN placed.first_time END
+  ) AS window_from_tick,
+  MAX(
+    CASE
+      WHEN placed.bucket_no = placed.since_bucket AND placed.since_bucket > placed.last_below + 1 THEN 1
+      WHEN placed.bucket_no = placed.since_bucket THEN 0
+    END
+  ) AS at_least
+FROM (
+  SELECT
+    version_id,
+    bucket_no,
+    first_time,
+    last_time,
+    in_window,
+    last_below,
+    MIN(CASE WHEN bucket_no > last_below THEN bucket_no END) OVER (PARTITION BY version_id)
+      AS since_bucket
+  FROM (
+    SELECT
+      version_id,
+      bucket_no,
+      first_time,
+      last_time,
+      in_window,
+      MAX(CASE WHEN is_above = 1 THEN -1 ELSE bucket_no END) OVER (PARTITION BY version_id) AS last_below
+    FROM (
+      SELECT
+        full_bucket.version_id AS version_id,
+        full_bucket.bucket_no AS bucket_no,
+        full_bucket.first_time AS first_time,
+        full_bucket.last_time AS last_time,
+        CAST(version.window_length AS DOUBLE) / CAST(version.stride AS DOUBLE) AS in_window,
+        CASE
+          WHEN full_bucket.novel_in_window IS NULL OR version.hi_limit IS NULL THEN 0
+          WHEN CAST(full_bucket.novel_in_window AS DOUBLE) / CAST(version.window_length AS DOUBLE)
+            > version.hi_limit THEN 1
+          ELSE 0
+        END AS is_above
+      FROM stored_visible_bucket AS full_bucket
+      JOIN (
+        SELECT
+          version.version_id AS version_id,
+          version.window_length AS window_length,
+          version.stride AS stride,
+          CASE
+          WHEN learnt.verdict <> 'ready' OR learnt.floor IS NULL OR learnt.floor_max IS NULL THEN NULL
+          WHEN 2 * learnt.floor >= learnt.floor_max AND 2 * learnt.floor >= version.target_floor
+            THEN 2 * learnt.floor
+          WHEN learnt.floor_max >= version.target_floor THEN learnt.floor_max
+          ELSE version.target_floor
+        END AS hi_limit
+        FROM stored_version AS version
+        JOIN stored_bounds AS learnt ON learnt.support_id = version.support_id
+      ) AS version ON version.version_id = full_bucket.version_id
+    ) AS compared
+  ) AS bounded
+) AS placed
+GROUP BY placed.version_id;
+
+COMMENT ON VIEW stored_onset
+  IS 'Since when each version is above its limit, over the buckets that are kept; one row per version';
+COMMENT ON COLUMN stored_onset.version_id IS 'The version';
+COMMENT ON COLUMN stored_onset.buckets IS 'Buckets that are kept';
+COMMENT ON COLUMN stored_onset.first_tick IS 'Time of the first vector of the oldest of them';
+COMMENT ON COLUMN stored_onset.last_tick IS 'Time of the last vector of the newest of them';
+COMMENT ON COLUMN stored_onset.since_bucket
+  IS 'First bucket of the unbroken run above the limit that lasts to the newest; NULL if that is not above';
+COMMENT ON COLUMN stored_onset.since_tick IS 'Time of the last vector of that bucket';
+COMMENT ON COLUMN stored_onset.window_from_tick
+  IS 'Time of the first vector of the window that ends with it, as far as its buckets are kept';
+COMMENT ON COLUMN stored_onset.at_least
+  IS '1 if the bucket before is no longer kept, so that the run may be longer; else 0; NULL if not above';
+
+-- Fleet: what is known of every channel now, one row each, under its active version. A channel that would
 -- be ok or waiting and stands still is standing: neither healthy nor alarming. Where its calibration gave a limit of
 -- judgements, its episode says whether it is above, and since when: since the onset of that. Elsewhere its indicator
 -- says it by hi_limit. judged_by says which. limit, reason, urgency, attention and the status of what moves are those of
@@ -498,3 +699,163 @@ COMMENT ON COLUMN stored_fleet.at_least
   IS '1 if older buckets were pruned and no episode says it, so that it may be longer; else 0; NULL if it is not above';
 COMMENT ON COLUMN stored_fleet.silent_for
   IS 'How far its newest data is behind the newest of the monitor, where three of its buckets take less; else NULL';
+
+-- Machine: what is known of every machine now, one row each, counted over its signals in fleet. Together counts the
+-- signals whose onset lies within the window that ended at the onset of one of them: those that began by then, less those
+-- that began before that window. Each signal is there three times for it: where its window begins, as one that
+-- began, and where it counts.
+CREATE OR REPLACE VIEW stored_machine AS
+SELECT
+  member.monitor AS monitor,
+  member.asset AS asset,
+  CAST(COUNT(*) AS BIGINT) AS signals,
+  CAST(SUM(CASE WHEN member.is_above IS NULL THEN 0 ELSE 1 END) AS BIGINT) AS judged,
+  CAST(SUM(CASE WHEN member.is_above = 1 THEN 1 ELSE 0 END) AS BIGINT) AS above,
+  CAST(SUM(CASE WHEN member.is_above IS NULL THEN 1 ELSE 0 END) AS BIGINT) AS not_judged,
+  MIN(member.since_time) AS since_time,
+  MIN(member.since_tick) AS since_tick,
+  CAST(MAX(member.left_together) AS BIGINT) AS together,
+  MAX(member.data_time) AS data_time,
+  MAX(member.data_tick) AS data_tick
+FROM (
+  SELECT
+    begun.monitor AS monitor,
+    begun.asset AS asset,
+    begun.channel AS channel,
+    MAX(begun.is_above) AS is_above,
+    MAX(begun.since_time) AS since_time,
+    MAX(begun.since_tick) AS since_tick,
+    MAX(begun.data_time) AS data_time,
+    MAX(begun.data_tick) AS data_tick,
+    SUM(
+      CASE
+        WHEN begun.since_tick IS NULL OR begun.part = 1 THEN 0
+        WHEN begun.part = 2 THEN begun.begun_by
+        ELSE -begun.begun_by
+      END
+    ) AS left_together
+  FROM (
+    SELECT
+      known.monitor AS monitor,
+      known.asset AS asset,
+      known.channel AS channel,
+      known.is_above AS is_above,
+      known.since_time AS since_time,
+      known.since_tick AS since_tick,
+      known.data_time AS data_time,
+      known.data_tick AS data_tick,
+      each_part.part AS part,
+      CAST(
+        SUM(CASE WHEN each_part.part = 1 AND known.since_tick IS NOT NULL THEN 1 ELSE 0 END) OVER (
+          PARTITION BY known.monitor, known.asset
+          ORDER BY CASE WHEN each_part.part = 0 THEN known.window_from_tick ELSE known.since_tick END, each_part.part
+          ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
+        ) AS BIGINT
+      ) AS begun_by
+    FROM stored_fleet AS known
+    CROSS JOIN (SELECT 0 AS part UNION ALL SELECT 1 AS part UNION ALL SELECT 2 AS part) AS each_part
+  ) AS begun
+  GROUP BY begun.monitor, begun.asset, begun.channel
+) AS member
+GROUP BY member.monitor, member.asset;
+
+COMMENT ON VIEW stored_machine IS 'What is known of every machine now, counted over its signals';
+COMMENT ON COLUMN stored_machine.monitor IS 'The monitor';
+COMMENT ON COLUMN stored_machine.asset IS 'The machine';
+COMMENT ON COLUMN stored_machine.signals IS 'Signals of it';
+COMMENT ON COLUMN stored_machine.judged IS 'Signals that can be judged now: is_above of fleet is not NULL';
+COMMENT ON COLUMN stored_machine.above IS 'Signals above their limit: status proving, open or high';
+COMMENT ON COLUMN stored_machine.not_judged IS 'Signals that cannot be judged yet, or at all';
+COMMENT ON COLUMN stored_machine.since_time
+  IS 'Since when the first of those above is above (UTC); NULL if none is, or where the source counts time';
+COMMENT ON COLUMN stored_machine.since_tick
+  IS 'The same in microseconds since 1970 (UTC), or as the counter of the source';
+COMMENT ON COLUMN stored_machine.together
+  IS 'The most signals above that left health within one window of each other; 0 if none is above';
+COMMENT ON COLUMN stored_machine.data_time
+  IS 'Newest time read of the machine (UTC); NULL where the source counts time';
+COMMENT ON COLUMN stored_machine.data_tick
+  IS 'The same in microseconds since 1970 (UTC), or as the counter of the source';
+
+-- Trend: how far the indicator of each channel moved from the window before the last to the last one, and whether
+-- that is a rise to be told while the channel is not above its limit: by more than 0.01 and two standard deviations of the blocks
+-- of calibration, to more than half of hi_limit.
+CREATE OR REPLACE VIEW stored_trend AS
+SELECT
+  moved.monitor AS monitor,
+  moved.asset AS asset,
+  moved.channel AS channel,
+  moved.version_no AS version_no,
+  moved.version_id AS version_id,
+  moved.rise AS rise,
+  CASE
+    WHEN moved.is_above IS NULL OR moved.is_above = 1 OR moved.rise IS NULL THEN 0
+    WHEN moved.floor_sd IS NOT NULL AND moved.rise <= 2 * moved.floor_sd THEN 0
+    WHEN moved.rise > CAST(1e-2 AS DOUBLE) AND moved.hi > moved.hi_limit / CAST(2 AS DOUBLE) THEN 1
+    ELSE 0
+  END AS is_rising
+FROM (
+  SELECT
+    known.monitor AS monitor,
+    known.asset AS asset,
+    known.channel AS channel,
+    known.version_no AS version_no,
+    known.version_id AS version_id,
+    known.is_above AS is_above,
+    known.floor_sd AS floor_sd,
+    known.hi_limit AS hi_limit,
+    known.hi AS hi,
+    CAST(known.novel_in_window - known.novel_window_before AS DOUBLE) / CAST(known.window_length AS DOUBLE)
+      AS rise
+  FROM stored_fleet AS known
+) AS moved;
+
+COMMENT ON VIEW stored_trend IS 'Whether the indicator of each channel rises that is not above its limit; one row per channel';
+COMMENT ON COLUMN stored_trend.monitor IS 'The monitor';
+COMMENT ON COLUMN stored_trend.asset IS 'The machine';
+COMMENT ON COLUMN stored_trend.channel IS 'The signal';
+COMMENT ON COLUMN stored_trend.version_no IS 'Which calibration of the channel: 1, 2, ...; the active one';
+COMMENT ON COLUMN stored_trend.version_id IS 'Its key in the other tables';
+COMMENT ON COLUMN stored_trend.rise
+  IS 'hi less that of the window before the last; NULL until two windows are scored';
+COMMENT ON COLUMN stored_trend.is_rising
+  IS '1 if it is not above its limit, and hi above half of hi_limit and risen by more than 0.01 and twice floor_sd; else 0';
+
+-- Unplaced, by day: what runs could give to no channel or instant. Ranges of runs overlap, and a row counts
+-- in each that reads it: so it is the most that one run of the day found, not a sum.
+CREATE OR REPLACE VIEW stored_unplaced_day AS
+SELECT
+  watching.name AS monitor,
+  MAKE_TIMESTAMP(found.day_start) AS day,
+  CAST(COUNT(*) AS BIGINT) AS runs,
+  MAX(found.nameless) AS nameless,
+  MAX(found.undated) AS undated,
+  MAX(found.strangers) AS strangers,
+  MAX(found.stranger_channels) AS stranger_channels
+FROM (
+  SELECT
+    run.monitor_id AS monitor_id,
+    CAST(
+      FLOOR(
+        (CAST(run.started AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(86400000000 AS DOUBLE)
+      ) AS BIGINT
+    ) * 86400000000 AS day_start,
+    run.nameless AS nameless,
+    run.undated AS undated,
+    run.strangers AS strangers,
+    run.stranger_channels AS stranger_channels
+  FROM stored_unplaced AS run
+  WHERE run.nameless + run.undated + run.strangers > 0
+) AS found
+JOIN stored_monitor AS watching ON watching.monitor_id = found.monitor_id
+GROUP BY watching.name, found.day_start;
+
+COMMENT ON VIEW stored_unplaced_day
+  IS 'Rows that runs could give to no channel or instant, by day: the most that one run found';
+COMMENT ON COLUMN stored_unplaced_day.monitor IS 'The monitor';
+COMMENT ON COLUMN stored_unplaced_day.day IS 'The day on which the runs began (UTC)';
+COMMENT ON COLUMN stored_unplaced_day.runs IS 'Runs of the day that found any';
+COMMENT ON COLUMN stored_unplaced_day.nameless IS 'Rows without asset or channel';
+COMMENT ON COLUMN stored_unplaced_day.undated IS 'Rows without a time';
+COMMENT ON COLUMN stored_unplaced_day.strangers IS 'Rows of channels that have no calibration';
+COMMENT ON COLUMN stored_unplaced_day.stranger_channels IS 'How many such channels there were';

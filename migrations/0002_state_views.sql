@@ -1,0 +1,405 @@
+-- Finished run: the runs that count. One that was withdrawn has a second row that says so, and neither is
+-- here.
+CREATE OR REPLACE VIEW stored_finished_run AS
+SELECT
+  run.run_id AS run_id,
+  run.version_id AS version_id,
+  run.from_bucket AS from_bucket,
+  run.read_from AS read_from,
+  run.read_to AS read_to,
+  run.rows_read AS rows_read,
+  run.context_rows AS context_rows,
+  run.context_expected AS context_expected,
+  run.calibration_readings AS calibration_readings,
+  run.lookback AS lookback,
+  run.settled_bucket AS settled_bucket,
+  run.settled_time AS settled_time,
+  run.settled_context AS settled_context,
+  run.started AS started,
+  run.committed AS committed,
+  run.planned_from AS planned_from
+FROM stored_run AS run
+LEFT JOIN (
+  SELECT version_id, run_id, 1 AS hit
+  FROM stored_run
+  WHERE withdrawn = 1
+) AS gone ON gone.version_id = run.version_id AND gone.run_id = run.run_id
+WHERE CASE WHEN gone.hit = 1 THEN 1 ELSE 0 END < 1;
+
+COMMENT ON VIEW stored_finished_run IS 'Finished runs of scoring, but those that were withdrawn';
+COMMENT ON COLUMN stored_finished_run.run_id IS 'The run; a later one is larger';
+COMMENT ON COLUMN stored_finished_run.version_id IS 'The version';
+COMMENT ON COLUMN stored_finished_run.from_bucket IS 'First bucket that it wrote anew';
+COMMENT ON COLUMN stored_finished_run.read_from IS 'From which time on it read the channel';
+COMMENT ON COLUMN stored_finished_run.read_to
+  IS 'Newest time that it read of the channel; NULL if there was no row';
+COMMENT ON COLUMN stored_finished_run.rows_read IS 'Rows of the channel that it read';
+COMMENT ON COLUMN stored_finished_run.context_rows
+  IS 'Samples it read up to the end of the bucket before from_bucket';
+COMMENT ON COLUMN stored_finished_run.context_expected
+  IS 'Samples there were when that bucket was written; NULL for the first bucket';
+COMMENT ON COLUMN stored_finished_run.calibration_readings
+  IS 'Rows inside calibration, counted again; NULL if this run did not count';
+COMMENT ON COLUMN stored_finished_run.lookback
+  IS 'How late a row may come, as this run took it, in the unit of time';
+COMMENT ON COLUMN stored_finished_run.settled_bucket
+  IS 'Last bucket that no such row can change; -1 if there is none, NULL if no row was read';
+COMMENT ON COLUMN stored_finished_run.settled_time
+  IS 'Time of its last vector: the next run scores what is newer; NULL if there is none';
+COMMENT ON COLUMN stored_finished_run.settled_context
+  IS 'Its context_time: the next run reads from there; NULL if there is none';
+COMMENT ON COLUMN stored_finished_run.started IS 'When it began, in microseconds since 1970 (UTC)';
+COMMENT ON COLUMN stored_finished_run.committed
+  IS 'When it was recorded, in microseconds since 1970 (UTC)';
+COMMENT ON COLUMN stored_finished_run.planned_from
+  IS 'The newest finished run of the version when this one was planned; 0 if there was none';
+
+-- Visible bucket: of each bucket the row of the newest finished run that reached it. A run hides all rows of
+-- earlier ones from from_bucket on; only runs that may (hides) are put in order, with those before them.
+CREATE OR REPLACE VIEW stored_visible_bucket AS
+SELECT
+  written.version_id AS version_id,
+  written.bucket_no AS bucket_no,
+  written.run_id AS run_id,
+  written.first_time AS first_time,
+  written.last_time AS last_time,
+  written.context_time AS context_time,
+  written.samples AS samples,
+  written.novel AS novel,
+  written.out_of_range AS out_of_range,
+  written.novel_in_window AS novel_in_window
+FROM stored_bucket AS written
+JOIN stored_finished_run AS finished
+  ON finished.version_id = written.version_id AND finished.run_id = written.run_id
+LEFT JOIN (
+  SELECT version_id, run_id, hidden_from, 1 AS hit
+  FROM (
+    SELECT
+      run.version_id AS version_id,
+      run.run_id AS run_id,
+      CAST(ROW_NUMBER() OVER (PARTITION BY run.version_id ORDER BY run.run_id DESC) AS BIGINT) AS runs_back,
+      MIN(run.from_bucket) OVER (
+        PARTITION BY run.version_id ORDER BY run.run_id DESC ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING
+      ) AS hidden_from
+    FROM stored_finished_run AS run
+    JOIN (
+      SELECT version_id, MAX(run_id) AS newest_id
+      FROM stored_run
+      WHERE hides IS NULL
+      GROUP BY version_id
+    ) AS hiding ON hiding.version_id = run.version_id
+    WHERE run.run_id <= hiding.newest_id
+  ) AS placed
+  WHERE runs_back > 1
+) AS later ON later.version_id = written.version_id AND later.run_id = written.run_id
+WHERE written.bucket_no >= finished.from_bucket
+  AND CASE WHEN later.hit = 1 AND written.bucket_no >= later.hidden_from THEN 1 ELSE 0 END = 0;
+
+COMMENT ON VIEW stored_visible_bucket
+  IS 'Full buckets of scored vectors: of each the row of the newest finished run that reached it';
+COMMENT ON COLUMN stored_visible_bucket.version_id IS 'The version';
+COMMENT ON COLUMN stored_visible_bucket.bucket_no
+  IS 'Number of the bucket: (number of a scored vector - 1) div stride';
+COMMENT ON COLUMN stored_visible_bucket.run_id IS 'The run that wrote it';
+COMMENT ON COLUMN stored_visible_bucket.first_time IS 'Time of its first vector';
+COMMENT ON COLUMN stored_visible_bucket.last_time IS 'Time of its last vector';
+COMMENT ON COLUMN stored_visible_bucket.context_time
+  IS 'Time of the oldest sample of the next possible vector: where a restart reads from';
+COMMENT ON COLUMN stored_visible_bucket.samples
+  IS 'Samples after the previous bucket up to the end of this one, missing ones included';
+COMMENT ON COLUMN stored_visible_bucket.novel IS 'Vectors in it whose cell is not in the support';
+COMMENT ON COLUMN stored_visible_bucket.out_of_range
+  IS 'Vectors in it with a sample outside the range of calibration';
+COMMENT ON COLUMN stored_visible_bucket.novel_in_window
+  IS 'Novel vectors in the window that ends with it; NULL until the window is full';
+
+-- Visible novel: the novel cells of the rows that visible_bucket shows, by the same rule.
+CREATE OR REPLACE VIEW stored_visible_novel AS
+SELECT
+  written.version_id AS version_id,
+  written.bucket_no AS bucket_no,
+  written.run_id AS run_id,
+  written.cell_key AS cell_key,
+  written.visits AS visits,
+  written.first_time AS first_time,
+  written.last_time AS last_time
+FROM stored_novel AS written
+JOIN stored_finished_run AS finished
+  ON finished.version_id = written.version_id AND finished.run_id = written.run_id
+LEFT JOIN (
+  SELECT version_id, run_id, hidden_from, 1 AS hit
+  FROM (
+    SELECT
+      run.version_id AS version_id,
+      run.run_id AS run_id,
+      CAST(ROW_NUMBER() OVER (PARTITION BY run.version_id ORDER BY run.run_id DESC) AS BIGINT) AS runs_back,
+      MIN(run.from_bucket) OVER (
+        PARTITION BY run.version_id ORDER BY run.run_id DESC ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING
+      ) AS hidden_from
+    FROM stored_finished_run AS run
+    JOIN (
+      SELECT version_id, MAX(run_id) AS newest_id
+      FROM stored_run
+      WHERE hides IS NULL
+      GROUP BY version_id
+    ) AS hiding ON hiding.version_id = run.version_id
+    WHERE run.run_id <= hiding.newest_id
+  ) AS placed
+  WHERE runs_back > 1
+) AS later ON later.version_id = written.version_id AND later.run_id = written.run_id
+WHERE written.bucket_no >= finished.from_bucket
+  AND CASE WHEN later.hit = 1 AND written.bucket_no >= later.hidden_from THEN 1 ELSE 0 END = 0;
+
+COMMENT ON VIEW stored_visible_novel
+  IS 'Novel cells of buckets: of each bucket those of the newest finished run that reached it';
+COMMENT ON COLUMN stored_visible_novel.version_id IS 'The version';
+COMMENT ON COLUMN stored_visible_novel.bucket_no IS 'The bucket';
+COMMENT ON COLUMN stored_visible_novel.run_id IS 'The run that wrote it';
+COMMENT ON COLUMN stored_visible_novel.cell_key
+  IS 'The cell: its bins on the m axes, as one integer';
+COMMENT ON COLUMN stored_visible_novel.visits IS 'Vectors of the bucket in it';
+COMMENT ON COLUMN stored_visible_novel.first_time IS 'Time of its first visit in the bucket';
+COMMENT ON COLUMN stored_visible_novel.last_time IS 'Time of its last visit in the bucket';
+
+-- Visible judgement: of each judgement the row of the newest finished run that reached it, by the same rule
+-- as visible_bucket.
+CREATE OR REPLACE VIEW stored_visible_judgement AS
+SELECT
+  written.version_id AS version_id,
+  written.bucket_no AS bucket_no,
+  written.run_id AS run_id,
+  written.judgement_no AS judgement_no,
+  written.first_time AS first_time,
+  written.last_time AS last_time,
+  written.novel AS novel,
+  written.root AS root,
+  written.reference AS reference,
+  written.height AS height,
+  written.evidence AS evidence,
+  written.is_open AS is_open,
+  written.last_zero AS last_zero
+FROM stored_judgement AS written
+JOIN stored_finished_run AS finished
+  ON finished.version_id = written.version_id AND finished.run_id = written.run_id
+LEFT JOIN (
+  SELECT version_id, run_id, hidden_from, 1 AS hit
+  FROM (
+    SELECT
+      run.version_id AS version_id,
+      run.run_id AS run_id,
+      CAST(ROW_NUMBER() OVER (PARTITION BY run.version_id ORDER BY run.run_id DESC) AS BIGINT) AS runs_back,
+      MIN(run.from_bucket) OVER (
+        PARTITION BY run.version_id ORDER BY run.run_id DESC ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING
+      ) AS hidden_from
+    FROM stored_finished_run AS run
+    JOIN (
+      SELECT version_id, MAX(run_id) AS newest_id
+      FROM stored_run
+      WHERE hides IS NULL
+      GROUP BY version_id
+    ) AS hiding ON hiding.version_id = run.version_id
+    WHERE run.run_id <= hiding.newest_id
+  ) AS placed
+  WHERE runs_back > 1
+) AS later ON later.version_id = written.version_id AND later.run_id = written.run_id
+WHERE written.bucket_no >= finished.from_bucket
+  AND CASE WHEN later.hit = 1 AND written.bucket_no >= later.hidden_from THEN 1 ELSE 0 END = 0;
+
+COMMENT ON VIEW stored_visible_judgement
+  IS 'Judgements of channels that have a limit: of each the row of the newest finished run that reached it';
+COMMENT ON COLUMN stored_visible_judgement.version_id IS 'The version';
+COMMENT ON COLUMN stored_visible_judgement.bucket_no IS 'The bucket that closes it: its last one';
+COMMENT ON COLUMN stored_visible_judgement.run_id IS 'The run that wrote that bucket';
+COMMENT ON COLUMN stored_visible_judgement.judgement_no IS 'Number of the judgement, from 0';
+COMMENT ON COLUMN stored_visible_judgement.first_time IS 'Time of its first vector';
+COMMENT ON COLUMN stored_visible_judgement.last_time IS 'Time of its last vector';
+COMMENT ON COLUMN stored_visible_judgement.novel IS 'Novel vectors in its window';
+COMMENT ON COLUMN stored_visible_judgement.root IS 'Square root of that, in thousandths';
+COMMENT ON COLUMN stored_visible_judgement.reference IS 'Root above which it is raised';
+COMMENT ON COLUMN stored_visible_judgement.height IS 'Evidence that opens an episode';
+COMMENT ON COLUMN stored_visible_judgement.evidence IS 'How far roots stood above the reference of late, summed';
+COMMENT ON COLUMN stored_visible_judgement.is_open IS '1 if it belongs to an episode, else 0';
+COMMENT ON COLUMN stored_visible_judgement.last_zero
+  IS 'The latest judgement without evidence, up to this one; NULL if there was none';
+
+-- Visible episode: what is known of every episode now: its newest row.
+CREATE OR REPLACE VIEW stored_visible_episode AS
+SELECT
+  kept.monitor_id AS monitor_id,
+  kept.episode_id AS episode_id,
+  kept.seq AS seq,
+  kept.noticed_at AS noticed_at,
+  kept.what AS what,
+  kept.status AS status,
+  kept.merged_into AS merged_into,
+  kept.channel_id AS channel_id,
+  kept.version_id AS version_id,
+  kept.onset AS onset,
+  kept.first_judgement AS first_judgement,
+  kept.last_judgement AS last_judgement,
+  kept.onset_time AS onset_time,
+  kept.first_time AS first_time,
+  kept.last_time AS last_time,
+  kept.evidence AS evidence,
+  kept.height AS height,
+  kept.is_proving AS is_proving
+FROM stored_episode AS kept
+JOIN (
+  SELECT monitor_id, episode_id, MAX(seq) AS newest_seq
+  FROM stored_episode
+  GROUP BY monitor_id, episode_id
+) AS newest ON newest.monitor_id = kept.monitor_id AND newest.newest_seq = kept.seq;
+
+COMMENT ON VIEW stored_visible_episode IS 'Episodes as they are now; one row per episode';
+COMMENT ON COLUMN stored_visible_episode.monitor_id IS 'The monitor';
+COMMENT ON COLUMN stored_visible_episode.episode_id IS 'Number of the episode within the monitor, given once';
+COMMENT ON COLUMN stored_visible_episode.seq IS 'Number of the change within the monitor; it only grows';
+COMMENT ON COLUMN stored_visible_episode.noticed_at IS 'When it was noticed, in microseconds since 1970 (UTC)';
+COMMENT ON COLUMN stored_visible_episode.what
+  IS 'opened, reopened, ended, merged, withdrawn, recalibrated or labelled; changed where only its extent did';
+COMMENT ON COLUMN stored_visible_episode.status IS 'open, ended, merged, withdrawn or recalibrated';
+COMMENT ON COLUMN stored_visible_episode.merged_into IS 'The episode that it is a part of; NULL unless merged';
+COMMENT ON COLUMN stored_visible_episode.channel_id IS 'The channel';
+COMMENT ON COLUMN stored_visible_episode.version_id IS 'The version whose judgements it is made of';
+COMMENT ON COLUMN stored_visible_episode.onset IS 'The judgement in which its evidence left 0';
+COMMENT ON COLUMN stored_visible_episode.first_judgement IS 'The judgement that opened it';
+COMMENT ON COLUMN stored_visible_episode.last_judgement IS 'Its last open judgement';
+COMMENT ON COLUMN stored_visible_episode.onset_time IS 'When the judgement of its onset begins';
+COMMENT ON COLUMN stored_visible_episode.first_time IS 'When the judgement begins that opened it';
+COMMENT ON COLUMN stored_visible_episode.last_time IS 'When its last open judgement ends';
+COMMENT ON COLUMN stored_visible_episode.evidence IS 'The highest evidence in it';
+COMMENT ON COLUMN stored_visible_episode.height IS 'Evidence that opened it';
+COMMENT ON COLUMN stored_visible_episode.is_proving
+  IS '1 if it opened within as many judgements as calibration has blocks, else 0';
+
+-- Labelled episode: every episode as it is now, with the newest of the labels that it, or its machine at that time, was
+-- given, and what follows from that: this is the one place that says which episode asks for attention. One that is open
+-- does, and one that opened right after calibration until it is decided what it was; not while it is put aside, and after
+-- a decision only a true fault that goes on. Now is when the newest run of the monitor was recorded.
+CREATE OR REPLACE VIEW stored_labelled_episode AS
+SELECT
+  said.monitor_id AS monitor_id,
+  said.episode_id AS episode_id,
+  said.seq AS seq,
+  said.noticed_at AS noticed_at,
+  said.what AS what,
+  said.status AS status,
+  said.merged_into AS merged_into,
+  said.channel_id AS channel_id,
+  said.version_id AS version_id,
+  said.onset AS onset,
+  said.first_judgement AS first_judgement,
+  said.last_judgement AS last_judgement,
+  said.onset_time AS onset_time,
+  said.first_time AS first_time,
+  said.last_time AS last_time,
+  said.evidence AS evidence,
+  said.height AS height,
+  said.is_proving AS is_proving,
+  said.label AS label,
+  said.label_until AS label_until,
+  said.note AS note,
+  CASE
+    WHEN said.status IN ('merged', 'withdrawn', 'recalibrated') OR said.is_proving = 0 THEN said.status
+    WHEN said.label IN ('true_fault', 'false_alarm', 'maintenance', 'new_program') THEN said.status
+    ELSE 'proving'
+  END AS told_as,
+  CASE
+    WHEN said.status IN ('merged', 'withdrawn', 'recalibrated') THEN 0
+    WHEN said.label IN ('acknowledged', 'snoozed') AND (said.label_until IS NULL OR said.label_until > said.now_tick) THEN 0
+    WHEN said.label IN ('false_alarm', 'maintenance', 'new_program') THEN 0
+    WHEN said.status = 'open' THEN 1
+    WHEN said.label = 'true_fault' THEN 0
+    ELSE said.is_proving
+  END AS needs_attention
+FROM (
+  SELECT
+    kept.monitor_id AS monitor_id,
+    kept.episode_id AS episode_id,
+    kept.seq AS seq,
+    kept.noticed_at AS noticed_at,
+    kept.what AS what,
+    kept.status AS status,
+    kept.merged_into AS merged_into,
+    kept.channel_id AS channel_id,
+    kept.version_id AS version_id,
+    kept.onset AS onset,
+    kept.first_judgement AS first_judgement,
+    kept.last_judgement AS last_judgement,
+    kept.onset_time AS onset_time,
+    kept.first_time AS first_time,
+    kept.last_time AS last_time,
+    kept.evidence AS evidence,
+    kept.height AS height,
+    kept.is_proving AS is_proving,
+    CASE WHEN given.hit = 1 THEN given.kind END AS label,
+    CASE WHEN given.hit = 1 THEN given.until END AS label_until,
+    CASE WHEN given.hit = 1 THEN given.note END AS note,
+    CASE WHEN heard.hit = 1 THEN heard.committed ELSE 0 END AS now_tick
+  FROM stored_visible_episode AS kept
+  LEFT JOIN (
+    SELECT
+      raised.monitor_id AS monitor_id,
+      raised.episode_id AS episode_id,
+      word.kind AS kind,
+      word.until AS until,
+      word.note AS note,
+      CAST(
+        ROW_NUMBER() OVER (
+          PARTITION BY raised.monitor_id, raised.episode_id ORDER BY word.label_id DESC
+        ) AS BIGINT
+      ) AS labels_back,
+      1 AS hit
+    FROM stored_visible_episode AS raised
+    JOIN stored_channel AS owner ON owner.channel_id = raised.channel_id
+    JOIN stored_label AS word ON word.monitor_id = raised.monitor_id AND word.asset = owner.asset
+    WHERE word.episode_id = raised.episode_id
+      OR (
+        word.episode_id IS NULL
+        AND word.time_from <= raised.last_time
+        AND word.time_to >= raised.first_time
+      )
+  ) AS given
+    ON given.monitor_id = kept.monitor_id
+    AND given.episode_id = kept.episode_id
+    AND given.labels_back = 1
+  LEFT JOIN (
+    SELECT reader.monitor_id AS monitor_id, MAX(done.committed) AS committed, 1 AS hit
+    FROM stored_finished_run AS done
+    JOIN stored_version AS made ON made.version_id = done.version_id
+    JOIN stored_channel AS reader ON reader.channel_id = made.channel_id
+    GROUP BY reader.monitor_id
+  ) AS heard ON heard.monitor_id = kept.monitor_id
+) AS said;
+
+COMMENT ON VIEW stored_labelled_episode
+  IS 'Episodes as they are now, with what was said of them and whether they need attention; one row per episode';
+COMMENT ON COLUMN stored_labelled_episode.monitor_id IS 'The monitor';
+COMMENT ON COLUMN stored_labelled_episode.episode_id IS 'Number of the episode within the monitor, given once';
+COMMENT ON COLUMN stored_labelled_episode.seq IS 'Number of the change within the monitor; it only grows';
+COMMENT ON COLUMN stored_labelled_episode.noticed_at IS 'When it was noticed, in microseconds since 1970 (UTC)';
+COMMENT ON COLUMN stored_labelled_episode.what
+  IS 'opened, reopened, ended, merged, withdrawn, recalibrated or labelled; changed where only its extent did';
+COMMENT ON COLUMN stored_labelled_episode.status IS 'open, ended, merged, withdrawn or recalibrated';
+COMMENT ON COLUMN stored_labelled_episode.merged_into IS 'The episode that it is a part of; NULL unless merged';
+COMMENT ON COLUMN stored_labelled_episode.channel_id IS 'The channel';
+COMMENT ON COLUMN stored_labelled_episode.version_id IS 'The version whose judgements it is made of';
+COMMENT ON COLUMN stored_labelled_episode.onset IS 'The judgement in which its evidence left 0';
+COMMENT ON COLUMN stored_labelled_episode.first_judgement IS 'The judgement that opened it';
+COMMENT ON COLUMN stored_labelled_episode.last_judgement IS 'Its last open judgement';
+COMMENT ON COLUMN stored_labelled_episode.onset_time IS 'When the judgement of its onset begins';
+COMMENT ON COLUMN stored_labelled_episode.first_time IS 'When the judgement begins that opened it';
+COMMENT ON COLUMN stored_labelled_episode.last_time IS 'When its last open judgement ends';
+COMMENT ON COLUMN stored_labelled_episode.evidence IS 'The highest evidence in it';
+COMMENT ON COLUMN stored_labelled_episode.height IS 'Evidence that opened it';
+COMMENT ON COLUMN stored_labelled_episode.is_proving
+  IS '1 if it opened within as many judgements as calibration has blocks, else 0';
+COMMENT ON COLUMN stored_labelled_episode.label
+  IS 'What people said last of it: true_fault, false_alarm, maintenance, new_program, acknowledged or snoozed; NULL if nothing';
+COMMENT ON COLUMN stored_labelled_episode.label_until
+  IS 'When that ends, in microseconds since 1970 (UTC); NULL if it does not';
+COMMENT ON COLUMN stored_labelled_episode.note IS 'What was said beside it';
+COMMENT ON COLUMN stored_labelled_episode.told_as
+  IS 'proving while it opened right after calibration and nobody decided what it was, else its status';
+COMMENT ON COLUMN stored_labelled_episode.needs_attention
+  IS '1 if somebody should look at it, as of the newest run; else 0';
