@@ -266,8 +266,9 @@ def _scoring(of: Modelled, is_later: bool) -> Pipeline:
         # All readings flow past: keeping those of years would cost more than reading them again.
         steps.small -= {"identified"}
         add(steps, "export/whole_cohort", {"far_ahead": FAR_AHEAD}, name="cohort")
-    for name in ("channels", "bounds", "support"):
-        add(steps, f"stored/scoring/{name}")
+    add(steps, "stored/scoring/channels")
+    add(steps, "stored/scoring/bounds", {"settings": []})
+    add(steps, "stored/scoring/support")
     steps.add("readings", of.readings(*conditions), template.load("source/readings").comment)
     edges = [exp.column(name, table="named") for name in ("read_from", "read_until")]
     add(
