@@ -192,7 +192,7 @@ def test_a_plan_expects_the_samples_that_a_vector_and_stillness_reach_back() -> 
 def test_a_run_up_is_complete_where_no_sample_is_missing_and_none_is_too_many() -> None:
     found = step(
         "stored/scoring/run_up",
-        {"span": 2},
+        {"span": 2, "settings": []},
         cohort=rows("channel_id lo hi read_from", *((n, 0.0, 1.0, 50) for n in (1, 2, 3))),
         seen=rows("channel_id missing_samples context_rows", (1, 0, 2), (2, 1, 2), (3, 0, 3)),
     )
