@@ -491,7 +491,7 @@ def test_results_and_a_monitor_live_in_one_file(order: str, inside: bool) -> Non
     assert [row["hi"] is None for row in shown] == [False, False]
     written = figures(*ran)["written"]
     assert written == [
-        f"plant.duckdb (table {shown(name)})"
+        f"plant.duckdb (table gam_{name})"
         for name in ("health_indicator", "support_summary", "certificate")
     ]
     assert figures("status", *STATE)["channels"] == shown

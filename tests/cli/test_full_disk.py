@@ -24,6 +24,7 @@ from gam_db.engines.refusals import refusal
 from gam_db.errors import NO_ROOM, FullError, SourceError, unwritable
 from gam_db.stored.schema.tables import TABLES
 from small_plant import FIRST, readings
+from state_names import called
 
 #: The command line in a process of its own.
 GAM = (sys.executable, "-c", "from gam_db.cli import main; main()")
@@ -73,7 +74,7 @@ def full_disk(tmp_path: Path) -> Iterator[Path]:
 def counted(database: str) -> dict[str, int]:
     """Return how many rows the tables of a database have."""
     with gam_db.connect(database) as session:
-        there = [name for name in session.relations() if name.removeprefix("gam_") in TABLES]
+        there = session.relations().keys() & {called(name) for name in TABLES}
         count = exp.select(exp.Count(this=exp.Star()).as_("rows"))
         return {one: session.rows(count.from_(exp.to_table(one)))[0]["rows"] for one in there}
 
@@ -100,7 +101,7 @@ def test_a_database_that_may_not_grow(tmp_path: Path, address: str, what: str) -
     after = counted(database)
     assert {name for name in after if after[name] != before[name]} <= {"gam_state_monitor"}
     assert invoked(*command).exit_code in (Exit.FINE, Exit.ATTENTION)
-    assert counted(database)["gam_version"] == 4
+    assert counted(database)["gam_state_version"] == 4
 
 
 @pytest.mark.parametrize(

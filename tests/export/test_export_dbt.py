@@ -22,8 +22,11 @@ from gam_db.engines.postgres import PATH
 from gam_db.export import Package, write
 from gam_db.export.models import ADAPTERS
 from gam_db.stored.monitor import Monitor
+from gam_db.stored.schema.tables import StateTables
 
 EXAMPLES = 2
+#: What the tables of a state beside the package are called.
+STATE = StateTables(prefix="state_").shown
 BUCKETS = """
     SELECT asset, channel, bucket_no AS bucket, first_time, last_time, context_time, samples, novel,
         out_of_range, novel_in_window
@@ -132,7 +135,7 @@ def test_tables_are_those_of_the_stored_form(calibration: dict[str, Any], gap: i
         for model in builder.models:
             name = model.removeprefix("gam_")
             columns = connection.sql(f"SELECT * FROM {model} LIMIT 0").columns
-            stored = connection.sql(f"SELECT * FROM state_{name} LIMIT 0").columns
+            stored = connection.sql(f"SELECT * FROM {STATE(name)} LIMIT 0").columns
             if name in ("health", "fleet"):
                 assert set(stored) - ONLY_STORED == set(columns) | set(_dates(name))
             shared = [f'"{column}"' for column in columns if column in stored]
@@ -140,7 +143,7 @@ def test_tables_are_those_of_the_stored_form(calibration: dict[str, Any], gap: i
                 named(builder.rows(f"SELECT {', '.join(shared)} FROM {table}"), *known)
                 for table, known in (
                     (model, (builder.rows("SELECT * FROM gam_channel"),)),
-                    (f"state_{name}", (builder.rows(STORED_CHANNELS),)),
+                    (STATE(name), (builder.rows(STORED_CHANNELS),)),
                 )
             ]
             assert of_both[0] == of_both[1], model
@@ -187,7 +190,7 @@ def test_onsets_and_machines_are_those_of_the_stored_form() -> None:
     assert [(row["above"], row["together"]) for row in found] == [(3, 2), (1, 1)]
 
 
-STORED_CHANNELS = "SELECT * FROM state_channel JOIN state_version USING (channel_id)"
+STORED_CHANNELS = f"SELECT * FROM {STATE('channel')} JOIN {STATE('version')} USING (channel_id)"
 
 
 def named(rows: list[dict[str, Any]], channels: list[dict[str, Any]]) -> list[str]:

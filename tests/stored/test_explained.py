@@ -101,9 +101,10 @@ def test_bands_and_blocks_count_the_same_vectors(session: DuckSession) -> None:
     """Some cells are visited in one block, some in two that are neighbours, some in two far apart."""
     calm = [[0.0, 40.0, 10.0 + k, 11.0 + k] for k in range(10)] + [[0.0, 40.0, 10.0, 30.0]]
     monitor = Plant(session, calm=calm).monitor
-    counted = (
-        "SELECT g, SUM({0}) AS vectors, SUM(novel_buffered) AS novel FROM gam_{1} GROUP BY g ORDER BY g"
-    )
+    counted = """
+        SELECT g, SUM({0}) AS vectors, SUM(novel_buffered) AS novel
+        FROM gam_state_{1} GROUP BY g ORDER BY g
+    """
     blocks = visible(monitor, counted.format("vectors", "buffered"))
     assert blocks[0]["novel"] < blocks[-1]["novel"]
     of_bands = [row for row in blocks if row["g"] in (NEAR, FAR)]

@@ -336,7 +336,8 @@ def test_of_three_runs_at_once_one_counts_and_no_hidden_row_stays(
         assert seen(connection) == expected
         for table in ("bucket", "novel"):
             kept = connection.execute(f"SELECT COUNT(*) FROM {called(table)}").fetchall()
-            assert kept == connection.execute(f"SELECT COUNT(*) FROM gam_visible_{table}").fetchall()
+            counted = f"SELECT COUNT(*) FROM {called(f'visible_{table}')}"
+            assert kept == connection.execute(counted).fetchall()
 
 
 def test_two_calibrations_at_once_do_not_double_versions(expected: list[Any]) -> None:

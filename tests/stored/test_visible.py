@@ -104,7 +104,7 @@ def test_the_newest_finished_run_that_reached_a_bucket_is_seen(
     nothing = "0, 0, 0, 0, NULL, NULL, 0, NULL, NULL, NULL, 0, 0, 0"
     finished = [
         f"({by}, {run.version}, {run.start}, {nothing}, {withdrawn}, NULL, "
-        f"{0 if run.counts and run.deletes else 'NULL'}, NULL, NULL, NULL)"
+        f"{0 if run.counts and run.deletes else 'NULL'}, NULL)"
         for by, run in numbered
         for withdrawn in (("NULL", "1") if run.is_withdrawn else ("NULL",))
         if run.is_finished
@@ -114,6 +114,6 @@ def test_the_newest_finished_run_that_reached_a_bucket_is_seen(
         write(connection, "gam_state_novel", [f"({key}, 7, 8, 9, 10)" for key in keys])
         write(connection, "gam_state_run", finished)
         for view, more in (("bucket", (1, 2, 3, 4, 5, 6, None)), ("novel", (7, 8, 9, 10))):
-            found = connection.execute(f"SELECT * FROM gam_visible_{view}").fetchall()
+            found = connection.execute(f"SELECT * FROM gam_state_visible_{view}").fetchall()
             assert sorted(row[:3] for row in found) == sorted(expected(runs))
             assert {row[3:] for row in found} <= {more}
