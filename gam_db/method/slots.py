@@ -46,12 +46,11 @@ def coordinates(setting: Parameters) -> list[exp.Expr]:
     return [exp.column(f"code_{k}") for k in range(setting.m)]
 
 
-def outside(setting: Parameters, bins: exp.Expr | None = None) -> exp.Expr:
+def outside(setting: Parameters, above: exp.Expr | None = None) -> exp.Expr:
     """Return the condition that one of these lies outside the calibrated range."""
-    above = setting.grid + 2 if bins is None else bins + 2
     return exp.or_(
         *(
-            template.fill("embedding/outside", {"code": code, "above": above})
+            template.fill("embedding/outside", {"code": code, "above": above or setting.grid + 2})
             for code in coordinates(setting)
         )
     )
@@ -75,13 +74,13 @@ def cell_key(
 
 
 def _weight(setting: Parameters, power: int, radix: exp.Expr | None) -> template.Slot:
-    """Return the radix to a power: a number, or the product of a column."""
+    """Return the radix to a power: a number, or a product of a column."""
     if radix is None or power == 0:
         weight_of: int = setting.radix**power
         return weight_of
-    weight: exp.Expr = exp.Paren(this=radix.copy())
+    weight: exp.Expr = exp.cast(radix.copy(), "BIGINT")
     for _ in range(power - 1):
-        weight = exp.Mul(this=weight, expression=exp.Paren(this=radix.copy()))
+        weight = exp.Mul(this=weight, expression=radix.copy())
     return weight
 
 
@@ -93,8 +92,8 @@ def novel_before(setting: Parameters, delayed: str) -> exp.Expr:
 #: What reads the bins as a column, where channels differ in them.
 _READS: Mapping[str, Callable[[Parameters], template.Slot]] = {
     "code": lambda setting: code_of(setting, exp.column("bins")),
-    "cell_key": lambda setting: cell_key(setting, radix=template.fill("embedding/radix")),
-    "outside": lambda setting: outside(setting, exp.column("bins")),
+    "cell_key": lambda setting: cell_key(setting, radix=exp.column("radix")),
+    "outside": lambda setting: outside(setting, exp.column("radix") - 1),
 }
 
 _FOLLOWS: Mapping[str, Callable[[Parameters], template.Slot]] = {

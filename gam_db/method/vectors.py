@@ -43,11 +43,11 @@ def add_vectors(
     """
     setting = one.setting
     is_marked = "calibration_vector" in asked
-    bins = ["bins"] * ("bins" in one.method.columns)
-    codes, over, whole = _last_codes(one, prefix, [*carried, *bins, *["calibrating"] * is_marked])
+    radix = ["radix"] * ("radix" in one.method.columns)
+    codes, over, whole = _last_codes(one, prefix, [*carried, *radix, *["calibrating"] * is_marked])
     delayed: list[exp.Expr] = [exp.column(name) for name in carried]
     said = [*delayed, *told]
-    delayed += [exp.column(name) for name in bins]
+    delayed += [exp.column(name) for name in radix]
     if is_marked:
         over["oldest_time"] = _before("time", setting.span)
         over["last_uncalibrated"] = _newest(exp.column("calibrating").eq(0), setting.span)
@@ -93,8 +93,8 @@ def compared(setting: Parameters) -> list[exp.Expr]:
 
 
 def varying(one: OfSet) -> list[exp.Expr]:
-    """Return what codes carry of the settings in which the channels of a set differ."""
-    return [exp.column(name) for name in one.method.columns]
+    """Return what codes carry of the settings in which the channels of a set differ: all but bins."""
+    return [exp.column(name) for name in one.method.columns if name != "bins"]
 
 
 class Stream(NamedTuple):

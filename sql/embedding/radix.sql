@@ -1,2 +1,2 @@
--- Radix: R = bins + 3, the codes that a sample can have (method, section 3), where channels differ in it.
-CAST(bins AS BIGINT) + 3
+-- Radix: R = bins + 3, the codes that a sample can have (method, section 3), of a channel of a run.
+CAST(member.bins + 3 AS INTEGER)

@@ -42,7 +42,6 @@ MAY_DIFFER = {
     ("migration", "gam_version"): "told for people",
     ("run", "planned_from"): "the run that it names may be pruned; one too small is found",
     ("run", "planned_from IS NULL"): "runs of before it was recorded have none",
-    ("run", "made_from IS NULL"): "runs of before wrote all that they made, as most do still",
     ("run", "hides IS NULL"): "earlier runs are looked at for nothing",
     (
         "run",

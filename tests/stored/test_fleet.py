@@ -87,12 +87,12 @@ def test_calibration_is_compared_pool_by_pool(
     assert shown == {"c": (0, True), "d": (0, True), "f": (1, False)}
 
 
-def test_the_state_is_checked_in_two_reads_per_setting(
+def test_the_state_is_checked_in_few_reads(
     fleet: tuple[duckdb.DuckDBPyConnection, Monitor], reads: list[tuple[Any, ...]]
 ) -> None:
     fleet[1].check_state()
-    # All rows are counted; then buckets and calibration of those cut into 4, and of those into 3.
-    assert len(reads) == 1 + 2 * 2
+    # All rows are counted; then buckets of all, calibration of those cut into 4, and of those into 3.
+    assert len(reads) == 1 + 1 + 2
     ends = [asked[2] for asked in reads if len(asked) == 3]
     assert len(ends) == 2
     assert all(end < ROWS[-1][2] for end in ends), "nothing is read after calibration"

@@ -95,7 +95,11 @@ def agrees(engine: str, told: list[Row], kind: str, counting: Method, method: Me
     session = engines.session(engine)
     with session.lent(source(told, KINDS[kind])) as lent:
         study = Study(
-            session, gam_db.Source(lent.name), *method, short_cuts=True, asked=["bucket_health"]
+            session,
+            gam_db.Source(lent.name, clock_tolerance=False),
+            *method,
+            short_cuts=True,
+            asked=["bucket_health"],
         )
         for question in ("health_at_buckets", "support"):
             expected = harness.by_reference(question, told, *counting)
@@ -118,7 +122,7 @@ def test_what_is_not_told_apart_is_one_column(engine: str) -> None:
     found = {}
     for kind, of_arrow in KINDS.items():
         with session.lent(source(told, of_arrow)) as lent:
-            study = Study(session, gam_db.Source(lent.name), *METHOD)
+            study = Study(session, gam_db.Source(lent.name, clock_tolerance=False), *METHOD)
             time = session.fetch(exp.select("time").from_(lent)).column("time")
             found[kind] = study.method.kind, time.type, time.cast(pa.int64())[0].as_py()
             study.forget()
@@ -163,7 +167,7 @@ def test_random_cases_give_the_integers_of_a_counter(engine: str) -> None:
 def answers(session: Session, telemetry: pa.Table, method: Method) -> dict[str, list[dict[str, Any]]]:
     """Return what a study of calendar time answers, instants as microseconds."""
     with session.lent(telemetry) as lent:
-        study = Study(session, gam_db.Source(lent.name), *method, short_cuts=True)
+        study = Study(session, gam_db.Source(lent.name, clock_tolerance=False), *method, short_cuts=True)
         found = {question: counted(study.table(step)) for question, step in harness.STEPS.items()}
         study.forget()
     return found

@@ -17,6 +17,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
+from google.protobuf.empty_pb2 import Empty
 from wasmtime import Config, Engine, Func, Linker, Module, SharedMemory, Store, WasiConfig
 from zetasql.wasi import get_wasm_path
 from zetasql.wasi._pb2.zetasql.local_service import local_service_pb2 as wire
@@ -168,6 +169,17 @@ def _analyzed(statement: str, tables: tuple[tuple[str, tuple[tuple[str, str], ..
     return _service().ask("Analyze", request, wire.AnalyzeResponse).resolved_statement
 
 
+def check(statement: str, tables: Mapping[str, Table]) -> None:
+    """Analyse a statement, and read nothing of the answer, which may be nested deeper than can be read.
+
+    Raises:
+        GoogleSqlError: it cannot be analysed.
+    """
+    request = wire.AnalyzeRequest(sql_statement=statement, options=_options())
+    _catalog(request, {name: Table(table.columns) for name, table in tables.items()})
+    _service().ask("Analyze", request, Empty)
+
+
 def run(query: str, tables: Mapping[str, Table]) -> Table:
     """Return the rows of a query.
 
@@ -296,6 +308,11 @@ class Plant:
             return
         named = set(re.findall(r"\w+", statement))
         known = {one: Table(columns) for one, columns in self.relations().items() if one in named}
+        query = re.search(r"(?:\A|\s)AS\s+((?:SELECT|WITH)\b.*)", rest, re.DOTALL)
+        if doing == "CREATE" and kind != "VIEW" and query:
+            check(statement, known)
+            self.tables[name] = run(query[1], self._seen(statement))
+            return
         resolved = analyzed(statement, known)
         if doing == "UPDATE":
             return
@@ -307,15 +324,12 @@ class Plant:
             self._views.pop(name, None)
             self._columns.pop(name, None)
             return
-        query = re.search(r"(?:\A|\s)AS\s+((?:SELECT|WITH)\b.*)", rest, re.DOTALL)
         if kind == "VIEW":
             assert query
             self._views[name] = query[1]
             view = resolved.resolved_create_statement_node.resolved_create_view_base_node
             columns = view.resolved_create_view_stmt_node.parent.output_column_list
             self._columns[name] = {one.name: NAMES[one.column.type.type_kind] for one in columns}
-        elif query:
-            self.tables[name] = run(query[1], self._seen(statement))
         elif name not in self.tables:
             create = resolved.resolved_create_statement_node.resolved_create_table_stmt_base_node
             columns = create.resolved_create_table_stmt_node.parent.column_definition_list

@@ -206,9 +206,11 @@ class _Check:
             elif key not in oldest and row["oldest_bucket"] >= 0 and row["restarts"]:
                 self.leave(key, "scored", GONE)
                 continue
-            until = self._until(version, newest, settled[key]["first_scored"] - 1, ends.get(key))
-            kept = {"first_kept": version["first_bucket"], "first_novel": version["first_novel"]}
             following = settled[key]
+            if following["first_scored"] is None:  # what a run recorded was spoiled, which is named
+                following = row
+            until = self._until(version, newest, following["first_scored"] - 1, ends.get(key))
+            kept = {"first_kept": version["first_bucket"], "first_novel": version["first_novel"]}
             until |= {
                 "until_settled": following["first_scored"] - 1,
                 "next_bucket": following["first_bucket"],

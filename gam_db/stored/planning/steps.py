@@ -191,7 +191,7 @@ def scoring_steps(
     *former_novel*, else what stands for :data:`WRITTEN`.
     """
     # Settings in which the channels of a run may differ are columns.
-    columns = ("bins",) if setting.max_gap is None else ("bins", "max_gap")
+    columns = ("bins", "radix", *["max_gap"] * (setting.max_gap is not None))
     steps = _frozen(columns)
     # Where calibration is scored, too, the steps look first: no vector carries a mark.
     trusting = can_trust(setting, kind)
@@ -347,9 +347,12 @@ def _add_stillness(steps: Pipeline, setting: Setting, kind: TimeKind) -> None:
 
 def _read_as(columns: Sequence[str]) -> dict[str, template.Slot]:
     """Return the slot of the settings that are read as columns of the cohort, as narrow as they are."""
-    types = {"bins": "INT", "max_gap": "BIGINT"}
-    read = (exp.cast(exp.column(name, table="member"), types[name]) for name in columns)
-    return {"settings": [exp.alias_(of, name) for of, name in zip(read, columns, strict=True)]}
+    read = {
+        "bins": exp.cast(exp.column("bins", table="member"), "INT"),
+        "radix": template.fill("embedding/radix"),
+        "max_gap": exp.column("max_gap", table="member"),
+    }
+    return {"settings": [exp.alias_(read[name], name) for name in columns]}
 
 
 def method_of(
