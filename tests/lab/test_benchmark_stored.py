@@ -70,7 +70,7 @@ def test_the_page_shows_an_hour(figures: dict[str, Any]) -> None:
     assert lines[0] == "| side | seconds | rows in range | rows scanned |"
     assert [line.split()[1] for line in lines[2 : 2 + len(SIDES)]] == list(SIDES)
     ratio = figures["gains"]["script_over_large"]
-    assert lines[-1] == f"| script over large | {ratio:.2f} | at least 1 |"
+    assert lines[-1] == f"| script over large | {ratio:.2f} | at least 1.0 |"
 
 
 def test_ratios_are_quotients_of_the_least_processor_seconds(figures: dict[str, Any]) -> None:
