@@ -1,12 +1,11 @@
 """Files of ``sql/stored`` one at a time, over a few rows: what a whole history rarely asks of them."""
 
-from typing import Any
 
 import pytest
 from sqlglot import exp
 
 from by_hand import rows, step
-from gam_db.composing.template import Slot, column, fill, text
+from gam_db.composing.template import Slot, column, fill
 
 BEFORE_ALL = -(2**62)
 
@@ -513,22 +512,6 @@ def test_a_version_is_checked_with_what_the_newest_records_say_of_it() -> None:
         (2, 13, 0.5, 2.5, 1, 8, 9, 200, 32),
         (3, 8, 0.5, 2.5, 1, 1, 1, 90, None),
     ]
-
-
-def test_what_is_read_in_stored_order_is_context_up_to_the_first_scored_instant() -> None:
-    readings = rows(
-        "asset channel time reading",
-        *(
-            ("a", "x", time, value)
-            for time, value in ((1, 0.0), (5, 1.0), (9, None), (10, 2.0), (11, 1e301))
-        ),
-        ("a", "y", 9, 0.0),
-    )
-    slots: dict[str, Any] = {
-        **{"asset": text("a"), "channel": text("x")},
-        **{"time_from": 5, "time_to": 11, "first_scored": 10},
-    }
-    assert step("streams/seen", slots, readings=readings) == [(4, 2, 2, 11)]
 
 
 def test_calibration_is_counted_one_by_one_where_an_instant_occurs_twice() -> None:
