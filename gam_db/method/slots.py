@@ -80,7 +80,7 @@ def _weight(setting: Parameters, power: int, radix: exp.Expr | None) -> template
         return weight_of
     weight: exp.Expr = exp.cast(radix.copy(), "BIGINT")
     for _ in range(power - 1):
-        weight = exp.Mul(this=weight, expression=radix.copy())
+        weight = exp.Mul(this=weight, expression=exp.cast(radix.copy(), "BIGINT"))
     return weight
 
 

@@ -143,7 +143,7 @@ def made(folder: Path, source: pa.Table, **wished: Any) -> Plant:
     for row in rows("SELECT asset, channel, cell_key FROM gam_quarantine"):
         new[row["asset"], row["channel"]].add(row["cell_key"])
     machines = {row["asset"]: row for row in rows("SELECT * FROM gam_machine")}
-    ladder = f"SELECT gam_ladder.bins, gam_ladder.floor {known.replace('support', 'ladder', 1)} WHERE asset = 'm1' AND channel = 'left'"
+    ladder = f"SELECT gam_ladder.bins, gam_ladder.floor {known.replace('gam_state_support', 'gam_ladder', 1)} WHERE asset = 'm1' AND channel = 'left'"
     floors = {row["bins"]: row["floor"] for row in rows(ladder)}
     alarms = rows("SELECT * FROM gam_alarm WHERE status <> 'merged'")
     return Plant(file, rows("SELECT * FROM gam_fleet"), health, machines, healthy, new, floors, alarms)

@@ -1,6 +1,5 @@
 """Files of ``sql/stored`` one at a time, over a few rows: what a whole history rarely asks of them."""
 
-
 import pytest
 from sqlglot import exp
 

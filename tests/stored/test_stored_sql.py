@@ -14,7 +14,6 @@ from gam_db.stored.checking.soundness import soundness_steps
 from gam_db.stored.planning.reading import cohort_of
 from gam_db.stored.planning.steps import (
     Setting,
-    can_trust,
     learning_steps,
     plan_steps,
     reading_steps,
@@ -97,8 +96,6 @@ def test_filled_steps_break_no_rule(setting: Setting) -> None:
             found.split(":")[:2] for found in broken(learning_steps(setting, kind, 0.05, 1), dict(known))
         ]
         assert rough == [[step, " rough_decisions"] for step in ("outlook", "outlook", "verdicts")]
-        if can_trust(setting, kind):
-            assert broken(scoring_steps(setting, kind, trusting=True), dict(known)) == []
     assert broken(plan_steps(1, 5), given()) == []
     assert broken(whole_plan_steps(1), given()) == []
     assert broken(soundness_steps(1, True), given()) == []
