@@ -49,15 +49,6 @@ class Step:
         made = _made(query, comment, inputs)
         return cls(name, lambda: made)
 
-    def renamed(self, names: Mapping[str, str]) -> "Step":
-        """Return the step under another name, reading steps that have other names, too."""
-
-        def make() -> Made:
-            query, read = self.query.copy(), {name: names[name] for name in self.made.reads}
-            return _made(query, self.made.comment, read)
-
-        return Step(names[self.name], make)
-
     @cached_property
     def made(self) -> Made:
         """What it is made of."""
@@ -143,12 +134,6 @@ class Pipeline:
     def copied(self) -> "Pipeline":
         """Return a pipeline of the same steps, to which others can be added."""
         return Pipeline(dict(self.steps), self.small)
-
-    def prefixed(self, prefix: str, but: Container[str] = ()) -> "Pipeline":
-        """Return the same steps under names with a prefix, but some, which keep theirs."""
-        names = {name: name if name in but else f"{prefix}{name}" for name in self.steps}
-        steps = {names[name]: step.renamed(names) for name, step in self.steps.items()}
-        return Pipeline(steps, frozenset(names.get(name, name) for name in self.small))
 
     def needed(self, targets: Iterable[str], given: Iterable[str] = ()) -> list[Step]:
         """Return the steps that the targets need, in order, without what is given and its inputs."""

@@ -290,11 +290,12 @@ class Study:
             add(collapsed, "source/collapsed_readings")
             running.put("readings", collapsed.query("collapsed_readings", running.placed))
             self._begin(may_stream=False, is_collapsed=True)
-            self._choose(self._names())
-            return
+            if self._slicing is not None:
+                self._choose(self._names())
+                return
         running.forget(but=() if self.is_collapsed else ("names", "readings", "channels"))
         self._ways = dataclasses.replace(self._ways, is_collapsed=False)
-        if isinstance(self._form, Census):
+        if self._has_census:  # else the steps at work are these, with what the caller has added
             running.steps = self._steps(self._bits)
         self._form = None
 

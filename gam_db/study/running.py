@@ -128,12 +128,6 @@ class Running:
         self.session.forget(self._kept.pop(step))
         del self.placed[step]
 
-    def rename(self, renamed: Mapping[str, str]) -> None:
-        """Let tables that are kept be those of other steps."""
-        for step, other in renamed.items():
-            self._kept[other] = self.placed[other] = self._kept.pop(step)
-            del self.placed[step]
-
     def kept(self, but: Container[str] = ()) -> list[str]:
         """Return the steps that are kept, but some."""
         return [step for step in self._kept if step not in but]
