@@ -532,3 +532,19 @@ def test_random_sources_give_the_same_as_the_steps_that_sort(data: st.DataObject
         found, is_streamed = answers(connection, *method)
         assert is_streamed or served in ("an interval", "short calibration")
         agrees(found, table, *method)
+
+
+def test_nothing_is_collapsed_where_calibration_alone_is_asked_for(
+    connection: duckdb.DuckDBPyConnection,
+) -> None:
+    """Streams that find no calibration leave it to the windows, which see every reading."""
+    stored(connection, rows())
+    method = harness.made(*SERVED["no calibration"])
+    with DuckSession(connection) as session:
+        study = Study(
+            session, gam_db.Source("telemetry"), *method, short_cuts=True, asked=["support_summary"]
+        )
+        assert study.is_ordered
+        assert {row["verdict"] for row in study.rows("support_summary")} == {"no_data"}
+        assert (study.form, study.is_collapsed) == ("windows", False)
+        study.forget()
