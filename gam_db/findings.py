@@ -211,6 +211,7 @@ def _remarks(row: Row, span: int, window: int, course: Course | None) -> list[st
             remarks.append(f"above its limit of {share(limit)}{left}{so_far}")
         elif limit is not None and course.highest is not None and course.highest > limit:
             remarks.append(f"below its limit of {share(limit)} now, was up to {share(course.highest)}")
+    remarks += dropped(row)
     if row.get("missing_vectors"):
         remarks.append(f"{row['missing_vectors']:,} vectors incomplete")
     if row.get("conflicts"):
@@ -247,6 +248,25 @@ def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
     words = {"run": span + 1, "bins": row["finest_bins"], "more": more}
     moved = " and has moved since" * has_moved
     return [_SHORTCOMINGS[told].format(moved=moved, **words)] if told in _SHORTCOMINGS else []
+
+
+def dropped(row: Row) -> list[str]:
+    """Return which calibration samples were left out of a channel's range; nothing where none was.
+
+    *row* has what :func:`gam_db.support` says of its range.
+    """
+    said = []
+    for side, value, words in (
+        ("dropped_below", "lowest_dropped", "down to"),
+        ("dropped_above", "highest_dropped", "up to"),
+    ):
+        if count := row[side]:
+            of = "reading of" if count == 1 else f"readings {words}"
+            said.append(f"{count:,} {of} {row[value]:g}")
+    if not said:
+        return []
+    lo, hi = row["calibrated_lo"], row["calibrated_hi"]
+    return [f"{' and '.join(said)} left out of the range {lo:g} to {hi:g}"]
 
 
 def is_short(row: Row) -> bool:

@@ -71,13 +71,14 @@ def support(
     Arguments and errors as in :func:`health_indicator`.
 
     Returns:
-        One row per channel, ordered: asset, channel, calibrated_lo, calibrated_hi, samples,
-        calibration_samples, calibration_vectors, cells, missing_vectors, conflicts, verdict (no_data,
-        constant, ready, too_fine or needs_data), floor, floor_sd, floor_max (shares), good_turing,
-        cells_per_vector, blocks, finest_bins (the finest grid that passes), vectors_needed (further
-        calibration vectors, 0 if it passes, NULL if no figure can be given), hi_limit (the health
-        indicator above which the channel is high, NULL where nothing is to be judged), limit_reason (why
-        there is none).
+        One row per channel, ordered: asset, channel, calibrated_lo, calibrated_hi, dropped_below,
+        dropped_above (calibration samples left out of that range), lowest_dropped, highest_dropped
+        (those farthest from it, NULL where there are none), samples, calibration_samples,
+        calibration_vectors, cells, missing_vectors, conflicts, verdict (no_data, constant, ready,
+        too_fine or needs_data), floor, floor_sd, floor_max (shares), good_turing, cells_per_vector,
+        blocks, finest_bins (the finest grid that passes), vectors_needed (further calibration vectors, 0
+        if it passes, NULL if no figure can be given), hi_limit (the health indicator above which the
+        channel is high, NULL where nothing is to be judged), limit_reason (why there is none).
     """
     return _table("support_summary", source, parameters, calibration, engine)
 

@@ -84,7 +84,8 @@ CREATE TABLE IF NOT EXISTS stored_version (
   method_hash VARCHAR NOT NULL,
   created BIGINT NOT NULL,
   still_after BIGINT,
-  least_vectors BIGINT
+  least_vectors BIGINT,
+  is_robust BIGINT NOT NULL
 );
 
 COMMENT ON TABLE stored_version
@@ -116,6 +117,8 @@ COMMENT ON COLUMN stored_version.still_after
   IS 'Equal samples in a row from which on the signal stands still and counts as missing; NULL for never';
 COMMENT ON COLUMN stored_version.least_vectors
   IS 'Calibration vectors below which the verdict is needs_data; NULL for any number';
+COMMENT ON COLUMN stored_version.is_robust
+  IS '1 if a few values far from the rest may be left out of the calibrated range, else 0';
 
 -- Calibration: the intervals a version learnt from, as they were resolved then.
 CREATE TABLE IF NOT EXISTS stored_calibration (
@@ -135,6 +138,10 @@ CREATE TABLE IF NOT EXISTS stored_bounds (
   support_id BIGINT NOT NULL,
   calibrated_lo DOUBLE,
   calibrated_hi DOUBLE,
+  dropped_below BIGINT NOT NULL,
+  dropped_above BIGINT NOT NULL,
+  lowest_dropped DOUBLE,
+  highest_dropped DOUBLE,
   calibration_vectors BIGINT NOT NULL,
   cells BIGINT NOT NULL,
   seen_once BIGINT NOT NULL,
@@ -149,8 +156,16 @@ CREATE TABLE IF NOT EXISTS stored_bounds (
 
 COMMENT ON TABLE stored_bounds IS 'Range and certificate of a support; one row per support';
 COMMENT ON COLUMN stored_bounds.support_id IS 'Key of the support';
-COMMENT ON COLUMN stored_bounds.calibrated_lo IS 'Smallest calibration value; NULL without calibration';
-COMMENT ON COLUMN stored_bounds.calibrated_hi IS 'Largest calibration value; NULL without calibration';
+COMMENT ON COLUMN stored_bounds.calibrated_lo
+  IS 'Smallest calibration value inside the range; NULL without calibration';
+COMMENT ON COLUMN stored_bounds.calibrated_hi
+  IS 'Largest calibration value inside the range; NULL without calibration';
+COMMENT ON COLUMN stored_bounds.dropped_below
+  IS 'Calibration samples below the range, left out of it as too far from the rest';
+COMMENT ON COLUMN stored_bounds.dropped_above
+  IS 'Calibration samples above the range, left out of it as too far from the rest';
+COMMENT ON COLUMN stored_bounds.lowest_dropped IS 'The smallest of those below; NULL if there are none';
+COMMENT ON COLUMN stored_bounds.highest_dropped IS 'The largest of those above; NULL if there are none';
 COMMENT ON COLUMN stored_bounds.calibration_vectors IS 'Vectors that were learnt';
 COMMENT ON COLUMN stored_bounds.cells IS 'Cells that healthy operation visited';
 COMMENT ON COLUMN stored_bounds.seen_once IS 'Cells visited by one vector only';

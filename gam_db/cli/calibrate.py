@@ -18,7 +18,7 @@ from gam_db.cli.progress import working
 from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, printable, wrong
-from gam_db.findings import Row, lack_data, need_attention, share, shortcomings
+from gam_db.findings import Row, dropped, lack_data, need_attention, share, shortcomings
 from gam_db.reading.guess import SourceSettings, folder_or_table
 from gam_db.settings.source import AnySource, WideSource, is_file, shown_relation, slashed
 from gam_db.stored.monitor import Monitor
@@ -165,8 +165,8 @@ def _show(out: page.Out, where: str, job: Job, rows: Sequence[Row], everything: 
     }
     left, spare = ("reason", "verdict"), ("cells", "vectors")
     page.table(out, shown, columns, lambda row: "?" if row["status"] == "setup" else " ", left, spare)
-    short = ((name(row), shortcomings(row, (row["m"] - 1) * row["tau"])) for row in shown)
-    page.remarks(out, short, everything)
+    told = ((name(row), shortcomings(row, (row["m"] - 1) * row["tau"]) + dropped(row)) for row in shown)
+    page.remarks(out, told, everything)
     page.cut(out, ordered, everything, page.verdicts)
     out.print()
     page.say(out, f"verdicts: {page.verdicts(rows)}")

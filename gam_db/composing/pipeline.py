@@ -74,10 +74,12 @@ class Pipeline:
         steps: by name.
         small: names of steps with few rows, which may be kept as tables on the way. All others are to
             flow through: an engine that keeps one because two steps read it loses more than it gains.
+        rounds: steps, with those of the same columns that have no row where the step itself has none.
     """
 
     steps: dict[str, Step] = field(default_factory=dict)
     small: frozenset[str] = frozenset()
+    rounds: dict[str, Sequence[str]] = field(default_factory=dict)
 
     def add(
         self, name: str, query: exp.Query, comment: str = "", tables: Mapping[str, str] | None = None
@@ -133,7 +135,7 @@ class Pipeline:
 
     def copied(self) -> "Pipeline":
         """Return a pipeline of the same steps, to which others can be added."""
-        return Pipeline(dict(self.steps), self.small)
+        return Pipeline(dict(self.steps), self.small, dict(self.rounds))
 
     def needed(self, targets: Iterable[str], given: Iterable[str] = ()) -> list[Step]:
         """Return the steps that the targets need, in order, without what is given and its inputs."""

@@ -112,6 +112,7 @@ class Modelled:
             self.setting,
             float(self.method.settings[0].target_floor),
             self.method.settings[0].least_vectors,
+            self.method.settings[0].range,
             self.method.rules,
             tuple(calibration.overrides),
             calibration.pools,

@@ -4,12 +4,14 @@ from sqlglot import exp
 
 from gam_db.composing import template
 from gam_db.method.adding import OfSet
+from gam_db.method.ranges import add_bounds
+from gam_db.method.ranges import taught as taught_inside
 from gam_db.method.vectors import add_vectors, compared, varying
 
 
 def add_calibration(one: OfSet) -> None:
     """Add bounds, calibration vectors and support of one set (section 3, Eq. 1 and Eq. 3)."""
-    one.add("support/bounds")
+    add_bounds(one)
     is_one = all(len(rule.allowed) <= 1 for rule in one.method.rules)
     if is_one and one.setting.still_after is None:
         one.add("calibration/calibration_codes")
@@ -37,5 +39,6 @@ def add_marked_codes(one: OfSet, prefix: str, read: exp.Expr) -> None:
 def add_learnt(one: OfSet, taught: exp.Expr, proof: str | None = None) -> None:
     """Add *learnable* of one set: vectors that calibration teaches, and what proves a trust wrong."""
     carried, needed = ([exp.column(proof)], exp.column(proof).eq(1)) if proof else ([], exp.false())
+    taught = taught_inside(one.setting, taught)
     slots: dict[str, template.Slot] = {"taught": taught, "carried": carried, "needed": needed}
     one.add("calibration/learnable", slots, tables={"vectors": "calibration_vectors"})

@@ -25,6 +25,7 @@ from gam_db.method.delays import (
     add_stored,
 )
 from gam_db.method.delays import KEPT as KEPT_BY
+from gam_db.method.ranges import add_bounds
 from gam_db.method.resolved import Method
 from gam_db.method.scoring import (
     add_incomplete,
@@ -122,7 +123,7 @@ def add_names(steps: Pipeline, slicing: Slicing, ways: Ways) -> None:
 
 def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
     """Add support, buckets and certificate of one set, after :func:`add_census`."""
-    one.add("support/bounds")
+    add_bounds(one, ways.delays or "census", TAUGHT)
     one.add("score/run_up", {"span": one.setting.reach}, tables={"samples": "edge_samples"})
     # Where segments end or samples stand still, vectors are numbered as where samples are missing.
     is_broken = not one.method.is_unbroken(one.number)

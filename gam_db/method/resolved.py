@@ -20,6 +20,8 @@ SMALL_OF_SET = frozenset(
         *("bounds", "support", "support_bits", "visits", "block_sizes", "cells", "blocks"),
         *("cell_shares", "learning", "levels", "ladder", "spread", "finest", "outlook"),
         *("missing_vectors", "run_up", "visited", "tallied", "buckets"),
+        *(f"range_{number}" for number in range(5)),
+        *(f"range_counts_{number}" for number in range(1, 5)),
     )
 )
 

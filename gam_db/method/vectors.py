@@ -103,15 +103,17 @@ class Stream(NamedTuple):
     Attributes:
         lacks: whether samples may be missing, or count as such since they stand still.
         gap: the longest step inside a segment; None where no segment ends.
+        drops: whether vectors with a coordinate outside the calibrated range count for nothing.
     """
 
     lacks: bool = False
     gap: int | None = None
+    drops: bool = False
 
     @property
     def is_even(self) -> bool:
         """Tell whether every sample from the first whole vector on ends one that counts."""
-        return not self.lacks and self.gap is None
+        return not self.lacks and self.gap is None and not self.drops
 
     @property
     def value(self) -> exp.Expr:
@@ -183,8 +185,10 @@ def counted_slots(setting: Parameters, stream: Stream) -> dict[str, template.Slo
     if stream.is_even:
         counted = template.fill("embedding/whole", slots)
         return {"counted": counted, "number": template.fill("streams/number", slots)}
-    number = template.fill("streams/counted_number")
-    return {"counted": template.fill("streams/counts"), "number": number}
+    counted = template.fill("streams/counts")
+    if stream.drops:
+        counted = exp.and_(counted, exp.not_(exp.paren(outside(setting))))
+    return {"counted": counted, "number": template.fill("streams/counted_number")}
 
 
 def small_key(setting: Parameters) -> exp.Expr:

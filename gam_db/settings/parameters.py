@@ -22,6 +22,7 @@ from gam_db.settings.setting import (
     check,
     declared,
     number,
+    one_of,
     setting,
     settings_of,
 )
@@ -34,6 +35,9 @@ LARGEST_KEY = 2**63 - 1
 
 LEAST_VECTORS = 400
 """Of fewer a floor promises little: docs/decisions.md has the figures."""
+
+ROBUST, MIN_MAX = RANGES = ("robust", "min_max")
+"""What the calibrated range is made of: all values but a few far from the rest, or all (the paper)."""
 
 AUTO = "auto"
 RUNGS = (128, 64, 32, 16, 8)
@@ -134,6 +138,7 @@ class Parameters:
     stride: int | None = setting(None, COUNT)
     max_gap: Length | None = setting(None, dataclasses.replace(LENGTH, checked=_positive))
     still_after: int | None = setting(None, COUNT, least=2)
+    range: str = setting(ROBUST, one_of(*RANGES))
     target_floor: float = setting(0.05, SHARE)
     least_vectors: int = setting(LEAST_VECTORS, COUNT)
     overrides: Sequence[Override] = ()

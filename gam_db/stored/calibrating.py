@@ -22,7 +22,7 @@ from gam_db.method.alarms import NEAR, add_learnt_limits
 from gam_db.method.judgement import add_judged
 from gam_db.method.source import add_source
 from gam_db.settings.calibration import Calibration, subtract
-from gam_db.settings.parameters import Parameters, pattern_matches
+from gam_db.settings.parameters import ROBUST, Parameters, pattern_matches
 from gam_db.stored.draft import TAUGHT, Draft
 from gam_db.stored.planning import Row, by, whole_pools
 from gam_db.stored.sources import described
@@ -30,7 +30,7 @@ from gam_db.stored.state import State, kind_of, now
 from gam_db.study import Study
 
 #: The folders of ``sql/`` that decide what the numbers of a version are.
-_METHOD = ("source", "calibration", "embedding", "support", "certificate", "score", "health")
+_METHOD = ("source", "calibration", "range", "embedding", "support", "certificate", "score", "health")
 
 #: What a checksum is made of: of a version that is being written, the steps that its tables are given.
 _SUMMED = {
@@ -58,7 +58,9 @@ def calibrate(
 
     Returns:
         One row per new version, ordered: asset, channel, version_no, reason, m, tau, bins,
-        calibrated_lo, calibrated_hi, verdict, floor, floor_sd, floor_max, vectors (of calibration),
+        calibrated_lo, calibrated_hi, dropped_below, dropped_above (calibration samples that were left
+        out of that range), lowest_dropped, highest_dropped (those farthest from it), verdict,
+        floor, floor_sd, floor_max, vectors (of calibration),
         cells, blocks, finest_bins, vectors_needed, hi_limit, limit_reason, status (setup, waiting or not
         assessed, since nothing is scored yet), needs_attention, left_out (how many intervals were taken
         out beside what the user gave).
@@ -155,6 +157,8 @@ def settings_hash(method: Method, channel: Mapping[str, Any]) -> str:
         del figures["still_after"]
     if setting.least_vectors == Parameters().least_vectors:  # likewise
         del figures["least_vectors"]
+    if setting.range != ROBUST:  # likewise
+        del figures["is_robust"]
     said = (figures, method.rules[channel["calibration_no"]], pool)
     return hashlib.sha256(repr(said).encode()).hexdigest()[:16]
 
@@ -200,6 +204,7 @@ def _figures(setting: Parameters, gap: int | None) -> Row:
         "still_after": setting.still_after,
         "least_vectors": setting.least_vectors,
         "target_floor": float(setting.target_floor),
+        "is_robust": int(setting.range == ROBUST),
     }
 
 
@@ -304,7 +309,8 @@ _NAMED = columns((WORD, "asset channel"))
 _COUNTED = columns((WORD, "asset channel"), (COUNT, "readings missing_readings"))
 _NUMBERING = columns(
     (COUNT, "channel_id stored_channel_id version_id stored_support_id parent_id version_no m tau bins"),
-    (COUNT, "window_length stride max_gap still_after least_vectors score_from"),
+    (COUNT, "window_length stride max_gap still_after least_vectors is_robust"),
+    (COUNT, "score_from"),
     (SHARE, "target_floor"),
     (WORD, "reason settings_hash method_hash"),
 )
@@ -314,6 +320,8 @@ _RESULT = columns(
     (WORD, "reason"),
     (COUNT, "m tau bins"),
     (SHARE, "calibrated_lo calibrated_hi"),
+    (COUNT, "dropped_below dropped_above"),
+    (SHARE, "lowest_dropped highest_dropped"),
     (WORD, "verdict"),
     (SHARE, "floor floor_sd floor_max"),
     (COUNT, "vectors cells blocks finest_bins vectors_needed"),

@@ -67,6 +67,9 @@ class Running:
         for needed in self.steps.needed([step], self.placed.keys()):
             if needed.name in self.steps.small and needed.name != step:
                 self.keep(needed.name)
+                if needed.name in self.steps.rounds:  # less is needed where it has no row
+                    self.prepare(step)
+                    return
 
     def table(self, step: str) -> pa.Table:
         """Return the rows of a step."""
@@ -110,6 +113,10 @@ class Running:
         self._kept[step] = self.placed[step] = self.session.keep(step, query)
         if before is not None:
             self.session.forget(before)
+        if later := self.steps.rounds.get(step):
+            counted = exp.select(exp.Count(this=exp.Star()).as_("rows")).from_(self.placed[step].copy())
+            if not self.session.rows(counted)[0]["rows"]:
+                self.placed.update(dict.fromkeys(later, self.placed[step]))
 
     def make(self, path: str, slots: Slots, step: str | None = None) -> None:
         """Keep the rows of a file of ``sql/`` over the tables there are, as a step, that of its name."""
@@ -125,8 +132,10 @@ class Running:
 
     def drop(self, step: str) -> None:
         """Drop the table of a step, which is made anew when it is asked for."""
-        self.session.forget(self._kept.pop(step))
-        del self.placed[step]
+        table = self._kept.pop(step)
+        self.session.forget(table)
+        for name in [name for name, of in self.placed.items() if of is table]:
+            del self.placed[name]
 
     def kept(self, but: Container[str] = ()) -> list[str]:
         """Return the steps that are kept, but some."""

@@ -99,6 +99,12 @@ def visits(own: Own, setting: Parameters, has_blocks: bool, stream: Stream) -> e
     return _over(filled("census/taught"), "learnable", learnable)
 
 
+def taught(own: Own, setting: Parameters, stream: Stream) -> exp.Query:
+    """Return how many vectors the calibration of one channel teaches."""
+    counted = counted_slots(setting, stream)["counted"]
+    return of_vectors("taught", own, setting, stream, counted=counted)
+
+
 def of_vectors(
     file: str, own: Own, setting: Parameters, stream: Stream, **slots: template.Slot
 ) -> exp.Query:

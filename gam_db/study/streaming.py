@@ -22,6 +22,7 @@ from gam_db.method.bits import Bits
 from gam_db.method.vectors import Stream
 from gam_db.study import naming, streamed
 from gam_db.study.census import Outcome
+from gam_db.study.narrowing import narrow
 from gam_db.study.running import Running
 from gam_db.study.streamed import Own, of_channel, of_each, own, range_of
 
@@ -174,6 +175,8 @@ class Streams:
             if time is not None
         }
         has_learnt = False
+        for number in range(len(method.settings)):
+            narrow(method, running, number, pieces, self._give)
         ranged = [self._bounds(number) for number in range(len(method.settings))]
         if not self.is_proven and sum(map(len, ranged)) < len(channels):
             return False  # nor is one whose calibration has no sample but missing ones
@@ -192,31 +195,34 @@ class Streams:
                 for id_ in (row["channel_id"],)
             }
             expected = {id_: max(seen[id_]["calibration_samples"] - setting.span, 0) for id_ in parts}
+            drops = any(bounds[id_]["dropped_below"] + bounds[id_]["dropped_above"] for id_ in parts)
+            stream = self._streams[number]._replace(drops=drops)
             if self.has_blocks:
-                if not self._streams[number].is_even:
-                    expected = self._counted(list(parts.values()), number)
+                if not stream.is_even:
+                    expected = self._counted(list(parts.values()), number, stream)
                 # Without a vector there may be marked samples all the same, and a block for them.
                 for row in members:
                     id_ = row["channel_id"]
                     parts[id_] |= {"support_id": row["support_id"], "vectors": max(expected[id_], 1)}
-            if not self._teach(list(parts.values()), number, expected):
+            if not self._teach(list(parts.values()), number, expected, stream):
                 return False
             has_learnt = True
         return has_learnt
 
-    def _counted(self, parts: Sequence[Own], number: int) -> dict[int, int]:
+    def _counted(self, parts: Sequence[Own], number: int, stream: Stream) -> dict[int, int]:
         """Return how many vectors the calibration of each channel of one set teaches."""
-        told = self.method.settings[number], self._streams[number]
-        rows = self._asked(lambda own: streamed.of_vectors("taught", own, *told), parts)
+        make = partial(streamed.taught, setting=self.method.settings[number], stream=stream)
+        rows = self._asked(make, parts)
         return {row["channel_id"]: row["vectors"] for row in rows}
 
-    def _teach(self, cells: Sequence[Own], number: int, expected: Mapping[int, int]) -> bool:
+    def _teach(
+        self, cells: Sequence[Own], number: int, expected: Mapping[int, int], stream: Stream
+    ) -> bool:
         """Give the cells of calibration of one set; tell whether they are those of vectors in order."""
         visits, support, bounds = (
             self.method.named(step, number) for step in ("visits", "support", "bounds")
         )
         setting = self.method.settings[number]
-        stream = self._streams[number]
         make = partial(streamed.visits, setting=setting, has_blocks=self.has_blocks, stream=stream)
         if not self.has_blocks:
             taught = self.method.named("taught", number)

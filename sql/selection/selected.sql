@@ -1,7 +1,7 @@
 -- Selected: the samples from which parameters are chosen: those of calibration, in order, in runs that
 -- neither a break nor a sample outside calibration interrupts (method, section 8).
 -- Reads:  samples, bounds, calibration
--- A row:  one calibration sample; place counts them, run_no counts the runs, both from 1. scaled is
+-- A row:  one calibration sample, missing if it was left out of the range; place counts them, run_no counts the runs, both from 1. scaled is
 --         (x - lo) / (hi - lo), NULL where the sample is missing or the channel constant; level is the
 --         same as an integer of 14 bits, 1 to 16384, and 0 where the sample is missing.
 -- Slots:  :max_gap  the longest step inside a segment, in the unit of time; NULL where none ends
@@ -49,8 +49,11 @@ FROM (
         ) > :max_gap THEN 1
         ELSE 0
       END AS breaking,
-      (sampled.value - scale.calibrated_lo) / NULLIF(scale.calibrated_hi - scale.calibrated_lo, CAST(0 AS DOUBLE)) AS scaled,
-      CASE WHEN sampled.value IS NULL THEN 0 ELSE 1 END AS known
+      CASE
+        WHEN sampled.value BETWEEN scale.calibrated_lo AND scale.calibrated_hi
+          THEN (sampled.value - scale.calibrated_lo) / NULLIF(scale.calibrated_hi - scale.calibrated_lo, CAST(0 AS DOUBLE))
+      END AS scaled,
+      CASE WHEN sampled.value BETWEEN scale.calibrated_lo AND scale.calibrated_hi THEN 1 ELSE 0 END AS known
     FROM samples AS sampled
     JOIN bounds AS scale ON scale.channel_id = sampled.channel_id
     LEFT JOIN (

@@ -3,6 +3,8 @@
 -- Reads:  channels, limits, calibrated
 -- A row:  one channel; the ends are NULL where calibration has no usable sample: nothing is scored.
 -- Slots:  :settings_no  the set of parameters that this step serves
+--         :dropped  what was left out of the range (range/dropped.sql), or that nothing was
+--         :carried  the columns that say so of a channel
 --         :bins, :window, :target_floor  B, W and the target of that set, for the steps that serve all sets at
 --         once
 SELECT
@@ -12,6 +14,7 @@ SELECT
     AS calibrated_lo,
   MAX(CASE WHEN seen.hit = 1 THEN seen.highest END) OVER (PARTITION BY named.support_id)
     AS calibrated_hi,
+  :dropped,
   CASE WHEN seen.hit = 1 THEN seen.calibration_samples ELSE 0 END AS calibration_samples,
   edge.calibration_end AS calibration_end,
   edge.first_scored AS first_scored,
@@ -21,7 +24,7 @@ SELECT
 FROM channels AS named
 JOIN limits AS edge ON edge.channel_id = named.channel_id
 LEFT JOIN (
-  SELECT channel_id, lowest, highest, calibration_samples, 1 AS hit
+  SELECT channel_id, lowest, highest, calibration_samples, :carried, 1 AS hit
   FROM calibrated
 ) AS seen ON seen.channel_id = named.channel_id
 WHERE named.settings_no = :settings_no

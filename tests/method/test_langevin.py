@@ -60,7 +60,7 @@ def test_printed_numbers(seed: int, cells: int, last: float, corr: float) -> Non
     series = pa.table({"t": np.arange(len(position)), "x": position})
     source = gam_db.Source(series, asset=None, channel=None, time="t", value="x")
     parameters = gam_db.Parameters(
-        m=langevin.M, tau=langevin.TAU, bins=langevin.BINS, window=langevin.WINDOW
+        m=langevin.M, tau=langevin.TAU, bins=langevin.BINS, window=langevin.WINDOW, range="min_max"
     )
     calibration = gam_db.Calibration(fraction=langevin.CALIBRATION)
     (support,) = gam_db.support(source, parameters, calibration).to_pylist()

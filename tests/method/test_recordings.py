@@ -82,6 +82,7 @@ def agrees(
         tau=tau,
         bins=bins,
         max_gap=usual,
+        range="min_max",
         overrides=[
             gam_db.Override(channel=channel, max_gap=gap)
             for channel, gap in gaps.items()

@@ -76,6 +76,7 @@ def test_counts(row: dict[str, str]) -> None:
         max_gap=int(row["gap"]) * unit,
         target_floor=0.05,
         least_vectors=1,
+        range="min_max",
         overrides=(),
     )
     calibration = SimpleNamespace(

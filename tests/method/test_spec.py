@@ -31,7 +31,7 @@ class Case:
     """
 
     name: str
-    parameters: dict[str, Any] = field(default_factory=dict)
+    parameters: dict[str, Any] = field(default_factory=lambda: {"range": "min_max"})
     calibration: dict[str, Any] = field(default_factory=dict)
     rows: list[harness.Row] = field(default_factory=list)
     expected: list[tuple[str, list[str], harness.Answer]] = field(default_factory=list)

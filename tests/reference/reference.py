@@ -43,6 +43,7 @@ class Settings:
     still_after: int | None
     target_floor: float
     least_vectors: int = 1
+    range: str = "robust"
     is_open: bool = False
 
 
@@ -77,6 +78,7 @@ class Pool:
     settings: Settings
     lo: float | None = None
     hi: float | None = None
+    dropped: list[float] = field(default_factory=list)
     keys: set[int] = field(default_factory=set)
     grid: Integers = field(default_factory=lambda: np.zeros((0, 1), np.int64))
     blocks: Integers = field(default_factory=lambda: np.zeros(0, np.int64))
@@ -210,6 +212,31 @@ def block_numbers(n: int, window: int) -> list[int]:
     return [order.index(eighth) for eighth in eighths]
 
 
+def without_strays(values: list[float]) -> tuple[list[float], list[float]]:
+    """Both sides, section 1: what is kept of calibration values, in order, and what is dropped."""
+    kept, dropped = sorted(values), list[float]()
+    allowed = max(3, len(kept) // 1000)
+    for _ in range(4):
+        lo, hi = kept[0], kept[-1]
+        if lo == hi:
+            break
+        pieces = [min(127, math.floor((x - lo) / (hi - lo) * 128)) for x in kept]
+        # The first piece whose cumulated count exceeds what is allowed holds that sample.
+        first, last = pieces[allowed : allowed + 1], pieces[::-1][allowed : allowed + 1]
+        if not first or first[0] > last[0]:
+            break
+        width, held = last[0] - first[0] + 1, sorted(set(pieces))
+        gaps = [(a, b) for a, b in pairwise(held) if b - a - 1 >= width]
+        bottom = max((b for _, b in gaps if b <= first[0]), default=0)
+        top = min((a for a, _ in gaps if a >= last[0]), default=127)
+        inside = [x for x, piece in zip(kept, pieces, strict=True) if bottom <= piece <= top]
+        beyond = [x for x, piece in zip(kept, pieces, strict=True) if not bottom <= piece <= top]
+        if not 0 < len(beyond) <= allowed or inside[0] == inside[-1]:
+            break
+        kept, dropped, allowed = inside, dropped + beyond, allowed - len(beyond)
+    return kept, dropped
+
+
 def learn(pool: Pool) -> None:
     """Eq. 3: bounds over all members, codes, and the set of cells that calibration visited."""
     usable: list[float] = []
@@ -218,11 +245,16 @@ def learn(pool: Pool) -> None:
         usable += [x for x, healthy in pairs if healthy and x is not None]
     if not usable:
         return
+    if pool.settings.range == "robust":
+        usable, pool.dropped = without_strays(usable)
     pool.lo, pool.hi = lo, hi = min(usable), max(usable)
     grid: list[list[int]] = []
     blocks: list[int] = []
     for c in pool.members:
         c.codes = [code(x, lo, hi, pool.settings.bins) for x in c.values]
+        # What was dropped is taught to nobody, though it is of calibration and not scored either.
+        top = pool.settings.bins + 2
+        c.learnt = [v for v in c.learnt if all(c.codes[i] not in (1, top) for i in v)]
         pool.keys |= {cell_key(c, vector) for vector in c.learnt}
         grid += [[c.codes[i] - 2 for i in vector] for vector in c.learnt]
         start = blocks[-1] + 1 if blocks else 0
@@ -438,6 +470,18 @@ def support(rows: Iterable[Row], parameters: Any, calibration: Any) -> Answer:
     return _support(channels(rows, parameters, calibration))
 
 
+def dropped(pool: Pool) -> dict[str, Any]:
+    """Both sides, section 1: how many calibration values were left out, and the farthest of them."""
+    middle = 0.0 if pool.lo is None else pool.lo
+    below, above = [x for x in pool.dropped if x < middle], [x for x in pool.dropped if x > middle]
+    return {
+        "dropped_below": len(below),
+        "dropped_above": len(above),
+        "lowest_dropped": min(below, default=None),
+        "highest_dropped": max(above, default=None),
+    }
+
+
 def _support(pairs: Pairs) -> Answer:
     return [
         {
@@ -445,6 +489,7 @@ def _support(pairs: Pairs) -> Answer:
             "channel": channel.name,
             "calibrated_lo": pool.lo,
             "calibrated_hi": pool.hi,
+            **dropped(pool),
             "samples": len(channel.times),
             "calibration_samples": sum(channel.healthy),
             "calibration_vectors": len(channel.learnt),

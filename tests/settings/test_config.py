@@ -337,6 +337,7 @@ GIVEN: dict[str, tuple[tuple[str, ...], Any]] = {
     "stride": (("--stride", "20"), 20),
     "max_gap": (("--max-gap", "none"), None),
     "still_after": (("--still-after", "25"), 25),
+    "range": (("--range", "min_max"), "min_max"),
     "target_floor": (("--target-floor", "0.0"), 0.0),
     "least_vectors": (("--least-vectors", "250"), 250),
     "fraction": (("--calibration-fraction", "0.3"), 0.3),

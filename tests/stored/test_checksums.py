@@ -27,7 +27,7 @@ FIGURES = (
     *("stride", "max_gap", "score_from", "calibration_end", "first_scored", "run_up_from"),
     *("calibration_readings", "calibration_samples", "created"),
     *("calibration_vectors", "cells", "seen_once", "blocks", "finest_bins", "vectors_needed"),
-    *("still_after", "least_vectors"),
+    *("still_after", "least_vectors", "is_robust", "dropped_below", "dropped_above"),
 )
 
 

@@ -33,7 +33,11 @@ from visible import visible
 pytestmark = pytest.mark.thorough
 
 PARAMETERS = gam_db.Parameters(
-    **{"m": 2, "tau": 1, "bins": 8, "window": 20, "stride": 5},
+    m=2,
+    tau=1,
+    bins=8,
+    window=20,
+    stride=5,
     overrides=[gam_db.Override(asset="above", window=40)],  # its calibration is shorter than 8 windows
 )
 CALIBRATION = gam_db.Calibration(intervals=[(0, 199)])

@@ -18,7 +18,11 @@ pytestmark = pytest.mark.thorough
 #: Calibration of drill is shorter than 8 windows, so that its indicator judges it; others have episodes.
 WINDOWS = {"drill": 25}
 PARAMETERS = gam_db.Parameters(
-    **{"m": 2, "tau": 1, "bins": 6, "window": 20, "stride": 5},
+    m=2,
+    tau=1,
+    bins=6,
+    window=20,
+    stride=5,
     overrides=[gam_db.Override(asset=one, window=window, stride=5) for one, window in WINDOWS.items()],
 )
 CALIBRATION = gam_db.Calibration(intervals=[(0, 199)])

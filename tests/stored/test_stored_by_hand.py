@@ -241,12 +241,12 @@ def test_a_version_reads_from_where_all_of_its_first_vector_is_there() -> None:
     names = (
         "version_id channel_id stored_channel_id stored_support_id parent_id version_no reason m tau "
         "bins window_length stride max_gap still_after score_from target_floor least_vectors "
-        "settings_hash method_hash"
+        "is_robust settings_hash method_hash"
     )
 
     def numbered(version: int, still_after: int | None) -> tuple[int | float | str | None, ...]:
         head = (version, version, version + 20, version + 40, version + 60, 2, "other settings")
-        return (*head, 3, 2, 8, 10, 2, None, still_after, None, 0.05, 1, "s", "m")
+        return (*head, 3, 2, 8, 10, 2, None, still_after, None, 0.05, 1, 1, "s", "m")
 
     found = step(
         "stored/calibrating/version_rows",
@@ -260,7 +260,7 @@ def test_a_version_reads_from_where_all_of_its_first_vector_is_there() -> None:
         recount=rows("channel_id calibration_readings", (1, 31)),
     )
     # version_id, channel_id, parent_id, run_up_from, calibration_readings
-    assert [(row[0], row[1], row[3], row[19], row[20]) for row in found] == [
+    assert [(row[0], row[1], row[3], row[20], row[21]) for row in found] == [
         (1, 21, 61, 80, 31),
         (2, 22, 62, BEFORE_ALL, 0),
         (3, 23, 63, BEFORE_ALL, 0),
@@ -469,14 +469,14 @@ def test_a_version_is_checked_with_what_the_newest_records_say_of_it() -> None:
     """The furthest horizon; the newest run that read, and the newest that counted calibration."""
     names = (
         "version_id channel_id support_id parent_id version_no status reason m tau bins window_length "
-        "stride max_gap still_after score_from target_floor least_vectors calibration_end first_scored "
-        "calibration_readings run_up_from"
+        "stride max_gap still_after score_from target_floor least_vectors is_robust calibration_end "
+        "first_scored calibration_readings run_up_from"
     )
 
     def version(
         number: int, channel: int, still_after: int | None
     ) -> tuple[int | str | float | None, ...]:
-        settings = (3, 4, 8, 10, 2, None, still_after, None, 0.05, 1)
+        settings = (3, 4, 8, 10, 2, None, still_after, None, 0.05, 1, 1)
         return (number, channel, 40, None, 1, "active", "first calibration", *settings, 90, 91, 30, 80)
 
     found = step(
@@ -500,7 +500,7 @@ def test_a_version_is_checked_with_what_the_newest_records_say_of_it() -> None:
         stored_block=rows("support_id channel_id first_time", (40, 3, 12), (40, 3, 11), (40, 4, 9)),
         stored_calibration=rows("version_id time_from", (2, 9), (2, 8)),
     )
-    assert [row[21:25] for row in found] == [
+    assert [row[22:26] for row in found] == [
         (30, 11, None, None),
         (30, 11, 8, 7),
         (30, 9, None, 8),

@@ -23,6 +23,7 @@ ROOMS = {
     "arrays": "Delay vectors of an engine with arrays (ClickHouse).",
     "streams": "The same where channels are stored in order of time.",
     "calibration": "When calibration begins and ends, and what may be learnt from (section 4).",
+    "range": "Which few calibration samples are left out of a range (both sides, section 1).",
     "support": "The range of a channel, the code of a sample, the cells of calibration (section 3).",
     "embedding": "Delay vectors and their cells.",
     "score": "Which vectors are scored, and which of them are novel.",

@@ -96,6 +96,7 @@ def parameters(draw: st.DrawFn) -> Arguments:
         "still_after": often([None], [2, 3]),
         "target_floor": st.sampled_from(TARGETS),
         "least_vectors": often([1], [4, 12, 40]),
+        "range": often(["robust"], ["min_max"]),
     }
     answer = {name: draw(strategy) for name, strategy in fields.items()}
     answer |= draw(window_and_stride(optional=True))

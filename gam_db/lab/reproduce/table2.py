@@ -13,13 +13,15 @@ from gam_db.lab.reproduce.methods import METHODS, Task, check_libraries, health
 from gam_db.lab.reproduce.paper import TABLE2
 from gam_db.lab.reproduce.results import Figures, Results, Show
 from gam_db.settings.calibration import Calibration
-from gam_db.settings.parameters import Parameters
+from gam_db.settings.parameters import MIN_MAX, Parameters
 from gam_db.settings.source import Source
 
 NUMBERS = ("mon", "corr", "rob", "global_score")
 QUICK_SAMPLES = 40_000
 
-_PARAMETERS = Parameters(m=langevin.M, tau=langevin.TAU, bins=langevin.BINS, window=langevin.WINDOW)
+_PARAMETERS = Parameters(
+    m=langevin.M, tau=langevin.TAU, bins=langevin.BINS, window=langevin.WINDOW, range=MIN_MAX
+)
 _STRIDE = 100
 
 

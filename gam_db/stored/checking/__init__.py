@@ -333,7 +333,8 @@ def _lacks_first(row: Row, read: Row, oldest: int) -> bool:
 
 
 def _learning(row: Row) -> str:
-    return repr((setting_of(row), row["target_floor"], row["least_vectors"]))
+    names = ("target_floor", "least_vectors", "is_robust")
+    return repr((setting_of(row), *(row[name] for name in names)))
 
 
 def _place(row: Row) -> tuple[Any, ...]:

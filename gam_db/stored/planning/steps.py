@@ -23,6 +23,7 @@ from gam_db.method.calibration import add_learnable
 from gam_db.method.certificate import add_judgement
 from gam_db.method.delays import INCOMPLETE
 from gam_db.method.judgement import limit_slots
+from gam_db.method.ranges import add_bounds
 from gam_db.method.resolved import SMALL_OF_SET
 from gam_db.method.scoring import (
     add_buckets,
@@ -30,7 +31,7 @@ from gam_db.method.scoring import (
     add_support_bits,
 )
 from gam_db.settings.calibration import Calibration
-from gam_db.settings.parameters import Parameters
+from gam_db.settings.parameters import MIN_MAX, ROBUST, Parameters
 
 #: What is kept of the vector that ends a bucket, and how it is called there.
 ENDS = {"position": "end_position", "context_time": "context_time"}
@@ -257,7 +258,7 @@ def explaining_steps(setting: Setting, kind: TimeKind) -> Pipeline:
 
 @cache
 def learning_steps(
-    setting: Setting, kind: TimeKind, target_floor: float, least_vectors: int
+    setting: Setting, kind: TimeKind, target_floor: float, least_vectors: int, is_robust: bool
 ) -> Pipeline:
     """Return the steps from *identified* to what calibration appends, over intervals that are stored.
 
@@ -267,10 +268,11 @@ def learning_steps(
     steps = Pipeline(small=KEPT | SMALL_OF_SET)
     for name in ("channels", "calibration", "calibration_range", "recount"):
         add(steps, f"stored/scoring/{name}")
-    asked = {"target_floor": target_floor, "least_vectors": least_vectors}
+    rule = ROBUST if is_robust else MIN_MAX
+    asked = {"target_floor": target_floor, "least_vectors": least_vectors, "range": rule}
     of_set = _add_samples(steps, setting, kind, asked=asked)
     add(steps, "calibration/calibrated")
-    of_set.add("support/bounds")
+    add_bounds(of_set)
     add_learnable(of_set)
     add_judgement(of_set)
     add(steps, "certificate/verdicts")

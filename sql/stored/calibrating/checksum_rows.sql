@@ -39,7 +39,10 @@ SELECT
     + figure(finest_bins)
     + figure(vectors_needed)
     + figure(still_after)
-    + figure(least_vectors) AS figures_sum,
+    + figure(least_vectors)
+    + figure(is_robust)
+    + figure(dropped_below)
+    + figure(dropped_above) AS figures_sum,
   calibrated_lo,
   calibrated_hi,
   target_floor,
@@ -75,6 +78,9 @@ FROM (
     reduced(scale.vectors_needed, 22) AS vectors_needed,
     reduced(learnt.still_after, 23) AS still_after,
     reduced(learnt.least_vectors, 24) AS least_vectors,
+    reduced(learnt.is_robust, 25) AS is_robust,
+    reduced(scale.dropped_below, 26) AS dropped_below,
+    reduced(scale.dropped_above, 27) AS dropped_above,
     scale.calibrated_lo AS calibrated_lo,
     scale.calibrated_hi AS calibrated_hi,
     learnt.target_floor AS target_floor,

@@ -18,6 +18,7 @@ SELECT
   made.max_gap AS max_gap,
   made.still_after AS still_after,
   made.least_vectors AS least_vectors,
+  made.is_robust AS is_robust,
   made.score_from AS score_from,
   made.calibration_end AS calibration_end,
   made.first_scored AS first_scored,

@@ -23,6 +23,7 @@ SELECT
   numbered.score_from AS score_from,
   numbered.target_floor AS target_floor,
   numbered.least_vectors AS least_vectors,
+  numbered.is_robust AS is_robust,
   scale.calibration_end AS calibration_end,
   scale.first_scored AS first_scored,
   CASE

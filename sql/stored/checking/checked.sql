@@ -25,6 +25,7 @@ SELECT
   made.score_from AS score_from,
   made.target_floor AS target_floor,
   made.least_vectors AS least_vectors,
+  made.is_robust AS is_robust,
   made.calibration_end AS calibration_end,
   made.first_scored AS first_scored,
   made.calibration_readings AS calibration_readings,

@@ -1,5 +1,5 @@
 -- Status rows: what the state says of the channels of one monitor, for gam status.
--- Reads:  stored_fleet, stored_stillness, stored_version, stored_run, stored_finished_run
+-- Reads:  stored_fleet, stored_stillness, stored_version, stored_bounds, stored_run, stored_finished_run
 -- A row:  one channel under its active version; times are integers. gone_from is where the context of its newest run
 --         would have begun, had it not gone from the source.
 -- Slots:  :monitor   its name
@@ -17,6 +17,11 @@ SELECT
   known.hi_limit AS hi_limit,
   known.limit_reason AS limit_reason,
   known.calibrated_lo AS calibrated_lo,
+  known.calibrated_hi AS calibrated_hi,
+  scale.dropped_below AS dropped_below,
+  scale.dropped_above AS dropped_above,
+  scale.lowest_dropped AS lowest_dropped,
+  scale.highest_dropped AS highest_dropped,
   known.calibration_vectors AS calibration_vectors,
   known.finest_bins AS finest_bins,
   known.vectors_needed AS vectors_needed,
@@ -53,6 +58,7 @@ SELECT
   CASE WHEN lost.hit = 1 THEN lost.gone_from END AS gone_from
 FROM stored_fleet AS known
 JOIN stored_version AS made ON made.version_id = known.version_id
+JOIN stored_bounds AS scale ON scale.support_id = made.support_id
 LEFT JOIN (
   SELECT version_id, still_since_tick, 1 AS hit
   FROM stored_stillness

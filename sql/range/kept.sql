@@ -1,0 +1,31 @@
+-- Kept: the calibration samples of each channel with the range that the rounds leave of its support, in the place of
+-- the range of all of them.
+-- Reads:  calibrated, channels, rounds
+-- A row:  one channel that has at least one calibration sample. lowest_dropped is the least value below the range,
+--         highest_dropped the greatest one above it; NULL where nothing was dropped there.
+-- Slots:  :settings_no  the set of parameters that this step serves
+SELECT
+  seen.channel_id AS channel_id,
+  CASE WHEN kept.hit = 1 THEN kept.lo END AS lowest,
+  CASE WHEN kept.hit = 1 THEN kept.hi END AS highest,
+  seen.calibration_samples AS calibration_samples,
+  CASE WHEN kept.hit = 1 THEN kept.dropped_below ELSE 0 END AS dropped_below,
+  CASE WHEN kept.hit = 1 THEN kept.dropped_above ELSE 0 END AS dropped_above,
+  CASE WHEN kept.hit = 1 AND kept.dropped_below > 0 THEN kept.lowest END AS lowest_dropped,
+  CASE WHEN kept.hit = 1 AND kept.dropped_above > 0 THEN kept.highest END AS highest_dropped
+FROM calibrated AS seen
+JOIN channels AS named ON named.channel_id = seen.channel_id
+LEFT JOIN (
+  SELECT
+    support_id,
+    MAX(part.lo) AS lo,
+    MIN(part.hi) AS hi,
+    CAST(SUM(part.dropped_below) AS BIGINT) AS dropped_below,
+    CAST(SUM(part.dropped_above) AS BIGINT) AS dropped_above,
+    MIN(part.lo) AS lowest,
+    MAX(part.hi) AS highest,
+    1 AS hit
+  FROM rounds AS part
+  GROUP BY support_id
+) AS kept ON kept.support_id = named.support_id
+WHERE named.settings_no = :settings_no
