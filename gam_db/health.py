@@ -83,6 +83,27 @@ def support(
     return _table("support_summary", source, parameters, calibration, engine)
 
 
+def probe(
+    source: Any,
+    parameters: Parameters | None = None,
+    calibration: Calibration | None = None,
+    engine: Any = None,
+) -> pa.Table:
+    """Return what the indicator would show of each channel if its machine changed.
+
+    Up to 1,000 vectors of calibration are changed and looked up in the support as those of a healthy
+    block are: a cell that no other block visited is novel (both sides, section 2). Arguments and errors
+    as in :func:`health_indicator`.
+
+    Returns:
+        19 rows per channel that calibration teaches, ordered: asset, channel, change_name (shift +1 % to
+        shift -50 %, of the width between the values below and above which one in twenty lies; stroke
+        0.5, 0.8 and 1.2, times as far from the middle; frozen; speed 3/2, 2/1 and 2/3, times as fast),
+        vectors (NULL where two delays would be one), novel (of them).
+    """
+    return _table("probes", source, parameters, calibration, engine)
+
+
 def certificate(
     source: Any,
     parameters: Parameters | None = None,

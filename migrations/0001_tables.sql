@@ -142,6 +142,9 @@ CREATE TABLE IF NOT EXISTS stored_bounds (
   dropped_above BIGINT NOT NULL,
   lowest_dropped DOUBLE,
   highest_dropped DOUBLE,
+  usual_low DOUBLE,
+  usual_middle DOUBLE,
+  usual_high DOUBLE,
   calibration_vectors BIGINT NOT NULL,
   cells BIGINT NOT NULL,
   seen_once BIGINT NOT NULL,
@@ -166,6 +169,10 @@ COMMENT ON COLUMN stored_bounds.dropped_above
   IS 'Calibration samples above the range, left out of it as too far from the rest';
 COMMENT ON COLUMN stored_bounds.lowest_dropped IS 'The smallest of those below; NULL if there are none';
 COMMENT ON COLUMN stored_bounds.highest_dropped IS 'The largest of those above; NULL if there are none';
+COMMENT ON COLUMN stored_bounds.usual_low
+  IS 'One in twenty calibration values lies below; NULL without calibration vectors';
+COMMENT ON COLUMN stored_bounds.usual_middle IS 'The middle one of the calibration values; NULL likewise';
+COMMENT ON COLUMN stored_bounds.usual_high IS 'One in twenty calibration values lies above; NULL likewise';
 COMMENT ON COLUMN stored_bounds.calibration_vectors IS 'Vectors that were learnt';
 COMMENT ON COLUMN stored_bounds.cells IS 'Cells that healthy operation visited';
 COMMENT ON COLUMN stored_bounds.seen_once IS 'Cells visited by one vector only';
@@ -200,6 +207,25 @@ COMMENT ON COLUMN stored_block.first_time IS 'Time of its first vector';
 COMMENT ON COLUMN stored_block.last_time IS 'Time of its last vector';
 COMMENT ON COLUMN stored_block.vectors IS 'Vectors in it';
 COMMENT ON COLUMN stored_block.novel IS 'Those whose cell no other block visited';
+
+-- Probe: what the indicator would show if a machine changed, as far as calibration tells.
+CREATE TABLE IF NOT EXISTS stored_probe (
+  support_id BIGINT NOT NULL,
+  change_no BIGINT NOT NULL,
+  change_name VARCHAR NOT NULL,
+  vectors BIGINT,
+  novel BIGINT
+);
+
+COMMENT ON TABLE stored_probe
+  IS 'What the indicator would show if a machine changed; 19 changes of each support';
+COMMENT ON COLUMN stored_probe.support_id IS 'The support';
+COMMENT ON COLUMN stored_probe.change_no IS 'Which change it is, from 1';
+COMMENT ON COLUMN stored_probe.change_name
+  IS 'shift: by a part of the usual width; stroke: so many times as far from the middle; frozen; speed: so many times as fast';
+COMMENT ON COLUMN stored_probe.vectors
+  IS 'Vectors of calibration that were changed so; NULL where two delays would be one';
+COMMENT ON COLUMN stored_probe.novel IS 'Those of them that would be novel; NULL where there are no vectors';
 
 -- Support: the cells that healthy operation visited.
 CREATE TABLE IF NOT EXISTS stored_support (

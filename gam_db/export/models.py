@@ -25,6 +25,7 @@ from gam_db.method.adding import OfSet, add
 from gam_db.method.calibration import add_calibration
 from gam_db.method.certificate import add_judgement
 from gam_db.method.judgement import add_judged, limit_slots
+from gam_db.method.probe import add_probe
 from gam_db.method.source import add_rules
 from gam_db.reading.ahead import latest_live
 from gam_db.settings.source import AnySource, under
@@ -45,6 +46,7 @@ CALIBRATED = {
     "support": ("support_id", "cell_key"),
     "block": ("support_id", "block"),
     "ladder": ("support_id", "bins"),
+    "probe": ("support_id", "change_no"),
 }
 
 #: The first microsecond of the year 1: no warehouse knows an earlier one.
@@ -224,6 +226,7 @@ def _learning(of: Modelled) -> Pipeline:
     one = OfSet(steps, of.method, 0)
     add_calibration(one)
     add_judgement(one)
+    add_probe(one)
     add(steps, "certificate/verdicts")
     return steps
 

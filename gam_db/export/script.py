@@ -42,7 +42,7 @@ HEALTH_OF = ("asset_name", "channel_name")
 #: Tables of the view form that only its own script needs.
 _PASSING = ("timeline", "series", "limits", "calibrated", "visits", "missing_vectors")
 _LASTING = ("channels", "calibration", "bounds", "support")
-_RESULTS = ("support_summary", "certificate")
+_RESULTS = ("support_summary", "certificate", "probes")
 
 
 def render(
@@ -58,10 +58,11 @@ def render(
 
     Args:
         form: "exact", one query, a row per scored vector; or "view", tables <prefix>channels,
-            <prefix>calibration, <prefix>bounds, <prefix>support, <prefix>support_summary and
-            <prefix>certificate and the view <prefix>health over the live source. DuckDB also gets the
-            table macro <prefix>health_of(asset, channel). The script begins by dropping what bears these
-            names: the tables of a monitor, which begin with gam_ unless told otherwise, are others.
+            <prefix>calibration, <prefix>bounds, <prefix>support, <prefix>support_summary,
+            <prefix>certificate and <prefix>probes, and the view <prefix>health over the live source.
+            DuckDB also gets the table macro <prefix>health_of(asset, channel). The script begins by
+            dropping what bears these names: the tables of a monitor, which begin with gam_ unless told
+            otherwise, are others.
         engine: its name, see ``gam_db.engines.NAMES``.
         source: where the telemetry lies. Without ``time_kind`` the time column is taken for what a file
             shows or the given instants mean, else for an integer counter, and the script says so.

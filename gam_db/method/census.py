@@ -25,6 +25,7 @@ from gam_db.method.delays import (
     add_stored,
 )
 from gam_db.method.delays import KEPT as KEPT_BY
+from gam_db.method.probe import add_probe
 from gam_db.method.ranges import add_bounds
 from gam_db.method.resolved import Method
 from gam_db.method.scoring import (
@@ -156,6 +157,7 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
         add_running(one, parts)
         one.add("health/window_counts")
     add_judgement(one)
+    add_probe(one, "identified")
     if ways.has_room and is_broken:
         one.add("census/held_vectors")
         one.add("certificate/missing_vectors", tables={"vectors": "held_vectors"})

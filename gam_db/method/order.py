@@ -11,6 +11,7 @@ from gam_db.method.census import FLOWING, OPENING, Slicing, add_census, add_cens
 from gam_db.method.certificate import add_judgement, add_missing_vectors
 from gam_db.method.delays import INCOMPLETE, Ways
 from gam_db.method.judgement import add_stillness, limit_slots
+from gam_db.method.probe import add_probe
 from gam_db.method.resolved import Method
 from gam_db.method.scoring import (
     add_placed,
@@ -25,7 +26,7 @@ _JOINED_HEALTH = ("window_counts",)
 _JOINED_BUCKETS = ("bucket_counts", "novel_cells")
 _JOINED_CERTIFICATE = (
     *("bounds", "run_up", "cells", "blocks", "ladder", "learning", "spread", "finest", "outlook"),
-    "missing_vectors",
+    *("missing_vectors", "usual", "probe"),
 )
 
 
@@ -41,7 +42,8 @@ def pipeline(
         bits: for an engine that keeps a support as bits.
 
     The last steps are *health_indicator* (a row per scored vector), *bucket_health* (a row per full
-    bucket), *novel_cells*, *support_summary* (a row per channel) and *certificate* (a row per block).
+    bucket), *novel_cells*, *support_summary* (a row per channel), *certificate* (a row per block) and
+    *probes* (a row per channel and change).
     """
     steps = Pipeline(small=frozenset(method.small()))
     _add_readings(steps, readings)
@@ -56,6 +58,7 @@ def pipeline(
         add_placed(one, ["numbered"])
         one.add("health/bucket_counts")
         add_judgement(one)
+        add_probe(one)
         add_missing_vectors(one, "samples")
     join_sets(steps, method, (*_JOINED_HEALTH, *_JOINED_BUCKETS, *_JOINED_CERTIFICATE))
     add_stillness(steps, method, "moving_codes")
@@ -130,6 +133,7 @@ def _add_summaries(steps: Pipeline, instant_of: TimeNode) -> None:
     add(steps, "judgement/assessed")
     add(steps, "certificate/support_summary")
     add(steps, "certificate/certificate", edges)
+    add(steps, "probe/probes")
 
 
 def _counted(name: str) -> exp.Expr:

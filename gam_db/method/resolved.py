@@ -20,6 +20,7 @@ SMALL_OF_SET = frozenset(
         *("bounds", "support", "support_bits", "visits", "block_sizes", "cells", "blocks"),
         *("cell_shares", "learning", "levels", "ladder", "spread", "finest", "outlook"),
         *("missing_vectors", "run_up", "visited", "tallied", "buckets"),
+        *("taught_before", "picked", "probed", "usual", "probe"),
         *(f"range_{number}" for number in range(5)),
         *(f"range_counts_{number}" for number in range(1, 5)),
     )
@@ -114,6 +115,13 @@ class Method:
         """Tell whether calibration may be several single instants, and nothing between them."""
         pieces = (rule.allowed for rule in self.rules if len(rule.allowed) > 1)
         return any(start == end for allowed in pieces for start, end in allowed)
+
+    def probed(self) -> set[str]:
+        """Return the steps of a row per calibration vector that are kept where a probe is asked for.
+
+        Cells are counted from them, and vectors picked, so that none is made twice.
+        """
+        return {self.named("learnt", number) for number in range(len(self.settings))}
 
     def small(self) -> set[str]:
         """Return the names of the steps that may be kept as tables."""

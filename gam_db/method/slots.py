@@ -18,9 +18,22 @@ def following(
     return {name: follows[name](setting) for name in names if name in follows}
 
 
-def code_in(bins: int | exp.Expr, place: exp.Expr | None = None) -> exp.Expr:
-    """Return support/code.sql for so many bins, with the column that holds the place if there is one."""
-    return template.fill("support/code", {"bins": bins, "place": place or place_in(bins)})
+def code_in(
+    bins: int | exp.Expr, place: exp.Expr | None = None, value: exp.Column | None = None
+) -> exp.Expr:
+    """Return support/code.sql for so many bins.
+
+    Args:
+        bins: a number or a column.
+        place: the column that holds the place, if there is one.
+        value: the column that holds the sample, where it is not called so.
+    """
+    code = template.fill("support/code", {"bins": bins, "place": place or place_in(bins)})
+    if value is not None:
+        for column in list(code.find_all(exp.Column)):
+            if column.name == "value":
+                column.replace(value.copy())
+    return code
 
 
 def place_in(bins: int | exp.Expr) -> exp.Expr:

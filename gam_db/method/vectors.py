@@ -97,6 +97,46 @@ def varying(one: OfSet) -> list[exp.Expr]:
     return [exp.column(name) for name in one.method.columns if name != "bins"]
 
 
+def add_earlier(one: OfSet, prefix: str, samples: str, delays: Sequence[int]) -> None:
+    """Add *probed* of one set: its picked vectors with the values so many samples before their newest.
+
+    Each is one of calibration, in the segment of the newest one, and counts as usual.
+    """
+    until = exp.column("time", table="sampled") <= exp.column("calibration_end", table="scale")
+    read: dict[str, template.Slot] = {"read": until, "carried": [exp.column("value")]}
+    one.add("support/marked_codes", read, f"{prefix}codes", {"samples": samples})
+    codes, _, _ = _last_codes(one, prefix, ["calibrating", "value"])
+    has_gap = one.method.gaps[one.number] is not None
+    over, values = _earlier(exp.column("known_value"), delays, has_gap)
+    if has_gap and delays:
+        over["segment_from"] = _newest(exp.column("breaking").eq(1), max(delays) - 1)
+    slots: dict[str, template.Slot] = {
+        "told": [exp.column("breaking")] if has_gap and delays else [],
+        "delayed": _named(over),
+        "reached": values,
+    }
+    one.add("probe/probed", slots, tables={"codes": codes})
+
+
+def _earlier(
+    value: exp.Expr, delays: Sequence[int], has_gap: bool, rows: int | None = None
+) -> tuple[dict[str, exp.Expr], list[exp.Expr]]:
+    """Return columns with the values so many samples before, and each where it is in the segment."""
+    path = "embedding/delayed" if rows is None else "streams/delayed"
+    over, values = dict[str, exp.Expr](), []
+    for delay in delays:
+        slots: dict[str, template.Slot] = {"column": value, "delay": delay * (rows or 1)}
+        over[f"x_{delay}"] = template.fill(path, slots)
+        reached = template.fill("embedding/whole", {"span": delay})
+        if has_gap:
+            over[f"time_{delay}"] = _before("time", delay, rows)
+            begun = exp.column(f"time_{delay}") >= exp.column("segment_from")
+            reached = exp.and_(reached, begun)
+        there = exp.Case(ifs=[exp.If(this=reached, true=exp.column(f"x_{delay}"))])
+        values.append(exp.alias_(there, f"x_{delay}"))
+    return over, values
+
+
 class Stream(NamedTuple):
     """What is known of channels that are read as they are stored.
 
@@ -123,9 +163,11 @@ class Stream(NamedTuple):
 
 
 @lru_cache
-def stream_codes(setting: Parameters, stream: Stream) -> dict[str, template.Slot]:
+def stream_codes(
+    setting: Parameters, stream: Stream, has_values: bool = False
+) -> dict[str, template.Slot]:
     """Return the slots of streams/codes.sql that follow from the parameters alone; see stream_slots."""
-    carried = compared(setting)
+    carried = [*compared(setting)] or [exp.column("value")] * has_values
     if stream.gap is not None:
         carried.append(exp.alias_(_breaking(stream.gap, rows=1), "breaking"))
     return {
@@ -155,11 +197,14 @@ def movement(
 
 
 @lru_cache
-def stream_slots(setting: Parameters, has_context: bool, stream: Stream) -> dict[str, template.Slot]:
+def stream_slots(
+    setting: Parameters, has_context: bool, stream: Stream, delays: tuple[int, ...] = ()
+) -> dict[str, template.Slot]:
     """Return the slots of streams/vectors.sql that follow from the parameters alone.
 
-    Where a later run must know from where on it reads, that instant travels with each vector. Every
-    channel has the same ones, so nobody may change them.
+    Where a later run must know from where on it reads, that instant travels with each vector; for a
+    probe so do the values so many samples before. Every channel has the same ones, so nobody may change
+    them.
     """
     columns = coordinates(setting)
     over = {f"code_{k}": _before("code", k * setting.tau, rows=1) for k in range(1, setting.m)}
@@ -170,6 +215,11 @@ def stream_slots(setting: Parameters, has_context: bool, stream: Stream) -> dict
     if stream.gap is not None:
         told_by, whole = _in_segment(setting, rows=1)
         over |= told_by
+    if delays:
+        value = template.fill("streams/known_value")
+        earlier, values = _earlier(value, delays[1:], stream.gap is not None, rows=1)
+        over |= {"x_0": value, **earlier}
+        columns += [exp.column("x_0"), *values]
     return {
         "known": known(setting) if stream.lacks else exp.true(),
         "whole": whole,

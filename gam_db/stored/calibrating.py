@@ -30,7 +30,17 @@ from gam_db.stored.state import State, kind_of, now
 from gam_db.study import Study
 
 #: The folders of ``sql/`` that decide what the numbers of a version are.
-_METHOD = ("source", "calibration", "range", "embedding", "support", "certificate", "score", "health")
+_METHOD = (
+    "source",
+    "calibration",
+    "range",
+    "embedding",
+    "support",
+    "certificate",
+    "probe",
+    "score",
+    "health",
+)
 
 #: What a checksum is made of: of a version that is being written, the steps that its tables are given.
 _SUMMED = {
@@ -79,7 +89,7 @@ def calibrate(
     said_now = {"long_ago": LONG_AGO, "created": now()}
     add(steps, "stored/calibrating/version_rows", said_now, tables={"recount": "first_count"})
     add_learnt_limits(steps, study.method, ())
-    for part in ("calibration", "bounds", "block", "ladder", "support", "buffered", "band"):
+    for part in ("calibration", "bounds", "block", "ladder", "probe", "support", "buffered", "band"):
         add(steps, f"stored/calibrating/{part}_rows")
     add(steps, "stored/calibrating/extent_rows", {"g": NEAR})
     add(steps, "stored/calibrating/checksum_rows", tables=_SUMMED)
@@ -100,6 +110,7 @@ def calibrate(
     readings = {name_of(row): row["readings"] for row in found}
     at_once = state.session.rows_at_once()
     groups = list(whole_pools(due, readings, limit or at_once * study.taught_at_once))
+    steps.small |= study.method.probed()
     if not study.is_ordered and (len(groups) > 1 or not study.method.kind.is_counter):
         # Five steps read a group's rows. Unless the engine can leave out what they do not need (other
         # groups, or what follows calibration, which it cannot tell by timestamps), they are copied once.

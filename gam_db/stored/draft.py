@@ -20,7 +20,7 @@ from gam_db.stored.state import State
 
 #: What is appended, in this order, before limits and versions.
 TAUGHT = (
-    *("calibration", "bounds", "block", "ladder", "support"),
+    *("calibration", "bounds", "block", "ladder", "probe", "support"),
     *("buffered", "band", "extent", "checksum"),
 )
 

@@ -59,7 +59,7 @@ _EXPIRED = {
     **dict.fromkeys(
         ("calibration", "buffered", "band", "extent", "limit", "checksum"), "expired_versions"
     ),
-    **dict.fromkeys(("support", "block", "ladder", "bounds"), "expired_supports"),
+    **dict.fromkeys(("support", "block", "ladder", "probe", "bounds"), "expired_supports"),
     "version": "expired_versions",
 }
 

@@ -254,6 +254,8 @@ class Study:
     ) -> Pipeline:
         """Return steps of the study's own; text is parsed once, not once per step."""
         steps = _filled(*self._asked, bits is not None, slicing, ways).copied()
+        if "probes" in self._steps_wanted:
+            steps.small |= self.method.probed()
         return self._with_file(steps)
 
     def _with_file(self, steps: Pipeline) -> Pipeline:

@@ -14,6 +14,7 @@ from gam_db.composing.pipeline import Pipeline, filled
 from gam_db.engines.session import Row
 from gam_db.method import Method
 from gam_db.method.bits import Bits
+from gam_db.method.probe import probed_delays
 from gam_db.method.scoring import visited_slots
 from gam_db.method.slots import block_no, coordinates, novel_before
 from gam_db.method.vectors import (
@@ -105,6 +106,24 @@ def taught(own: Own, setting: Parameters, stream: Stream) -> exp.Query:
     return of_vectors("taught", own, setting, stream, counted=counted)
 
 
+def probed(own: Own, setting: Parameters, stream: Stream) -> exp.Query:
+    """Return the picked vectors of the calibration of one channel: the step *probed*.
+
+    Its own slots are those of :func:`visits` with blocks, and ``taught``, how many vectors its support
+    has, and ``before``, how many of them are those of members before it.
+    """
+    delays = probed_delays(setting)
+    slots = counted_slots(setting, stream)
+    slots |= {
+        "block_no": block_no(setting, template.node_of(own["vectors"])),
+        "picked": template.fill("probe/is_picked"),
+        "samples": [exp.column(f"x_{delay}") for delay in delays],
+    }
+    return _over(
+        of_channel("probed", own, **slots), "streamed", _vectors(own, setting, False, stream, delays)
+    )
+
+
 def of_vectors(
     file: str, own: Own, setting: Parameters, stream: Stream, **slots: template.Slot
 ) -> exp.Query:
@@ -165,18 +184,22 @@ def _placed(
     return _over(of_channel("placed", own, **slots), "streamed", vectors)
 
 
-def _vectors(own: Own, setting: Parameters, has_context: bool, stream: Stream) -> exp.Query:
-    """Return the vectors of one channel (Eq. 1)."""
-    slots = stream_slots(setting, has_context, stream)
-    return _over(of_channel("vectors", own, **slots), "codes", _codes(own, setting, stream))
+def _vectors(
+    own: Own, setting: Parameters, has_context: bool, stream: Stream, delays: tuple[int, ...] = ()
+) -> exp.Query:
+    """Return the vectors of one channel (Eq. 1), with samples so many before the newest one."""
+    slots = stream_slots(setting, has_context, stream, delays)
+    codes = _codes(own, setting, stream, has_values=bool(delays))
+    return _over(of_channel("vectors", own, **slots), "codes", codes)
 
 
-def _codes(own: Own, setting: Parameters, stream: Stream) -> exp.Query:
+def _codes(own: Own, setting: Parameters, stream: Stream, has_values: bool = False) -> exp.Query:
     """Return the codes of one channel; where samples may stand still, with which ones do."""
-    codes = of_channel("codes", own, **stream_codes(setting, stream))
+    values = [exp.column("value")] * has_values
+    codes = of_channel("codes", own, **stream_codes(setting, stream, has_values))
     if setting.still_after is not None:
         breaking = None if stream.gap is None else exp.column("breaking")
-        slots = movement(setting.still_after, (), breaking, rows=1)
+        slots = movement(setting.still_after, values, breaking, rows=1)
         codes = _over(filled("embedding/moving_codes", slots), "codes", codes)
     return codes
 

@@ -30,7 +30,7 @@ from gam_db.study.streamed import Own, of_channel, of_each, own, range_of
 #: vectors, grouped, and one by one; since when channels stand still; or, where no vectors are asked for,
 #: from where on they would be read.
 LEARNING, SCORING, SINGLE = ("visits", "support"), ("visited",), ("window_counts",)
-ENDING, RUN_UP = ("stillness",), ("run_up",)
+PROBING, ENDING, RUN_UP = ("probed",), ("stillness",), ("run_up",)
 
 Make = Callable[[Own], exp.Query]
 
@@ -93,6 +93,7 @@ class Streams:
         self._sorting: dict[str, Step] = {}
         self._done: set[tuple[str, ...]] = set()
         self._reached: dict[int, dict[str, int]] = {}
+        self._taught: dict[int, tuple[Stream, list[Own]]] = {}
 
     @property
     def holds_so_far(self) -> bool:
@@ -106,13 +107,14 @@ class Streams:
         self._sorting.clear()
         self._done.clear()
         self._reached = {}
+        self._taught = {}
 
     def prepare(self, step: str) -> Outcome:
         """Give the steps before one what streams make of them, if it needs them."""
         steps, method = self.running.steps, self.method
         giving = (
-            *((LEARNING, self._learn), (SCORING, self._score), (SINGLE, self._count_on)),
-            *((ENDING, self._stand), (RUN_UP, self._reach_back)),
+            *((LEARNING, self._learn), (PROBING, self._probe), (SCORING, self._score)),
+            *((SINGLE, self._count_on), (ENDING, self._stand), (RUN_UP, self._reach_back)),
         )
         for part, give in giving:
             needed = {one.name for one in steps.needed([step], self.running.placed)}
@@ -206,8 +208,25 @@ class Streams:
                     parts[id_] |= {"support_id": row["support_id"], "vectors": max(expected[id_], 1)}
             if not self._teach(list(parts.values()), number, expected, stream):
                 return False
+            self._taught[number] = stream, list(parts.values())
             has_learnt = True
         return has_learnt
+
+    def _probe(self) -> bool:
+        """Give the vectors by which supports are probed."""
+        for number, (stream, cells) in self._taught.items():
+            rows = self.running.rows(self.method.named("taught_before", number))
+            counts = {row["channel_id"]: row for row in rows}
+            parts = [
+                {**part, "taught": counts[id_]["vectors"], "before": counts[id_]["vectors_before"]}
+                for part in cells
+                if (id_ := part["channel_id"]) in counts
+            ]
+            sizes, probed = (self.method.named(step, number) for step in ("block_sizes", *PROBING))
+            make = partial(streamed.probed, setting=self.method.settings[number], stream=stream)
+            if parts:
+                self._give(probed, make, parts, block_sizes=sizes)
+        return True
 
     def _counted(self, parts: Sequence[Own], number: int, stream: Stream) -> dict[int, int]:
         """Return how many vectors the calibration of each channel of one set teaches."""

@@ -1,12 +1,13 @@
 -- Learnt: the calibration vectors of a channel in order, cut into blocks of W.
 -- Reads:  learnable, bounds
--- A row:  one calibration vector.
+-- A row:  one calibration vector; place numbers those of its channel from 0.
 -- Slots:  :block_no  the expression of certificate/block_no.sql, of place and vectors
 SELECT
   channel_id,
   support_id,
   time,
   cell_key,
+  place,
   CAST(:block_no AS BIGINT) AS block_no
 FROM (
   SELECT

@@ -174,7 +174,8 @@ def autumn(plant: Any) -> Iterator[Any]:
     asked(plant, "DROP VIEW IF EXISTS gam_live_health")
     asked(
         plant,
-        f"DROP TABLE IF EXISTS {made}, gam_live_support_summary, gam_live_certificate, shown, plain",
+        f"DROP TABLE IF EXISTS {made}, gam_live_support_summary, gam_live_certificate, gam_live_probes, "
+        "shown, plain",
     )
 
 

@@ -407,6 +407,7 @@ def test_the_command_writes_a_package_for_a_table_it_can_see(tmp_path: Path) -> 
             "support",
             "block",
             "ladder",
+            "probe",
             "bucket",
             "health",
             "fleet",

@@ -85,7 +85,7 @@ def test_a_script_run_again_begins_anew() -> None:
         tables = {name for (name,) in connection.sql("SHOW TABLES").fetchall()}
     assert tables == {
         *("telemetry", "p_channels", "p_calibration", "p_bounds", "p_support"),
-        *("p_support_summary", "p_certificate", "p_health"),
+        *("p_support_summary", "p_certificate", "p_probes", "p_health"),
     }
 
 

@@ -139,16 +139,16 @@ def test_it_is_frozen_checked_and_told(tmp_path: Any) -> None:
         assert dropped(row) == said
         monitor.score()
         columns = "dropped_below, dropped_above, lowest_dropped, highest_dropped"
-        kept = connection.execute(f"SELECT {columns} FROM gam_bounds").fetchall()
+        kept = connection.execute(f"SELECT {columns} FROM gam_state_bounds").fetchall()
         assert kept == [(0, 1, None, 9999.0)]
-        assert connection.execute("SELECT is_robust FROM gam_version").fetchall() == [(1,)]
+        assert connection.execute("SELECT is_robust FROM gam_state_version").fetchall() == [(1,)]
         assert monitor.check_state().to_pylist() == []
         assert said[0] in monitor.status().to_pylist()[0]["remarks"]
         assert monitor.calibrate().num_rows == 0  # with the same settings nothing is due
-        connection.execute("UPDATE gam_bounds SET highest_dropped = 99")
+        connection.execute("UPDATE gam_state_bounds SET highest_dropped = 99")
         (wrong,) = monitor.check_state().to_pylist()
         assert wrong["part"] == "calibration"
-        connection.execute("UPDATE gam_bounds SET dropped_above = 2")
+        connection.execute("UPDATE gam_state_bounds SET dropped_above = 2")
         (wrong,) = monitor.check_state().to_pylist()
         assert wrong["part"] == "frozen"
 

@@ -33,6 +33,7 @@ def filled(session: DuckSession, tables: StateTables = TABLES) -> DuckSession:
         "block", support_id=learnt, block=0, channel_id=1, first_time=0, last_time=0, vectors=1, novel=0
     )
     plant.add("ladder", support_id=learnt, bins=4, floor=0.5)
+    plant.add("probe", support_id=learnt, change_no=1, change_name="frozen", vectors=9, novel=3)
     plant.add("horizon", version_id=version.version_id, first_bucket=0, first_novel=1)
     sums = dict.fromkeys(("cells_sum", "intervals_sum", "figures_sum", "target_floor"), 1)
     hashes = dict.fromkeys(("settings_hash", "method_hash"), "h")

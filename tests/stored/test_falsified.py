@@ -95,6 +95,7 @@ CHOSEN: dict[str, dict[str, Callable[[Rows], dict[str, Any]]]] = {
     "judgement": {"settled": lambda rows: rows[6], "newest": lambda rows: rows[-1]},
     "block": {"": lambda rows: rows[1]},
     "ladder": {"": lambda rows: rows[1]},
+    "probe": {"": lambda rows: rows[1]},
     "support": {"": lambda rows: rows[len(rows) // 2]},
     "bucket": {"settled": lambda rows: rows[2], "newest": lambda rows: rows[-1]},
     "novel": {"settled": lambda rows: rows[0], "newest": lambda rows: rows[-1]},
@@ -148,7 +149,7 @@ def other(column: str, value: Any, less: bool = False) -> Any:
 CHANGED, LESSENED, EMPTIED, DELETED, DOUBLED = "changed", "smaller", "NULL", "deleted", "twice"
 
 #: Tables of what was learnt: a figure that is too small is found there as well as one that is too large.
-LEARNT = ("bounds", "block", "ladder", "support", "extent", "limit", "bucket", "judgement")
+LEARNT = ("bounds", "block", "ladder", "probe", "support", "extent", "limit", "bucket", "judgement")
 
 
 @dataclass(frozen=True)

@@ -45,6 +45,7 @@ LEARNT = {
     "bounds": "support_id",
     "block": "support_id",
     "ladder": "support_id",
+    "probe": "support_id",
     "support": "support_id",
 }
 

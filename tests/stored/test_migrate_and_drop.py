@@ -25,7 +25,7 @@ pytestmark = pytest.mark.migrates
 
 STATE = StateTables()
 FILE = "plant.duckdb"
-TABLES_OF_A_MONITOR = 24
+TABLES_OF_A_MONITOR = 25
 
 
 @pytest.fixture(autouse=True)
@@ -75,9 +75,11 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
                 "version": f"{key + 100}, {key}, {key + 200}, NULL, 1, 'active', 'r', 3, 1, 10, 50, 10, "
                 "NULL, NULL, 0.05, NULL, 0, 0, 0, 0, 'h', 'h', 0, NULL, NULL, 1",
                 "calibration": f"{key + 100}, 0, 1",
-                "bounds": f"{key + 200}, 0, 1, 2, 0, 0, NULL, NULL, 2, 3, 4, 5, 'ready', 0, 0, 0, 1, 0",
+                "bounds": f"{key + 200}, 0, 1, 2, 0, 0, NULL, NULL, 0, 0.5, 1, "
+                "2, 3, 4, 5, 'ready', 0, 0, 0, 1, 0",
                 "block": f"{key + 200}, 0, {key}, 0, 1, 2, 3",
                 "ladder": f"{key + 200}, 4, 0.5",
+                "probe": f"{key + 200}, 1, 'frozen', 9, 3",
                 "support": f"{key + 200}, 1, 2, 0, 0, 0, 1",
                 "bucket": f"{key + 100}, 0, 1, 0, 1, 0, 1, 1, 0, NULL, NULL",
                 "novel": f"{key + 100}, 0, 1, 1, 1, 1, 1",

@@ -212,12 +212,13 @@ def test_a_version_goes_with_what_only_it_had_learnt(session: DuckSession) -> No
             novel=0,
         )
         plant.add("ladder", support_id=learnt, bins=4, floor=0.5)
+        plant.add("probe", support_id=learnt, change_no=1, change_name="frozen", vectors=9, novel=3)
     plant.write(emptied(session, TABLES), TABLES)
     prune(State(session, TABLES), keep_versions=0)
     assert [row[0] for row in rows(session, "version", "version_no, channel_id")] == [1, 3]
     assert len(rows(session, "calibration")) == len(rows(session, "run")) + 1 == 2
     assert rows(session, "horizon", "version_id") == [(version.version_id,)]
-    for table in ("support", "bounds", "block", "ladder"):
+    for table in ("support", "bounds", "block", "ladder", "probe"):
         assert {row[0] for row in rows(session, table)} == {pooled, old[2]}
 
 

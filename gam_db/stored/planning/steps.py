@@ -23,6 +23,7 @@ from gam_db.method.calibration import add_learnable
 from gam_db.method.certificate import add_judgement
 from gam_db.method.delays import INCOMPLETE
 from gam_db.method.judgement import limit_slots
+from gam_db.method.probe import add_probe
 from gam_db.method.ranges import add_bounds
 from gam_db.method.resolved import SMALL_OF_SET
 from gam_db.method.scoring import (
@@ -43,7 +44,10 @@ DAY = 86_400_000_000
 PUBLISHED = ("bucket_rows", "novel_rows", "run_rows")
 
 #: What a calibration appends of what it learnt: of a support, and of a version.
-OF_SUPPORT, OF_VERSION = ("bounds", "block", "ladder", "support"), ("buffered", "band", "extent")
+OF_SUPPORT, OF_VERSION = (
+    ("bounds", "block", "ladder", "probe", "support"),
+    ("buffered", "band", "extent"),
+)
 LEARNT = (*OF_SUPPORT, *OF_VERSION)
 
 #: From which bucket on a run writes, and what; and what stands for these where that is all it has made.
@@ -265,7 +269,7 @@ def learning_steps(
     Given by the caller are the state tables, *identified*, *cohort*, which is *limits*, too, and
     *numbering*; the last steps are the rows of :data:`LEARNT`, and *recount*.
     """
-    steps = Pipeline(small=KEPT | SMALL_OF_SET)
+    steps = Pipeline(small=KEPT | SMALL_OF_SET | {"learnt"})
     for name in ("channels", "calibration", "calibration_range", "recount"):
         add(steps, f"stored/scoring/{name}")
     rule = ROBUST if is_robust else MIN_MAX
@@ -275,6 +279,7 @@ def learning_steps(
     add_bounds(of_set)
     add_learnable(of_set)
     add_judgement(of_set)
+    add_probe(of_set)
     add(steps, "certificate/verdicts")
     add(steps, "judgement/limited", limit_slots(exp.column("target_floor", table="scale")))
     add_counted(steps)

@@ -119,7 +119,7 @@ def _conditions(tables: StateTables, monitor_id: int) -> dict[str, exp.Expr]:
     return {
         **dict.fromkeys(("bucket", "novel", "judgement", "run", "horizon", "calibration"), of_versions),
         **dict.fromkeys(("checksum", "buffered", "band", "band_visit", "extent", "limit"), of_versions),
-        **dict.fromkeys(("block", "ladder", "support", "bounds"), of_supports),
+        **dict.fromkeys(("block", "ladder", "probe", "support", "bounds"), of_supports),
         "version": of_channels,
         **dict.fromkeys(("proof", "episode", "label", "channel", "unplaced", "left_out"), of_monitor),
         "monitor": of_monitor,

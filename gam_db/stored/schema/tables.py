@@ -18,7 +18,7 @@ TABLES = (
     *("migration", "monitor", "channel", "version", "calibration", "bounds", "block", "support"),
     *("bucket", "novel", "run", "unplaced", "checksum", "horizon", "proof", "ladder"),
     *("buffered", "extent", "limit", "judgement", "episode", "label", "band", "band_visit"),
-    "left_out",
+    *("left_out", "probe"),
 )
 #: Each after those that it reads.
 VIEWS = (
@@ -30,7 +30,17 @@ VIEWS = (
 #: What people and other tools read or write. All else is of gam-db alone.
 FOR_READERS = frozenset(
     {
-        *("fleet", "machine", "health", "stillness", "onset", "trend", "unplaced_day", "ladder"),
+        *(
+            "fleet",
+            "machine",
+            "health",
+            "stillness",
+            "onset",
+            "trend",
+            "unplaced_day",
+            "ladder",
+            "probe",
+        ),
         *("cell", "quarantine", "growth"),
         *("alarm", "alarm_event", "alarm_band", "alarm_cell", "visible_judgement", "label"),
     }

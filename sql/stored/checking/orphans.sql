@@ -3,7 +3,7 @@
 -- likewise; so there only rows count whose run is recorded for other versions.
 -- Reads:  stored_monitor, stored_channel, stored_version, stored_calibration, stored_checksum, stored_bounds,
 --         stored_block, stored_support, stored_bucket, stored_novel, stored_horizon, stored_run, stored_proof,
---         stored_ladder, stored_buffered, stored_extent, stored_limit, stored_judgement, stored_episode, stored_label,
+--         stored_ladder, stored_probe, stored_buffered, stored_extent, stored_limit, stored_judgement, stored_episode, stored_label,
 --         stored_visible_bucket, stored_visible_novel
 -- A row:  one kind of them that there is: the table, what it lacks, and how many.
 -- Slots:  :whole  1 where a run and a calibration are there as a whole or not at all
@@ -100,6 +100,9 @@ FROM (
     UNION ALL
     SELECT DISTINCT 'ladder' AS of_table, support_id
     FROM stored_ladder
+    UNION ALL
+    SELECT DISTINCT 'probe' AS of_table, support_id
+    FROM stored_probe
   ) AS orphan
   LEFT JOIN (
     SELECT DISTINCT support_id, 1 AS hit

@@ -1,0 +1,99 @@
+"""What the indicator would show if the machine changed (both sides, section 2), for one set."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+from sqlglot import exp
+
+from gam_db.composing import template
+from gam_db.method.adding import OfSet, add_stacked
+from gam_db.method.slots import code_in
+from gam_db.method.vectors import add_earlier
+from gam_db.settings.parameters import Parameters
+
+#: Shifts, in hundredths of the usual width, and strokes, in tenths.
+SHIFTS, STROKES = (1, 2, 5, 10, 20, 50), (5, 8, 12)
+
+#: Speeds as fractions of the usual one. Pace 0 is the usual one, the next are these, the last frozen.
+SPEEDS = ((3, 2), (2, 1), (2, 3))
+_FROZEN = len(SPEEDS) + 1
+
+
+class Change(NamedTuple):
+    """A change of a machine; the slots of ``probe/changes.sql``."""
+
+    name: str
+    pace: int = 0
+    shift: float | None = None
+    stroke: float | None = None
+
+
+CHANGES = (
+    *(
+        Change(f"shift {sign}{part} %", shift=float(f"{sign}{part}") / 100.0)
+        for part in SHIFTS
+        for sign in "+-"
+    ),
+    *(Change(f"stroke {tenths / 10:g}", stroke=tenths / 10.0) for tenths in STROKES),
+    Change("frozen", _FROZEN),
+    *(Change(f"speed {p}/{q}", pace) for pace, (p, q) in enumerate(SPEEDS, start=1)),
+)
+
+
+def paces(setting: Parameters) -> dict[int, list[int]]:
+    """Return the delays of a vector at each pace; a pace at which two of them are equal is not there."""
+    usual = [k * setting.tau for k in range(setting.m)]
+    found = {0: usual, _FROZEN: [0] * setting.m}
+    for pace, (p, q) in enumerate(SPEEDS, start=1):
+        delays = [(2 * p * delay + q) // (2 * q) for delay in usual]
+        if len(set(delays)) == len(delays):
+            found[pace] = delays
+    return found
+
+
+def probed_delays(setting: Parameters) -> tuple[int, ...]:
+    """Return the delays of all paces in ascending order; the first is 0."""
+    return tuple(sorted({delay for delays in paces(setting).values() for delay in delays}))
+
+
+def add_probe(one: OfSet, samples: str = "samples") -> None:
+    """Add the step *probe* of one set, after its certificate.
+
+    Samples is the step of all samples of known channels, or of their readings where each instant occurs
+    once.
+    """
+    setting = one.setting
+    one.add("probe/taught_before")
+    one.add("probe/picked", {"picked": template.fill("probe/is_picked")})
+    asked, delays = paces(setting), probed_delays(setting)
+    add_earlier(one, "probe_", samples, delays[1:])
+    one.add("probe/usual")
+    rows = [{"change_no": number, **_slots(of, asked)} for number, of in enumerate(CHANGES, start=1)]
+    add_stacked(one.steps, "probe/changes", rows, one.named("changes"))
+    coordinates = [f"y_{k}" for k in range(setting.m)]
+    slots: dict[str, template.Slot] = {
+        "samples": [exp.alias_(_sample(setting, k, asked), name) for k, name in enumerate(coordinates)],
+        "codes": [
+            exp.alias_(code_in(setting.grid, value=exp.column(name)), f"code_{k}")
+            for k, name in enumerate(coordinates)
+        ],
+    }
+    one.add("probe/changed", slots)
+    one.add("probe/probe")
+
+
+def _sample(setting: Parameters, k: int, delays: Mapping[int, Sequence[int]]) -> exp.Expr:
+    """Return a coordinate of a vector after a change, of columns with the samples so many before."""
+    of_delay = {pace: exp.column(f"x_{held[k]}", table="vector") for pace, held in delays.items()}
+    usual = of_delay.pop(0)
+    paced = exp.Case(default=usual)
+    for pace, sample in of_delay.items():
+        paced = paced.when(exp.column("pace", table="asked").eq(pace), sample)
+    return template.fill("probe/sample", {"usual": usual, "paced": paced})
+
+
+def _slots(of: Change, delays: Mapping[int, Sequence[int]]) -> dict[str, Any]:
+    slots = of._asdict()
+    pace = of.pace if of.pace in delays else None
+    name = template.text(slots.pop("name"))
+    return {**slots, "change_name": name, "pace": pace}

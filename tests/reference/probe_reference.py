@@ -1,0 +1,98 @@
+"""What the indicator would show if a machine changed, in plain loops (both sides, section 2).
+
+Built on :mod:`reference`, which finds the calibration vectors; it shares no code with the package.
+"""
+
+from collections.abc import Iterable
+from typing import Any
+
+import reference
+from reference import Channel, Pool, Row
+
+SHIFTS = [sign * part for part in (1, 2, 5, 10, 20, 50) for sign in (1, -1)]
+SPEEDS = [(3, 2), (2, 1), (2, 3)]
+
+
+def is_picked(number: int, vectors: int) -> bool:
+    """Tell whether the vector of a number is one of those by which a support is probed."""
+    return (number * 1640531527) % 2**32 < 2**32 // (vectors // 1000 + 1)
+
+
+def usual(values: list[float]) -> tuple[float, float, float]:
+    """Return q05, q50 and q95 of some values."""
+    ordered, n = sorted(values), len(values)
+    return ordered[(n + 19) // 20 - 1], ordered[(n + 1) // 2 - 1], ordered[n - n // 20 - 1]
+
+
+def found_at(channel: Channel, newest: int, delays: list[int]) -> list[float] | None:
+    """Return the values that a vector needs, the newest first; None where one cannot be had."""
+    numbers = reference.segments(channel)
+    known = reference.usable(channel, numbers)
+    values: list[float] = []
+    for delay in delays:
+        place = newest - delay
+        if place < 0 or not (
+            channel.healthy[place] and known[place] and numbers[place] == numbers[newest]
+        ):
+            return None
+        value = channel.values[place]
+        assert value is not None
+        values.append(value)
+    return values
+
+
+def probe(pool: Pool) -> list[dict[str, Any]]:
+    """Return the 19 changes of a support with their two integers, in order; none without a vector."""
+    settings, lo, hi = pool.settings, pool.lo, pool.hi
+    picked: list[tuple[int, Channel, int]] = []
+    every = [(member, vector[0]) for member in pool.members for vector in member.learnt]
+    for number, (member, newest) in enumerate(every):
+        if is_picked(number, len(every)):
+            picked.append((int(pool.blocks[number]), member, newest))
+    if not picked or lo is None or hi is None:
+        return []
+    newest_values = [member.values[newest] or 0.0 for _, member, newest in picked]
+    q05, q50, q95 = usual(newest_values)
+    width = q95 - q05 or hi - lo
+    cells, blocks = reference.numbered(pool.grid), pool.blocks
+    visited: dict[tuple[int, ...], set[int]] = {}
+    for vector, block in zip(pool.grid.tolist(), blocks.tolist(), strict=True):
+        visited.setdefault(tuple(vector), set()).add(block)
+    assert len(cells) == len(every)
+    tau, m = settings.tau, settings.m
+    plain = [k * tau for k in range(m)]
+    asked: list[tuple[str, list[int], Any]] = []
+    for p in SHIFTS:
+        asked.append((f"shift {p:+d} %", plain, lambda x, p=p: x + p / 100.0 * width))
+    for p in (5, 8, 12):
+        asked.append((f"stroke {p / 10:g}", plain, lambda x, p=p: q50 + p / 10.0 * (x - q50)))
+    asked.append(("frozen", [0] * m, lambda x: x))
+    for p, q in SPEEDS:
+        asked.append(
+            (f"speed {p}/{q}", [(2 * k * p * tau + q) // (2 * q) for k in range(m)], lambda x: x)
+        )
+    answer = []
+    for number, (name, delays, change) in enumerate(asked, start=1):
+        row: dict[str, Any] = {"change_no": number, "change_name": name, "vectors": None, "novel": None}
+        answer.append(row)
+        if name.startswith("speed") and len(set(delays)) < m:
+            continue
+        row |= {"vectors": 0, "novel": 0}
+        for block, member, newest in picked:
+            values = found_at(member, newest, delays)
+            if values is None:
+                continue
+            codes = [reference.code(change(x), lo, hi, settings.bins) - 2 for x in values]
+            row["vectors"] += 1
+            row["novel"] += not (visited.get(tuple(codes), set()) - {block})
+    return answer
+
+
+def probes(rows: Iterable[Row], parameters: Any, calibration: Any) -> list[dict[str, Any]]:
+    """Return what is asked of each channel, which is asked of its support."""
+    answer = []
+    for channel, pool in reference.channels(rows, parameters, calibration):
+        for row in probe(pool):
+            own = {name: row[name] for name in ("change_name", "vectors", "novel")}
+            answer.append({"asset": channel.asset, "channel": channel.name, **own})
+    return answer
