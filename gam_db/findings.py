@@ -33,6 +33,14 @@ FEWEST_BINS = 5
 
 _SHORTCOMINGS = data.table("gam_db", "findings.toml")
 
+#: The changes that a channel may show beside shifts, in words.
+_CHANGES = {
+    "sees_half_stroke": "half a stroke",
+    "sees_frozen": "a frozen sensor",
+    "sees_faster": "1.5 times as fast",
+    "sees_slower": "two thirds as fast",
+}
+
 #: What is known of a channel on the way only.
 _INNER = ("behind", "still_tick", "has_limit", "raised", "asks")
 
@@ -143,6 +151,11 @@ def finding(row: Row, span: int, window: int, course: Course | None) -> Row:
     }
 
 
+def is_blind(row: Row) -> bool:
+    """Tell whether a channel would show no shift of its machine, whatever its status."""
+    return bool(row["verdict"] == "blind")
+
+
 def need_attention(rows: Iterable[Row]) -> bool:
     """Tell whether a channel needs attention."""
     return any(row["needs_attention"] for row in rows)
@@ -211,7 +224,7 @@ def _remarks(row: Row, span: int, window: int, course: Course | None) -> list[st
             remarks.append(f"above its limit of {share(limit)}{left}{so_far}")
         elif limit is not None and course.highest is not None and course.highest > limit:
             remarks.append(f"below its limit of {share(limit)} now, was up to {share(course.highest)}")
-    remarks += dropped(row)
+    remarks += [*sight(row), *dropped(row)]
     if row.get("missing_vectors"):
         remarks.append(f"{row['missing_vectors']:,} vectors incomplete")
     if row.get("conflicts"):
@@ -242,12 +255,32 @@ def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
         told = "no_sample"
     elif is_short(row):
         told = "short"
+    elif told == "blind":
+        told = f"blind_{row['blind_reason']}"
     more, needed = "how much more it takes cannot be told yet", row["vectors_needed"]
     if needed is not None:
         more = f"it takes about {needed:,} more vectors"
     words = {"run": span + 1, "bins": row["finest_bins"], "more": more}
+    if told == "blind_range":
+        lo, hi = row["calibrated_lo"], row["calibrated_hi"]
+        part = 100 * (row["usual_high"] - row["usual_low"]) / (hi - lo)
+        words |= {"lo": lo, "hi": hi, "part": f"{part:.2g}"}
     moved = " and has moved since" * has_moved
     return [_SHORTCOMINGS[told].format(moved=moved, **words)] if told in _SHORTCOMINGS else []
+
+
+def sight(row: Row) -> list[str]:
+    """Return which changes of the machine a channel would show, and which it would not.
+
+    *row* has what :func:`gam_db.support` returns of them (both sides, section 3).
+    """
+    seen = [] if row["sees"] is None else [f"shifts of {row['sees']} % of its usual range"]
+    seen += [words for name, words in _CHANGES.items() if row[name]]
+    remarks = [f"sees {', '.join(seen)}"] if seen else []
+    if row["would_not_see"]:
+        is_ok = "ok; " if row.get("status") == "ok" else ""
+        remarks.append(f"{is_ok}would not see {row['would_not_see']}")
+    return remarks
 
 
 def dropped(row: Row) -> list[str]:

@@ -154,7 +154,14 @@ CREATE TABLE IF NOT EXISTS stored_bounds (
   floor_sd DOUBLE,
   floor_max DOUBLE,
   finest_bins BIGINT,
-  vectors_needed BIGINT
+  vectors_needed BIGINT,
+  sees BIGINT,
+  sees_half_stroke BIGINT,
+  sees_frozen BIGINT,
+  sees_faster BIGINT,
+  sees_slower BIGINT,
+  would_not_see VARCHAR,
+  blind_reason VARCHAR
 );
 
 COMMENT ON TABLE stored_bounds IS 'Range and certificate of a support; one row per support';
@@ -177,7 +184,8 @@ COMMENT ON COLUMN stored_bounds.calibration_vectors IS 'Vectors that were learnt
 COMMENT ON COLUMN stored_bounds.cells IS 'Cells that healthy operation visited';
 COMMENT ON COLUMN stored_bounds.seen_once IS 'Cells visited by one vector only';
 COMMENT ON COLUMN stored_bounds.blocks IS 'Blocks of one window each that calibration was cut into';
-COMMENT ON COLUMN stored_bounds.verdict IS 'ready, too_fine, needs_data, constant or no_data';
+COMMENT ON COLUMN stored_bounds.verdict
+  IS 'ready, blind, too_fine, needs_data, constant or no_data';
 COMMENT ON COLUMN stored_bounds.floor
   IS 'Expected health indicator of healthy operation; NULL if there are too few blocks';
 COMMENT ON COLUMN stored_bounds.floor_sd
@@ -186,6 +194,17 @@ COMMENT ON COLUMN stored_bounds.floor_max IS 'Highest block of calibration; NULL
 COMMENT ON COLUMN stored_bounds.finest_bins IS 'Finest bins that meet the target; NULL if none do';
 COMMENT ON COLUMN stored_bounds.vectors_needed
   IS 'Estimate of the further calibration vectors needed; 0 if none, NULL if unknown';
+COMMENT ON COLUMN stored_bounds.sees
+  IS 'Smallest shift that its indicator would show both ways, in percent of the usual width, if the machine works as in calibration; NULL if none of 1 to 50 %';
+COMMENT ON COLUMN stored_bounds.sees_half_stroke
+  IS '1 if its indicator would show a stroke half as long, 0 if not; NULL if that could not be tried';
+COMMENT ON COLUMN stored_bounds.sees_frozen IS 'The same of a sensor that gives one value only';
+COMMENT ON COLUMN stored_bounds.sees_faster IS 'The same of a machine 1.5 times as fast';
+COMMENT ON COLUMN stored_bounds.sees_slower IS 'The same of a machine at two thirds of its speed';
+COMMENT ON COLUMN stored_bounds.would_not_see
+  IS 'What of a frozen sensor, half a stroke and another speed its indicator would not show, in words; NULL if nothing is known not to';
+COMMENT ON COLUMN stored_bounds.blind_reason
+  IS 'Why no shift would be seen: range, blocks, cells or delay (docs/sight.md); NULL where the verdict is not blind';
 
 -- Block: the two integers of the certificate for each block of calibration.
 CREATE TABLE IF NOT EXISTS stored_block (

@@ -403,3 +403,67 @@ COMMENT ON COLUMN stored_labelled_episode.told_as
   IS 'proving while it opened right after calibration and nobody decided what it was, else its status';
 COMMENT ON COLUMN stored_labelled_episode.needs_attention
   IS '1 if somebody should look at it, as of the newest run; else 0';
+
+-- Certified: what calibration says of each version, both sides of it, with the limit of its health indicator
+-- (judgement/hi_limit.sql).
+CREATE OR REPLACE VIEW stored_certified AS
+SELECT
+  version.version_id AS version_id,
+  learnt.verdict AS verdict,
+  learnt.floor AS floor,
+  learnt.floor_sd AS floor_sd,
+  learnt.floor_max AS floor_max,
+  learnt.finest_bins AS finest_bins,
+  learnt.vectors_needed AS vectors_needed,
+  learnt.calibration_vectors AS calibration_vectors,
+  learnt.cells AS cells,
+  learnt.calibrated_lo AS calibrated_lo,
+  learnt.calibrated_hi AS calibrated_hi,
+  learnt.sees AS sees,
+  learnt.sees_half_stroke AS sees_half_stroke,
+  learnt.sees_frozen AS sees_frozen,
+  learnt.sees_faster AS sees_faster,
+  learnt.sees_slower AS sees_slower,
+  learnt.would_not_see AS would_not_see,
+  learnt.blind_reason AS blind_reason,
+  CASE
+    WHEN learnt.verdict IN ('ready', 'blind')
+      THEN CASE
+        WHEN learnt.floor IS NULL OR learnt.floor_max IS NULL THEN NULL
+        WHEN 2 * learnt.floor >= learnt.floor_max AND 2 * learnt.floor >= version.target_floor
+          THEN 2 * learnt.floor
+        WHEN learnt.floor_max >= version.target_floor THEN learnt.floor_max
+        ELSE version.target_floor
+      END
+  END AS hi_limit
+FROM stored_version AS version
+JOIN stored_bounds AS learnt ON learnt.support_id = version.support_id;
+
+COMMENT ON VIEW stored_certified IS 'What calibration says of each version';
+COMMENT ON COLUMN stored_certified.version_id IS 'The version';
+COMMENT ON COLUMN stored_certified.verdict IS 'ready, blind, too_fine, needs_data, constant or no_data';
+COMMENT ON COLUMN stored_certified.floor
+  IS 'Health indicator to expect of healthy operation; NULL if there are too few blocks';
+COMMENT ON COLUMN stored_certified.floor_sd
+  IS 'Standard deviation of the blocks around it; NULL likewise';
+COMMENT ON COLUMN stored_certified.floor_max IS 'Highest block of calibration; NULL likewise';
+COMMENT ON COLUMN stored_certified.finest_bins IS 'Finest bins that meet the target; NULL if none do';
+COMMENT ON COLUMN stored_certified.vectors_needed
+  IS 'Estimate of the further calibration vectors needed; 0 if none, NULL if unknown';
+COMMENT ON COLUMN stored_certified.calibration_vectors IS 'Vectors that its support was learnt from';
+COMMENT ON COLUMN stored_certified.cells IS 'Cells that they visited';
+COMMENT ON COLUMN stored_certified.calibrated_lo IS 'Smallest calibration value inside the range';
+COMMENT ON COLUMN stored_certified.calibrated_hi IS 'Largest one';
+COMMENT ON COLUMN stored_certified.sees
+  IS 'Smallest shift that its indicator would show both ways, in percent of the usual width, if the machine works as in calibration; NULL if none of 1 to 50 %';
+COMMENT ON COLUMN stored_certified.sees_half_stroke
+  IS '1 if its indicator would show a stroke half as long, 0 if not; NULL if that could not be tried';
+COMMENT ON COLUMN stored_certified.sees_frozen IS 'The same of a sensor that gives one value only';
+COMMENT ON COLUMN stored_certified.sees_faster IS 'The same of a machine 1.5 times as fast';
+COMMENT ON COLUMN stored_certified.sees_slower IS 'The same of a machine at two thirds of its speed';
+COMMENT ON COLUMN stored_certified.would_not_see
+  IS 'What of a frozen sensor, half a stroke and another speed its indicator would not show, in words; NULL if nothing is known not to';
+COMMENT ON COLUMN stored_certified.blind_reason
+  IS 'Why no shift would be seen: range, blocks, cells or delay (docs/sight.md); NULL where the verdict is not blind';
+COMMENT ON COLUMN stored_certified.hi_limit
+  IS 'Health indicator above which the channel is high; NULL where nothing is to be judged';

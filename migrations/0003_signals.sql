@@ -23,16 +23,10 @@ SELECT
       THEN CAST(full_bucket.novel_in_window AS DOUBLE) / CAST(version.window_length AS DOUBLE)
   END AS hi,
   learnt.verdict AS verdict,
-  CASE
-    WHEN learnt.verdict <> 'ready' OR learnt.floor IS NULL OR learnt.floor_max IS NULL THEN NULL
-    WHEN 2 * learnt.floor >= learnt.floor_max AND 2 * learnt.floor >= version.target_floor
-      THEN 2 * learnt.floor
-    WHEN learnt.floor_max >= version.target_floor THEN learnt.floor_max
-    ELSE version.target_floor
-  END AS hi_limit
+  learnt.hi_limit AS hi_limit
 FROM stored_visible_bucket AS full_bucket
 JOIN stored_version AS version ON version.version_id = full_bucket.version_id
-JOIN stored_bounds AS learnt ON learnt.support_id = version.support_id
+JOIN stored_certified AS learnt ON learnt.version_id = version.version_id
 JOIN (
   SELECT channel_id, MAX(version_id) AS newest_id
   FROM stored_version
@@ -170,15 +164,9 @@ FROM (
           version.version_id AS version_id,
           version.window_length AS window_length,
           version.stride AS stride,
-          CASE
-          WHEN learnt.verdict <> 'ready' OR learnt.floor IS NULL OR learnt.floor_max IS NULL THEN NULL
-          WHEN 2 * learnt.floor >= learnt.floor_max AND 2 * learnt.floor >= version.target_floor
-            THEN 2 * learnt.floor
-          WHEN learnt.floor_max >= version.target_floor THEN learnt.floor_max
-          ELSE version.target_floor
-        END AS hi_limit
+          learnt.hi_limit AS hi_limit
         FROM stored_version AS version
-        JOIN stored_bounds AS learnt ON learnt.support_id = version.support_id
+        JOIN stored_certified AS learnt ON learnt.version_id = version.version_id
       ) AS version ON version.version_id = full_bucket.version_id
     ) AS compared
   ) AS bounded
@@ -250,6 +238,13 @@ SELECT
   learnt.calibrated_hi AS calibrated_hi,
   learnt.finest_bins AS finest_bins,
   learnt.vectors_needed AS vectors_needed,
+  learnt.sees AS sees,
+  learnt.sees_half_stroke AS sees_half_stroke,
+  learnt.sees_frozen AS sees_frozen,
+  learnt.sees_faster AS sees_faster,
+  learnt.sees_slower AS sees_slower,
+  learnt.would_not_see AS would_not_see,
+  learnt.blind_reason AS blind_reason,
   version.m AS m,
   version.tau AS tau,
   version.bins AS bins,
@@ -257,7 +252,7 @@ SELECT
   version.settings_hash AS settings_hash,
   version.method_hash AS method_hash,
   CASE WHEN judged.has_limit = 0 THEN 'unrepresentative' ELSE judged.limit_reason END AS limit_reason,
-  CASE WHEN still.hit = 1 AND judged.status IN ('ok', 'waiting') THEN 'standing' ELSE judged.status END AS status,
+  CASE WHEN still.hit = 1 AND judged.status IN ('ok', 'waiting', 'blind') THEN 'standing' ELSE judged.status END AS status,
   judged.urgency AS urgency,
   judged.needs_attention AS needs_attention,
   CASE WHEN still.hit = 1 AND judged.status = 'ok' THEN NULL ELSE judged.is_above END AS is_above,
@@ -295,7 +290,7 @@ JOIN (
 ) AS active ON active.newest_id = version.version_id
 JOIN stored_channel AS named ON named.channel_id = version.channel_id
 JOIN stored_monitor AS watching ON watching.monitor_id = named.monitor_id
-JOIN stored_bounds AS learnt ON learnt.support_id = version.support_id
+JOIN stored_certified AS learnt ON learnt.version_id = version.version_id
 JOIN (
   SELECT
     status,
@@ -304,7 +299,7 @@ JOIN (
       WHEN asks = 1 THEN 5
       WHEN status = 'high' THEN 4
       WHEN status = 'setup' THEN 3
-      WHEN status IN ('proving', 'open', 'waiting') THEN 2
+      WHEN status IN ('proving', 'open', 'waiting', 'blind') THEN 2
       WHEN status = 'ok' THEN 1
       ELSE 0
     END AS urgency,
@@ -339,6 +334,7 @@ JOIN (
         WHEN judged_by = 'episode' AND raised IS NOT NULL THEN raised
         WHEN hi IS NULL THEN 'waiting'
         WHEN judged_by = 'indicator' AND hi > hi_limit THEN 'high'
+        WHEN verdict = 'blind' THEN 'blind'
         ELSE 'ok'
       END AS status,
       judged_by,
@@ -365,7 +361,7 @@ JOIN (
     FROM (
       SELECT
         CASE
-          WHEN verdict <> 'ready' OR has_limit = 0 THEN NULL
+          WHEN verdict NOT IN ('ready', 'blind') OR has_limit = 0 THEN NULL
           WHEN has_limit = 1 THEN 'episode'
           ELSE 'indicator'
         END AS judged_by,
@@ -393,13 +389,7 @@ JOIN (
         SELECT
           version.version_id AS version_id,
           learnt.verdict AS verdict,
-          CASE
-            WHEN learnt.verdict <> 'ready' OR learnt.floor IS NULL OR learnt.floor_max IS NULL THEN NULL
-            WHEN 2 * learnt.floor >= learnt.floor_max AND 2 * learnt.floor >= version.target_floor
-              THEN 2 * learnt.floor
-            WHEN learnt.floor_max >= version.target_floor THEN learnt.floor_max
-            ELSE version.target_floor
-          END AS hi_limit,
+          learnt.hi_limit AS hi_limit,
           CASE
             WHEN learnt.verdict = 'no_data' THEN 'no calibration'
             WHEN learnt.verdict = 'constant' THEN 'constant in calibration'
@@ -432,7 +422,7 @@ JOIN (
           CASE WHEN raised.hit = 1 THEN raised.onset_time END AS raised_tick,
           CASE WHEN raised.hit = 1 THEN raised.onset_time - raised.judgement_length END AS window_before_tick
         FROM stored_version AS version
-        JOIN stored_bounds AS learnt ON learnt.support_id = version.support_id
+        JOIN stored_certified AS learnt ON learnt.version_id = version.version_id
         LEFT JOIN (
           SELECT own.version_id AS version_id, own.reason AS reason, 1 AS hit
           FROM stored_limit AS own
@@ -670,6 +660,17 @@ COMMENT ON COLUMN stored_fleet.finest_bins
   IS 'Finest grid that the calibration is enough for; NULL if none of the ladder is';
 COMMENT ON COLUMN stored_fleet.vectors_needed
   IS 'About how many more vectors calibration needs; NULL if that cannot be told';
+COMMENT ON COLUMN stored_fleet.sees
+  IS 'Smallest shift that its indicator would show both ways, in percent of the usual width, if the machine works as in calibration; NULL if none of 1 to 50 %';
+COMMENT ON COLUMN stored_fleet.sees_half_stroke
+  IS '1 if its indicator would show a stroke half as long, 0 if not; NULL if that could not be tried';
+COMMENT ON COLUMN stored_fleet.sees_frozen IS 'The same of a sensor that gives one value only';
+COMMENT ON COLUMN stored_fleet.sees_faster IS 'The same of a machine 1.5 times as fast';
+COMMENT ON COLUMN stored_fleet.sees_slower IS 'The same of a machine at two thirds of its speed';
+COMMENT ON COLUMN stored_fleet.would_not_see
+  IS 'What of a frozen sensor, half a stroke and another speed its indicator would not show, in words; NULL if nothing is known not to';
+COMMENT ON COLUMN stored_fleet.blind_reason
+  IS 'Why no shift would be seen: range, blocks, cells or delay (docs/sight.md); NULL where the verdict is not blind';
 COMMENT ON COLUMN stored_fleet.m IS 'Embedding dimension';
 COMMENT ON COLUMN stored_fleet.tau IS 'Delay, in samples';
 COMMENT ON COLUMN stored_fleet.bins IS 'Bins per axis';
@@ -679,13 +680,13 @@ COMMENT ON COLUMN stored_fleet.method_hash IS 'Hash of the SQL that learnt it';
 COMMENT ON COLUMN stored_fleet.limit_reason
   IS 'Why nothing judges it, in words: calibration is none, constant, too short, too short for its grid or unrepresentative';
 COMMENT ON COLUMN stored_fleet.status
-  IS 'proving, open: its episode; high: hi above hi_limit; setup: calibration not good enough; waiting: no full window yet; standing; ok; not assessed';
+  IS 'proving, open: its episode; high: hi above hi_limit; setup: calibration not good enough; waiting: no full window yet; blind: below its limit, but it would not show a shift; standing; ok; not assessed';
 COMMENT ON COLUMN stored_fleet.urgency
-  IS 'The larger, the sooner to be looked at: 6 proving, 5 open, 4 high, 3 setup, 2 waiting or an episode put aside, 1 ok, 0 not assessed';
+  IS 'The larger, the sooner to be looked at: 6 proving, 5 open, 4 high, 3 setup, 2 waiting, blind or an episode put aside, 1 ok, 0 not assessed';
 COMMENT ON COLUMN stored_fleet.needs_attention
   IS '1 if somebody should look at it (high, setup, or an episode that is not put aside), else 0';
 COMMENT ON COLUMN stored_fleet.is_above
-  IS '1 if it is above its limit (proving, open, high), 0 if not (ok); NULL where nothing can be judged';
+  IS '1 if it is above its limit (proving, open, high), 0 if not (ok); NULL where nothing can be judged, or nothing would be seen';
 COMMENT ON COLUMN stored_fleet.judged_by
   IS 'episode: its calibration gave a limit of judgements; indicator: only hi_limit; NULL: nothing does';
 COMMENT ON COLUMN stored_fleet.episode_id IS 'Its episode: the open one, else the newest that asks; NULL if there is none';

@@ -18,7 +18,7 @@ from gam_db.cli.progress import working
 from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, printable, wrong
-from gam_db.findings import Row, dropped, lack_data, need_attention, share, shortcomings
+from gam_db.findings import Row, dropped, is_blind, lack_data, need_attention, share, shortcomings, sight
 from gam_db.reading.guess import SourceSettings, folder_or_table
 from gam_db.settings.source import AnySource, WideSource, is_file, shown_relation, slashed
 from gam_db.stored.monitor import Monitor
@@ -35,8 +35,9 @@ def calibrate(
 
     A channel gets a new version if it has none with these settings; nothing is forgotten. Which source
     is watched is kept, so later calls, and `gam score`, need no SOURCE. State tables are made where
-    there are none. Exit code 2: a new version is not good enough to be watched (too_fine, needs_data).
-    Where none is, exit code 4: one has no usable reading in calibration, or none can be judged.
+    there are none. Exit code 2: a new version is not good enough to be watched (too_fine, needs_data),
+    or would show no shift of its machine (blind). Where none is, exit code 4: one has no usable reading
+    in calibration, or none can be judged.
     """
     tables, relation = settings.monitor.tables, settings.source.relation
     is_folder = isinstance(relation, str) and Path(relation).is_dir()
@@ -53,7 +54,8 @@ def calibrate(
             with Monitor(session, *asked, **vars(settings.monitor)) as monitor:
                 applied = monitor.migrate() if is_new else []
                 rows = monitor.calibrate(again, on_step=on_step).to_pylist()
-    urgent, lacking = need_attention(rows), bool(rows) and lack_data(rows)
+    urgent = need_attention(rows) or any(map(is_blind, rows))
+    lacking = bool(rows) and lack_data(rows)
 
     def show(out: page.Out) -> None:
         if applied:
@@ -142,6 +144,11 @@ def _absolute(relation: str | tuple[str, ...]) -> str | tuple[str, ...]:
     return slashed(os.path.abspath(relation), relation)
 
 
+def _is_poor(row: Row) -> bool:
+    """Tell whether a calibration is not good enough to be watched, or blind."""
+    return row["status"] == "setup" or is_blind(row)
+
+
 def _show(out: page.Out, where: str, job: Job, rows: Sequence[Row], everything: bool) -> None:
     if not rows:
         done = "every channel has a version with these settings; --again learns them anew"
@@ -151,7 +158,7 @@ def _show(out: page.Out, where: str, job: Job, rows: Sequence[Row], everything: 
     page.say(out, f"{where}, from {printable(job.name)}: {versions}{job.settings}")
     page.say(out, *job.lines())
     out.print()
-    ordered = sorted(rows, key=lambda row: row["status"] != "setup")
+    ordered = sorted(rows, key=lambda row: not _is_poor(row))
     shown = ordered if everything else ordered[: options.SHOWN]
     name = page.name_in(shown)
     columns: dict[str, page.Cell] = {
@@ -159,13 +166,17 @@ def _show(out: page.Out, where: str, job: Job, rows: Sequence[Row], everything: 
         "version": lambda row: str(row["version_no"]),
         "reason": "reason",
         "verdict": "verdict",
+        "sees": page.sees,
         "floor": lambda row: share(row["floor"]),
         "vectors": "vectors",
         "cells": "cells",
     }
-    left, spare = ("reason", "verdict"), ("cells", "vectors")
-    page.table(out, shown, columns, lambda row: "?" if row["status"] == "setup" else " ", left, spare)
-    told = ((name(row), shortcomings(row, (row["m"] - 1) * row["tau"]) + dropped(row)) for row in shown)
+    left, spare = ("reason", "verdict"), ("cells", "vectors", "sees")
+    page.table(out, shown, columns, lambda row: "?" if _is_poor(row) else " ", left, spare)
+    told = (
+        (name(row), [*shortcomings(row, (row["m"] - 1) * row["tau"]), *sight(row), *dropped(row)])
+        for row in shown
+    )
     page.remarks(out, told, everything)
     page.cut(out, ordered, everything, page.verdicts)
     out.print()
@@ -175,7 +186,7 @@ def _show(out: page.Out, where: str, job: Job, rows: Sequence[Row], everything: 
         machines = page.some(sorted({printable(row["asset"]) for row in less}), 3)
         page.say(out, f"left out of calibration, as true_fault or maintenance: {spans} of {machines}")
     page.say(out, *page.advice(rows))
-    if not need_attention(rows) and not lack_data(rows):
+    if not (need_attention(rows) or any(map(is_blind, rows)) or lack_data(rows)):
         page.say(out, "nothing needs attention")
     if any(row["verdict"] != "no_data" for row in rows):
         page.say(out, "gam score now brings the health indicator up to date")

@@ -27,7 +27,7 @@ from gam_db.clock import SINCE_1970, epoch_unit, shown_instant, zone
 from gam_db.engines.connecting import connect
 from gam_db.engines.duckdb.files import SOURCE_MARK
 from gam_db.errors import ConfigurationError, printable, wrong
-from gam_db.findings import Row, findings, lack_data, need_attention
+from gam_db.findings import Row, findings, is_blind, lack_data, need_attention
 from gam_db.reading.ahead import ahead_sentences
 from gam_db.report import Wishes
 from gam_db.settings.source import FILE_ENDINGS, is_file, paths_of
@@ -58,10 +58,10 @@ def run(
     after calibration; or, where calibration gave no limit of judgements, if its indicator is above its
     limit, the largest of twice the floor, the highest block of calibration and --target-floor; or if its
     calibration is not good enough to be watched (too_fine, needs_data, or no fair sample of what
-    followed). Constant channels and channels without calibration never raise an alarm; where no channel
-    needs attention, exit code 4 says that one has no usable reading in calibration, or that none can be
-    judged. By another --estimator there is an indicator (written
-    to SOURCE.NAME.parquet) but no verdict.
+    followed); or if it would show no shift of its machine (blind). Constant channels and channels
+    without calibration never raise an alarm; where no channel needs attention, exit code 4 says that one
+    has no usable reading in calibration, or that none can be judged. By another --estimator there is an
+    indicator (written to SOURCE.NAME.parquet) but no verdict.
     """
     shown_in = zone(common.time_zone)
     others = None if estimator.lower() == DSE else _others(estimator)
@@ -86,7 +86,8 @@ def run(
             if others is None:
                 longest = park_after(settings.monitor.park_after, study.method.kind)
                 found = findings(study, settings.alarms, longest)
-                urgent, lacking = need_attention(found), lack_data(found)
+                urgent = need_attention(found) or any(map(is_blind, found))
+                lacking = lack_data(found)
                 told = {
                     "channels": [{**row, "course": page.thinned(row["course"])} for row in found],
                     "verdicts": Counter(row["verdict"] for row in found),
@@ -176,7 +177,7 @@ def show(
         for row in found
     ):
         page.say(out, f"{number_of(beyond, 'channel')} of {SENTENCES['beyond']}")
-    if not need_attention(found) and not lack_data(found):
+    if not (need_attention(found) or any(map(is_blind, found)) or lack_data(found)):
         page.say(out, "nothing needs attention")
     page.say(out, page.legend(found, everything))
 

@@ -227,6 +227,7 @@ def channels(
     columns: dict[str, Cell] = {
         "channel": name,
         "verdict": "verdict",
+        "sees": sees,
         **({"bins": lambda row: str(row["bins"])} if len({row["bins"] for row in rows}) > 1 else {}),
         "floor": lambda row: share(assessed(row, "floor")),
         "HI": lambda row: share(assessed(row, "hi")),
@@ -234,7 +235,7 @@ def channels(
         "HI, 0 to 1": lambda row: Course(() if assessed(row, "course") is None else row["course"]),
         **when("last", time, rows, zone),
     }
-    table(out, rows, columns, marked, ("verdict", "bins"))
+    table(out, rows, columns, marked, ("verdict", "bins"), ("sees",))
     known = [row for row in rows if row["course_from"] is not None and row["last_time"] is not None]
     if known:
         first, last = min(row["course_from"] for row in known), max(row["last_time"] for row in known)
@@ -253,7 +254,13 @@ def assessed(row: Row, name: str) -> Any:
 
 def marked(row: Row) -> str:
     """Return the mark of a channel, or of a machine, by its status."""
-    return MARKS.get(row["status"], " ")
+    mark = MARKS.get(row["status"], " ")
+    return "?" if mark in " ~" and row.get("verdict") == "blind" else mark
+
+
+def sees(row: Row) -> str | None:
+    """Return the smallest shift that a channel would show, in percent of its usual range."""
+    return None if row["sees"] is None else f"{row['sees']} %"
 
 
 def remarks(out: Console, said: Iterable[tuple[str, Iterable[str]]], everything: bool) -> None:

@@ -25,7 +25,7 @@ from gam_db.method.adding import OfSet, add
 from gam_db.method.calibration import add_calibration
 from gam_db.method.certificate import add_judgement
 from gam_db.method.judgement import add_judged, limit_slots
-from gam_db.method.probe import add_probe
+from gam_db.method.probe import add_certified, add_probe
 from gam_db.method.source import add_rules
 from gam_db.reading.ahead import latest_live
 from gam_db.settings.source import AnySource, under
@@ -182,7 +182,7 @@ def _calibration(of: Modelled) -> list[Model]:
     slots |= {"span": of.method.settings[0].reach, "long_ago": LONG_AGO}
     learning = _learning(of)
     placed = {"stored_channel": of.reference("channel"), "calibration": of.reference("calibration")}
-    verdicts = ["ready", "too_fine", "needs_data", "constant", "no_data"]
+    verdicts = ["ready", "blind", "too_fine", "needs_data", "constant", "no_data"]
     values = {"channel": {key: [said] for key, said in hashes.items()}, "bounds": {"verdict": verdicts}}
     config = {"materialized": "incremental", "incremental_strategy": "append"}
     config |= of.adapter.get("config", {})
@@ -227,7 +227,7 @@ def _learning(of: Modelled) -> Pipeline:
     add_calibration(one)
     add_judgement(one)
     add_probe(one)
-    add(steps, "certificate/verdicts")
+    add_certified(steps)
     return steps
 
 

@@ -14,11 +14,18 @@ from gam_db.method.resolved import Method
 
 def limit_slots(target_floor: exp.Expr) -> dict[str, template.Slot]:
     """Return the slots ``:hi_limit`` and ``:limit_reason``, over the verdict and floors of *learnt*."""
-    said = {name: exp.column(name, table="learnt") for name in ("verdict", "floor", "floor_max")}
+    verdict = exp.column("verdict", table="learnt")
+    limit = limit_of(target_floor)
     return {
-        "hi_limit": template.fill("judgement/hi_limit", {**said, "target_floor": target_floor}),
-        "limit_reason": template.fill("judgement/limit_reason", {"verdict": said["verdict"]}),
+        "hi_limit": template.fill("judgement/hi_limit", {"verdict": verdict, "limit": limit}),
+        "limit_reason": template.fill("judgement/limit_reason", {"verdict": verdict}),
     }
+
+
+def limit_of(target_floor: exp.Expr) -> exp.Expr:
+    """Return the limit of the health indicator over the floors of *learnt*, whatever its verdict."""
+    floors = {name: exp.column(name, table="learnt") for name in ("floor", "floor_max")}
+    return template.fill("judgement/limit", {**floors, "target_floor": target_floor})
 
 
 #: What a channel is judged by beside its verdict, where it is known.

@@ -11,7 +11,7 @@ from gam_db.method.census import FLOWING, OPENING, Slicing, add_census, add_cens
 from gam_db.method.certificate import add_judgement, add_missing_vectors
 from gam_db.method.delays import INCOMPLETE, Ways
 from gam_db.method.judgement import add_stillness, limit_slots
-from gam_db.method.probe import add_probe
+from gam_db.method.probe import add_certified, add_probe
 from gam_db.method.resolved import Method
 from gam_db.method.scoring import (
     add_placed,
@@ -26,7 +26,7 @@ _JOINED_HEALTH = ("window_counts",)
 _JOINED_BUCKETS = ("bucket_counts", "novel_cells")
 _JOINED_CERTIFICATE = (
     *("bounds", "run_up", "cells", "blocks", "ladder", "learning", "spread", "finest", "outlook"),
-    *("missing_vectors", "usual", "probe"),
+    *("missing_vectors", "probe", "sight"),
 )
 
 
@@ -127,7 +127,7 @@ def _add_readings(steps: Pipeline, readings: exp.Query) -> None:
 def _add_summaries(steps: Pipeline, instant_of: TimeNode) -> None:
     edges = {name: instant_of(_counted(name)) for name in ("first_time", "last_time")}
     add(steps, "health/bucket_health", edges)
-    add(steps, "certificate/verdicts")
+    add_certified(steps)
     target = exp.column("target_floor", table="scale")
     add(steps, "judgement/limited", limit_slots(target))
     add(steps, "judgement/assessed")

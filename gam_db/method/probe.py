@@ -6,7 +6,9 @@ from typing import Any, NamedTuple
 from sqlglot import exp
 
 from gam_db.composing import template
-from gam_db.method.adding import OfSet, add_stacked
+from gam_db.composing.pipeline import Pipeline
+from gam_db.method.adding import OfSet, add, add_stacked
+from gam_db.method.judgement import limit_of
 from gam_db.method.slots import code_in
 from gam_db.method.vectors import add_earlier
 from gam_db.settings.parameters import Parameters
@@ -24,13 +26,14 @@ class Change(NamedTuple):
 
     name: str
     pace: int = 0
+    rung: int | None = None
     shift: float | None = None
     stroke: float | None = None
 
 
 CHANGES = (
     *(
-        Change(f"shift {sign}{part} %", shift=float(f"{sign}{part}") / 100.0)
+        Change(f"shift {sign}{part} %", rung=part, shift=float(f"{sign}{part}") / 100.0)
         for part in SHIFTS
         for sign in "+-"
     ),
@@ -80,6 +83,14 @@ def add_probe(one: OfSet, samples: str = "samples") -> None:
     }
     one.add("probe/changed", slots)
     one.add("probe/probe")
+    one.add("probe/sight", {"hi_limit": limit_of(exp.Literal.number(float(setting.target_floor)))})
+
+
+def add_certified(steps: Pipeline) -> None:
+    """Add what calibration says of each channel of all sets, both sides of it: *certified*."""
+    add(steps, "certificate/verdicts")
+    words = {name: template.fill(f"probe/{name}") for name in ("would_not_see", "blind_reason")}
+    add(steps, "certificate/certified", words)
 
 
 def _sample(setting: Parameters, k: int, delays: Mapping[int, Sequence[int]]) -> exp.Expr:

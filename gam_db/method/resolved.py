@@ -20,7 +20,7 @@ SMALL_OF_SET = frozenset(
         *("bounds", "support", "support_bits", "visits", "block_sizes", "cells", "blocks"),
         *("cell_shares", "learning", "levels", "ladder", "spread", "finest", "outlook"),
         *("missing_vectors", "run_up", "visited", "tallied", "buckets"),
-        *("taught_before", "picked", "probed", "usual", "probe"),
+        *("taught_before", "picked", "probed", "usual", "probe", "sight"),
         *(f"range_{number}" for number in range(5)),
         *(f"range_counts_{number}" for number in range(1, 5)),
     )

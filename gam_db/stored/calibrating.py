@@ -69,11 +69,13 @@ def calibrate(
     Returns:
         One row per new version, ordered: asset, channel, version_no, reason, m, tau, bins,
         calibrated_lo, calibrated_hi, dropped_below, dropped_above (calibration samples that were left
-        out of that range), lowest_dropped, highest_dropped (those farthest from it), verdict,
-        floor, floor_sd, floor_max, vectors (of calibration),
-        cells, blocks, finest_bins, vectors_needed, hi_limit, limit_reason, status (setup, waiting or not
-        assessed, since nothing is scored yet), needs_attention, left_out (how many intervals were taken
-        out beside what the user gave).
+        out of that range), lowest_dropped, highest_dropped (those farthest from it),
+        usual_low, usual_middle, usual_high (one in twenty values lies below, the middle one, one in
+        twenty above), verdict, sees, sees_half_stroke, sees_frozen, sees_faster, sees_slower,
+        would_not_see, blind_reason (as :func:`gam_db.support`), floor, floor_sd, floor_max, vectors (of
+        calibration), cells, blocks, finest_bins, vectors_needed, hi_limit, limit_reason, status (setup,
+        waiting or not assessed, since nothing is scored yet), needs_attention, left_out (how many
+        intervals were taken out beside what the user gave).
 
     Raises:
         UserError: the source or the calibration cannot be used, or the monitor watches a source that
@@ -332,8 +334,10 @@ _RESULT = columns(
     (COUNT, "m tau bins"),
     (SHARE, "calibrated_lo calibrated_hi"),
     (COUNT, "dropped_below dropped_above"),
-    (SHARE, "lowest_dropped highest_dropped"),
+    (SHARE, "lowest_dropped highest_dropped usual_low usual_middle usual_high"),
     (WORD, "verdict"),
+    (COUNT, "sees sees_half_stroke sees_frozen sees_faster sees_slower"),
+    (WORD, "would_not_see blind_reason"),
     (SHARE, "floor floor_sd floor_max"),
     (COUNT, "vectors cells blocks finest_bins vectors_needed"),
     (SHARE, "hi_limit"),

@@ -69,12 +69,19 @@ def status(
     * ``asset``, ``channel``, ``version``: its names, and which calibration it is (1, 2, ...)
     * ``status``: proving or open (as its episode is), high (judged by its indicator, which is above
       ``hi_limit``), setup (the calibration is not good enough to be watched, or unrepresentative),
-      waiting (less than a window is scored), ok, standing (it would be one of these two, and the signal
-      stands still) or not assessed (constant in calibration, or without one: never an alarm);
+      waiting (less than a window is scored), blind (below its limit, but no shift of its machine would
+      show), ok, standing (it would be one of these three, and the signal stands still) or not assessed
+      (constant in calibration, or without one: never an alarm);
       ``needs_attention``: high, setup, or an episode of it asks for it
-    * ``verdict``, ``floor``: of the certificate; ``hi_limit``, NULL where the verdict is not ready;
+    * ``verdict``, ``floor``: of the certificate; ``hi_limit``, NULL where the verdict is neither ready
+      nor blind;
       ``limit_reason``: why nothing judges the channel
     * ``hi``: the latest health indicator, ``novel_in_window`` / ``window``; NULL before a full window
+    * ``sees``: the smallest shift, in percent of its usual range, that its indicator would show both
+      ways, if the machine works as in calibration; ``sees_half_stroke``, ``sees_frozen``,
+      ``sees_faster`` (3/2), ``sees_slower`` (2/3): 1, 0, or NULL where it could not be tried;
+      ``would_not_see``: what of these it would not, in words; ``blind_reason``: range, blocks, cells or
+      delay where the verdict is blind
     * ``bins``: per axis of its grid, as found where they were left to be
     * ``trend``: ``hi`` less the one a window earlier, (``novel_in_window`` - ``novel_window_before``) /
       ``window``, so that no vector is in both; NULL until two windows are scored
@@ -296,6 +303,8 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
         (WORD, "asset channel"),
         *((COUNT, "version"), (WORD, "status"), (TRUTH, "needs_attention watched"), (WORD, "verdict")),
         *((SHARE, "floor hi_limit"), (WORD, "limit_reason"), (SHARE, "hi trend")),
+        (COUNT, "sees sees_half_stroke sees_frozen sees_faster sees_slower"),
+        (WORD, "would_not_see blind_reason"),
         (COUNT, "novel_in_window novel_window_before window bins"),
         *((pa.list_(SHARE), "course"), (time, "course_from"), (COUNT, "scored")),
         *((time, "last_time last_data"), (TRUTH, "silent"), (time, "still_since")),

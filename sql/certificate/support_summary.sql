@@ -31,6 +31,16 @@ SELECT
   learnt.blocks AS blocks,
   learnt.finest_bins AS finest_bins,
   learnt.vectors_needed AS vectors_needed,
+  learnt.usual_low AS usual_low,
+  learnt.usual_middle AS usual_middle,
+  learnt.usual_high AS usual_high,
+  learnt.sees AS sees,
+  learnt.sees_half_stroke AS sees_half_stroke,
+  learnt.sees_frozen AS sees_frozen,
+  learnt.sees_faster AS sees_faster,
+  learnt.sees_slower AS sees_slower,
+  learnt.would_not_see AS would_not_see,
+  learnt.blind_reason AS blind_reason,
   learnt.hi_limit AS hi_limit,
   learnt.limit_reason AS limit_reason
 FROM channels AS named

@@ -35,7 +35,14 @@ SELECT
   learnt.calibrated_lo AS calibrated_lo,
   learnt.calibrated_hi AS calibrated_hi,
   learnt.finest_bins AS finest_bins,
-  learnt.vectors_needed AS vectors_needed
+  learnt.vectors_needed AS vectors_needed,
+  learnt.sees AS sees,
+  learnt.sees_half_stroke AS sees_half_stroke,
+  learnt.sees_frozen AS sees_frozen,
+  learnt.sees_faster AS sees_faster,
+  learnt.sees_slower AS sees_slower,
+  learnt.would_not_see AS would_not_see,
+  learnt.blind_reason AS blind_reason
 FROM stored_channel AS known
 JOIN stored_bounds AS learnt ON learnt.support_id = known.support_id
 JOIN judged AS made ON made.channel_id = known.channel_id

@@ -1,11 +1,5 @@
--- HI limit: the health indicator above which a channel is high: the largest of twice the floor, the highest
--- block of calibration and the target, so more than calibration ever showed and more than the user is willing
--- to call healthy. There is none where nothing can be judged: hi > hi_limit is then true of no channel.
--- Slots:  :verdict, :floor, :floor_max  of the certificate
---         :target_floor                 health indicator that a healthy machine may show
-CASE
-  WHEN :verdict <> 'ready' OR :floor IS NULL OR :floor_max IS NULL THEN NULL
-  WHEN 2 * :floor >= :floor_max AND 2 * :floor >= :target_floor THEN 2 * :floor
-  WHEN :floor_max >= :target_floor THEN :floor_max
-  ELSE :target_floor
-END
+-- HI limit: the health indicator above which a channel is high. There is none where nothing can be judged: hi > hi_limit
+-- is then true of no channel.
+-- Slots:  :verdict  of the certificate
+--         :limit    the expression of judgement/limit.sql
+CASE WHEN :verdict IN ('ready', 'blind') THEN :limit END

@@ -3,8 +3,8 @@
 -- A row:  one channel. judged_by: episode (its calibration gave a limit of judgements), indicator (it gave none; the
 --         indicator has hi_limit all the same), or NULL where nothing judges it. status: proving or open (as its episode
 --         is), high (judged by its indicator, which is above hi_limit), setup (its calibration is not good enough to be
---         watched, or no fair sample of what followed), waiting (less than a window is scored), ok, or not assessed
---         (constant in calibration, or none: no alarm, ever). is_above is 1 for proving, open and high, 0 for ok, NULL
+--         watched, or no fair sample of what followed), waiting (less than a window is scored), blind (below its limit, but
+--         calibration says that no shift would show), ok, or not assessed (constant in calibration, or none: no alarm, ever). is_above is 1 for proving, open and high, 0 for ok, NULL
 --         where nothing is judged. The larger urgency, the sooner; needs_attention is 1 for high and setup, and where an
 --         episode asks for it, else 0.
 -- Slots:  :columns    what is known of a channel, all of which goes on
@@ -19,7 +19,7 @@ SELECT
     WHEN :asks = 1 THEN 5
     WHEN status = 'high' THEN 4
     WHEN status = 'setup' THEN 3
-    WHEN status IN ('proving', 'open', 'waiting') THEN 2
+    WHEN status IN ('proving', 'open', 'waiting', 'blind') THEN 2
     WHEN status = 'ok' THEN 1
     ELSE 0
   END AS urgency,
@@ -35,6 +35,7 @@ FROM (
       WHEN judged_by = 'episode' AND :raised IS NOT NULL THEN :raised
       WHEN :hi IS NULL THEN 'waiting'
       WHEN judged_by = 'indicator' AND :hi > hi_limit THEN 'high'
+      WHEN verdict = 'blind' THEN 'blind'
       ELSE 'ok'
     END AS status,
     judged_by,
@@ -42,7 +43,7 @@ FROM (
   FROM (
     SELECT
       CASE
-        WHEN verdict <> 'ready' OR :has_limit = 0 THEN NULL
+        WHEN verdict NOT IN ('ready', 'blind') OR :has_limit = 0 THEN NULL
         WHEN :has_limit = 1 THEN 'episode'
         ELSE 'indicator'
       END AS judged_by,

@@ -23,7 +23,7 @@ from gam_db.method.calibration import add_learnable
 from gam_db.method.certificate import add_judgement
 from gam_db.method.delays import INCOMPLETE
 from gam_db.method.judgement import limit_slots
-from gam_db.method.probe import add_probe
+from gam_db.method.probe import add_certified, add_probe
 from gam_db.method.ranges import add_bounds
 from gam_db.method.resolved import SMALL_OF_SET
 from gam_db.method.scoring import (
@@ -280,7 +280,7 @@ def learning_steps(
     add_learnable(of_set)
     add_judgement(of_set)
     add_probe(of_set)
-    add(steps, "certificate/verdicts")
+    add_certified(steps)
     add(steps, "judgement/limited", limit_slots(exp.column("target_floor", table="scale")))
     add_counted(steps)
     add_spreads(steps, ())

@@ -23,7 +23,17 @@ TABLES = (
 #: Each after those that it reads.
 VIEWS = (
     *("finished_run", "visible_bucket", "visible_novel", "visible_judgement", "visible_episode"),
-    *("labelled_episode", "health", "stillness", "onset", "fleet", "machine", "trend", "unplaced_day"),
+    *(
+        "certified",
+        "labelled_episode",
+        "health",
+        "stillness",
+        "onset",
+        "fleet",
+        "machine",
+        "trend",
+        "unplaced_day",
+    ),
     *("cell", "quarantine", "growth", "alarm", "alarm_event", "alarm_band", "alarm_cell"),
 )
 

@@ -64,10 +64,19 @@ const side = outside => outside == null ? '' : outside > 0.9 ? 'outside the cali
 const sideShort = outside => outside == null ? '' : outside > 0.9 ? ', out of range' : outside > 0.1 ? ', partly out of range' : ', within range';
 export const since = (signal, as = when) => `${signal.atLeast ? 'at least since' : 'since'} ${as(signal.since)}`;
 
+/** What to do about a signal that would show no shift, by the reason. */
+const BLIND = {
+  range: 'most readings lie in a small part of its range: take values that are none out by --null, or their time by --exclude',
+  blocks: 'parts of its calibration differ from each other: calibrate longer, or take a window of whole cycles',
+  cells: 'its grid tells too little: take --bins auto',
+  delay: 'the samples of a vector are too alike: take --tau auto --bins auto',
+};
+
 /** Why a signal cannot be judged, and what to do; two short sentences. */
 export function unjudged(signal) {
-  if (signal.status === 'setup' && signal.verdict === 'ready') return ['its calibration was no fair sample of what followed', 'calibrate longer, or later'];
+  if (signal.status === 'setup' && (signal.verdict === 'ready' || signal.verdict === 'blind')) return ['its calibration was no fair sample of what followed', 'calibrate longer, or later'];
   if (signal.status === 'standing') return ['it stands still', 'it is judged again once it moves'];
+  if (signal.status === 'blind') return ['it would show no shift of its machine', BLIND[signal.blind]];
   switch (signal.verdict) {
     case 'constant': return ['it did not move while it was calibrated', 'it never raises an alarm; calibrate it over a time in which it moves'];
     case 'no_data': return ['no usable reading in calibration', 'look at the calibration interval and at missing values'];
@@ -80,17 +89,20 @@ export function unjudged(signal) {
 /** What a signal that is above its limit is judged by, in words. */
 export const judgedBy = signal => signal.by === 'episode' ? `episode ${signal.episode}${signal.status === 'proving' ? ', proving' : ''}` : 'by its indicator';
 
+/** What of a frozen sensor, half a stroke and another speed a signal would not show. */
+const unseen = signal => signal.unseen ? `; would not see ${signal.unseen}` : '';
+
 /** What is to be said of a signal in a line. */
 export function brief(signal) {
   const silent = signal.silent == null ? '' : ` · silent for ${lasting(signal.silent)}`;
   if (!signal.judged) return `not judged: ${unjudged(signal)[0]}${silent}`;
   if (signal.above) return `${since(signal, shortly)}${sideShort(signal.outside)}, ${judgedBy(signal)}${silent}`;
-  return (signal.over ? 'indicator above its limit, no episode so far' : signal.rising ? 'below its limit, and rising' : 'as in calibration') + silent;
+  return (signal.over ? 'indicator above its limit, no episode so far' : signal.rising ? 'below its limit, and rising' : `as in calibration${unseen(signal)}`) + silent;
 }
 
 export function sentence(signal) {
   if (!signal.judged) { const [why, what] = unjudged(signal); return `${why}; ${what}.`; }
   if (signal.above) return `goes where it never went in health ${since(signal)}, and is above its limit (${judgedBy(signal)}); its new states lie ${side(signal.outside) || 'in range'}.`;
   if (signal.over) return 'its indicator is above its limit, and no episode opened so far.';
-  return signal.rising ? 'below its limit, and rising.' : 'moves as it did in calibration.';
+  return signal.rising ? 'below its limit, and rising.' : `moves as it did in calibration${unseen(signal)}.`;
 }

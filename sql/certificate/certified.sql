@@ -1,0 +1,72 @@
+-- Certified: what calibration says of each channel, both sides of it: would a healthy machine stay below the limit, and
+-- would a change be seen? A channel that would be ready and sees no shift is blind.
+-- Reads:  bounds, verdicts, sight
+-- A row:  one channel; sees is the smallest shift seen both ways, in percent of the usual width. All that speaks of
+--         changes is NULL where none could be tried.
+-- Slots:  :would_not_see  the expression of probe/would_not_see.sql
+--         :blind_reason   that of probe/blind_reason.sql
+SELECT
+  channel_id,
+  CASE WHEN blind_reason IS NULL THEN verdict ELSE 'blind' END AS verdict,
+  vectors,
+  cells,
+  seen_once,
+  blocks,
+  floor,
+  floor_sd,
+  floor_max,
+  finest_bins,
+  vectors_needed,
+  usual_low,
+  usual_middle,
+  usual_high,
+  sees,
+  sees_half_stroke,
+  sees_frozen,
+  sees_faster,
+  sees_slower,
+  would_not_see,
+  blind_reason
+FROM (
+  SELECT
+    learnt.channel_id AS channel_id,
+    learnt.verdict AS verdict,
+    learnt.vectors AS vectors,
+    learnt.cells AS cells,
+    learnt.seen_once AS seen_once,
+    learnt.blocks AS blocks,
+    learnt.floor AS floor,
+    learnt.floor_sd AS floor_sd,
+    learnt.floor_max AS floor_max,
+    learnt.finest_bins AS finest_bins,
+    learnt.vectors_needed AS vectors_needed,
+    CASE WHEN shown.hit = 1 THEN shown.usual_low END AS usual_low,
+    CASE WHEN shown.hit = 1 THEN shown.usual_middle END AS usual_middle,
+    CASE WHEN shown.hit = 1 THEN shown.usual_high END AS usual_high,
+    CASE WHEN shown.hit = 1 THEN shown.sees END AS sees,
+    CASE WHEN shown.hit = 1 THEN shown.sees_half_stroke END AS sees_half_stroke,
+    CASE WHEN shown.hit = 1 THEN shown.sees_frozen END AS sees_frozen,
+    CASE WHEN shown.hit = 1 THEN shown.sees_faster END AS sees_faster,
+    CASE WHEN shown.hit = 1 THEN shown.sees_slower END AS sees_slower,
+    CASE WHEN shown.hit = 1 THEN :would_not_see END AS would_not_see,
+    CASE WHEN learnt.verdict = 'ready' AND shown.hit = 1 AND shown.sees IS NULL THEN :blind_reason END
+      AS blind_reason
+  FROM verdicts AS learnt
+  JOIN bounds AS scale ON scale.channel_id = learnt.channel_id
+  LEFT JOIN (
+    SELECT
+      support_id,
+      usual_low,
+      usual_middle,
+      usual_high,
+      usual_width,
+      hi_limit,
+      sees,
+      sees_half_stroke,
+      sees_frozen,
+      sees_faster,
+      sees_slower,
+      1 AS hit
+    FROM sight
+  ) AS shown ON shown.support_id = scale.support_id
+) AS weighed
