@@ -33,6 +33,9 @@ FEWEST_BINS = 5
 
 _SHORTCOMINGS = data.table("gam_db", "findings.toml")
 
+#: Machines of a pool below which it is said how many vouch for one that taught nothing.
+FEW_MACHINES = 4
+
 #: The changes that a channel may show beside shifts, in words.
 _CHANGES = {
     "sees_half_stroke": "half a stroke",
@@ -261,6 +264,7 @@ def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
     if needed is not None:
         more = f"it takes about {needed:,} more vectors"
     words = {"run": span + 1, "bins": row["finest_bins"], "more": more}
+    words["teacher"] = row.get("only_teacher")
     if told == "blind_range":
         lo, hi = row["calibrated_lo"], row["calibrated_hi"]
         part = 100 * (row["usual_high"] - row["usual_low"]) / (hi - lo)
@@ -277,6 +281,8 @@ def sight(row: Row) -> list[str]:
     seen = [] if row["sees"] is None else [f"shifts of {row['sees']} % of its usual range"]
     seen += [words for name, words in _CHANGES.items() if row[name]]
     remarks = [f"sees {', '.join(seen)}"] if seen else []
+    if row["vouched_by"] is not None and 1 < row["vouched_by"] < FEW_MACHINES:
+        remarks.append(f"its floor is that of {row['vouched_by']} machines that taught its pool")
     if row["would_not_see"]:
         is_ok = "ok; " if row.get("status") == "ok" else ""
         remarks.append(f"{is_ok}would not see {row['would_not_see']}")

@@ -161,7 +161,14 @@ CREATE TABLE IF NOT EXISTS stored_bounds (
   sees_faster BIGINT,
   sees_slower BIGINT,
   would_not_see VARCHAR,
-  blind_reason VARCHAR
+  blind_reason VARCHAR,
+  teachers BIGINT,
+  only_teacher VARCHAR,
+  member_verdict VARCHAR,
+  member_floor DOUBLE,
+  member_floor_sd DOUBLE,
+  member_floor_max DOUBLE,
+  member_finest_bins BIGINT
 );
 
 COMMENT ON TABLE stored_bounds IS 'Range and certificate of a support; one row per support';
@@ -205,6 +212,18 @@ COMMENT ON COLUMN stored_bounds.would_not_see
   IS 'What of a frozen sensor, half a stroke and another speed its indicator would not show, in words; NULL if nothing is known not to';
 COMMENT ON COLUMN stored_bounds.blind_reason
   IS 'Why no shift would be seen: range, blocks, cells or delay (docs/sight.md); NULL where the verdict is not blind';
+COMMENT ON COLUMN stored_bounds.teachers
+  IS 'Machines of its pool that taught, where others taught nothing; NULL else';
+COMMENT ON COLUMN stored_bounds.only_teacher IS 'The machine, where it is one only';
+COMMENT ON COLUMN stored_bounds.member_verdict
+  IS 'Verdict of members that taught nothing, by leaving out one machine after another, or not_vouched; NULL where there are none';
+COMMENT ON COLUMN stored_bounds.member_floor
+  IS 'Health indicator to expect of them; NULL likewise, and where one machine taught';
+COMMENT ON COLUMN stored_bounds.member_floor_sd
+  IS 'Standard deviation of the machines around it; NULL likewise';
+COMMENT ON COLUMN stored_bounds.member_floor_max IS 'Highest of the machines; NULL likewise';
+COMMENT ON COLUMN stored_bounds.member_finest_bins
+  IS 'Finest bins that meet the target for them; NULL likewise, and if none do';
 
 -- Block: the two integers of the certificate for each block of calibration.
 CREATE TABLE IF NOT EXISTS stored_block (

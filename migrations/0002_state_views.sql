@@ -405,43 +405,84 @@ COMMENT ON COLUMN stored_labelled_episode.needs_attention
   IS '1 if somebody should look at it, as of the newest run; else 0';
 
 -- Certified: what calibration says of each version, both sides of it, with the limit of its health indicator
--- (judgement/hi_limit.sql).
+-- (judgement/hi_limit.sql). A member of a pool that taught nothing has the certificate of whole machines.
 CREATE OR REPLACE VIEW stored_certified AS
 SELECT
-  version.version_id AS version_id,
-  learnt.verdict AS verdict,
-  learnt.floor AS floor,
-  learnt.floor_sd AS floor_sd,
-  learnt.floor_max AS floor_max,
-  learnt.finest_bins AS finest_bins,
-  learnt.vectors_needed AS vectors_needed,
-  learnt.calibration_vectors AS calibration_vectors,
-  learnt.cells AS cells,
-  learnt.calibrated_lo AS calibrated_lo,
-  learnt.calibrated_hi AS calibrated_hi,
-  learnt.sees AS sees,
-  learnt.sees_half_stroke AS sees_half_stroke,
-  learnt.sees_frozen AS sees_frozen,
-  learnt.sees_faster AS sees_faster,
-  learnt.sees_slower AS sees_slower,
-  learnt.would_not_see AS would_not_see,
-  learnt.blind_reason AS blind_reason,
+  version_id,
+  verdict,
+  floor,
+  floor_sd,
+  floor_max,
+  finest_bins,
+  vectors_needed,
+  calibration_vectors,
+  cells,
+  calibrated_lo,
+  calibrated_hi,
+  sees,
+  sees_half_stroke,
+  sees_frozen,
+  sees_faster,
+  sees_slower,
+  would_not_see,
+  blind_reason,
+  vouched_by,
+  only_teacher,
   CASE
-    WHEN learnt.verdict IN ('ready', 'blind')
+    WHEN verdict IN ('ready', 'blind')
       THEN CASE
-        WHEN learnt.floor IS NULL OR learnt.floor_max IS NULL THEN NULL
-        WHEN 2 * learnt.floor >= learnt.floor_max AND 2 * learnt.floor >= version.target_floor
-          THEN 2 * learnt.floor
-        WHEN learnt.floor_max >= version.target_floor THEN learnt.floor_max
-        ELSE version.target_floor
+        WHEN floor IS NULL OR floor_max IS NULL THEN NULL
+        WHEN 2 * floor >= floor_max AND 2 * floor >= target_floor THEN 2 * floor
+        WHEN floor_max >= target_floor THEN floor_max
+        ELSE target_floor
       END
   END AS hi_limit
-FROM stored_version AS version
-JOIN stored_bounds AS learnt ON learnt.support_id = version.support_id;
+FROM (
+  SELECT
+    version.version_id AS version_id,
+    version.target_floor AS target_floor,
+    CASE WHEN others.hit = 1 THEN learnt.member_verdict ELSE learnt.verdict END AS verdict,
+    CASE WHEN others.hit = 1 THEN learnt.member_floor ELSE learnt.floor END AS floor,
+    CASE WHEN others.hit = 1 THEN learnt.member_floor_sd ELSE learnt.floor_sd END AS floor_sd,
+    CASE WHEN others.hit = 1 THEN learnt.member_floor_max ELSE learnt.floor_max END AS floor_max,
+    CASE WHEN others.hit = 1 THEN learnt.member_finest_bins ELSE learnt.finest_bins END AS finest_bins,
+    CASE
+      WHEN others.hit = 1 AND learnt.member_verdict <> 'ready' AND learnt.member_verdict <> 'blind' THEN NULL
+      WHEN others.hit = 1 THEN 0
+      ELSE learnt.vectors_needed
+    END AS vectors_needed,
+    learnt.calibration_vectors AS calibration_vectors,
+    learnt.cells AS cells,
+    learnt.calibrated_lo AS calibrated_lo,
+    learnt.calibrated_hi AS calibrated_hi,
+    learnt.sees AS sees,
+    learnt.sees_half_stroke AS sees_half_stroke,
+    learnt.sees_frozen AS sees_frozen,
+    learnt.sees_faster AS sees_faster,
+    learnt.sees_slower AS sees_slower,
+    learnt.would_not_see AS would_not_see,
+    learnt.blind_reason AS blind_reason,
+    CASE WHEN others.hit = 1 THEN learnt.teachers END AS vouched_by,
+    CASE WHEN others.hit = 1 THEN learnt.only_teacher END AS only_teacher
+  FROM stored_version AS version
+  JOIN stored_bounds AS learnt ON learnt.support_id = version.support_id
+  LEFT JOIN (
+    SELECT member.version_id AS version_id, 1 AS hit
+    FROM stored_version AS member
+    JOIN stored_bounds AS pool ON pool.support_id = member.support_id
+    LEFT JOIN (
+      SELECT support_id, channel_id, 1 AS hit
+      FROM stored_block
+      GROUP BY support_id, channel_id
+    ) AS taught ON taught.support_id = member.support_id AND taught.channel_id = member.channel_id
+    WHERE pool.member_verdict IS NOT NULL AND taught.hit IS NULL
+  ) AS others ON others.version_id = version.version_id
+) AS learnt;
 
 COMMENT ON VIEW stored_certified IS 'What calibration says of each version';
 COMMENT ON COLUMN stored_certified.version_id IS 'The version';
-COMMENT ON COLUMN stored_certified.verdict IS 'ready, blind, too_fine, needs_data, constant or no_data';
+COMMENT ON COLUMN stored_certified.verdict
+  IS 'ready, blind, too_fine, needs_data, not_vouched, constant or no_data';
 COMMENT ON COLUMN stored_certified.floor
   IS 'Health indicator to expect of healthy operation; NULL if there are too few blocks';
 COMMENT ON COLUMN stored_certified.floor_sd
@@ -465,5 +506,9 @@ COMMENT ON COLUMN stored_certified.would_not_see
   IS 'What of a frozen sensor, half a stroke and another speed its indicator would not show, in words; NULL if nothing is known not to';
 COMMENT ON COLUMN stored_certified.blind_reason
   IS 'Why no shift would be seen: range, blocks, cells or delay (docs/sight.md); NULL where the verdict is not blind';
+COMMENT ON COLUMN stored_certified.vouched_by
+  IS 'Machines of its pool that vouch for it, where it taught nothing; NULL else';
+COMMENT ON COLUMN stored_certified.only_teacher
+  IS 'The machine, where it is one only: then it is not vouched for';
 COMMENT ON COLUMN stored_certified.hi_limit
   IS 'Health indicator above which the channel is high; NULL where nothing is to be judged';

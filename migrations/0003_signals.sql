@@ -245,6 +245,8 @@ SELECT
   learnt.sees_slower AS sees_slower,
   learnt.would_not_see AS would_not_see,
   learnt.blind_reason AS blind_reason,
+  learnt.vouched_by AS vouched_by,
+  learnt.only_teacher AS only_teacher,
   version.m AS m,
   version.tau AS tau,
   version.bins AS bins,
@@ -361,7 +363,7 @@ JOIN (
     FROM (
       SELECT
         CASE
-          WHEN verdict NOT IN ('ready', 'blind') OR has_limit = 0 THEN NULL
+          WHEN verdict <> 'ready' AND verdict <> 'blind' OR has_limit = 0 THEN NULL
           WHEN has_limit = 1 THEN 'episode'
           ELSE 'indicator'
         END AS judged_by,
@@ -395,6 +397,7 @@ JOIN (
             WHEN learnt.verdict = 'constant' THEN 'constant in calibration'
             WHEN learnt.verdict = 'too_fine' THEN 'grid too fine for its calibration'
             WHEN learnt.verdict = 'needs_data' THEN 'calibration too short'
+            WHEN learnt.verdict = 'not_vouched' THEN 'only one machine of its pool taught'
           END AS limit_reason,
           CASE
             WHEN shown.hit = 1 AND shown.novel_in_window IS NOT NULL
@@ -671,6 +674,10 @@ COMMENT ON COLUMN stored_fleet.would_not_see
   IS 'What of a frozen sensor, half a stroke and another speed its indicator would not show, in words; NULL if nothing is known not to';
 COMMENT ON COLUMN stored_fleet.blind_reason
   IS 'Why no shift would be seen: range, blocks, cells or delay (docs/sight.md); NULL where the verdict is not blind';
+COMMENT ON COLUMN stored_fleet.vouched_by
+  IS 'Machines of its pool that vouch for it, where it taught nothing; NULL else';
+COMMENT ON COLUMN stored_fleet.only_teacher
+  IS 'The machine, where it is one only: then it is not vouched for';
 COMMENT ON COLUMN stored_fleet.m IS 'Embedding dimension';
 COMMENT ON COLUMN stored_fleet.tau IS 'Delay, in samples';
 COMMENT ON COLUMN stored_fleet.bins IS 'Bins per axis';

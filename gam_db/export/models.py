@@ -227,7 +227,7 @@ def _learning(of: Modelled) -> Pipeline:
     add_calibration(one)
     add_judgement(one)
     add_probe(one)
-    add_certified(steps)
+    add_certified(steps, bool(of.method.pools))
     return steps
 
 
@@ -288,8 +288,10 @@ def _scoring(of: Modelled, is_later: bool) -> Pipeline:
 
 
 def _views(of: Modelled) -> list[Model]:
-    placed = {f"stored_{name}": of.reference(name) for name in ("channel", "bounds", "bucket")}
+    names = ("channel", "bounds", "bucket", *["block"] * bool(of.method.pools))
+    placed = {f"stored_{name}": of.reference(name) for name in names}
     steps = Pipeline()
+    add(steps, f"export/{'vouched' if of.method.pools else 'certified'}", name="certified")
     limits = limit_slots(template.node_of(float(of.method.settings[0].target_floor)))
     add(steps, "export/assessed", {**limits, "stride": of.setting.stride})
     add_judged(steps)

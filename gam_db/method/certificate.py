@@ -1,5 +1,7 @@
 """What calibration says about itself, for one set (method, section 5)."""
 
+from collections.abc import Mapping
+
 from sqlglot import exp
 
 from gam_db.composing import template
@@ -65,3 +67,24 @@ def add_judgement(one: OfSet, by_halves: bool = False) -> None:
     one.add("certificate/spread")
     for name in ("finest", "outlook"):
         one.add(f"certificate/{name}")
+    if one.method.pools:
+        _add_members(one, slots)
+
+
+def _add_members(one: OfSet, slots: Mapping[str, template.Slot]) -> None:
+    """Add the certificate of whole machines of pools: as that of blocks, each member being one."""
+    one.add("certificate/member_sizes")
+    one.add("certificate/member_cells")
+    renamed = {
+        "block_sizes": "member_sizes",
+        "cells": "member_cells",
+        "blocks": "members",
+        "coarsened": "member_coarsened",
+        "ladder": "member_ladder",
+        "spread": "member_spread",
+    }
+    for file in ("blocks", "coarsened", "ladder", "spread", "finest"):
+        name = renamed.get(file, f"member_{file}")
+        one.add(f"certificate/{file}", slots if file == "coarsened" else None, name, renamed)
+    one.add("certificate/vouching")
+    one.add("certificate/pool_spread")

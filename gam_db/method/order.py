@@ -24,6 +24,7 @@ from gam_db.settings.source import TimeNode
 #: Steps whose sets are put under one another.
 _JOINED_HEALTH = ("window_counts",)
 _JOINED_BUCKETS = ("bucket_counts", "novel_cells")
+_JOINED_MEMBERS = ("member_sizes", "vouching")
 _JOINED_CERTIFICATE = (
     *("bounds", "run_up", "cells", "blocks", "ladder", "learning", "spread", "finest", "outlook"),
     *("missing_vectors", "probe", "sight"),
@@ -60,9 +61,9 @@ def pipeline(
         add_judgement(one)
         add_probe(one)
         add_missing_vectors(one, "samples")
-    join_sets(steps, method, (*_JOINED_HEALTH, *_JOINED_BUCKETS, *_JOINED_CERTIFICATE))
+    join_sets(steps, method, (*_JOINED_HEALTH, *_JOINED_BUCKETS, *_certificate(method)))
     add_stillness(steps, method, "moving_codes")
-    add_results(steps, instant_of)
+    add_results(steps, instant_of, bool(method.pools))
     return steps
 
 
@@ -104,30 +105,35 @@ def trusting_pipeline(
     for number in range(len(method.settings)):
         one = OfSet(steps, method, number)
         add_census_set(one, bits, ways)
-    join_sets(steps, method, (*_JOINED_BUCKETS, *_JOINED_CERTIFICATE))
+    join_sets(steps, method, (*_JOINED_BUCKETS, *_certificate(method)))
     add_stillness(steps, method, f"{INCOMPLETE}moving_codes")
     if ways.is_cut:
-        _add_summaries(steps, instant_of)
+        _add_summaries(steps, instant_of, bool(method.pools))
     else:
         join_sets(steps, method, _JOINED_HEALTH)
-        add_results(steps, instant_of)
+        add_results(steps, instant_of, bool(method.pools))
     return steps
 
 
-def add_results(steps: Pipeline, instant_of: TimeNode) -> None:
+def add_results(steps: Pipeline, instant_of: TimeNode, has_pools: bool) -> None:
     """Add the last steps: names and instants instead of integers, and the only divisions."""
     add(steps, "health/health_indicator", {"time": instant_of(_counted("time"))})
-    _add_summaries(steps, instant_of)
+    _add_summaries(steps, instant_of, has_pools)
+
+
+def _certificate(method: Method) -> tuple[str, ...]:
+    """Return the steps of the certificate of which the rows of all sets are read."""
+    return (*_JOINED_CERTIFICATE, *(_JOINED_MEMBERS if method.pools else ()))
 
 
 def _add_readings(steps: Pipeline, readings: exp.Query) -> None:
     steps.add("readings", readings, template.load("source/readings").comment)
 
 
-def _add_summaries(steps: Pipeline, instant_of: TimeNode) -> None:
+def _add_summaries(steps: Pipeline, instant_of: TimeNode, has_pools: bool) -> None:
     edges = {name: instant_of(_counted(name)) for name in ("first_time", "last_time")}
     add(steps, "health/bucket_health", edges)
-    add_certified(steps)
+    add_certified(steps, has_pools)
     target = exp.column("target_floor", table="scale")
     add(steps, "judgement/limited", limit_slots(target))
     add(steps, "judgement/assessed")

@@ -83,14 +83,24 @@ def add_probe(one: OfSet, samples: str = "samples") -> None:
     }
     one.add("probe/changed", slots)
     one.add("probe/probe")
-    one.add("probe/sight", {"hi_limit": limit_of(exp.Literal.number(float(setting.target_floor)))})
+    limit = limit_of(exp.column("target_floor", table="scale"))
+    tables = {"spread": "pool_spread"} if one.method.pools else {}
+    one.add("probe/sight", {"hi_limit": limit}, tables=tables)
 
 
-def add_certified(steps: Pipeline) -> None:
+def add_certified(steps: Pipeline, has_pools: bool) -> None:
     """Add what calibration says of each channel of all sets, both sides of it: *certified*."""
     add(steps, "certificate/verdicts")
-    words = {name: template.fill(f"probe/{name}") for name in ("would_not_see", "blind_reason")}
-    add(steps, "certificate/certified", words)
+    slots: dict[str, template.Slot] = {
+        name: template.fill(f"probe/{name}") for name in ("would_not_see", "blind_reason")
+    }
+    if has_pools:
+        add(steps, "certificate/vouched_verdicts")
+    slots["vouched"] = [
+        exp.alias_(exp.column(name, table="learnt") if has_pools else exp.cast(exp.null(), of), name)
+        for name, of in (("vouched_by", "BIGINT"), ("only_teacher", "VARCHAR"))
+    ]
+    add(steps, "certificate/certified", slots, tables={"verdicts": "vouched_verdicts"} if has_pools else {})
 
 
 def _sample(setting: Parameters, k: int, delays: Mapping[int, Sequence[int]]) -> exp.Expr:

@@ -21,6 +21,15 @@ SMALL_OF_SET = frozenset(
         *("cell_shares", "learning", "levels", "ladder", "spread", "finest", "outlook"),
         *("missing_vectors", "run_up", "visited", "tallied", "buckets"),
         *("taught_before", "picked", "probed", "usual", "probe", "sight"),
+        *(
+            "member_sizes",
+            "members",
+            "member_ladder",
+            "member_spread",
+            "member_finest",
+            "vouching",
+            "pool_spread",
+        ),
         *(f"range_{number}" for number in range(5)),
         *(f"range_counts_{number}" for number in range(1, 5)),
     )

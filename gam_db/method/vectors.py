@@ -126,13 +126,13 @@ def _earlier(
     over, values = dict[str, exp.Expr](), []
     for delay in delays:
         slots: dict[str, template.Slot] = {"column": value, "delay": delay * (rows or 1)}
-        over[f"x_{delay}"] = template.fill(path, slots)
+        over[f"value_{delay}"] = template.fill(path, slots)
         reached = template.fill("embedding/whole", {"span": delay})
         if has_gap:
             over[f"time_{delay}"] = _before("time", delay, rows)
             begun = exp.column(f"time_{delay}") >= exp.column("segment_from")
             reached = exp.and_(reached, begun)
-        there = exp.Case(ifs=[exp.If(this=reached, true=exp.column(f"x_{delay}"))])
+        there = exp.Case(ifs=[exp.If(this=reached, true=exp.column(f"value_{delay}"))])
         values.append(exp.alias_(there, f"x_{delay}"))
     return over, values
 

@@ -338,6 +338,8 @@ _RESULT = columns(
     (WORD, "verdict"),
     (COUNT, "sees sees_half_stroke sees_frozen sees_faster sees_slower"),
     (WORD, "would_not_see blind_reason"),
+    (COUNT, "vouched_by"),
+    (WORD, "only_teacher"),
     (SHARE, "floor floor_sd floor_max"),
     (COUNT, "vectors cells blocks finest_bins vectors_needed"),
     (SHARE, "hi_limit"),

@@ -305,6 +305,8 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
         *((SHARE, "floor hi_limit"), (WORD, "limit_reason"), (SHARE, "hi trend")),
         (COUNT, "sees sees_half_stroke sees_frozen sees_faster sees_slower"),
         (WORD, "would_not_see blind_reason"),
+        (COUNT, "vouched_by"),
+        (WORD, "only_teacher"),
         (COUNT, "novel_in_window novel_window_before window bins"),
         *((pa.list_(SHARE), "course"), (time, "course_from"), (COUNT, "scored")),
         *((time, "last_time last_data"), (TRUTH, "silent"), (time, "still_since")),

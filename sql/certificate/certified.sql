@@ -5,9 +5,10 @@
 --         changes is NULL where none could be tried.
 -- Slots:  :would_not_see  the expression of probe/would_not_see.sql
 --         :blind_reason   that of probe/blind_reason.sql
+--         :vouched        by how many machines of its pool it is vouched for, and by which alone; NULL without pools
 SELECT
   channel_id,
-  CASE WHEN blind_reason IS NULL THEN verdict ELSE 'blind' END AS verdict,
+  CASE WHEN blind_reason IS NULL THEN certificate ELSE 'blind' END AS verdict,
   vectors,
   cells,
   seen_once,
@@ -26,11 +27,13 @@ SELECT
   sees_faster,
   sees_slower,
   would_not_see,
-  blind_reason
+  blind_reason,
+  vouched_by,
+  only_teacher
 FROM (
   SELECT
     learnt.channel_id AS channel_id,
-    learnt.verdict AS verdict,
+    learnt.verdict AS certificate,
     learnt.vectors AS vectors,
     learnt.cells AS cells,
     learnt.seen_once AS seen_once,
@@ -50,7 +53,8 @@ FROM (
     CASE WHEN shown.hit = 1 THEN shown.sees_slower END AS sees_slower,
     CASE WHEN shown.hit = 1 THEN :would_not_see END AS would_not_see,
     CASE WHEN learnt.verdict = 'ready' AND shown.hit = 1 AND shown.sees IS NULL THEN :blind_reason END
-      AS blind_reason
+      AS blind_reason,
+    :vouched
   FROM verdicts AS learnt
   JOIN bounds AS scale ON scale.channel_id = learnt.channel_id
   LEFT JOIN (

@@ -1,5 +1,5 @@
 -- Assessed, dbt form: each channel with what it is judged by, and what its buckets say.
--- Reads:  stored_channel, stored_bounds, stored_bucket
+-- Reads:  stored_channel, certified, stored_bucket
 -- A row:  one channel; hi is NULL until a window is scored. since_tick is the end of the first bucket of the unbroken
 --         run above hi_limit that goes on, window_from_tick where the window of that bucket begins; NULL if below.
 -- Slots:  :hi_limit, :limit_reason  the expressions of judgement/hi_limit.sql and judgement/limit_reason.sql
@@ -27,7 +27,7 @@ SELECT
   CASE WHEN shown.hit = 1 THEN shown.since_tick END AS since_tick,
   CASE WHEN shown.hit = 1 THEN shown.window_from_tick END AS window_from_tick
 FROM stored_channel AS known
-JOIN stored_bounds AS learnt ON learnt.support_id = known.support_id
+JOIN certified AS learnt ON learnt.channel_id = known.channel_id
 LEFT JOIN (
   SELECT
     placed.channel_id AS channel_id,
@@ -84,7 +84,7 @@ LEFT JOIN (
         END AS is_above
       FROM stored_bucket AS full_bucket
       JOIN stored_channel AS known ON known.channel_id = full_bucket.channel_id
-      JOIN stored_bounds AS learnt ON learnt.support_id = known.support_id
+      JOIN certified AS learnt ON learnt.channel_id = known.channel_id
       WHERE full_bucket.last_time IS NOT NULL
     ) AS above
   ) AS placed

@@ -1,6 +1,6 @@
 -- Fleet: what is known of every channel now, one row each. There are no episodes here, so all are judged by their
 -- indicator: hi > hi_limit is true of the channels whose status is high, and of no other.
--- Reads:  stored_channel, stored_bounds, judged
+-- Reads:  stored_channel, certified, judged
 -- A row:  one channel.
 -- Slots:  :times   last_time and since_time as the source tells time; nothing where it counts
 --         :window  W, in vectors
@@ -42,7 +42,9 @@ SELECT
   learnt.sees_faster AS sees_faster,
   learnt.sees_slower AS sees_slower,
   learnt.would_not_see AS would_not_see,
-  learnt.blind_reason AS blind_reason
+  learnt.blind_reason AS blind_reason,
+  learnt.vouched_by AS vouched_by,
+  learnt.only_teacher AS only_teacher
 FROM stored_channel AS known
-JOIN stored_bounds AS learnt ON learnt.support_id = known.support_id
+JOIN certified AS learnt ON learnt.channel_id = known.channel_id
 JOIN judged AS made ON made.channel_id = known.channel_id

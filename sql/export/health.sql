@@ -1,6 +1,6 @@
 -- Health: the health indicator at the end of every full bucket, for whoever reads on. Filters on asset,
 -- channel, bucket and on the two ticks reach the stored rows.
--- Reads:  stored_channel, stored_bounds, stored_bucket
+-- Reads:  stored_channel, certified, stored_bucket
 -- A row:  one bucket; hi is NULL until a window is scored.
 -- Slots:  :times     first_time and last_time as the source tells time; nothing where it counts
 --         :hi_limit  the expression of judgement/hi_limit.sql
@@ -24,5 +24,5 @@ SELECT
   :hi_limit AS hi_limit
 FROM stored_bucket AS made
 JOIN stored_channel AS known ON known.channel_id = made.channel_id
-JOIN stored_bounds AS learnt ON learnt.support_id = known.support_id
+JOIN certified AS learnt ON learnt.channel_id = known.channel_id
 WHERE made.last_time IS NOT NULL

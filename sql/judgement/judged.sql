@@ -43,7 +43,7 @@ FROM (
   FROM (
     SELECT
       CASE
-        WHEN verdict NOT IN ('ready', 'blind') OR :has_limit = 0 THEN NULL
+        WHEN verdict <> 'ready' AND verdict <> 'blind' OR :has_limit = 0 THEN NULL
         WHEN :has_limit = 1 THEN 'episode'
         ELSE 'indicator'
       END AS judged_by,

@@ -5,4 +5,5 @@ CASE
   WHEN :verdict = 'constant' THEN 'constant in calibration'
   WHEN :verdict = 'too_fine' THEN 'grid too fine for its calibration'
   WHEN :verdict = 'needs_data' THEN 'calibration too short'
+  WHEN :verdict = 'not_vouched' THEN 'only one machine of its pool taught'
 END

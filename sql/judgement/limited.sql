@@ -24,6 +24,8 @@ SELECT
   learnt.sees_slower AS sees_slower,
   learnt.would_not_see AS would_not_see,
   learnt.blind_reason AS blind_reason,
+  learnt.vouched_by AS vouched_by,
+  learnt.only_teacher AS only_teacher,
   :hi_limit AS hi_limit,
   :limit_reason AS limit_reason
 FROM certified AS learnt

@@ -3,8 +3,8 @@
 -- Reads:  codes, picked
 -- A row:  one picked vector; a sample is NULL where there is no such.
 -- Slots:  :told     columns of codes that tell where a segment begins, where one may
---         :delayed  x_1, x_2, ... the values so many samples before, and other columns over the same order
---         :reached  the same by themselves, each where it counts
+--         :delayed  value_1, value_2, ... the values so many samples before, and other columns over the same order
+--         :reached  x_1, x_2, ... the same, each where it counts
 SELECT
   vector.support_id AS support_id,
   vector.number AS number,

@@ -1,6 +1,6 @@
 -- Sight: which changes of a machine its indicator would show: those that lift it above its limit, if the machine works as
 -- in calibration (both sides, sections 2 and 3).
--- Reads:  probe, changes, usual, spread
+-- Reads:  probe, changes, usual, spread, bounds
 -- A row:  one support. sees is the smallest shift seen both ways, in percent of the usual width, NULL where none is; the
 --         others are 1 or 0, and NULL where the change could not be tried.
 -- Slots:  :hi_limit  the expression of judgement/limit.sql
@@ -49,6 +49,7 @@ FROM (
     JOIN changes AS asked ON asked.change_no = tried.change_no
     JOIN usual AS middle ON middle.support_id = tried.support_id
     JOIN spread AS learnt ON learnt.support_id = tried.support_id
+    JOIN bounds AS scale ON scale.channel_id = tried.support_id
   ) AS changed
 ) AS shown
 GROUP BY support_id

@@ -1,6 +1,6 @@
 -- Probed, one channel: its picked vectors, each with the samples that it would hold if the machine were slower, faster or
 -- as it is; as probe/probed.sql. For DuckDB, by streams/vectors.sql. Proof: that of streams/visits.sql, of the same rows.
--- Reads:  streamed, the samples of the channel's calibration; block_sizes
+-- Reads:  streamed, block_sizes
 -- A row:  one picked vector; a sample is NULL where there is no such.
 -- Slots:  :counted  whether a sample ends a vector that counts
 --         :number   the number of the vector, from 1

@@ -10,6 +10,8 @@ import engines
 import gam_db
 import harness
 import probe_reference
+import reference
+from gam_db.findings import findings
 from gam_db.study import Study, naming
 from harness import Row
 from strategies import Case, cases
@@ -156,3 +158,78 @@ def test_it_is_kept_and_checked() -> None:
         connection.execute("UPDATE gam_probe SET novel = novel + 1 WHERE change_no = 4")
         (wrong,) = monitor.check_state().to_pylist()
         assert (wrong["part"], wrong["differing"]) == ("calibration", 1)
+
+
+def members(teaching: int) -> tuple[list[Row], Any, Any]:
+    """Return a pool of four machines, a little different from each other, of which so many taught."""
+    rows: list[Row] = [
+        (f"m{asset}", "x", i, stroke(i) + 25.0 * asset) for asset in range(4) for i in range(900)
+    ]
+    silent = {f"m{asset}": gam_db.Calibration(intervals=[(2000, 2001)]) for asset in range(teaching, 4)}
+    calibration = gam_db.Calibration(intervals=[(0, 599)], pool=[["m*"]], overrides=silent)
+    return rows, gam_db.Parameters(m=2, tau=3, bins=8, window=60, target_floor=0.2), calibration
+
+
+@pytest.mark.parametrize("teaching", [1, 2, 4])
+def test_members_that_taught_nothing(engine: str, teaching: int) -> None:
+    rows, *method = members(teaching)
+    session = engines.session(engine)
+    with session.lent(harness.arrow(rows)) as table:
+        found = gam_db.support(gam_db.Source(table.name), *method, session).to_pylist()
+    harness.assert_same(reference.support(rows, *method), found)
+    told = {row["asset"]: (row["vouched_by"], row["only_teacher"], row["hi_limit"]) for row in found}
+    assert told["m0"][:2] == (None, None)
+    if teaching == 1:
+        assert {told[f"m{asset}"] for asset in (1, 2, 3)} == {(1, "m0", None)}
+        assert {row["verdict"] for row in found[1:]} == {"not_vouched"}
+    elif teaching == 2:
+        assert {told[f"m{asset}"][:2] for asset in (2, 3)} == {(2, None)}
+        assert found[2]["floor"] > found[0]["floor"]
+
+
+@pytest.mark.parametrize("teaching", [1, 2])
+def test_the_state_keeps_what_others_say(teaching: int) -> None:
+    rows, *method = members(teaching)
+    expected = reference.support(rows, *method)
+    with duckdb.connect() as connection:
+        telemetry = harness.arrow(rows)  # noqa: F841
+        connection.execute("CREATE TABLE telemetry AS FROM telemetry")
+        monitor = gam_db.Monitor(connection, gam_db.Source("telemetry"), *method)
+        monitor.migrate()
+        monitor.calibrate()
+        names = "verdict, floor, floor_max, finest_bins, vectors_needed, hi_limit, vouched_by, sees"
+        kept = connection.execute(f"SELECT {names} FROM gam_fleet ORDER BY asset").fetchall()
+        assert kept == [
+            tuple(pytest.approx(row[name]) for name in names.split(", ")) for row in expected
+        ]
+        assert monitor.check_state().num_rows == 0
+
+
+def spiked(i: int) -> float:
+    """One reading of 9999 in calibration; later the machine goes from 50 to 110."""
+    return 9999.0 if i == 77 else 110.0 if i >= 6000 else 50.0 + stroke(i) / 80
+
+
+#: A machine that changes after 6,000 samples, by asset, and what of it may not be seen, in words.
+SITUATIONS: dict[str, tuple[Any, str]] = {
+    "one reading of 9999": (spiked, "nothing"),
+    "frozen": (lambda i: stroke(min(i, 6000)), "a frozen sensor"),
+    "30 % of its stroke": (lambda i: stroke(i) if i < 6000 else 118 + 0.3 * (stroke(i) - 118), "stroke"),
+    "another speed": (lambda i: stroke(i if i < 6000 else 2 * i), "speed"),
+}
+
+
+@pytest.mark.parametrize("settings", [{"tau": 1, "bins": "auto"}, {"tau": 1, "bins": 128}, {"tau": 11}])
+def test_a_fault_raises_its_machine_or_the_verdict_warns(settings: dict[str, Any]) -> None:
+    rows: list[Row] = [
+        (name, "x", i, value(i)) for name, (value, _) in SITUATIONS.items() for i in range(9000)
+    ]
+    method = harness.made({"m": 3, "bins": 32, "window": 500, **settings}, {"fraction": 2 / 3})
+    session = engines.session("duckdb")
+    with session.lent(harness.arrow(rows)) as table:
+        found = findings(Study(session, gam_db.Source(table.name), *method))
+    assert len(found) == len(SITUATIONS)
+    for row in found:
+        unseen = row["would_not_see"] or ""
+        warned = row["verdict"] == "blind" or SITUATIONS[row["asset"]][1] in unseen
+        assert row["is_above"] == 1 or warned, row

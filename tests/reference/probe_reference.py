@@ -3,11 +3,12 @@
 Built on :mod:`reference`, which finds the calibration vectors; it shares no code with the package.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from typing import Any
 
 import reference
-from reference import Channel, Pool, Row
 
 SHIFTS = [sign * part for part in (1, 2, 5, 10, 20, 50) for sign in (1, -1)]
 SPEEDS = [(3, 2), (2, 1), (2, 3)]
@@ -24,7 +25,7 @@ def usual(values: list[float]) -> tuple[float, float, float]:
     return ordered[(n + 19) // 20 - 1], ordered[(n + 1) // 2 - 1], ordered[n - n // 20 - 1]
 
 
-def found_at(channel: Channel, newest: int, delays: list[int]) -> list[float] | None:
+def found_at(channel: reference.Channel, newest: int, delays: list[int]) -> list[float] | None:
     """Return the values that a vector needs, the newest first; None where one cannot be had."""
     numbers = reference.segments(channel)
     known = reference.usable(channel, numbers)
@@ -41,24 +42,29 @@ def found_at(channel: Channel, newest: int, delays: list[int]) -> list[float] | 
     return values
 
 
-def probe(pool: Pool) -> list[dict[str, Any]]:
+def picked_of(pool: reference.Pool) -> list[tuple[int, reference.Channel, int]]:
+    """Return the vectors by which a support is probed: block in the pool, channel, newest sample."""
+    every = [(member, vector[0]) for member in pool.members for vector in member.learnt]
+    return [
+        (int(pool.blocks[number]), member, newest)
+        for number, (member, newest) in enumerate(every)
+        if is_picked(number, len(every))
+    ]
+
+
+def probe(pool: reference.Pool) -> list[dict[str, Any]]:
     """Return the 19 changes of a support with their two integers, in order; none without a vector."""
     settings, lo, hi = pool.settings, pool.lo, pool.hi
-    picked: list[tuple[int, Channel, int]] = []
-    every = [(member, vector[0]) for member in pool.members for vector in member.learnt]
-    for number, (member, newest) in enumerate(every):
-        if is_picked(number, len(every)):
-            picked.append((int(pool.blocks[number]), member, newest))
+    picked = picked_of(pool)
     if not picked or lo is None or hi is None:
         return []
     newest_values = [member.values[newest] or 0.0 for _, member, newest in picked]
     q05, q50, q95 = usual(newest_values)
     width = q95 - q05 or hi - lo
-    cells, blocks = reference.numbered(pool.grid), pool.blocks
+    blocks = pool.blocks
     visited: dict[tuple[int, ...], set[int]] = {}
     for vector, block in zip(pool.grid.tolist(), blocks.tolist(), strict=True):
         visited.setdefault(tuple(vector), set()).add(block)
-    assert len(cells) == len(every)
     tau, m = settings.tau, settings.m
     plain = [k * tau for k in range(m)]
     asked: list[tuple[str, list[int], Any]] = []
@@ -88,11 +94,51 @@ def probe(pool: Pool) -> list[dict[str, Any]]:
     return answer
 
 
-def probes(rows: Iterable[Row], parameters: Any, calibration: Any) -> list[dict[str, Any]]:
+def probes(rows: Iterable[reference.Row], parameters: Any, calibration: Any) -> list[dict[str, Any]]:
     """Return what is asked of each channel, which is asked of its support."""
     answer = []
     for channel, pool in reference.channels(rows, parameters, calibration):
         for row in probe(pool):
             own = {name: row[name] for name in ("change_name", "vectors", "novel")}
             answer.append({"asset": channel.asset, "channel": channel.name, **own})
+    return answer
+
+
+def sight(pool: reference.Pool, verdict: str, standard: dict[str, Any]) -> dict[str, Any]:
+    """Return which changes would be seen (section 3), and the verdict where none of the shifts is.
+
+    The verdict is that of the certificate; the standard is the one whose floors give the limit.
+    """
+    names = "usual_low usual_middle usual_high sees sees_half_stroke sees_frozen sees_faster sees_slower"
+    answer: dict[str, Any] = dict.fromkeys([*names.split(), "would_not_see", "blind_reason"])
+    rows = {row["change_name"]: row for row in probe(pool)}
+    if not rows or pool.lo is None or pool.hi is None:
+        return answer
+    low, middle, high = usual([member.values[newest] or 0.0 for _, member, newest in picked_of(pool)])
+    answer |= {"usual_low": low, "usual_middle": middle, "usual_high": high}
+    limit = max(2 * standard["floor"], standard["floor_max"], pool.settings.target_floor)
+    seen = {
+        name: int(row["novel"] > limit * row["vectors"]) if row["vectors"] else None
+        for name, row in rows.items()
+    }
+    rungs = [p for p in (1, 2, 5, 10, 20, 50) if seen[f"shift +{p} %"] and seen[f"shift -{p} %"]]
+    answer["sees"] = min(rungs, default=None)
+    for column, name in (
+        ("sees_half_stroke", "stroke 0.5"),
+        ("sees_frozen", "frozen"),
+        ("sees_faster", "speed 3/2"),
+        ("sees_slower", "speed 2/3"),
+    ):
+        answer[column] = seen[name]
+    words = [
+        *["a frozen sensor"] * (seen["frozen"] == 0),
+        *["half a stroke"] * (seen["stroke 0.5"] == 0),
+        *["another speed"] * (0 in (seen["speed 3/2"], seen["speed 2/3"])),
+    ]
+    answer["would_not_see"] = ", ".join(words) or None
+    if verdict == "ready" and not rungs:
+        width = high - low or pool.hi - pool.lo
+        reason = "blocks" if limit > 0.3 else "cells" if len(pool.keys) < 8 else "delay"
+        reason = "range" if pool.hi - pool.lo > 60 * width else reason
+        answer |= {"verdict": "blind", "blind_reason": reason}
     return answer

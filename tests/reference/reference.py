@@ -19,6 +19,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+import probe_reference
+
 Row = tuple[str, str, int, float | None]
 Answer = list[dict[str, Any]]
 Integers = NDArray[np.int64]
@@ -450,11 +452,39 @@ def judgement(pool: Pool) -> dict[str, Any]:
     }
 
 
+def of_machines(pool: Pool) -> dict[str, Any]:
+    """Both sides, section 6: the certificate that leaves out one machine after another."""
+    teachers = [member for member in pool.members if member.learnt]
+    owners = np.repeat(np.arange(len(teachers)), [len(member.learnt) for member in teachers])
+    said = judgement(replace(pool, blocks=owners))
+    said |= {"blocks": judgement(pool)["blocks"], "vouched_by": len(teachers)}
+    if said["verdict"] != "ready":
+        said["vectors_needed"] = None
+    if len(teachers) == 1:
+        nothing = dict.fromkeys(("floor", "floor_sd", "floor_max", "finest_bins", "vectors_needed"))
+        said |= nothing | {"only_teacher": teachers[0].asset}
+        if said["verdict"] != "constant":
+            said["verdict"] = "not_vouched"
+    return said
+
+
+def certified(channel: Channel, pool: Pool) -> dict[str, Any]:
+    """Section 5 and both sides, sections 3 and 6: the verdict with what the indicator would show."""
+    nobody = {"vouched_by": None, "only_teacher": None}
+    said = standard = judgement(pool) | nobody
+    if pool.keys and not all(member.learnt for member in pool.members):
+        others = nobody | of_machines(pool)
+        standard = said if others["vouched_by"] == 1 else others
+        said = said if channel.learnt else others
+    return said | probe_reference.sight(pool, said["verdict"], standard)
+
+
 NO_LIMIT = {
     "no_data": "no calibration",
     "constant": "constant in calibration",
     "too_fine": "grid too fine for its calibration",
     "needs_data": "calibration too short",
+    "not_vouched": "only one machine of its pool taught",
 }
 
 
@@ -497,7 +527,7 @@ def _support(pairs: Pairs) -> Answer:
             "missing_vectors": channel.missing_vectors,
             "conflicts": channel.conflicts,
         }
-        | (said := judgement(pool))
+        | (said := certified(channel, pool))
         | limit(said, pool.settings.target_floor)
         for channel, pool in pairs
     ]

@@ -126,9 +126,14 @@ class Again:
             for number, row in enumerate(group, start=1)
         ]
         setting, version = setting_of(group[0]), [row["version_id"] for row in group]
-        asked = (group[0]["target_floor"], group[0]["least_vectors"] or 1, bool(group[0]["is_robust"]))
+        has_pools = len(first) < len(group)
+        learning = (
+            group[0]["target_floor"],
+            group[0]["least_vectors"] or 1,
+            bool(group[0]["is_robust"]),
+        )
         ends = [row["calibration_end"] for row in group]
-        with self._running(learning_steps(setting, self.reader.kind, *asked)) as running:
+        with self._running(learning_steps(setting, self.reader.kind, *learning, has_pools)) as running:
             cohort = cohort_of(members, read_from=LONG_AGO, read_until=ends, first_bucket=0)
             running.load("cohort", cohort)
             running.placed["limits"] = running.placed["cohort"]

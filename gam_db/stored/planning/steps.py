@@ -262,7 +262,12 @@ def explaining_steps(setting: Setting, kind: TimeKind) -> Pipeline:
 
 @cache
 def learning_steps(
-    setting: Setting, kind: TimeKind, target_floor: float, least_vectors: int, is_robust: bool
+    setting: Setting,
+    kind: TimeKind,
+    target_floor: float,
+    least_vectors: int,
+    is_robust: bool,
+    has_pools: bool,
 ) -> Pipeline:
     """Return the steps from *identified* to what calibration appends, over intervals that are stored.
 
@@ -274,13 +279,13 @@ def learning_steps(
         add(steps, f"stored/scoring/{name}")
     rule = ROBUST if is_robust else MIN_MAX
     asked = {"target_floor": target_floor, "least_vectors": least_vectors, "range": rule}
-    of_set = _add_samples(steps, setting, kind, asked=asked)
+    of_set = _add_samples(steps, setting, kind, asked=asked, has_pools=has_pools)
     add(steps, "calibration/calibrated")
     add_bounds(of_set)
     add_learnable(of_set)
     add_judgement(of_set)
     add_probe(of_set)
-    add_certified(steps)
+    add_certified(steps, has_pools)
     add(steps, "judgement/limited", limit_slots(exp.column("target_floor", table="scale")))
     add_counted(steps)
     add_spreads(steps, ())
@@ -311,9 +316,10 @@ def _add_samples(
     trusting: bool = False,
     asked: Mapping[str, Any] | None = None,
     columns: Sequence[str] = (),
+    has_pools: bool = False,
 ) -> OfSet:
     """Add the steps from *identified* to the samples, and return the one set of the setting."""
-    of_set = OfSet(steps, method_of(setting, kind, asked, columns), 0)
+    of_set = OfSet(steps, method_of(setting, kind, asked, columns, has_pools), 0)
     if trusting:
         add(steps, "census/trusted_timeline", name="timeline")
         rows = union_of(steps, ["identified"], ("channel_id", "time", "value"))
@@ -367,8 +373,9 @@ def method_of(
     kind: TimeKind,
     asked: Mapping[str, Any] | None = None,
     columns: Sequence[str] = (),
+    has_pools: bool = False,
 ) -> Method:
-    """Return the method of a stored version; its calibration is in the tables.
+    """Return the method of a stored version; its calibration is in the tables, and so are its pools.
 
     What its certificate was asked for is not needed to score.
     """
@@ -381,4 +388,5 @@ def method_of(
     if setting.has_start:
         start = 0 if kind.is_counter else dt.date(1970, 1, 1)
     parameters = Parameters(**figures, **(asked or {}))
-    return Method(parameters, Calibration(score_from=start), kind, columns=tuple(columns))
+    calibration = Calibration(score_from=start, pool=[["*"]] if has_pools else None)
+    return Method(parameters, calibration, kind, columns=tuple(columns))

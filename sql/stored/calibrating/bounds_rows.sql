@@ -1,6 +1,6 @@
 -- Bounds rows: range and certificate of each new support; members of a pool share theirs.
 -- Reads:  bounds, certified, numbering
--- A row:  one support.
+-- A row:  one support; member_... is the certificate of members that taught nothing, NULL where there are none.
 SELECT
   numbered.stored_support_id AS support_id,
   scale.calibrated_lo AS calibrated_lo,
@@ -28,8 +28,36 @@ SELECT
   judged.sees_faster AS sees_faster,
   judged.sees_slower AS sees_slower,
   judged.would_not_see AS would_not_see,
-  judged.blind_reason AS blind_reason
-FROM bounds AS scale
-JOIN certified AS judged ON judged.channel_id = scale.channel_id
-JOIN numbering AS numbered ON numbered.channel_id = scale.channel_id
-WHERE scale.channel_id = scale.support_id
+  judged.blind_reason AS blind_reason,
+  CASE WHEN others.hit = 1 THEN others.vouched_by END AS teachers,
+  CASE WHEN others.hit = 1 THEN others.only_teacher END AS only_teacher,
+  CASE WHEN others.hit = 1 THEN others.verdict END AS member_verdict,
+  CASE WHEN others.hit = 1 THEN others.floor END AS member_floor,
+  CASE WHEN others.hit = 1 THEN others.floor_sd END AS member_floor_sd,
+  CASE WHEN others.hit = 1 THEN others.floor_max END AS member_floor_max,
+  CASE WHEN others.hit = 1 THEN others.finest_bins END AS member_finest_bins
+FROM (
+  SELECT
+    scale.support_id AS support_id,
+    MIN(CASE WHEN judged.vouched_by IS NULL THEN scale.channel_id END) AS teacher,
+    MIN(CASE WHEN judged.vouched_by IS NOT NULL THEN scale.channel_id END) AS other
+  FROM bounds AS scale
+  JOIN certified AS judged ON judged.channel_id = scale.channel_id
+  GROUP BY scale.support_id
+) AS pool
+JOIN bounds AS scale ON scale.channel_id = pool.teacher
+JOIN certified AS judged ON judged.channel_id = pool.teacher
+JOIN numbering AS numbered ON numbered.channel_id = pool.teacher
+LEFT JOIN (
+  SELECT
+    channel_id,
+    vouched_by,
+    only_teacher,
+    verdict,
+    floor,
+    floor_sd,
+    floor_max,
+    finest_bins,
+    1 AS hit
+  FROM certified
+) AS others ON others.channel_id = pool.other

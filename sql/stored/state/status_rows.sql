@@ -34,6 +34,8 @@ SELECT
   known.sees_slower AS sees_slower,
   known.would_not_see AS would_not_see,
   known.blind_reason AS blind_reason,
+  known.vouched_by AS vouched_by,
+  known.only_teacher AS only_teacher,
   known.hi AS hi,
   known.hi_highest AS hi_highest,
   known.novel_in_window AS novel_in_window,

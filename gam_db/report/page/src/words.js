@@ -81,6 +81,7 @@ export function unjudged(signal) {
     case 'constant': return ['it did not move while it was calibrated', 'it never raises an alarm; calibrate it over a time in which it moves'];
     case 'no_data': return ['no usable reading in calibration', 'look at the calibration interval and at missing values'];
     case 'too_fine': return ['the grid is too fine for this little calibration', signal.finest ? `take --bins ${signal.finest} or fewer, or calibrate longer` : 'calibrate longer'];
+    case 'not_vouched': return ['only one machine of its pool taught', 'name more of its machines as healthy'];
     case 'needs_data': return ['calibration is too short', signal.needed ? `about ${whole.format(signal.needed)} more vectors are needed` : 'calibrate longer'];
     default: return ['no full window is scored yet', `wait for ${whole.format(signal.window)} scored readings`];
   }
