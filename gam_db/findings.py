@@ -36,6 +36,9 @@ _SHORTCOMINGS = data.table("gam_db", "findings.toml")
 #: Machines of a pool below which it is said how many vouch for one that taught nothing.
 FEW_MACHINES = 4
 
+#: How the remark begins that every channel with a probe has.
+SEES = "sees "
+
 #: The changes that a channel may show beside shifts, in words.
 _CHANGES = {
     "sees_half_stroke": "half a stroke",
@@ -280,7 +283,7 @@ def sight(row: Row) -> list[str]:
     """
     seen = [] if row["sees"] is None else [f"shifts of {row['sees']} % of its usual range"]
     seen += [words for name, words in _CHANGES.items() if row[name]]
-    remarks = [f"sees {', '.join(seen)}"] if seen else []
+    remarks = [f"{SEES}{', '.join(seen)}"] if seen else []
     if row["vouched_by"] is not None and 1 < row["vouched_by"] < FEW_MACHINES:
         remarks.append(f"its floor is that of {row['vouched_by']} machines that taught its pool")
     if row["would_not_see"]:

@@ -181,6 +181,7 @@ def _show(out: page.Out, where: str, job: Job, rows: Sequence[Row], everything: 
     page.cut(out, ordered, everything, page.verdicts)
     out.print()
     page.say(out, f"verdicts: {page.verdicts(rows)}")
+    page.say(out, *page.unseen(rows))
     if less := [row for row in rows if row["left_out"]]:
         spans = number_of(sum(row["left_out"] for row in less), "interval")
         machines = page.some(sorted({printable(row["asset"]) for row in less}), 3)

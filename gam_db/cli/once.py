@@ -155,6 +155,7 @@ def show(
     by = [(said, judged[name]) for name, said in _JUDGED_BY if judged[name]]
     words = ", ".join(f"{said}: {count:,}" if len(by) > 1 else said for said, count in by)
     page.say(out, f"channels: {page.counted(found)}{f'; judged by {words}' if words else ''}")
+    page.say(out, *page.unseen(found))
     if silent := sum(row["silent"] for row in found):
         page.say(out, f"silent: {silent:,}")
     if job.parameters.is_open:

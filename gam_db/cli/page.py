@@ -28,7 +28,7 @@ from gam_db.cli.exits import Exit
 from gam_db.cli.options import SHOWN, Common
 from gam_db.clock import TimeKind, aware, shown_length
 from gam_db.errors import printable
-from gam_db.findings import Row, is_short, share
+from gam_db.findings import SEES, Row, is_short, share
 
 BLOCKS = "▁▂▃▄▅▆▇█"
 PLAIN_BLOCKS = "_.,-=+*#"
@@ -270,7 +270,7 @@ def remarks(out: Console, said: Iterable[tuple[str, Iterable[str]]], everything:
     """
     told = [(name, list(words)) for name, words in said]
     if not (everything or len(told) == 1):  # one line for each channel is enough where there are several
-        if more := sum(bool(words) for _, words in told):
+        if more := sum(any(not one.startswith(SEES) for one in words) for _, words in told):
             say(out, f"of {more:,} there is more to say: --all")
         return
     found: dict[str, list[str]] = {}
@@ -328,6 +328,15 @@ def _tally(rows: Iterable[Row], of: str) -> str:
 
 #: How many calibrations have which verdict; how many channels are what, the most urgent first.
 verdicts, counted = partial(_tally, of="verdict"), partial(_tally, of="status")
+
+
+def unseen(rows: Sequence[Row]) -> list[str]:
+    """Return a line that counts the channels that would not see a change, if there are such."""
+    counts = Counter(
+        change for row in rows if row["would_not_see"] for change in row["would_not_see"].split(", ")
+    )
+    words = ", ".join(f"{change} ({count:,})" for change, count in counts.most_common())
+    return [f"of {len(rows):,} would not see: {words}"] if words else []
 
 
 def advice(supports: Sequence[Row]) -> list[str]:

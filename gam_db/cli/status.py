@@ -112,6 +112,7 @@ def _show_assets(out: page.Out, rows: Sequence[Row], common: options.Common) -> 
 
 def _summary(channels: pa.Table, everything: bool) -> Iterator[str]:
     yield "channels: " + page.counted(channels.to_pylist())
+    yield from page.unseen(channels.to_pylist())
     if fewer := pc.sum(pc.less(channels["calibration_rows_added"], 0)).as_py():
         yield f"{fewer:,} of whose calibration the source holds fewer rows than were learnt"
     rows = channels.select(["remarks"]).to_pylist()

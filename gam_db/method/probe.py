@@ -100,7 +100,12 @@ def add_certified(steps: Pipeline, has_pools: bool) -> None:
         exp.alias_(exp.column(name, table="learnt") if has_pools else exp.cast(exp.null(), of), name)
         for name, of in (("vouched_by", "BIGINT"), ("only_teacher", "VARCHAR"))
     ]
-    add(steps, "certificate/certified", slots, tables={"verdicts": "vouched_verdicts"} if has_pools else {})
+    add(
+        steps,
+        "certificate/certified",
+        slots,
+        tables={"verdicts": "vouched_verdicts"} if has_pools else {},
+    )
 
 
 def _sample(setting: Parameters, k: int, delays: Mapping[int, Sequence[int]]) -> exp.Expr:

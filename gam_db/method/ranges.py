@@ -60,7 +60,7 @@ def add_bounds(one: OfSet, body: str = "range", readings: str = "readings") -> N
         union_of(one.steps, [one.named(name) for name in rounds], _ROUND),
         "Rounds: the range of each support before the first round and after each that drops samples.",
     )
-    one.add("range/kept")
+    one.add("range/ranged")
     said: list[exp.Expr] = []
     for name, nothing in DROPPED.items():
         of_column: dict[str, template.Slot] = {
@@ -69,7 +69,7 @@ def add_bounds(one: OfSet, body: str = "range", readings: str = "readings") -> N
         }
         said.append(exp.alias_(template.fill("range/dropped", of_column), name))
     slots: dict[str, template.Slot] = {"dropped": said, "carried": [exp.column(one) for one in DROPPED]}
-    one.add("support/bounds", slots, tables={"calibrated": "kept"})
+    one.add("support/bounds", slots, tables={"calibrated": "ranged"})
 
 
 def counts_of(number: int) -> str:

@@ -43,16 +43,16 @@ FROM (
     learnt.floor_max AS floor_max,
     learnt.finest_bins AS finest_bins,
     learnt.vectors_needed AS vectors_needed,
-    CASE WHEN shown.hit = 1 THEN shown.usual_low END AS usual_low,
-    CASE WHEN shown.hit = 1 THEN shown.usual_middle END AS usual_middle,
-    CASE WHEN shown.hit = 1 THEN shown.usual_high END AS usual_high,
-    CASE WHEN shown.hit = 1 THEN shown.sees END AS sees,
-    CASE WHEN shown.hit = 1 THEN shown.sees_half_stroke END AS sees_half_stroke,
-    CASE WHEN shown.hit = 1 THEN shown.sees_frozen END AS sees_frozen,
-    CASE WHEN shown.hit = 1 THEN shown.sees_faster END AS sees_faster,
-    CASE WHEN shown.hit = 1 THEN shown.sees_slower END AS sees_slower,
-    CASE WHEN shown.hit = 1 THEN :would_not_see END AS would_not_see,
-    CASE WHEN learnt.verdict = 'ready' AND shown.hit = 1 AND shown.sees IS NULL THEN :blind_reason END
+    CASE WHEN probed.hit = 1 THEN probed.usual_low END AS usual_low,
+    CASE WHEN probed.hit = 1 THEN probed.usual_middle END AS usual_middle,
+    CASE WHEN probed.hit = 1 THEN probed.usual_high END AS usual_high,
+    CASE WHEN probed.hit = 1 THEN probed.sees END AS sees,
+    CASE WHEN probed.hit = 1 THEN probed.sees_half_stroke END AS sees_half_stroke,
+    CASE WHEN probed.hit = 1 THEN probed.sees_frozen END AS sees_frozen,
+    CASE WHEN probed.hit = 1 THEN probed.sees_faster END AS sees_faster,
+    CASE WHEN probed.hit = 1 THEN probed.sees_slower END AS sees_slower,
+    CASE WHEN probed.hit = 1 THEN :would_not_see END AS would_not_see,
+    CASE WHEN learnt.verdict = 'ready' AND probed.hit = 1 AND probed.sees IS NULL THEN :blind_reason END
       AS blind_reason,
     :vouched
   FROM verdicts AS learnt
@@ -72,5 +72,5 @@ FROM (
       sees_slower,
       1 AS hit
     FROM sight
-  ) AS shown ON shown.support_id = scale.support_id
+  ) AS probed ON probed.support_id = scale.support_id
 ) AS weighed

@@ -3,8 +3,8 @@
 -- (delay).
 -- Slots:  none; over the range of a support, its sight and its cells
 CASE
-  WHEN scale.calibrated_hi - scale.calibrated_lo > 60 * shown.usual_width THEN 'range'
-  WHEN shown.hi_limit > CAST(3e-1 AS DOUBLE) THEN 'blocks'
+  WHEN scale.calibrated_hi - scale.calibrated_lo > 60 * probed.usual_width THEN 'range'
+  WHEN probed.hi_limit > CAST(3e-1 AS DOUBLE) THEN 'blocks'
   WHEN learnt.cells < 8 THEN 'cells'
   ELSE 'delay'
 END

@@ -6,11 +6,11 @@
 -- Slots:  :hi_limit  the expression of judgement/limit.sql
 SELECT
   support_id,
-  MIN(shown.usual_low) AS usual_low,
-  MIN(shown.usual_middle) AS usual_middle,
-  MIN(shown.usual_high) AS usual_high,
-  MIN(shown.usual_width) AS usual_width,
-  MIN(shown.hi_limit) AS hi_limit,
+  MIN(weighed.usual_low) AS usual_low,
+  MIN(weighed.usual_middle) AS usual_middle,
+  MIN(weighed.usual_high) AS usual_high,
+  MIN(weighed.usual_width) AS usual_width,
+  MIN(weighed.hi_limit) AS hi_limit,
   MIN(CASE WHEN seen = 1 AND seen_both_ways = 2 THEN rung END) AS sees,
   MAX(CASE WHEN change_name = 'stroke 0.5' THEN seen END) AS sees_half_stroke,
   MAX(CASE WHEN change_name = 'frozen' THEN seen END) AS sees_frozen,
@@ -51,5 +51,5 @@ FROM (
     JOIN spread AS learnt ON learnt.support_id = tried.support_id
     JOIN bounds AS scale ON scale.channel_id = tried.support_id
   ) AS changed
-) AS shown
+) AS weighed
 GROUP BY support_id

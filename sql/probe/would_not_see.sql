@@ -2,20 +2,20 @@
 -- words; NULL where nothing is known not to.
 -- Slots:  none; over sight
 CASE
-  WHEN shown.sees_frozen = 0
+  WHEN probed.sees_frozen = 0
     THEN CASE
-      WHEN shown.sees_half_stroke = 0
+      WHEN probed.sees_half_stroke = 0
         THEN CASE
-          WHEN shown.sees_faster = 0 OR shown.sees_slower = 0 THEN 'a frozen sensor, half a stroke, another speed'
+          WHEN probed.sees_faster = 0 OR probed.sees_slower = 0 THEN 'a frozen sensor, half a stroke, another speed'
           ELSE 'a frozen sensor, half a stroke'
         END
-      WHEN shown.sees_faster = 0 OR shown.sees_slower = 0 THEN 'a frozen sensor, another speed'
+      WHEN probed.sees_faster = 0 OR probed.sees_slower = 0 THEN 'a frozen sensor, another speed'
       ELSE 'a frozen sensor'
     END
-  WHEN shown.sees_half_stroke = 0
+  WHEN probed.sees_half_stroke = 0
     THEN CASE
-      WHEN shown.sees_faster = 0 OR shown.sees_slower = 0 THEN 'half a stroke, another speed'
+      WHEN probed.sees_faster = 0 OR probed.sees_slower = 0 THEN 'half a stroke, another speed'
       ELSE 'half a stroke'
     END
-  WHEN shown.sees_faster = 0 OR shown.sees_slower = 0 THEN 'another speed'
+  WHEN probed.sees_faster = 0 OR probed.sees_slower = 0 THEN 'another speed'
 END

@@ -132,7 +132,7 @@ def test_a_cell_that_another_member_of_the_pool_visited_is_not_counted(of_b: flo
     rows = [(asset, "x", time, float(time % 2)) for asset in "ab" for time in range(8 * W)]
     rows = [("a", "x", 8 * W - 2, 5.0) if row[0] == "a" and row[2] == 8 * W - 2 else row for row in rows]
     rows = [("b", "x", 2, of_b) if row[0] == "b" and row[2] == 2 else row for row in rows]
-    source, parameters, _, alarms = asked(rows, bins=8)
+    source, parameters, _, alarms = asked(rows, bins=8, range="min_max")
     calibration = gam_db.Calibration(intervals=[(0, 8 * W - 1)], pool="channel")
     limits = gam_db.limits(source, parameters, calibration, alarms).to_pylist()
     assert [row["centre"] for row in limits] == [centre, centre]

@@ -120,7 +120,7 @@ def test_the_whole_path_from_a_file_to_an_alarm() -> None:
     assert "state tables gam_* were made in plant.duckdb" in said(made)
     assert "plant.duckdb, monitor default, from plant.parquet: 2 new versions of 1 asset" in said(made)
     line = next(line for line in made.stdout.splitlines() if line.startswith("  j1"))
-    assert line.split()[:6] == ["j1", "1", "first", "calibration", "ready", "0.000"]
+    assert line.split()[:8] == ["j1", "1", "first", "calibration", "ready", "1", "%", "0.000"]
     first = gam("score", *STATE)
     assert (first.exit_code, first.stderr) == (0, "")
     assert "read 2 channels" in said(first)

@@ -381,7 +381,7 @@ def test_a_machine_may_have_a_calibration_of_its_own() -> None:
         "run", "in", *said, "--calibrate", "0/99", "--calibrate", "B=300/349", "--calibrate", "B=351/359"
     )
     assert result.exit_code in (0, 2), result.output
-    assert "calibration: 1 interval, but for B" in result.stdout
+    assert "calibration: 1 interval, but for B" in " ".join(result.stdout.split())
     learnt = parquet.read_table("out.support.parquet").to_pylist()
     assert [(row["asset"], row["calibration_samples"]) for row in learnt] == [("A", 100), ("B", 59)]
     assert "--calibrate is '5'; write FROM/TO" in gam("run", "in", "--calibrate", "A=5").stderr

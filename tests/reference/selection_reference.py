@@ -13,6 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from reference import without_strays
+
 Row = dict[str, Any]
 Floats = NDArray[np.float64]
 Places = list[tuple[int, int]]
@@ -52,9 +54,12 @@ class Channel:
     def __init__(self, values: Floats, runs: list[int], asked: Asked) -> None:
         self.asked = asked
         self.runs = np.array(runs, dtype=np.int64)
-        known = ~np.isnan(values)
         self.samples = len(values)
-        lo, hi = (values[known].min(), values[known].max()) if known.any() else (0.0, 0.0)
+        kept = values[~np.isnan(values)].tolist()
+        kept = without_strays(kept)[0] if kept else kept
+        lo, hi = (min(kept), max(kept)) if kept else (0.0, 0.0)
+        known = (values >= lo) & (values <= hi) if kept else np.zeros(len(values), bool)
+        values = np.where(known, values, np.nan)
         self.scaled = (values - lo) / (hi - lo) if hi > lo else np.full(len(values), np.nan)
         self.usable = int((~np.isnan(self.scaled)).sum())
         self.levels = [

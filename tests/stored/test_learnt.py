@@ -18,10 +18,11 @@ from visible import put, rows_of
 pytestmark = pytest.mark.thorough
 
 BOUNDS = """
-    SELECT asset, channel, calibrated_lo, calibrated_hi, calibration_samples, calibration_vectors,
-        cells, seen_once, blocks, verdict, floor, floor_sd, floor_max, finest_bins, vectors_needed
-    FROM gam_state_bounds JOIN gam_state_version USING (support_id)
-    JOIN gam_state_channel USING (channel_id)
+    SELECT asset, channel, taught.calibrated_lo, taught.calibrated_hi, calibration_samples,
+        taught.calibration_vectors, taught.cells, seen_once, blocks, learnt.verdict, learnt.floor,
+        learnt.floor_sd, learnt.floor_max, learnt.finest_bins, learnt.vectors_needed
+    FROM gam_state_bounds AS taught JOIN gam_state_version USING (support_id)
+    JOIN gam_state_channel USING (channel_id) JOIN gam_state_certified AS learnt USING (version_id)
     ORDER BY asset, channel
 """
 SUPPORT = """

@@ -1,4 +1,4 @@
--- Kept: the calibration samples of each channel with the range that the rounds leave of its support, in the place of
+-- Ranged: the calibration samples of each channel with the range that the rounds leave of its support, in the place of
 -- the range of all of them.
 -- Reads:  calibrated, channels, rounds
 -- A row:  one channel that has at least one calibration sample. lowest_dropped is the least value below the range,
