@@ -78,7 +78,7 @@ def _add_members(one: OfSet, slots: Mapping[str, template.Slot]) -> None:
     renamed = {
         "block_sizes": "member_sizes",
         "cells": "member_cells",
-        "blocks": "members",
+        "blocks": "machines",
         "coarsened": "member_coarsened",
         "ladder": "member_ladder",
         "spread": "member_spread",

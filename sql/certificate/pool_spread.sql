@@ -15,6 +15,6 @@ LEFT JOIN (
     SELECT channel_id, 1 AS hit
     FROM member_sizes
   ) AS taught ON taught.channel_id = scale.channel_id
-  WHERE taught.hit IS NULL AND says.teachers > 1
+  WHERE CASE WHEN taught.hit = 1 THEN 1 ELSE 0 END < 1 AND says.teachers > 1
   GROUP BY says.support_id
 ) AS silent ON silent.support_id = whole.support_id

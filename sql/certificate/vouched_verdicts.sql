@@ -36,5 +36,5 @@ LEFT JOIN (
     SELECT channel_id, 1 AS hit
     FROM member_sizes
   ) AS taught ON taught.channel_id = scale.channel_id
-  WHERE taught.hit IS NULL
+  WHERE CASE WHEN taught.hit = 1 THEN 1 ELSE 0 END < 1
 ) AS others ON others.channel_id = learnt.channel_id

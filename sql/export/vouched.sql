@@ -38,5 +38,5 @@ LEFT JOIN (
     FROM stored_block
     GROUP BY support_id, channel_id
   ) AS taught ON taught.support_id = member.support_id AND taught.channel_id = member.channel_id
-  WHERE pool.member_verdict IS NOT NULL AND taught.hit IS NULL
+  WHERE pool.member_verdict IS NOT NULL AND CASE WHEN taught.hit = 1 THEN 1 ELSE 0 END < 1
 ) AS others ON others.channel_id = known.channel_id

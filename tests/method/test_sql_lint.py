@@ -862,7 +862,9 @@ def test_every_file_is_used() -> None:
         gam_db.render("view", "mariadb", gam_db.Source("telemetry", time_kind="timestamp"))
         local = gam_db.Source(autumn, None, None, valid_when="value > 1")
         gam_db.check(replace(local, source_time_zone="Europe/Berlin"))
-        Package(source, gam_db.Parameters(), gam_db.Calibration(intervals=[(0, 9)])).files()
+        for pool in (None, "channel"):
+            calibration = gam_db.Calibration(intervals=[(0, 9)], pool=pool)
+            Package(source, gam_db.Parameters(), calibration).files()
         grafana.queries("postgres", StateTables(), "default")
     assert set(NAMES) - loaded == set()
     assert {name for name in loaded if name not in NAMES} == set()
