@@ -213,7 +213,9 @@ class Streams:
         return has_learnt
 
     def _probe(self) -> bool:
-        """Give the vectors by which supports are probed."""
+        """Give the vectors by which supports are probed, where their blocks are told by streams, too."""
+        if not self.has_blocks:
+            return True
         for number, (stream, cells) in self._taught.items():
             rows = self.running.rows(self.method.named("taught_before", number))
             counts = {row["channel_id"]: row for row in rows}

@@ -59,9 +59,9 @@ function facts(signal) {
   const fact = (value, text) => el('div', {}, el('b', {}, value), el('span', {}, text));
   return el('div', {class: 'facts'},
     fact(share(signal.hi), `indicator now: share of new states in the last ${whole.format(signal.window)} scored`),
-    fact(signal.sees == null ? '–' : `${signal.sees} %`, 'the smallest shift of its usual range that the indicator would show, if the machine works as in calibration'),
     fact(share(signal.limit), signal.limit == null ? 'no limit: nothing to judge by' : `limit of the indicator: the most that healthy data lets expect${signal.by === 'episode' ? '; this signal is judged by its episodes' : ''}`),
     fact(share(signal.floor), 'floor: what a healthy machine would show'),
+    fact(signal.sees == null ? '–' : `${signal.sees} %`, 'the smallest shift of its usual range that the indicator would show, if the machine works as in calibration'),
     fact(percent(signal.outside), 'of the new states lie outside the calibrated range'),
     fact(signal.low == null ? '–' : `${reading(signal.low)} … ${reading(signal.high)}`, 'calibrated range'),
     fact(whole.format(signal.cells), `healthy states, learnt from ${plural(signal.vectors, 'vector')}; calibration ${signal.version}`));
