@@ -38,7 +38,7 @@ LIST = Path(__file__).with_name("mutants.txt")
 #: The folders of ``sql/`` of which every file has a mutant.
 FOLDERS = (
     *("source", "support", "embedding", "score", "health", "calibration", "certificate", "stored"),
-    *("streams", "census", "rowids", "arrays", "judgement", "report", "alarms"),
+    *("streams", "census", "rowids", "arrays", "judgement", "report", "alarms", "probe", "range"),
 )
 
 #: Files of ``sql/`` -> the engine that runs them; DuckDB runs all others.
@@ -97,6 +97,13 @@ _ABOUT = {
     "rowids/*": "test_census",
     "arrays/s*": "test_clickhouse[piece or widest",
     "arrays/*": "test_census",
+    **{
+        f"certificate/{name}": "test_probe"
+        for name in ("certified", "member_*", "vouch*", "pool_spread")
+    },
+    "streams/probed": "test_probe",
+    "streams/known_value": "test_probe",
+    "*/range_counts": "test_range",
     "certificate/*": "test_spec[certificate",
     "embedding/context": "test_incremental[still",
     "embedding/radix": "test_first_runs",
