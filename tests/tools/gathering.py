@@ -76,7 +76,12 @@ class Gathered:
         prefix = self.prefixes[name]
         return {
             question: [
-                {**row, "asset": row["asset"].removeprefix(prefix)}
+                {
+                    name: value.removeprefix(prefix)
+                    if name in ("asset", "only_teacher") and value
+                    else value
+                    for name, value in row.items()
+                }
                 for row in answer
                 if row["asset"].startswith(prefix)
             ]
