@@ -1,0 +1,27 @@
+-- Probed: the picked vectors of one delay with the values that they would hold at other speeds; as probe/probed.sql.
+-- Repeated by Python, once per delay.
+-- Reads:  sampled, learners, picked
+-- A row:  one picked vector; a value is NULL where there is no such in the piece of the newest sample.
+-- Slots:  :delay_no  the number of the delay
+--         :delayed   values and pieces so many samples before
+--         :reached   x_(pace)_k, the values of each pace, each where it counts
+SELECT
+  vector.support_id AS support_id,
+  vector.number AS number,
+  vector.block AS block,
+  placed.x_0 AS x_0,
+  :reached
+FROM (
+  SELECT channel_id, time, piece, value AS x_0, :delayed
+  FROM (
+    SELECT
+      learner.learner_id AS channel_id,
+      sample.place AS time,
+      sample.piece AS piece,
+      sample.value AS value
+    FROM sampled AS sample
+    JOIN learners AS learner ON learner.channel_id = sample.channel_id
+    WHERE learner.delay_no = :delay_no
+  ) AS plain
+) AS placed
+JOIN picked AS vector ON vector.channel_id = placed.channel_id AND vector.time = placed.time
