@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from sqlglot import exp
 
 from gam_db.composing import template
-from gam_db.composing.pipeline import Pipeline
+from gam_db.composing.pipeline import Pipeline, union_of
 from gam_db.method.adding import OfSet, add, add_stacked
 from gam_db.method.certificate import coarse_key
 from gam_db.method.probe import CHANGES, FROZEN, paces
@@ -29,8 +29,8 @@ _ASKED = ("shift +5 %", "shift -5 %", "shift +10 %", "shift -10 %")
 #: Steps that are kept.
 _SMALL = frozenset(
     (
-        *("sampled", "usual_vectors", "learnt", "visits", "block_sizes", "cells", "grids", "passing"),
-        *("taught_passing", "picked", "probed", "usual", "changed"),
+        *("sampled", "usual_vectors", "learnt", "block_sizes", "enough"),
+        *("taught_passing", "picked", "probed", "usual"),
     )
 )
 
@@ -86,27 +86,46 @@ def scoring(setting: Parameters, grids: Sequence[int], delays: Sequence[int], us
         "window": exp.column("window_length"),
     }
     add(steps, "automatic/learnt", {"block_no": template.fill("certificate/block_no", block)})
-    add(steps, "certificate/visits")
-    add(steps, "certificate/block_sizes")
-    add(steps, "certificate/cells", {"gathered": [], "carried": []})
-    levels = [
-        {"level": level, "divisor": grids[0] // bins, "level_bins": bins}
-        for level, bins in enumerate(grids)
-    ]
-    add_stacked(steps, "certificate/levels", levels)
-    key: dict[str, template.Slot] = {"coarse_key": coarse_key(setting)}
-    add(steps, "certificate/coarsened", key)
-    add(steps, "automatic/grids")
-    add(steps, "automatic/floors")
-    target = float(setting.target_floor)
-    passing = {"target_floor": target, "least_vectors": setting.least_vectors}
-    add(steps, "automatic/passing", passing)
+    add(steps, "automatic/block_sizes")
+    add(steps, "automatic/enough", {"least_vectors": setting.least_vectors})
+    _add_grids(steps, setting, grids)
     _add_probe(steps, setting, delays)
-    coarse = coarse_key(setting)
-    for column in coarse.find_all(exp.Column):
-        column.set("table", exp.to_identifier("grid" if column.name == "divisor" else "vector"))
+    coarse = _coarse_key(setting, exp.column("divisor", table="grid"))
     add(steps, "automatic/scores", {"coarse_key": coarse})
     return steps
+
+
+def _add_grids(steps: Pipeline, setting: Parameters, grids: Sequence[int]) -> None:
+    """Add *grids*, the cells on each grid, and *passing*, the grids that calibration fills."""
+    coarser = "enough"
+    levels = list(reversed(range(len(grids))))
+    for level in levels:
+        divisor = grids[0] // grids[level]
+        key: exp.Expr = exp.column("cell_key", table="vector")
+        if divisor > 1:
+            key = _coarse_key(setting, exp.cast(exp.Literal.number(divisor), "DOUBLE"))
+        tables = {"coarser": coarser, "cells": f"cells_{level}"}
+        add(steps, "automatic/cells", {"level": level, "coarse_key": key}, f"cells_{level}", tables)
+        target = float(setting.target_floor)
+        slots = {"level": level, "divisor": divisor, "target_floor": target}
+        coarser = f"passing_{level}"
+        add(steps, "automatic/passing", slots, coarser, tables)
+    for name, part in (("grids", "cells"), ("passing", "passing")):
+        parts = [f"{part}_{level}" for level in levels]
+        steps.small |= set(parts)
+        comment = template.load(f"automatic/{part}").comment
+        steps.add(name, union_of(steps, parts), comment)
+
+
+def _coarse_key(setting: Parameters, divisor: exp.Expr) -> exp.Expr:
+    """Return the key of a vector's cell on a coarser grid."""
+    key = coarse_key(setting)
+    for column in list(key.find_all(exp.Column)):
+        if column.name == "divisor":
+            column.replace(divisor.copy())
+        else:
+            column.set("table", exp.to_identifier("vector"))
+    return key
 
 
 def _add_probe(steps: Pipeline, setting: Parameters, delays: Sequence[int]) -> None:
@@ -138,17 +157,17 @@ def _add_probe(steps: Pipeline, setting: Parameters, delays: Sequence[int]) -> N
         for number, of in asked
     ]
     add_stacked(steps, "probe/changes", changes)
-    names = [f"y_{k}" for k in range(setting.m)]
-    moved: dict[str, template.Slot] = {
-        "samples": [exp.alias_(_sample(k), name) for k, name in enumerate(names)],
+    moved = [f"y_{k}" for k in range(setting.m)]
+    slots: dict[str, template.Slot] = {
+        "samples": [exp.alias_(_sample(k), name) for k, name in enumerate(moved)],
         "codes": [
             exp.alias_(code_in(setting.grid, value=exp.column(name)), f"code_{k}")
-            for k, name in enumerate(names)
+            for k, name in enumerate(moved)
         ],
         "known": known(setting),
         "cell_key": cell_key(setting),
     }
-    add(steps, "probe/changed", moved)
+    add(steps, "probe/changed", slots)
 
 
 def _embedded(setting: Parameters, delay: int) -> list[exp.Expr]:
@@ -163,18 +182,21 @@ def _speeds(setting: Parameters, delay: int) -> dict[str, template.Slot]:
     """Return the slots of automatic/probed.sql: the values of vectors at each pace but frozen."""
     held = {pace: of for pace, of in paces(setting.m, delay).items() if pace != FROZEN}
     needed = sorted({one for of in held.values() for one in of if one})
+    farthest = sorted({of[-1] for of in held.values() if of[-1]})  # nearer samples are in no other piece
     delayed = [
         exp.alias_(_before(column, one), f"{column}_{one}")
-        for one in needed
-        for column in ("value", "piece")
+        for column, delays in (("value", needed), ("piece", farthest))
+        for one in delays
     ]
     reached: list[exp.Expr] = []
     for pace in range(FROZEN):
         for k in range(1, setting.m):
             value: exp.Expr = exp.cast(exp.null(), "DOUBLE")
             if pace in held:
-                there = exp.column(f"piece_{held[pace][k]}").eq(exp.column("piece"))
-                value = template.case([(there, exp.column(f"value_{held[pace][k]}"))], None)
+                value = exp.column(f"value_{held[pace][k]}")
+                if k == setting.m - 1:
+                    there = exp.column(f"piece_{held[pace][k]}").eq(exp.column("piece"))
+                    value = template.case([(there, value)], None)
             reached.append(exp.alias_(value, f"x_{pace}_{k}"))
     return {"delayed": delayed, "reached": reached}
 

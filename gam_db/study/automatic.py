@@ -20,6 +20,10 @@ from gam_db.study.running import Running
 MOST_SIBLINGS = 16
 """Siblings of one name at most whose delays are compared."""
 
+THINNED = ((2, 1), (4, 2), (8, 4))
+"""Of so many siblings at most one in so many vectors is picked of those that a probe picks; of more
+siblings one in 8. What is seen is a mean over siblings, and for each of them over changes."""
+
 WITHIN = 50
 """Thousandths of a score in which a smaller delay, or a finer grid, counts as good as the best."""
 
@@ -47,6 +51,11 @@ class Siblings:
     tau: int = 1
     window: int = 0
     scores: dict[int, int] = field(default_factory=dict)
+
+    @property
+    def thinning(self) -> int:
+        """One in how many vectors is picked of those that a probe picks."""
+        return next((one for most, one in THINNED if len(self.channels) <= most), 8)
 
     @property
     def units(self) -> dict[int, list[Row]]:
@@ -118,6 +127,13 @@ class Choosing:
             learners: rows with channel_id, unit_id, delay, window_length, is_cut and the range.
             has_probe: whether scores are asked for, or only what passes.
         """
+        samples = Counter[tuple[int, int]]()
+        for row in learners:
+            samples[row["unit_id"], row["delay"]] += row["calibration_samples"]
+        least = setting.least_vectors
+        learners = [row for row in learners if samples[row["unit_id"], row["delay"]] >= least]
+        if not learners:
+            return {}
         delays = sorted({row["delay"] for row in learners})
         closed = replace(setting.closed(), m=m)
         usual = 1 if "tau" in setting.open_settings else closed.tau
@@ -129,7 +145,10 @@ class Choosing:
             rows.append({**row, "delay_no": number, **ids})
         session, found = self.running.session, Scores()
         with session.lent(table_of(rows, _LEARNERS)) as lent:
-            given = {"taught_samples": self.running.placed[self.sets[of_set]], "learners": lent}
+            taught = self.running.placed[self.sets[of_set]]
+            given = {"taught_samples": taught, "learners": lent}
+            if not any(row["is_cut"] for row in learners):
+                given["sampled"] = taught
             with Running(session, steps, given, self.running.on_step) as work:
                 for row in work.rows("scores" if has_probe else "passing"):
                     unit, number = divmod(row["support_id"], len(DELAYS))
@@ -166,17 +185,15 @@ class Choosing:
                 whole.add(unit)
                 known[unit] = early[unit]
             else:
-                wanted += _learners(members, unit, [family.tau], windows[unit])
-        if wanted:
-            known |= self.scores(setting, of_set, m, wanted)
+                wanted += _learners(family, members, unit, [family.tau], windows[unit])
+        known |= self.scores(setting, of_set, m, wanted)
         smaller = []
         for unit, (family, members) in units.items():
             if not known.get(unit, {}).get(family.tau) and unit not in whole:
                 before = [delay for delay in DELAYS if delay < family.tau] * is_open["tau"]
-                smaller += _learners(members, unit, before, windows[unit])
-        if smaller:
-            for unit, found in self.scores(setting, of_set, m, smaller).items():
-                known[unit] = {**known.get(unit, {}), **found}
+                smaller += _learners(family, members, unit, before, windows[unit])
+        for unit, found in self.scores(setting, of_set, m, smaller).items():
+            known[unit] = {**known.get(unit, {}), **found}
         grids, failing = rungs(setting), []
         for unit, (family, _) in units.items():
             usable = [delay for delay in known.get(unit, {}) if delay <= family.tau]
@@ -187,10 +204,8 @@ class Choosing:
                 failing.append(unit)
         lower = range(m - 1, 0, -1) if m == _USUAL_M and is_open["tau"] else ()
         for less in lower:
-            wanted = [
-                row for unit in failing for row in _learners(units[unit][1], unit, [1], windows[unit])
-            ]
-            passing = self.scores(setting, of_set, less, wanted, has_probe=False) if wanted else {}
+            wanted = [row for at in failing for row in _learners(*units[at], at, [1], windows[at])]
+            passing = self.scores(setting, of_set, less, wanted, has_probe=False)
             for unit, found in passing.items():
                 self._take(chosen, unit, setting, m=less, tau=1, bins=grids[min(found[1])])
             failing = [unit for unit in failing if unit not in passing]
@@ -217,8 +232,8 @@ class Choosing:
                 taken = min(row["calibration_samples"], 4 * STRETCH)
                 window = max(min(windows[row["support_id"]], taken // 16), 1)
                 looked.setdefault(id(family), []).append(row["channel_id"])
-                learners += _learners([row], row["channel_id"], delays, window, is_cut=1)
-        scores = self.scores(setting, of_set, setting.m, learners) if learners else {}
+                learners += _learners(family, [row], row["channel_id"], delays, window, is_cut=1)
+        scores = self.scores(setting, of_set, setting.m, learners)
         for family in families:
             if members := looked.get(id(family)):
                 best = [
@@ -237,7 +252,7 @@ class Choosing:
 _IDS = (("learner_id", "channel_id"), ("support_id", "unit_id"))
 
 _LEARNERS = columns(
-    (COUNT, "channel_id unit_id learner_id support_id delay_no window_length is_cut"),
+    (COUNT, "channel_id unit_id learner_id support_id delay_no window_length is_cut thinning"),
     (SHARE, "calibrated_lo calibrated_hi"),
 )
 
@@ -310,13 +325,10 @@ def _families(channels: Sequence[Row], settings: Mapping[Any, Parameters]) -> li
 
 
 def _learners(
-    members: Sequence[Row], unit: int, delays: Iterable[int], window: int, is_cut: int = 0
+    of: Siblings, members: Sequence[Row], unit: int, delays: Iterable[int], window: int, is_cut: int = 0
 ) -> list[Row]:
-    return [
-        {**row, "unit_id": unit, "delay": delay, "window_length": window, "is_cut": is_cut}
-        for row in members
-        for delay in delays
-    ]
+    figures = {"unit_id": unit, "window_length": window, "is_cut": is_cut, "thinning": of.thinning}
+    return [{**row, **figures, "delay": delay} for row in members for delay in delays]
 
 
 def _varies(row: Row) -> bool:

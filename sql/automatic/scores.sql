@@ -6,7 +6,6 @@
 SELECT
   good.support_id AS support_id,
   good.level AS level,
-  good.vectors AS vectors,
   CAST(CASE WHEN told.hit = 1 THEN told.score ELSE 0 END AS BIGINT) AS score
 FROM passing AS good
 LEFT JOIN (

@@ -45,7 +45,13 @@ def looked_at(channel: Channel, is_cut: bool) -> list[tuple[int, object]]:
 
 
 def scores(
-    members: list[Channel], pool: Pool, m: int, delays: list[int], window: int, is_cut: bool
+    members: list[Channel],
+    pool: Pool,
+    m: int,
+    delays: list[int],
+    window: int,
+    is_cut: bool,
+    thinning: int,
 ) -> Scores:
     """Return the scores of what passes, of a support that some members of a pool fill."""
     settings, found = pool.settings, Scores()
@@ -56,7 +62,7 @@ def scores(
         if len(vectors) < settings.least_vectors or 10 * len(vectors) < 9 * least:
             continue
         for bins in rungs(settings):
-            score = _score(members, pool, delay, bins, vectors, blocks, is_cut)
+            score = _score(members, pool, delay, bins, vectors, blocks, is_cut, thinning)
             if score is not None:
                 found.setdefault(delay, {})[bins] = score
     return found
@@ -91,6 +97,7 @@ def _score(
     vectors: list[tuple[Channel, list[int]]],
     blocks: list[int],
     is_cut: bool,
+    thinning: int,
 ) -> int | None:
     """Return the score of a delay and a grid; None where it does not pass."""
     lo, hi, target = pool.lo, pool.hi, pool.settings.target_floor
@@ -120,7 +127,7 @@ def _score(
     orders = [looked_at(member, is_cut) for member in members]
     usable = [reference.usable(member, reference.segments(member)) for member in members]
     numbers = [id(member) for member in members]
-    picked = [i for i in range(len(vectors)) if probe_reference.is_picked(i, len(vectors))]
+    picked = [i for i in range(len(vectors)) if probe_reference.is_picked(i, len(vectors) * thinning)]
     q05, q50, q95 = probe_reference.usual([held[i][0] for i in picked])
     width = q95 - q05 or hi - lo
     m = len(held[0])
@@ -174,19 +181,19 @@ def siblings(pools: list[Pool]) -> list[list[tuple[int, Channel]]]:
 def choose(pools: list[Pool]) -> dict[int, Settings]:
     """Return the settings of open pools by their places; they have bounds on the finest grid."""
     answer: dict[int, Settings] = {}
-    rough: dict[Settings, list[tuple[int, int, int]]] = {}
+    rough: dict[Settings, list[tuple[int, int, int, int]]] = {}
     for family in siblings(pools):
-        for place, tau, window in _shared(family, pools):
-            rough.setdefault(pools[place].settings, []).append((place, tau, window))
+        for place, tau, window, thinning in _shared(family, pools):
+            rough.setdefault(pools[place].settings, []).append((place, tau, window, thinning))
     for settings, of in rough.items():
         found: dict[int, Settings] = {}
         unsettled = []
-        for place, tau, window in of:
+        for place, tau, window, thinning in of:
             pool = pools[place]
             if not varies(pool):
                 unsettled.append((place, tau, window, True))
                 continue
-            chosen = _of_pool(pool, tau, window)
+            chosen = _of_pool(pool, tau, window, thinning)
             if chosen is None:
                 unsettled.append((place, tau, window, False))
             else:
@@ -214,7 +221,7 @@ def _lower_median(counts: list[int]) -> int:
     return sorted(counts)[(len(counts) - 1) // 2] if counts else 0
 
 
-def _shared(family: list[tuple[int, Channel]], pools: list[Pool]) -> list[tuple[int, int, int]]:
+def _shared(family: list[tuple[int, Channel]], pools: list[Pool]) -> list[tuple[int, int, int, int]]:
     """Return each pool of siblings with their delay and its window."""
     settings = pools[family[0][0]].settings
     windows, tau = windows_of(family, pools), settings.tau
@@ -223,7 +230,12 @@ def _shared(family: list[tuple[int, Channel]], pools: list[Pool]) -> list[tuple[
         most = max(sums.values(), default=0)
         passing = [delay for delay in sorted(sums) if sums[delay] >= most - 50 * looked]
         tau = passing[0] if passing else 1
-    return [(place, tau, window) for place, window in windows.items()]
+    return [(place, tau, window, thinned(family)) for place, window in windows.items()]
+
+
+def thinned(family: list[tuple[int, Channel]]) -> int:
+    """Return one in how many vectors is picked of those that a probe picks."""
+    return 1 if len(family) <= 2 else 2 if len(family) <= 4 else 4 if len(family) <= 8 else 8
 
 
 def windows_of(family: list[tuple[int, Channel]], pools: list[Pool]) -> dict[int, int]:
@@ -258,24 +270,26 @@ def compared(family: list[tuple[int, Channel]], pools: list[Pool]) -> tuple[dict
     for place, member in seen:
         window = max(1, min(windows[place], min(sum(member.healthy), 20_000) // 16))
         delays = DELAYS if settings.m > 1 else [1]
-        for delay, of in scores([member], pools[place], settings.m, delays, window, True).items():
+        for delay, of in scores(
+            [member], pools[place], settings.m, delays, window, True, thinned(family)
+        ).items():
             sums[delay] = sums.get(delay, 0) + max(of.values())
     return sums, len(seen)
 
 
-def _of_pool(pool: Pool, tau: int, window: int) -> tuple[int, int, int] | None:
+def _of_pool(pool: Pool, tau: int, window: int, thinning: int) -> tuple[int, int, int] | None:
     """Return m, tau and bins of a pool; None where nothing passes."""
     settings = pool.settings
     is_open = "tau" in settings.open
     if "tau" not in settings.open and "bins" not in settings.open:
         return settings.m, settings.tau, settings.bins
     for delay in [tau, *reversed([one for one in DELAYS if one < tau])] if is_open else [tau]:
-        passing = scores(pool.members, pool, settings.m, [delay], window, False).get(delay)
+        passing = scores(pool.members, pool, settings.m, [delay], window, False, thinning).get(delay)
         if passing:
             most = max(passing.values())
             return settings.m, delay, max(b for b, score in passing.items() if score >= most - 50)
     for m in (2, 1) if settings.m == 3 and is_open else ():
-        passing = scores(pool.members, pool, m, [1], window, False).get(1)
+        passing = scores(pool.members, pool, m, [1], window, False, thinning).get(1)
         if passing:
             return m, 1, max(passing)
     return None
