@@ -30,7 +30,7 @@ _ASKED = ("shift +5 %", "shift -5 %", "shift +10 %", "shift -10 %")
 _SMALL = frozenset(
     (
         *("sampled", "usual_vectors", "learnt", "block_sizes", "enough"),
-        *("taught_passing", "picked", "probed", "usual"),
+        *("taught_passing", "picked", "probed", "usual", "grids", "passing"),
     )
 )
 
