@@ -98,6 +98,19 @@ def _gap(rows: Sequence[Row], kind: TimeKind) -> Proposed | None:
     return Proposed(setting(length, kind), reason)
 
 
+def _open_window(usual: int, healthy: int, cycle: int) -> tuple[int, str]:
+    """Return the window where none was given: whole cycles if there are any, else the usual one."""
+    if not cycle:
+        return usual, f"a twentieth of the calibration, {healthy:,} samples"
+    window = min(max(CYCLES * cycle, healthy // 40), healthy // 16)
+    whole = math.ceil(window / cycle) * cycle
+    window = whole if whole <= healthy // BLOCKS else max(window, 1)
+    reason = f"{window / cycle:.1f} cycles of about {cycle:,} samples"
+    if healthy < BLOCKS * cycle:
+        reason += f"; calibration has {healthy // cycle} of at least {BLOCKS} cycles"
+    return window, reason
+
+
 def _window(look: Look) -> tuple[int, str]:
     said = look.method.parameters.window
     as_said = "the default" if said == Parameters().window else "as it is set"
@@ -107,6 +120,8 @@ def _window(look: Look) -> tuple[int, str]:
     healthy = int(statistics.median_low(row["calibration_samples"] for row in moving))
     cycles = [row["cycle_length"] for row in moving if row["cycle_length"] is not None]
     cycle = statistics.median_high(cycles) if cycles else 0
+    if look.method.asked is not None and "window" in look.method.asked.open_settings:
+        return _open_window(said, healthy, cycle)
     room = healthy // BLOCKS
     window, reason = said, as_said
     if _SHORTEST_WINDOW <= room < said:

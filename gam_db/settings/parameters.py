@@ -7,9 +7,10 @@ import dataclasses
 import math
 import numbers
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from types import MappingProxyType
+from typing import Any, ClassVar, TypeAlias
 
 from gam_db.clock import Length, TimeKind, length, looks_like_calendar
 from gam_db.errors import ConfigurationError, ParameterError, nearest, wrong
@@ -149,6 +150,11 @@ class Parameters:
     least_vectors: int = setting(LEAST_VECTORS, COUNT)
     overrides: Sequence[Override] = ()
 
+    PAPER: ClassVar[Mapping[str, Any]] = MappingProxyType(
+        {"m": 3, "tau": 1, "bins": 100, "window": 5000, "stride": None, "range": MIN_MAX}
+    )
+    """What the paper sets."""
+
     def __post_init__(self) -> None:
         check(self)
         tau, window = (1 if one == AUTO else one for one in (self.tau, self.window))
@@ -234,9 +240,13 @@ class Parameters:
                 return self.changed_by(one)
         return dataclasses.replace(self, overrides=())
 
-    def finest(self) -> "Parameters":
-        """Return the same with numbers where settings are open: the finest grids, tau 1, any window."""
-        general, *others = (one.closed() for one in self.variants())
+    def finest(self, window: int | None = None) -> "Parameters":
+        """Return the same with numbers where settings are open: the finest grids, tau 1, some window."""
+        usual = {} if window is None else {"window": window}
+        general, *others = (
+            one.closed(**(usual if one.window == AUTO and one.stride is None else {}))
+            for one in self.variants()
+        )
         overrides = [
             Override(one.asset, one.channel, **{**one.changes(), **of.numbers()})
             for one, of in zip(self.overrides, others, strict=True)
@@ -256,7 +266,7 @@ class Parameters:
     @classmethod
     def paper(cls, **changes: Any) -> "Parameters":
         """Return the parameters of the paper, but for some."""
-        return cls(**{"m": 3, "tau": 1, "bins": 100, "window": 5000, "range": MIN_MAX, **changes})
+        return cls(**{**cls.PAPER, **changes})
 
     def variants(self) -> "list[Parameters]":
         """Return the sets of parameters: the general one, then one per override."""

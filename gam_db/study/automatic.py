@@ -321,7 +321,7 @@ def _families(channels: Sequence[Row], settings: Mapping[Any, Parameters]) -> li
             continue
         together = alone.setdefault(family.setting, Siblings("", family.setting, []))
         together.channels += family.channels
-    return [*families, *alone.values()]
+    return [*sorted(families, key=lambda one: one.name), *alone.values()]
 
 
 def _learners(
