@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from gam_db.checking.look import PAUSE, Look, Row, is_irregular
 from gam_db.checking.words import percent, roundest, setting, spoken
 from gam_db.clock import TimeKind
-from gam_db.settings.parameters import Parameters
 
 CYCLES = 5
 """A window holds at least so many cycles; the paper asks for several complete ones."""
@@ -113,14 +112,15 @@ def _open_window(usual: int, healthy: int, cycle: int) -> tuple[int, str]:
 
 def _window(look: Look) -> tuple[int, str]:
     said = look.method.parameters.window
-    as_said = "the default" if said == Parameters().window else "as it is set"
+    is_open = look.method.asked is not None and "window" in look.method.asked.open_settings
+    as_said = "the default" if is_open else "as it is set"
     moving = [row for row in look.channels if row["rises"] or row["falls"]]
     if not moving:
         return said, as_said
     healthy = int(statistics.median_low(row["calibration_samples"] for row in moving))
     cycles = [row["cycle_length"] for row in moving if row["cycle_length"] is not None]
     cycle = statistics.median_high(cycles) if cycles else 0
-    if look.method.asked is not None and "window" in look.method.asked.open_settings:
+    if is_open:
         return _open_window(said, healthy, cycle)
     room = healthy // BLOCKS
     window, reason = said, as_said

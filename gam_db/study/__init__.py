@@ -14,7 +14,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.clock import FAR_AHEAD, TimeKind
-from gam_db.columns import COUNT, SHARE, columns, name_of, table_of
+from gam_db.columns import name_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, union_of
 from gam_db.engines.base import Engine
@@ -44,8 +44,6 @@ LATELY = 16
 
 #: Ranges of time that a study asks for.
 RANGES = 3
-
-_COLLAPSED = columns((COUNT, "channel_id time"), (SHARE, "value"), (COUNT, "conflict"))
 
 
 class Study:
@@ -234,16 +232,8 @@ class Study:
 
     def chosen(self, asked: Parameters) -> tuple[Parameters, list[Siblings]]:
         """Return what calibration chooses of open settings, of which these are the finest grids."""
-        running = self.running
-        if not running.largest("timeline", "repeats"):
-            running.load("collapsed", table_of([], _COLLAPSED))  # else it is looked for in every reading
-        running.keep("limits")
-        add(self.steps, "automatic/taught_readings")
-        running.put("samples", running.query("taught_readings"))
-        bounds = {row["channel_id"]: row for row in self.rows("bounds")}
-        channels = [{**bounds[row["channel_id"]], **row} for row in self.rows("channels")]
         sets = [OfSet(self.steps, self.method, number) for number in range(len(self.method.settings))]
-        return choose(running, sets, asked, channels)
+        return choose(self.running, sets, asked)
 
     def invalid(self) -> dict[tuple[str, str], int]:
         """Return for how many rows of each channel the condition on readings does not hold."""

@@ -10,7 +10,7 @@ from typing import Any
 
 from gam_db.columns import COUNT, SHARE, columns, name_of, table_of
 from gam_db.engines.session import Row
-from gam_db.method.adding import OfSet
+from gam_db.method.adding import OfSet, add
 from gam_db.method.automatic import DELAYS, STRETCH, add_taught_samples, rungs, scoring
 from gam_db.settings.parameters import Override, Parameters
 from gam_db.settings.patterns import grouped
@@ -251,6 +251,8 @@ class Choosing:
 
 _IDS = (("learner_id", "channel_id"), ("support_id", "unit_id"))
 
+_COLLAPSED = columns((COUNT, "channel_id time"), (SHARE, "value"), (COUNT, "conflict"))
+
 _LEARNERS = columns(
     (COUNT, "channel_id unit_id learner_id support_id delay_no window_length is_cut thinning"),
     (SHARE, "calibrated_lo calibrated_hi"),
@@ -266,7 +268,7 @@ def looked_at(siblings: Sequence[Row]) -> list[Row]:
 
 
 def choose(
-    running: Running, sets: Sequence[OfSet], asked: Parameters, channels: Sequence[Row]
+    running: Running, sets: Sequence[OfSet], asked: Parameters
 ) -> tuple[Parameters, list[Siblings]]:
     """Return parameters with what calibration chooses, one override per pattern; and the siblings.
 
@@ -274,8 +276,14 @@ def choose(
         running: the steps of a study under the finest grids, at work.
         sets: its sets.
         asked: the parameters as the user gave them.
-        channels: the rows of *channels*, each with its bounds.
     """
+    if not running.largest("timeline", "repeats"):
+        running.load("collapsed", table_of([], _COLLAPSED))  # else it is looked for in every reading
+    running.keep("limits")
+    add(running.steps, "automatic/taught_readings")
+    running.put("samples", running.query("taught_readings"))
+    bounds = {row["channel_id"]: row for row in running.rows("bounds")}
+    channels = [{**bounds[row["channel_id"]], **row} for row in running.rows("channels")]
     settings = {name_of(row): asked.of(*name_of(row)) for row in channels}
     families = _families(channels, settings)
     kept: dict[int, str] = {}

@@ -12,18 +12,22 @@ LEFT JOIN (
   SELECT
     support_id,
     level,
-    FLOOR((SUM(points) + CAST(5e-1 AS DOUBLE)) / CAST(COUNT(*) AS DOUBLE)) AS score,
+    FLOOR(
+      (CAST(CAST(SUM(points) AS BIGINT) AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(COUNT(*) AS DOUBLE)
+    ) AS score,
     1 AS hit
   FROM (
     SELECT
       support_id,
       level,
       CASE
-        WHEN novel = 0 THEN CAST(0 AS DOUBLE)
+        WHEN novel = 0 THEN CAST(0 AS BIGINT)
         WHEN CAST(500 AS DOUBLE) * CAST(novel AS DOUBLE) / NULLIF(CAST(asked AS DOUBLE) * hi_limit, CAST(0 AS DOUBLE))
           < CAST(1000 AS DOUBLE)
-          THEN FLOOR(CAST(500 AS DOUBLE) * CAST(novel AS DOUBLE) / (CAST(asked AS DOUBLE) * hi_limit))
-        ELSE CAST(1000 AS DOUBLE)
+          THEN CAST(
+            FLOOR(CAST(500 AS DOUBLE) * CAST(novel AS DOUBLE) / (CAST(asked AS DOUBLE) * hi_limit)) AS BIGINT
+          )
+        ELSE CAST(1000 AS BIGINT)
       END AS points
     FROM (
       SELECT

@@ -1,6 +1,6 @@
 -- Teachable: the vectors of one delay, as learnable has them. Repeated by Python, once per delay.
 -- Reads:  sampled, learners
--- A row:  one vector of a learner, which is a channel under a delay; time is the place of its newest sample.
+-- A row:  one vector of a learner, which is a channel under a delay; time is the place of its newest held.
 -- Slots:  :delay_no  the number of the delay
 --         :delayed   code_1 ... code_(m-1) and the piece of the oldest sample, over the same order
 --         :inside    no sample is missing or lies outside the range
@@ -11,11 +11,11 @@ FROM (
   FROM (
     SELECT
       learner.learner_id AS channel_id,
-      sample.place AS time,
-      sample.piece AS piece,
-      sample.code AS code
-    FROM sampled AS sample
-    JOIN learners AS learner ON learner.channel_id = sample.channel_id
+      held.place AS time,
+      held.piece AS piece,
+      held.code AS code
+    FROM sampled AS held
+    JOIN learners AS learner ON learner.channel_id = held.channel_id
     WHERE learner.delay_no = :delay_no
   ) AS plain
 ) AS embedded

@@ -10,14 +10,14 @@ FROM (
     SELECT
       learner.channel_id AS channel_id,
       learner.unit_id AS unit_id,
-      sample.place AS time,
-      sample.piece AS piece,
-      sample.code AS code
-    FROM sampled AS sample
+      held.place AS time,
+      held.piece AS piece,
+      held.code AS code
+    FROM sampled AS held
     JOIN (
       SELECT DISTINCT channel_id, unit_id
       FROM learners
-    ) AS learner ON learner.channel_id = sample.channel_id
+    ) AS learner ON learner.channel_id = held.channel_id
   ) AS plain
 ) AS embedded
 WHERE oldest_piece = piece AND :inside
