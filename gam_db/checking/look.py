@@ -1,5 +1,6 @@
 """One look at a source: the figures of every channel, by the formulas of ``sql/check``."""
 
+import dataclasses
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -21,6 +22,7 @@ from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
 from gam_db.settings.source import AnySource, TimeNode, parsed_condition, read_from
 from gam_db.study import Study
+from gam_db.study.automatic import window_of
 from gam_db.study.running import Listener
 
 SUMMARY = "check_summary"
@@ -162,7 +164,12 @@ def look_at(
     for row in channels if study.source.valid_when is not None else ():
         row["invalid"] = invalid.get(name_of(row), 0)
     others = _number_texts(study), undated, session.engine, study.clock, tuple(study.ahead)
-    return Look(study.source, study.method, table, channels, nameless, exact, *others)
+    method = study.method
+    if parameters.is_open:
+        moving = [row["calibration_samples"] for row in channels if row["rises"] or row["falls"]]
+        closed = parameters.finest(window_of(moving))
+        method = dataclasses.replace(method, parameters=closed, asked=parameters)
+    return Look(study.source, method, table, channels, nameless, exact, *others)
 
 
 def exact_columns(session: Session, source: AnySource, columns: Mapping[str, str]) -> tuple[str, ...]:

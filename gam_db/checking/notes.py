@@ -13,6 +13,7 @@ from gam_db.checking.look import REGULAR_WITHIN, Look, Row, is_irregular, is_on_
 from gam_db.checking.proposal import BLOCKS, CYCLES, MOST_STILL, Proposal
 from gam_db.checking.words import extent, instant, number_of, percent, reaching, spoken
 from gam_db.clock import JUMP, SECOND, SINCE_1970, TimeKind, epoch_unit, is_of_our_time
+from gam_db.columns import name_of
 from gam_db.reading.ahead import ahead_sentences
 from gam_db.reading.look import nowhere
 
@@ -252,8 +253,12 @@ def _on_amounts(look: Look, proposal: Proposal) -> list[Note]:
         if row["samples"] - max(row["calibration_samples"], look.setting(row).span)
         < look.setting(row).window
     ]
+    asked = look.method.asked  # what is proposed of an open window heeds cycles
     cycling = [
-        row for row in look.channels if CYCLES * (row["cycle_length"] or 0) > look.setting(row).window
+        row
+        for row in look.channels
+        if CYCLES * (row["cycle_length"] or 0) > look.setting(row).window
+        and (asked is None or "window" not in asked.of(*name_of(row)).open_settings)
     ]
     longest = max((row["cycle_length"] for row in cycling), default=0)
     enough = max(proposal.window, CYCLES * longest)

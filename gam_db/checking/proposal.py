@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from gam_db.checking.look import PAUSE, Look, Row, is_irregular
 from gam_db.checking.words import percent, roundest, setting, spoken
 from gam_db.clock import TimeKind
-from gam_db.settings.parameters import Parameters
 
 CYCLES = 5
 """A window holds at least so many cycles; the paper asks for several complete ones."""
@@ -98,15 +97,31 @@ def _gap(rows: Sequence[Row], kind: TimeKind) -> Proposed | None:
     return Proposed(setting(length, kind), reason)
 
 
+def _open_window(usual: int, healthy: int, cycle: int) -> tuple[int, str]:
+    """Return the window where none was given: whole cycles if there are any, else the usual one."""
+    if not cycle:
+        return usual, f"a twentieth of the calibration, {healthy:,} samples"
+    window = min(max(CYCLES * cycle, healthy // 40), healthy // 16)
+    whole = math.ceil(window / cycle) * cycle
+    window = whole if whole <= healthy // BLOCKS else max(window, 1)
+    reason = f"{window / cycle:.1f} cycles of about {cycle:,} samples"
+    if healthy < BLOCKS * cycle:
+        reason += f"; calibration has {healthy // cycle} of at least {BLOCKS} cycles"
+    return window, reason
+
+
 def _window(look: Look) -> tuple[int, str]:
     said = look.method.parameters.window
-    as_said = "the default" if said == Parameters().window else "as it is set"
+    is_open = look.method.asked is not None and "window" in look.method.asked.open_settings
+    as_said = "the default" if is_open else "as it is set"
     moving = [row for row in look.channels if row["rises"] or row["falls"]]
     if not moving:
         return said, as_said
     healthy = int(statistics.median_low(row["calibration_samples"] for row in moving))
     cycles = [row["cycle_length"] for row in moving if row["cycle_length"] is not None]
     cycle = statistics.median_high(cycles) if cycles else 0
+    if is_open:
+        return _open_window(said, healthy, cycle)
     room = healthy // BLOCKS
     window, reason = said, as_said
     if _SHORTEST_WINDOW <= room < said:

@@ -10,7 +10,7 @@ from typing import Any
 
 from gam_db.address import is_url
 from gam_db.checking.words import number_of
-from gam_db.cli import options, page
+from gam_db.cli import automatic, options, page
 from gam_db.cli.config import Settings
 from gam_db.cli.job import Job, channels_of, heading, job_of, place
 from gam_db.cli.options import option
@@ -25,6 +25,7 @@ from gam_db.stored.monitor import Monitor
 from gam_db.stored.schema import migrations
 from gam_db.stored.sources import SOURCE_COLUMNS, described, source_of
 from gam_db.stored.state import State
+from gam_db.study.automatic import Siblings
 
 
 @options.taking(*options.READ, *options.ALARMS, *options.STATE, *options.PAGE, "threads", state=True)
@@ -60,7 +61,7 @@ def calibrate(
     def show(out: page.Out) -> None:
         if applied:
             page.say(out, f"state tables {tables}* were made in {settings.source.shown_database}")
-        _show(out, heading(settings), job, rows, common.everything)
+        _show(out, heading(settings), job, rows, common.everything, monitor.siblings)
         if isinstance(relation, tuple):
             page.say(out, page.WORDS["calibrate"]["files"])
 
@@ -68,6 +69,7 @@ def calibrate(
         **job.figures(),
         **place(settings),
         "migrations_applied": applied,
+        "chosen": automatic.figures(monitor.siblings),
         "new_versions": rows,
         "verdicts": Counter(row["verdict"] for row in rows),
         "needs_attention": urgent,
@@ -149,7 +151,14 @@ def _is_poor(row: Row) -> bool:
     return row["status"] == "setup" or is_blind(row)
 
 
-def _show(out: page.Out, where: str, job: Job, rows: Sequence[Row], everything: bool) -> None:
+def _show(
+    out: page.Out,
+    where: str,
+    job: Job,
+    rows: Sequence[Row],
+    everything: bool,
+    siblings: Sequence[Siblings],
+) -> None:
     if not rows:
         done = "every channel has a version with these settings; --again learns them anew"
         page.say(out, where, f"nothing to do: {done}")
@@ -180,7 +189,7 @@ def _show(out: page.Out, where: str, job: Job, rows: Sequence[Row], everything: 
     page.remarks(out, told, everything)
     page.cut(out, ordered, everything, page.verdicts)
     out.print()
-    page.say(out, f"verdicts: {page.verdicts(rows)}")
+    page.say(out, f"verdicts: {page.verdicts(rows)}", *automatic.lines(siblings, everything))
     page.say(out, *page.unseen(rows))
     if less := [row for row in rows if row["left_out"]]:
         spans = number_of(sum(row["left_out"] for row in less), "interval")

@@ -11,15 +11,19 @@ import pyarrow as pa
 from numpy.typing import NDArray
 
 from gam_db.checking.words import number_of
-from gam_db.cli import options, page
+from gam_db.cli import automatic, options, page
 from gam_db.cli.chosen import chosen, written
 from gam_db.cli.config import DEFAULT_FILE, Settings, load
 from gam_db.cli.job import Job, healthy_part, reading
 from gam_db.cli.options import option
+from gam_db.columns import name_of
 from gam_db.errors import printable
 from gam_db.findings import Row
 from gam_db.selection.search import Search
 from gam_db.selection.select import Selection, alone
+from gam_db.settings.parameters import AUTO
+from gam_db.study import Study
+from gam_db.study.automatic import Siblings
 
 
 @options.taking(
@@ -38,8 +42,15 @@ def select(
     Overrides and pools of gam.toml are left out: each channel speaks for itself. --json prints all
     curves.
     """
-    with reading(settings, common) as (_, whole, _):
-        pass
+    with reading(settings, common) as (session, whole, on_step):
+        asked = dataclasses.replace(whole.parameters, tau=AUTO, bins=AUTO, overrides=())
+        alike = dataclasses.replace(whole.calibration, pool=None)
+        study = Study(session, whole.guess.source, asked, alike, on_step)
+        study.forget()
+    if whole.parameters.window == AUTO:
+        window = study.method.parameters.window
+        taken = dataclasses.replace(whole.parameters, window=window, stride=None)
+        whole = dataclasses.replace(whole, parameters=taken)
     found = chosen(settings, whole, search, common.threads)
     if write is not None:
         written(write, settings, whole, found.choices.to_pylist())
@@ -51,10 +62,12 @@ def select(
         "search": search,
         "asked": {name: getattr(parameters, name) for name in _ASKED},
         **vars(found),
+        "scores": automatic.figures(study.siblings),
     }
+    by_name = {name_of(row): of for of in study.siblings for row in of.channels}
 
     def show(out: page.Out) -> None:
-        _show(out, job, found, common)
+        _show(out, job, found, common, by_name)
         if write is None:
             return
         file, named = printable(str(write)), f" --config {shlex.quote(str(write))}"
@@ -69,7 +82,13 @@ _ASKED = ("m", "bins", "window", "target_floor")
 _LAGS = (("minimum", "ami_minimum"), ("acf < 1/e", "acf_1e"), ("acf <= 0", "acf_zero"))
 
 
-def _show(out: page.Out, job: Job, found: Selection, common: options.Common) -> None:
+def _show(
+    out: page.Out,
+    job: Job,
+    found: Selection,
+    common: options.Common,
+    by_name: Mapping[tuple[str, str], Siblings],
+) -> None:
     choices: list[Row] = found.choices.to_pylist()
     page.say(out, f"{printable(job.name)}: {number_of(len(choices), 'channel')}")
     page.say(out, job.columns_line())
@@ -79,6 +98,9 @@ def _show(out: page.Out, job: Job, found: Selection, common: options.Common) -> 
         key = (one["asset"], one["channel"])
         page.title(out, " ".join(map(printable, key)))
         page.notes(out, _lines(one, job.parameters.window, *(of[key] for of in curves)))
+        if (of := by_name.get(key)) is not None:
+            scores = f"by delay: {automatic.scores(of)}; {number_of(len(of.channels), 'sibling')}"
+            page.notes(out, [("score", f"{scores} take tau {of.tau}")])
     for one in found.failures.to_pylist():
         out.print()
         name = f"{printable(one['asset'])} {printable(one['channel'])}"

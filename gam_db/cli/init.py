@@ -12,18 +12,21 @@ from typing import Any
 from gam_db.address import shown
 from gam_db.checking import must_be_fixed, notes
 from gam_db.checking.words import spoken
-from gam_db.cli import options, page, toml_text
+from gam_db.cli import automatic, options, page, toml_text
 from gam_db.cli.check import Seen, heading, looked, note_line
 from gam_db.cli.chosen import calibration_lines, chosen, groups, save
 from gam_db.cli.config import DEFAULT_FILE, Settings
 from gam_db.cli.job import reading
 from gam_db.cli.options import option
+from gam_db.columns import name_of
 from gam_db.errors import ConfigurationError, printable
 from gam_db.reading.guess import SourceSettings
 from gam_db.selection.search import Search
-from gam_db.settings.parameters import Parameters
+from gam_db.settings.parameters import Parameters, pattern_matches
+from gam_db.settings.patterns import Name, grouped
 from gam_db.settings.setting import settings_of
 from gam_db.settings.source import Source, is_file, paths_of, slashed
+from gam_db.study.automatic import Siblings
 
 
 @options.taking(*options.READ, "quiet", "threads", fresh=True)
@@ -45,11 +48,16 @@ def init(
     if not out.parent.is_dir():
         raise ConfigurationError(f"--out is {out}; the folder {out.parent} is not there.")
     with reading(settings, common) as (session, job, on_step):
-        seen = _settled(looked(session, job, on_step), settings)
+        seen, study = _settled(looked(session, job, on_step), settings), None
+        if seen.job.parameters.is_open and not must_be_fixed(seen.notes):
+            study = seen.job.study(session, on_step)
+            names = sorted(map(name_of, study.rows("channels")))
+            study.forget()
     choices = None
     if select:
         choices = chosen(settings, seen.job, Search(), common.threads).choices.to_pylist()
-    save(out, text(seen, settings, out.parent, choices))
+    found = None if study is None else Found(study.method.parameters, study.siblings, names)
+    save(out, text(seen, settings, out.parent, choices, found))
 
     def show(lines: page.Out) -> None:
         page.say(lines, heading(seen))
@@ -60,10 +68,48 @@ def init(
     page.tell({}, show, common, urgent=must_be_fixed(seen.notes))
 
 
+EVERY = ("*", "*")
+
+
+@dataclasses.dataclass(frozen=True)
+class Found:
+    """What calibration chose: parameters, the siblings it chose for, and the names of all channels."""
+
+    parameters: Parameters
+    siblings: Sequence[Siblings]
+    names: Sequence[Name]
+
+    def rules(self) -> list[tuple[Name, dict[str, Any], dict[str, str]]]:
+        """Return patterns with what is chosen for them and why, the general one last."""
+        of_open = {
+            name_of(row): (of, of.setting.open_settings) for of in self.siblings for row in of.channels
+        }
+        said = {
+            name: tuple((key, getattr(self.parameters.of(*name), key)) for key in ("m", *open_settings))
+            for name in self.names
+            if name in of_open
+            for open_settings in [of_open[name][1]]
+        }
+        rules = []
+        for pattern, values in grouped(said):
+            of = next(
+                of for name, (of, _) in of_open.items() if all(map(pattern_matches, pattern, name))
+            )
+            rules.append((pattern, dict(values), automatic.reasons(of)))
+        return rules
+
+
 def text(
-    seen: Seen, settings: Settings, folder: Path, choices: Sequence[dict[str, Any]] | None = None
+    seen: Seen,
+    settings: Settings,
+    folder: Path,
+    choices: Sequence[dict[str, Any]] | None = None,
+    found: Found | None = None,
 ) -> str:
-    """Return the text of a settings file in a folder; with what ``gam select`` says, where asked."""
+    """Return the text of a settings file in a folder; with what ``gam select`` says, where asked.
+
+    Found is what calibration chooses of settings that are left open.
+    """
     lines = toml_text.comment(
         f"Settings of gam-db. {heading(seen)}. Columns and parameters are "
         "proposed from a look at the source; all keys can be left out or changed."
@@ -73,7 +119,15 @@ def text(
         first, *more = toml_text.comment(f"{'MUST BE FIXED' if note.must else 'Note'}: {said}")
         lines += ["#", first, *more]
     lines += ["", "[source]", *toml_text.entries(_source(seen, settings, folder))]
-    lines += ["", "[parameters]", *toml_text.entries(_parameters(seen, settings))]
+    parameters = _parameters(seen, settings)
+    rules = [] if found is None or choices is not None else found.rules()
+    parameters |= {
+        name: (of, f"{settings_of(Parameters)[name].what}: {why[name]}")
+        for pattern, values, why in rules
+        for name, of in values.items()
+        if pattern == EVERY
+    }
+    lines += ["", "[parameters]", *toml_text.entries(parameters)]
     # What is proposed for channels of one name alone; of overrides only the first applies.
     proposed: dict[str, dict[str, tuple[Any, str]]] = {}
     for name, _, of_channels, _ in _unsaid(seen, settings):
@@ -86,6 +140,15 @@ def text(
             if (said_own := proposed.get(row["channel"]))
         }
         lines += groups(choices, seen.job, seen.job.parameters.window, own)
+    elif len(rules) > 1:
+        # The first override that names a channel is the only one: what is proposed for it goes along.
+        for (asset, channel), values, why in rules:
+            taken: dict[str, tuple[Any, str]] = {key: (of, why[key]) for key, of in values.items()}
+            narrower = [name for name in proposed if name != channel and pattern_matches(channel, name)]
+            for name in [*narrower, *([channel] if (asset, channel) != EVERY else [])]:
+                named = {"asset": (asset, ""), "channel": (name, "")}
+                entries = {**named, **proposed.get(name, {}), **taken}
+                lines += ["", "[[override]]", *toml_text.entries(entries)]
     else:
         for channel, said_own in proposed.items():
             entries = {"channel": (channel, ""), **said_own}

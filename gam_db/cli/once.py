@@ -17,7 +17,7 @@ from pyarrow import ArrowInvalid, parquet
 from gam_db.address import is_url
 from gam_db.checking.notes import EXACT_UP_TO, SENTENCES
 from gam_db.checking.words import number_of
-from gam_db.cli import options, page
+from gam_db.cli import automatic, options, page
 from gam_db.cli.config import Settings
 from gam_db.cli.job import Job, job_of
 from gam_db.cli.options import option
@@ -33,6 +33,7 @@ from gam_db.report import Wishes
 from gam_db.settings.source import FILE_ENDINGS, is_file, paths_of
 from gam_db.stored.lengths import park_after
 from gam_db.study import Study
+from gam_db.study.automatic import Siblings
 
 #: The estimator that is the method itself; others come by the entry points ``gam_db.estimators``.
 DSE = "dse"
@@ -91,10 +92,12 @@ def run(
                 told = {
                     "channels": [{**row, "course": page.thinned(row["course"])} for row in found],
                     "verdicts": Counter(row["verdict"] for row in found),
+                    "chosen": automatic.figures(study.siblings),
                     "judged_by_episode": sum(row["judged_by"] == "episode" for row in found),
                     "needs_attention": urgent,
                 }
-                shows = partial(show, job=job, found=found, everything=everything, shown_in=shown_in)
+                more = partial(show, everything=everything, siblings=study.siblings)
+                shows = partial(more, job=job, found=found, shown_in=shown_in)
             else:
                 others.add_estimator(study, estimator)
                 rows, urgent, lacking = study.rows("last_scores"), False, False
@@ -139,9 +142,14 @@ def _others(estimator: str) -> Any:
 
 
 def show(
-    out: page.Out, job: Job, found: Sequence[Row], everything: bool = False, shown_in: dt.tzinfo = dt.UTC
+    out: page.Out,
+    job: Job,
+    found: Sequence[Row],
+    everything: bool = False,
+    shown_in: dt.tzinfo = dt.UTC,
+    siblings: Sequence[Siblings] = (),
 ) -> None:
-    """Print what was found of each channel."""
+    """Print what was found of each channel, and what calibration chose for siblings."""
     samples = sum(row["samples"] for row in found)
     page.say(out, f"{printable(job.name)}: {page.amount(found)}, {samples:,} samples{job.settings}")
     page.say(out, *job.lines())
@@ -159,6 +167,7 @@ def show(
     if silent := sum(row["silent"] for row in found):
         page.say(out, f"silent: {silent:,}")
     if job.parameters.is_open:
+        page.say(out, *automatic.lines(siblings, everything))
         taken = sorted(Counter(row["bins"] for row in found).items(), reverse=True)
         page.say(out, f"bins taken: {', '.join(f'{bins} for {count:,}' for bins, count in taken)}")
     page.say(out, *page.advice(found))

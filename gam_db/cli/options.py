@@ -23,6 +23,7 @@ from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, EngineError, wrong
 from gam_db.settings.calibration import Calibration
+from gam_db.settings.parameters import Parameters
 from gam_db.settings.setting import COUNT, FLAG, TEXT, Setting, check, setting, settings_of
 from gam_db.settings.source import FILE_ENDINGS, as_folder, is_file, is_spreadsheet
 
@@ -151,6 +152,7 @@ def taking(
             _parameter("database", str | None, option(f"shared.{'of_state' if state else 'read_only'}")),
             *([] if fresh else [_parameter("config", Path | None, option("shared.config"))]),
             *(made for name, (section, one) in known.items() for made in _options(name, section, one)),
+            *([_parameter("paper", bool, option("shared.paper", False))] if "m" in known else []),
             *(one for one in own.values() if not isinstance(one.default, ArgumentInfo)),
         ]
         parameters = [one.replace(kind=inspect.Parameter.KEYWORD_ONLY) for one in parameters]
@@ -206,6 +208,8 @@ def _said(given: dict[str, Any], known: Mapping[str, tuple[str, Setting]]) -> di
             said.setdefault(section, {})[name] = one.of_option(_option(name, one)[0], value)
     if own:
         said["calibration"]["overrides"] = own
+    if given.get("paper"):
+        said["parameters"] = {**Parameters.PAPER, **said["parameters"]}
     return said
 
 

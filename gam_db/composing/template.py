@@ -198,7 +198,9 @@ def added(terms: Sequence[exp.Expr]) -> exp.Expr:
     return reduce(lambda total, term: exp.Add(this=total, expression=term), terms)
 
 
-def case(cases: Iterable[tuple[exp.Expr, int | None]], default: int | None | exp.Expr) -> exp.Expr:
+def case(
+    cases: Iterable[tuple[exp.Expr, int | None | exp.Expr]], default: int | None | exp.Expr
+) -> exp.Expr:
     """Return the value of the first case whose condition holds, else the default."""
     ifs = [exp.If(this=condition, true=node_of(value)) for condition, value in cases]
     return exp.Case(ifs=ifs, default=node_of(default)) if ifs else node_of(default)

@@ -8,6 +8,7 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import union_of
 from gam_db.method.adding import OfSet, add_stacked
 from gam_db.method.vectors import add_vectors, compared
+from gam_db.settings.parameters import Parameters
 
 
 def add_missing_vectors(one: OfSet, samples: str) -> None:
@@ -18,6 +19,17 @@ def add_missing_vectors(one: OfSet, samples: str) -> None:
     one.add("certificate/known_codes", slots, tables={"samples": samples})
     add_vectors(one, "known_")
     one.add("certificate/missing_vectors", tables={"vectors": "known_vectors"})
+
+
+def coarse_key(setting: Parameters) -> exp.Expr:
+    """Return the key of a cell on a coarser grid, of its key and a divisor of bins."""
+    radix, top = setting.radix, setting.m - 1
+    coarse = [
+        template.fill("certificate/coarse_term", {"weight": radix**k, "above": radix ** (k + 1)})
+        for k in range(top)
+    ]
+    coarse.append(template.fill("certificate/top_term", {"weight": radix**top}))
+    return template.added(coarse)
 
 
 def add_judgement(one: OfSet, by_halves: bool = False) -> None:
@@ -42,13 +54,7 @@ def add_judgement(one: OfSet, by_halves: bool = False) -> None:
         add_stacked(one.steps, "certificate/levels", rows, one.named(name))
 
     add_levels("levels", {k: 2**k for k in rungs})
-    radix, top = setting.radix, setting.m - 1
-    coarse = [
-        template.fill("certificate/coarse_term", {"weight": radix**k, "above": radix ** (k + 1)})
-        for k in range(top)
-    ]
-    coarse.append(template.fill("certificate/top_term", {"weight": radix**top}))
-    slots: dict[str, template.Slot] = {"coarse_key": template.added(coarse)}
+    slots: dict[str, template.Slot] = {"coarse_key": coarse_key(setting)}
     if by_halves and len(rungs) > 1:
         finer, halved = "cells", []
         for k in rungs[1:]:

@@ -18,7 +18,7 @@ SHIFTS, STROKES = (1, 2, 5, 10, 20, 50), (5, 8, 12)
 
 #: Speeds as fractions of the usual one. Pace 0 is the usual one, the next are these, the last frozen.
 SPEEDS = ((3, 2), (2, 1), (2, 3))
-_FROZEN = len(SPEEDS) + 1
+FROZEN = len(SPEEDS) + 1
 
 
 class Change(NamedTuple):
@@ -38,15 +38,15 @@ CHANGES = (
         for sign in "+-"
     ),
     *(Change(f"stroke {tenths / 10:g}", stroke=tenths / 10.0) for tenths in STROKES),
-    Change("frozen", _FROZEN),
+    Change("frozen", FROZEN),
     *(Change(f"speed {p}/{q}", pace) for pace, (p, q) in enumerate(SPEEDS, start=1)),
 )
 
 
-def paces(setting: Parameters) -> dict[int, list[int]]:
+def paces(m: int, tau: int) -> dict[int, list[int]]:
     """Return the delays of a vector at each pace; a pace at which two of them are equal is not there."""
-    usual = [k * setting.tau for k in range(setting.m)]
-    found = {0: usual, _FROZEN: [0] * setting.m}
+    usual = [k * tau for k in range(m)]
+    found = {0: usual, FROZEN: [0] * m}
     for pace, (p, q) in enumerate(SPEEDS, start=1):
         delays = [(2 * p * delay + q) // (2 * q) for delay in usual]
         if len(set(delays)) == len(delays):
@@ -56,7 +56,9 @@ def paces(setting: Parameters) -> dict[int, list[int]]:
 
 def probed_delays(setting: Parameters) -> tuple[int, ...]:
     """Return the delays of all paces in ascending order; the first is 0."""
-    return tuple(sorted({delay for delays in paces(setting).values() for delay in delays}))
+    return tuple(
+        sorted({delay for delays in paces(setting.m, setting.tau).values() for delay in delays})
+    )
 
 
 def add_probe(one: OfSet, samples: str = "samples") -> None:
@@ -68,7 +70,7 @@ def add_probe(one: OfSet, samples: str = "samples") -> None:
     setting = one.setting
     one.add("probe/taught_before")
     one.add("probe/picked", {"picked": template.fill("probe/is_picked")})
-    asked, delays = paces(setting), probed_delays(setting)
+    asked, delays = paces(setting.m, setting.tau), probed_delays(setting)
     add_earlier(one, "probe_", samples, delays[1:])
     one.add("probe/usual")
     rows = [{"change_no": number, **_slots(of, asked)} for number, of in enumerate(CHANGES, start=1)]

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind, length
 from gam_db.errors import ParameterError
 from gam_db.settings.calibration import Calibration, Rule, resolve
-from gam_db.settings.parameters import Parameters
+from gam_db.settings.parameters import OPENABLE, Parameters
 
 #: Steps that are small: a row per channel, interval, bucket or cell. They may be kept on the way.
 #: So may ``collapsed``, which has a row per sample of channels with repeated instants only.
@@ -46,7 +46,7 @@ class Method:
         parameters: with their overrides.
         calibration: with its overrides and pools, as the user gave it.
         kind: how the source tells time.
-        asked: the parameters as they were said, where bins were found since.
+        asked: the parameters as the user gave them, where calibration has chosen since.
         columns: the settings in which channels of one set may differ: the steps read them as columns. Of
             these the parameters have the largest.
         assets: the patterns of the calibration's overrides; that of number n has rule n + 1.
@@ -56,8 +56,8 @@ class Method:
         gaps: max_gap of each set, in steps of the clock.
 
     Raises:
-        CalibrationError, ParameterError: calibration or max_gap does not fit the kind of time, or bins
-            are still to be found.
+        CalibrationError, ParameterError: calibration or max_gap does not fit the kind of time, or
+            calibration is still to choose settings.
     """
 
     parameters: Parameters
@@ -73,9 +73,11 @@ class Method:
 
     def __post_init__(self) -> None:
         if self.parameters.is_open:
+            names = {name for one in self.parameters.variants() for name in one.open_settings}
+            options = " and ".join(f"--{name}" for name in OPENABLE if name in names)
             raise ParameterError(
-                "bins is 'auto', which is found where telemetry is read; a script or a package is "
-                "written without. Give a number: gam run --bins auto says which were taken."
+                f"Calibration chooses {options} where telemetry is read, which it is not here: "
+                f"give {options}, or calibrate first, or --paper."
             )
         settings = tuple(dict.fromkeys(self.parameters.variants()))
         longest = (setting.max_gap for setting in settings)

@@ -44,7 +44,7 @@ def add_vectors(
     setting = one.setting
     is_marked = "calibration_vector" in asked
     radix = ["radix"] * ("radix" in one.method.columns)
-    codes, over, whole = _last_codes(one, prefix, [*carried, *radix, *["calibrating"] * is_marked])
+    codes, over, whole = add_last_codes(one, prefix, [*carried, *radix, *["calibrating"] * is_marked])
     delayed: list[exp.Expr] = [exp.column(name) for name in carried]
     said = [*delayed, *told]
     delayed += [exp.column(name) for name in radix]
@@ -105,7 +105,7 @@ def add_earlier(one: OfSet, prefix: str, samples: str, delays: Sequence[int]) ->
     until = exp.column("time", table="sampled") <= exp.column("calibration_end", table="scale")
     read: dict[str, template.Slot] = {"read": until, "carried": [exp.column("value")]}
     one.add("support/marked_codes", read, f"{prefix}codes", {"samples": samples})
-    codes, _, _ = _last_codes(one, prefix, ["calibrating", "value"])
+    codes, _, _ = add_last_codes(one, prefix, ["calibrating", "value"])
     has_gap = one.method.gaps[one.number] is not None
     over, values = _earlier(exp.column("known_value"), delays, has_gap)
     if has_gap and delays:
@@ -270,7 +270,7 @@ def _before(column: str, delay: int, rows: int | None = None) -> exp.Expr:
     return template.fill(path, {"column": exp.column(column), "delay": delay * (rows or 1)})
 
 
-def _last_codes(
+def add_last_codes(
     one: OfSet, prefix: str, carried: Sequence[str]
 ) -> tuple[str, dict[str, exp.Expr], exp.Expr]:
     """Add the codes of one set by segment, if segments end, and by stillness, if samples may be still.

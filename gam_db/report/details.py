@@ -92,7 +92,7 @@ def read(
         names = sorted({row["asset"] for row in signals})
         asked = template.column(source.asset).isin(*(template.text(name) for name in names))
         narrowed = under(source, asked)
-    study = Study(session, narrowed, Parameters(), Calibration(), strict=False)
+    study = Study(session, narrowed, Parameters.paper(), Calibration(), strict=False)
     try:
         study.load("wanted", pa.Table.from_pylist(wanted))
         study.load("wanted_pieces", pa.Table.from_pylist(pieces_wanted))

@@ -7,9 +7,10 @@ import dataclasses
 import math
 import numbers
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from types import MappingProxyType
+from typing import Any, ClassVar, TypeAlias
 
 from gam_db.clock import Length, TimeKind, length, looks_like_calendar
 from gam_db.errors import ConfigurationError, ParameterError, nearest, wrong
@@ -82,20 +83,26 @@ class Override:
         return pattern_matches(self.asset, asset) and pattern_matches(self.channel, channel)
 
 
-def _bins(of: Setting, name: str, value: Any) -> Any:
+def _count_or_auto(of: Setting, name: str, value: Any) -> Any:
     if isinstance(value, str) and value != AUTO:
         raise ParameterError(f"{name} is {value!r}; it takes an integer, or {AUTO!r}.")
     return value if value == AUTO else COUNT.checked(of, name, value)
 
 
-def _read_bins(option: str, text: str) -> Any:
-    bins = number(text)
-    if isinstance(bins, int) or bins == AUTO:
-        return bins
+def _read_count_or_auto(option: str, text: str) -> Any:
+    count = number(text)
+    if isinstance(count, int) or count == AUTO:
+        return count
     raise ConfigurationError(f"{option} is {text!r}; it takes an integer, or {AUTO!r}.")
 
 
-_BINS = Kind(_bins, str, _read_bins, "INTEGER|auto")
+_COUNT_OR_AUTO = Kind(_count_or_auto, str, _read_count_or_auto, "INTEGER|auto")
+
+#: Settings that calibration may choose.
+OPENABLE = ("tau", "bins", "window")
+
+Open: TypeAlias = Any
+"""An integer, or "auto": see :attr:`Parameters.is_open`."""
 
 
 def _positive(of: Setting, name: str, gap: Any) -> Any:
@@ -126,15 +133,15 @@ class Parameters:
     """
 
     m: int = setting(3, COUNT)
-    tau: int = setting(1, COUNT)
-    bins: int | str = setting(
+    tau: Open = setting(1, _COUNT_OR_AUTO, more=f"{AUTO!r} for one that calibration chooses")
+    bins: Open = setting(
         100,
-        _BINS,
-        more=f"{AUTO!r} for the finest of {', '.join(map(str, RUNGS))} that it fills, found for each "
-        "channel or pool and frozen with its version",
+        _COUNT_OR_AUTO,
+        more=f"{AUTO!r} for one of {', '.join(map(str, RUNGS))} that calibration chooses for each "
+        "channel or pool; what is chosen is frozen with its version",
         most=LARGEST_BINS,
     )
-    window: int = setting(5000, COUNT)
+    window: Open = setting(5000, _COUNT_OR_AUTO, more=f"{AUTO!r} for a twentieth of calibration")
     stride: int | None = setting(None, COUNT)
     max_gap: Length | None = setting(None, dataclasses.replace(LENGTH, checked=_positive))
     still_after: int | None = setting(None, COUNT, least=2)
@@ -143,16 +150,23 @@ class Parameters:
     least_vectors: int = setting(LEAST_VECTORS, COUNT)
     overrides: Sequence[Override] = ()
 
+    PAPER: ClassVar[Mapping[str, Any]] = MappingProxyType(
+        {"m": 3, "tau": 1, "bins": 100, "window": 5000, "stride": None, "range": MIN_MAX}
+    )
+    """What the paper sets."""
+
     def __post_init__(self) -> None:
         check(self)
-        if (self.m - 1) * self.tau >= 2**31 or self.window >= 2**31:
+        tau, window = (1 if one == AUTO else one for one in (self.tau, self.window))
+        if (self.m - 1) * tau >= 2**31 or window >= 2**31:
             raise ParameterError("(m - 1) * tau and window must stay below 2^31 samples.")
         if self.m > 63 or self.radix**self.m > LARGEST_KEY:
             fitting = max(m for m in range(1, 64) if self.radix**m <= LARGEST_KEY)
             raise wrong("too_many_cells", grid=self.grid, m=self.m, fitting=fitting)
-        object.__setattr__(self, "stride", self.bucket_length)
-        if self.window % self.bucket_length:
-            raise wrong("stride_divides", stride=self.stride, window=self.window)
+        if self.window != AUTO:
+            object.__setattr__(self, "stride", self.bucket_length)
+            if self.window % self.bucket_length:
+                raise wrong("stride_divides", stride=self.stride, window=self.window)
         if not isinstance(self.overrides, Iterable):
             raise wrong("overrides_of_parameters", kind=type(self.overrides).__name__)
         object.__setattr__(self, "overrides", tuple(self.overrides))
@@ -171,20 +185,27 @@ class Parameters:
 
     @property
     def grid(self) -> int:
-        """The bins; where they are to be found, the finest for which cell keys have room."""
-        if not isinstance(self.bins, str):
-            return self.bins
+        """The bins; where they are to be chosen, the finest for which cell keys have room."""
+        if self.bins != AUTO:
+            bins: int = self.bins
+            return bins
         return next((one for one in RUNGS if (one + 3) ** min(self.m, 64) <= LARGEST_KEY), RUNGS[-1])
 
     @property
     def is_open(self) -> bool:
-        """Tell whether bins of some channels are still to be found."""
-        return any(setting.bins == AUTO for setting in self.variants())
+        """Tell whether calibration is to choose some settings of some channels."""
+        return any(setting.open_settings for setting in self.variants())
+
+    @property
+    def open_settings(self) -> tuple[str, ...]:
+        """The settings that calibration is to choose, overrides left aside."""
+        return tuple(name for name in OPENABLE if getattr(self, name) == AUTO)
 
     @property
     def span(self) -> int:
         """(m - 1) * tau, the samples between the oldest and the newest of a vector."""
-        return (self.m - 1) * self.tau
+        span: int = (self.m - 1) * self.tau
+        return span
 
     @property
     def reach(self) -> int:
@@ -219,14 +240,33 @@ class Parameters:
                 return self.changed_by(one)
         return dataclasses.replace(self, overrides=())
 
-    def finest(self) -> "Parameters":
-        """Return the same with the finest grids where bins are still to be found."""
-        general, *others = (dataclasses.replace(one, bins=one.grid) for one in self.variants())
+    def finest(self, window: int | None = None) -> "Parameters":
+        """Return the same with numbers where settings are open: the finest grids, tau 1, some window."""
+        usual = {} if window is None else {"window": window}
+        general, *others = (
+            one.closed(**(usual if one.window == AUTO and one.stride is None else {}))
+            for one in self.variants()
+        )
         overrides = [
-            Override(one.asset, one.channel, **{**one.changes(), "bins": of.bins})
+            Override(one.asset, one.channel, **{**one.changes(), **of.numbers()})
             for one, of in zip(self.overrides, others, strict=True)
         ]
         return dataclasses.replace(general, overrides=overrides)
+
+    def closed(self, **chosen: int) -> "Parameters":
+        """Return the same with what was chosen, else as in :meth:`finest`; overrides left aside."""
+        usual = {"tau": 1, "bins": self.grid, "window": self.stride or LONGEST_STRIDE}
+        changes: dict[str, Any] = {name: usual[name] for name in self.open_settings}
+        return dataclasses.replace(self, overrides=(), **{**changes, **chosen})
+
+    def numbers(self) -> dict[str, Any]:
+        """Return the settings that calibration may choose, and the stride that goes with them."""
+        return {name: getattr(self, name) for name in (*OPENABLE, "stride")}
+
+    @classmethod
+    def paper(cls, **changes: Any) -> "Parameters":
+        """Return the parameters of the paper, but for some."""
+        return cls(**{**cls.PAPER, **changes})
 
     def variants(self) -> "list[Parameters]":
         """Return the sets of parameters: the general one, then one per override."""

@@ -164,8 +164,10 @@ def settings_hash(method: Method, channel: Mapping[str, Any]) -> str:
     pool = next(pools, None)
     setting = method.settings[channel["settings_no"]]
     figures = _figures(setting, method.gaps[channel["settings_no"]])
-    if method.asked is not None:  # what is found anew each time is no other setting
-        figures["bins"] = method.asked.of(*name_of(channel)).bins
+    if method.asked is not None:  # what calibration chooses anew each time is no other setting
+        asked = method.asked.of(*name_of(channel))
+        figures |= {"m": asked.m, "tau": asked.tau, "bins": asked.bins}
+        figures |= {"window_length": asked.window, "stride": asked.stride}
     if setting.still_after is None:  # older versions know nothing of it
         del figures["still_after"]
     if setting.least_vectors == Parameters().least_vectors:  # likewise

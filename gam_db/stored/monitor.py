@@ -40,6 +40,7 @@ from gam_db.stored.settings import MonitorSettings
 from gam_db.stored.state import State, kind_of
 from gam_db.stored.status import as_html, assessed, status
 from gam_db.study import Study
+from gam_db.study.automatic import Siblings
 from gam_db.study.running import Listener, unheard
 
 
@@ -80,6 +81,8 @@ class Monitor(MonitorSettings):
         self.calibration = self.calibration or Calibration()
         self.asked = self.asked or Alarms()
         self.state = State(self.session, self.tables)
+        #: What the last calibration chose for channels that share it.
+        self.siblings: list[Siblings] = []
 
     def __enter__(self) -> "Monitor":
         return self
@@ -137,6 +140,7 @@ class Monitor(MonitorSettings):
         healthy = without(self.calibration, stored_alarms.left_out(self._required, self.name))
         asked = self.parameters, healthy, on_step
         study = Study(self.session, self.source, *asked, short_cuts=True, on_trust=False)
+        self.siblings = study.siblings
         try:
             self.asked.asked(study.method.kind)
             return calibrate(self.state, study, self.name, self.asked, again, limit, self.calibration)

@@ -22,7 +22,7 @@ from gam_db.engines.connecting import borrowed
 from gam_db.engines.session import Row, Session
 from gam_db.errors import wrong
 from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
-from gam_db.method.adding import add
+from gam_db.method.adding import OfSet, add
 from gam_db.method.bits import Bits
 from gam_db.method.census import Slicing
 from gam_db.method.delays import Ways
@@ -34,7 +34,7 @@ from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
 from gam_db.settings.source import AnySource, is_file, paths_of
 from gam_db.study import census
-from gam_db.study.bins import found_bins
+from gam_db.study.automatic import Siblings, choose
 from gam_db.study.census import Census, Outcome
 from gam_db.study.running import TAUGHT, Listener, Running, unheard
 from gam_db.study.streaming import Streams, seems_ordered
@@ -85,11 +85,13 @@ class Study:
         read = prepared(session, source)
         self.relation, self.columns, self.source = read.stored, read.columns, read.source
         said = None
+        #: Channels that share settings which calibration chose.
+        self.siblings: list[Siblings] = []
         if parameters.is_open:
             listening = (on_step, strict, short_cuts, on_trust)
-            rough = Study(session, source, parameters.finest(), calibration, *listening)
-            judged = rough.rows("verdicts"), rough.rows("channels")
-            said, parameters = parameters, found_bins(parameters, *judged)
+            rough = Study(session, source, parameters.finest(), calibration, *listening, ("bounds",))
+            said = parameters
+            parameters, self.siblings = rough.chosen(said)
             rough.forget()
         self.method = Method(parameters, calibration, read.kind, said)
         unread = dataclasses.replace(read.rows, relation=None)  # the node counts
@@ -227,6 +229,11 @@ class Study:
         """Return which rows of the source tell no time, or two."""
         method, source, relation, _, _ = self._asked
         return undated(self.session, source, relation, method.kind)
+
+    def chosen(self, asked: Parameters) -> tuple[Parameters, list[Siblings]]:
+        """Return what calibration chooses of open settings, of which these are the finest grids."""
+        sets = [OfSet(self.steps, self.method, number) for number in range(len(self.method.settings))]
+        return choose(self.running, sets, asked)
 
     def invalid(self) -> dict[tuple[str, str], int]:
         """Return for how many rows of each channel the condition on readings does not hold."""

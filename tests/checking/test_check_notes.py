@@ -333,3 +333,20 @@ def test_a_still_after_that_takes_much_of_calibration_is_obeyed_and_said() -> No
     assert "leaves out 40 % of calibration, in 3 runs of at most 90 samples" in note.text
     assert "still_after" not in said(stood(90, 90, 90))
     assert "still_after" not in said(stood(30, 30), Parameters(bins=4, window=20, still_after=25))
+
+
+@pytest.mark.parametrize(
+    ("cycle", "window", "reason"),
+    [
+        (50, 50, "1.0 cycles of about 50 samples"),  # 5 cycles are more than a sixteenth of 800
+        (200, 50, "0.2 cycles of about 200 samples; calibration has 4 of at least 8 cycles"),
+        (None, 40, "a twentieth of the calibration, 800 samples"),
+    ],
+)
+def test_a_window_that_is_left_open(cycle: int | None, window: int, reason: str) -> None:
+    """Both sides, section 4: the least of five cycles (or a fortieth) and a sixteenth of calibration."""
+    values = np.random.default_rng(0).standard_normal(4000) if cycle is None else wave(4000, cycle)
+    with DuckSession() as session:
+        look = look_at(session, Source(table(values)), Parameters(window="auto"), Calibration())
+    found = propose(look)
+    assert (found.window, found.window_reason) == (window, reason)

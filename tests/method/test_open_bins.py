@@ -1,4 +1,4 @@
-"""Bins that are left to be found: the finest grid that calibration fills, in every form."""
+"""Bins that calibration chooses, in every form."""
 
 import math
 from random import Random
@@ -38,7 +38,7 @@ OPEN = Parameters(
 HALF = Calibration(fraction=0.5)
 
 
-def plant(samples: int = 400) -> list[harness.Row]:
+def plant(samples: int = 800) -> list[harness.Row]:
     """Channels that fill grids of different fineness, one that is constant, one without a vector."""
     random = Random(3)
     rows: list[harness.Row] = []
@@ -60,7 +60,7 @@ def bins_of(rows: list[harness.Row], calibration: Calibration) -> dict[tuple[str
     return {(channel.asset, channel.name): pool.settings.bins for channel, pool in found}
 
 
-def test_every_channel_has_the_finest_grid_that_it_fills(engine: str) -> None:
+def test_every_channel_has_the_grid_that_is_chosen(engine: str) -> None:
     """Where some are pooled and some alone both are seen, which is enough for the slower engines."""
     rows = plant()
     pools: list[Any] = [[["a", "b"]], *([None, "channel"] if engine == "duckdb" else [])]
@@ -118,7 +118,7 @@ def test_bins_are_frozen_and_no_other_setting(engine: str) -> None:
 
 def test_a_script_which_reads_nothing_has_none() -> None:
     source = gam_db.Source("telemetry", time_kind="counter")
-    with pytest.raises(ParameterError, match="bins is 'auto', which is found where telemetry is read"):
+    with pytest.raises(ParameterError, match="give --bins, or calibrate first, or --paper"):
         gam_db.render("exact", "duckdb", source, OPEN)
 
 

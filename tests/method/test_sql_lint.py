@@ -29,6 +29,7 @@ from gam_db.export import Package, grafana
 from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_backtested, add_judgements, add_learnt_limits, add_replay
+from gam_db.method.automatic import DELAYS, scoring
 from gam_db.method.census import Slicing
 from gam_db.method.delays import KEPT, STORED, Ways
 from gam_db.method.judgement import add_judged, add_standing
@@ -36,6 +37,7 @@ from gam_db.selection.budget import add_budget, add_results
 from gam_db.selection.lags import add_delays, add_samples
 from gam_db.selection.neighbours import add_dimensions, add_embedding
 from gam_db.selection.search import Search
+from gam_db.settings.parameters import RUNGS
 from gam_db.settings.source import Source, WideSource, readings
 from gam_db.stored.alarms import told as alarms
 from gam_db.stored.monitor import Monitor
@@ -710,6 +712,25 @@ def test_filled_queries_of_a_selection_break_no_rule() -> None:
     assert {place[:2] for place in found} == exempt, "an exemption that nothing needs any more goes"
 
 
+def test_filled_queries_of_a_choice_break_no_rule() -> None:
+    columns = {
+        "taught_samples": ("channel_id", "code", "piece", "place", "samples"),
+        "learners": (
+            *("channel_id", "unit_id", "learner_id", "support_id", "delay_no", "window_length"),
+            *("is_cut", "thinning"),
+        ),
+    }
+    doubles = {"taught_samples": ("value",), "learners": ("calibrated_lo", "calibrated_hi")}
+    given = []
+    for name, counts in columns.items():
+        kinds = [(one, "BIGINT") for one in counts] + [(one, "DOUBLE") for one in doubles[name]]
+        told = exp.select(*(exp.cast(exp.null(), kind).as_(one) for one, kind in kinds))
+        given.append((name, told))
+    setting = gam_db.Parameters(bins=128)
+    made = scoring(setting, RUNGS, DELAYS, 1)
+    assert found_in([*given, *filled_steps(made)]) == set()
+
+
 #: What reads the state only; each may read those before it.
 OF_STATE = (
     *("status_rows", "course", "pruned_versions", "bucket_ages", "horizons"),
@@ -776,6 +797,14 @@ def loading() -> Iterator[set[str]]:
 HEALTH = ("bucket_health",)
 
 
+def choose_once() -> None:
+    """Let calibration choose, of a channel in segments."""
+    table = pa.table({"time": range(900), "value": [float(i % 7) for i in range(900)]})
+    with DuckSession() as session, session.lent(table) as lent:
+        parameters = gam_db.Parameters(tau="auto", bins="auto", window="auto", max_gap=3)
+        Study(session, Source(lent.name, None, None), parameters, CALIBRATIONS[0]).forget()
+
+
 def stream_once() -> None:
     """Read a channel in the order in which it is stored."""
     table = pa.table({"time": range(naming.STREAMED_FROM), "value": [1.5] * naming.STREAMED_FROM})
@@ -837,6 +866,7 @@ def test_every_file_is_used() -> None:
             WideSource("telemetry", channels=["value"] * 99), exp.to_table("t"), TimeKind.COUNTER
         )
         selection_steps()
+        choose_once()
         alarm_steps(0)
         source = Source("telemetry", time_kind="counter")
         for form, engine in (("exact", "sqlite"), ("view", "duckdb")):

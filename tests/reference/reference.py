@@ -10,7 +10,6 @@ calibration are read by attribute only, hence ``Any``: whatever has the attribut
 
 import math
 import re
-from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -33,7 +32,8 @@ RUNGS = (128, 64, 32, 16, 8)
 class Settings:
     """The parameters of one channel after overrides, ``stride`` resolved (section 3).
 
-    ``is_open``: bins were to be found; until they are, they are the finest for which keys have room.
+    ``open``: which of tau, bins and window are to be chosen; until they are, tau is 1, and bins the
+    finest for which keys have room.
     """
 
     m: int
@@ -46,7 +46,8 @@ class Settings:
     target_floor: float
     least_vectors: int = 1
     range: str = "robust"
-    is_open: bool = False
+    open: tuple[str, ...] = ()
+    asked_stride: int | None = None
 
 
 @dataclass
@@ -98,17 +99,22 @@ def glob(pattern: str, text: str) -> bool:
 
 def settings_of(parameters: Any, asset: str, name: str) -> Settings:
     """Section 3: a channel's parameters; the first override that matches applies, alone."""
-    values = {key: getattr(parameters, key) for key in Settings.__dataclass_fields__ if key != "is_open"}
+    fields = [key for key in Settings.__dataclass_fields__ if key not in ("open", "asked_stride")]
+    values = {key: getattr(parameters, key) for key in fields}
     for override in parameters.overrides:
         if glob(override.asset, asset) and glob(override.channel, name):
+            if "window" in override.changes():
+                values["stride"] = None
             values.update(override.changes())
             break
+    are_open = tuple(key for key in ("tau", "bins", "window") if values[key] == "auto")
+    room = [bins for bins in RUNGS if (bins + 3) ** values["m"] < 2**63]
+    usual = {"tau": 1, "bins": room[0] if room else 0, "window": values["stride"] or 100}
+    asked_stride = values["stride"] if "window" in are_open else None
+    values |= {key: usual[key] for key in are_open}
     if values["stride"] is None:
         values["stride"] = math.gcd(values["window"], 100)
-    if values["bins"] == "auto":
-        room = [bins for bins in RUNGS if (bins + 3) ** values["m"] < 2**63]
-        return Settings(**{**values, "bins": room[0], "is_open": True})
-    return Settings(**values)
+    return Settings(**values, open=are_open, asked_stride=asked_stride)
 
 
 def collapse(found: Iterable[tuple[int, float | None]]) -> tuple[list[int], list[Any], int]:
@@ -267,6 +273,13 @@ def learn(pool: Pool) -> None:
 
 def channels(rows: Iterable[Row], parameters: Any, calibration: Any) -> Pairs:
     """Sections 2 to 4: every channel of the source with its pool, by asset and name."""
+    pairs, pools = opened(rows, parameters, calibration)
+    settle(pools)
+    return pairs
+
+
+def opened(rows: Iterable[Row], parameters: Any, calibration: Any) -> tuple[Pairs, list[Pool]]:
+    """The same before settings are chosen, and the pools."""
     found: dict[tuple[str, str], list[tuple[int, float | None]]] = {}
     for asset, name, time, value in rows:
         found.setdefault((asset, name), []).append((time, value))
@@ -288,24 +301,23 @@ def channels(rows: Iterable[Row], parameters: Any, calibration: Any) -> Pairs:
         pairs.append((channel, pool))
     for pool in pools.values():
         learn(pool)
-    settle(list(pools.values()))
-    return pairs
+    return pairs, list(pools.values())
 
 
 def settle(pools: list[Pool]) -> None:
-    """Give pools whose bins were to be found the finest grid that passes, and let them learn anew."""
-    open_pools, rungs, usual = [pool for pool in pools if pool.settings.is_open], {}, Counter[int]()
-    for pool in pools:
-        said = judgement(pool)
-        if pool.settings.is_open and said["verdict"] not in ("no_data", "constant"):
-            rungs[id(pool)] = max(said["finest_bins"] or 0, RUNGS[-1])
-            usual[rungs[id(pool)]] += len(pool.members)
-    commonest = max(usual, key=lambda bins: (usual[bins], bins), default=RUNGS[-1])
-    for pool in open_pools:
-        bins = min(rungs.get(id(pool), commonest), pool.settings.bins)
-        pool.settings, pool.keys = replace(pool.settings, bins=bins), set()
+    """Give pools with open settings those that calibration chooses, and let them learn anew."""
+    if not any(pool.settings.open for pool in pools):
+        return
+    import automatic_reference  # it is built on this module
+
+    for place, settings in automatic_reference.choose(pools).items():
+        pool = pools[place]
+        pool.settings, pool.keys, pool.dropped = settings, set(), []
+        pool.grid, pool.blocks = np.zeros((0, 1), np.int64), np.zeros(0, np.int64)
         for channel in pool.members:
-            channel.settings = pool.settings
+            channel.settings, channel.learnt, channel.scored = settings, [], []
+            channel.missing_vectors = 0
+            embed(channel)
         learn(pool)
 
 

@@ -29,6 +29,7 @@ ROOMS = {
     "score": "Which vectors are scored, and which of them are novel.",
     "health": "The health indicator, by vector and by bucket.",
     "certificate": "What calibration says about itself (section 5).",
+    "automatic": "Which delay, bins and window calibration chooses (both sides, section 4).",
     "probe": "What the indicator would show if a machine changed (both sides, section 2).",
     "judgement": "When a channel is above its limit, and its status: the same in every form.",
     "alarms": "Judgements, the limits they are judged by, and episodes (alarms, sections 2 to 4).",

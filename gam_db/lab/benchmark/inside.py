@@ -14,7 +14,7 @@ from gam_db.engines.duckdb.session import DuckSession
 from gam_db.lab.benchmark.database import opened
 from gam_db.study import Study
 
-PARAMETERS = gam_db.Parameters(m=3, tau=1, bins=100, window=5000, stride=100, range="min_max")
+PARAMETERS = gam_db.Parameters.paper()
 CALIBRATION = gam_db.Calibration(fraction=0.2)
 RESULTS = ("bucket_health", "novel_cells")
 

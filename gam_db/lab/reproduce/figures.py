@@ -20,7 +20,7 @@ from gam_db.lab.reproduce.methods import METHODS, check_libraries
 from gam_db.lab.reproduce.results import Figures, Results, Show
 from gam_db.lab.reproduce.svg import BLACK, DARK, DASHES, GREY, LIGHT, Drawing, Plot, Point
 from gam_db.settings.calibration import Calibration
-from gam_db.settings.parameters import MIN_MAX, Parameters
+from gam_db.settings.parameters import Parameters
 from gam_db.settings.source import Source
 from gam_db.study import Study
 
@@ -163,7 +163,7 @@ def dimensions(plan: Plan, names: Sequence[str], results: Results, show: Show) -
     plot = Plot(drawing, (55, 25), (470, 220), (0, 1), (0, 1))
     plot.frame((0, 0.25, 0.5, 0.75, 1), (0, 0.25, 0.5, 0.75, 1), "share of life", "health indicator")
     for m, dash in zip(DIMENSIONS, DASHES, strict=False):
-        chosen = Parameters(m=m, tau=1, bins=BINS, window=plan.window, range=MIN_MAX)
+        chosen = Parameters.paper(m=m, bins=BINS, window=plan.window)
         other = None if chosen == plan.parameters else chosen
         course = _course(series(plan, SEED, [DSE], place, results, show, other)[DSE])
         plot.line(course, dash=dash, width=1.5)

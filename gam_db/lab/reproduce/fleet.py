@@ -20,7 +20,7 @@ from gam_db.lab.simulate.fleet import Fleet, Joint
 from gam_db.lab.simulate.outcomes import outcomes_of
 from gam_db.lab.simulate.roles import JOINTS, role_of
 from gam_db.settings.calibration import Calibration
-from gam_db.settings.parameters import MIN_MAX, Parameters
+from gam_db.settings.parameters import Parameters
 from gam_db.settings.source import Source
 
 ROBOTS = 21
@@ -70,7 +70,7 @@ class Plan:
     @property
     def parameters(self) -> Parameters:
         """The paper's m, tau and B."""
-        return Parameters(m=3, tau=1, bins=BINS, window=self.window, range=MIN_MAX)
+        return Parameters.paper(bins=BINS, window=self.window)
 
     @property
     def folder(self) -> str:

@@ -23,7 +23,7 @@ from gam_db.lab.reproduce.evaluated import SURROGATES, summary
 from gam_db.lab.reproduce.methods import METHODS, Task, check_libraries, health
 from gam_db.lab.reproduce.results import Figures, Results, Show
 from gam_db.settings.calibration import Calibration
-from gam_db.settings.parameters import MIN_MAX, Parameters
+from gam_db.settings.parameters import Parameters
 from gam_db.settings.source import Source
 
 CALIBRATION = 0.2
@@ -52,7 +52,7 @@ class Recording:
     @property
     def parameters(self) -> Parameters:
         """The paper's m and tau for machines; a step in time above 1 ends a segment."""
-        return Parameters(m=3, tau=1, bins=self.bins, window=self.window, max_gap=1, range=MIN_MAX)
+        return Parameters.paper(bins=self.bins, window=self.window, max_gap=1)
 
 
 RECORDINGS = {

@@ -24,7 +24,7 @@ from gam_db.lab.reproduce.table2 import agreement
 from gam_db.lab.simulate.fleet import Fleet
 from gam_db.lab.simulate.outcomes import outcomes_of
 from gam_db.settings.calibration import Calibration
-from gam_db.settings.parameters import MIN_MAX, Parameters
+from gam_db.settings.parameters import Parameters
 from gam_db.settings.source import Source
 from gam_db.study import Study
 
@@ -183,7 +183,7 @@ def _settings(on: str, quick: bool, m: int, tau: int) -> dict[str, Any]:
 def _run(settings: dict[str, Any], loaded: Callable[[], tuple[pa.Table, pa.Table | None]]) -> Figures:
     series, outcomes = loaded()
     chosen = {name: settings[name] for name in ("m", "tau", "bins", "window")}
-    parameters = Parameters(**chosen, range=MIN_MAX)
+    parameters = Parameters.paper(**chosen)
     calibration = Calibration(fraction=settings["calibration_fraction"])
     with DuckSession() as session:
         study = Study(session, Source(series), parameters, calibration)

@@ -4,6 +4,7 @@ This module owns when limits are made, and of what. How one is chosen is said by
 """
 
 from collections.abc import Callable, Sequence
+from functools import partial
 
 from sqlglot import exp
 
@@ -14,12 +15,17 @@ from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_spreads
 from gam_db.method.source import by_override
-from gam_db.settings.parameters import AUTO, Parameters
+from gam_db.settings.parameters import Parameters
 from gam_db.stored.state import State, kind_of, now
 from gam_db.study.running import Running
 
 #: What is NULL where there is no limit.
 CHOSEN = ("centre", "spread", "reference", "height", "cap", "quarters", "basis", "rate", "stated_rate")
+
+
+def _finds(name: str, of: Parameters) -> int:
+    """Return 1 where calibration chooses a setting, else 0."""
+    return int(name in of.open_settings)
 
 
 def learnt(
@@ -33,17 +39,19 @@ def learnt(
     """Return the steps *limit_channels* and *learnt_limits*, over the active versions of a monitor.
 
     Where it ``is_heeding``, one with a false alarm right after calibration gets no limit any more.
-    Where the parameters leave bins to be found, they make no family. Versions stands for the table of
+    Delays and bins that calibration chooses make no family. Versions stands for the table of
     all versions, with some that are not written yet.
     """
     steps = Pipeline(small=frozenset({"active", "limit_channels", "buffered"}))
     add(steps, "stored/state/active", {"monitor_id": monitor_id})
     verdict = {"verdict": exp.column("verdict", table="learnt")}
     reason = template.fill("judgement/limit_reason", verdict)
-    finds = by_override(parameters or Parameters(), lambda one: int(one.bins == AUTO))
-    for column in finds.find_all(exp.Column):
-        column.set("table", exp.to_identifier("member"))
-    slots: dict[str, template.Slot] = {"limit_reason": reason, "finds_bins": finds}
+    slots: dict[str, template.Slot] = {"limit_reason": reason}
+    for name in ("tau", "bins"):
+        finds = by_override(parameters or Parameters(), partial(_finds, name))
+        for column in finds.find_all(exp.Column):
+            column.set("table", exp.to_identifier("member"))
+        slots[f"finds_{name}"] = finds
     slots["heeding"] = int(is_heeding)
     add(steps, "stored/alarms/limit_channels", slots)
     add(steps, "stored/alarms/kept_buffered", name="buffered")

@@ -1,9 +1,9 @@
 -- Limit channels: the active versions of a monitor that limits can be made of, with what calibration says of them.
--- Channels of the same parameters have the same settings_no, whatever bins calibration found by itself; target_floor counts in units of 2^-30, since BigQuery
+-- Channels of the same parameters have the same settings_no, whatever calibration chose by itself; target_floor counts in units of 2^-30, since BigQuery
 -- groups by no double. Judgements counts the full windows there are.
 -- Reads:  active, stored_version, stored_bounds, stored_extent, stored_limit, stored_visible_bucket
 -- A row:  one active version; limit_no is that of its newest limit, 0 before there is one.
--- Slots:  :finds_bins    1 where the bins of a channel are found by calibration
+-- Slots:  :finds_tau, :finds_bins  1 where calibration chooses the delay of a channel (with it the dimension), or its bins
 --         :limit_reason  the expression of judgement/limit_reason.sql
 --         :heeding       1 where a false alarm right after calibration leaves a version without a limit
 SELECT
@@ -14,8 +14,8 @@ SELECT
   member.window_length AS window_length,
   MIN(member.version_id) OVER (
     PARTITION BY
-      member.m,
-      member.tau,
+      CASE WHEN :finds_tau = 1 THEN 0 ELSE member.m END,
+      CASE WHEN :finds_tau = 1 THEN 0 ELSE member.tau END,
       CASE WHEN :finds_bins = 1 THEN 0 ELSE member.bins END,
       member.window_length,
       member.stride,

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from gam_db.lab.simulate.fleet import SAMPLES, Fleet
 from gam_db.lab.simulate.roles import role_of
 from gam_db.settings.calibration import Calibration
-from gam_db.settings.parameters import MIN_MAX, Parameters
+from gam_db.settings.parameters import Parameters
 
 ROBOTS = 21
 """Of a fleet; after them come the controls, to which something happens that is no wear."""
@@ -54,7 +54,7 @@ class Plan:
     @property
     def parameters(self) -> Parameters:
         """The method's, the same for all channels."""
-        return Parameters(bins=self.bins, window=self.window, still_after=25, range=MIN_MAX)
+        return Parameters.paper(bins=self.bins, window=self.window, still_after=25)
 
     @property
     def shift(self) -> int:
