@@ -151,6 +151,7 @@ def _add_probe(steps: Pipeline, setting: Parameters, delays: Sequence[int]) -> N
             "change_no": number,
             "change_name": template.text(of.name),
             "pace": of.pace,
+            "rung": of.rung,
             "shift": of.shift,
             "stroke": of.stroke,
         }
