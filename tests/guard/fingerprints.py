@@ -28,8 +28,8 @@ from gam_db.version import __version__
 FILE = Path(__file__).with_name("fingerprints.txt")
 COMMAND = "python -m tests.guard.fingerprints"
 
-#: Parameters with the default that tests do without (tests/tools/tiny.py).
-_ASKED = partial(gam_db.Parameters, least_vectors=LEAST_VECTORS)
+#: Parameters with the default that tests do without (tests/tools/tiny.py), and with numbers.
+_ASKED = partial(gam_db.Parameters, tau=1, bins=100, window=5000, least_vectors=LEAST_VECTORS)
 
 _COUNTER = gam_db.Source("telemetry", time_kind="counter")
 _DATED = gam_db.Source(

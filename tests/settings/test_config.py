@@ -10,6 +10,7 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
+import tiny
 from gam_db import Calibration, Override, Parameters
 from gam_db.cli import config, options
 from gam_db.cli.config import SECTIONS, Settings
@@ -51,6 +52,9 @@ def test_the_documented_example(tmp_path: Path) -> None:
         where="reading < 1000",
     )
     assert parameters == Parameters(
+        tau="auto",
+        bins="auto",
+        window="auto",
         stride=100,
         max_gap="5 s",
         still_after=25,
@@ -367,3 +371,13 @@ def test_there_is_none_can_be_said_by_an_option(tmp_path: Path) -> None:
     assert (settings.source.asset, settings.source.channel) == (False, False)
     wide = by_options(tmp_path, "", "--wide", "--channel", "a", "--channel", "b").source
     assert (wide.layout, wide.channel, wide.channels) == ("wide", None, ("a", "b"))
+
+
+def test_calibration_chooses_unless_the_user_does() -> None:
+    assert {name: settings_of(Parameters)[name].default for name in ("tau", "bins", "window")} == {
+        "tau": "auto",
+        "bins": "auto",
+        "window": "auto",
+    }
+    with tiny.as_delivered():
+        assert Parameters() == Parameters(tau="auto", bins="auto", window="auto", least_vectors=400)

@@ -44,7 +44,7 @@ def main() -> None:
     source = gam_db.Source("telemetry", time_kind="timestamp")
     calibration = gam_db.Calibration(fraction=0.2)
     for engine in ("duckdb", "postgres"):
-        script = gam_db.render("view", engine, source, gam_db.Parameters(), calibration)
+        script = gam_db.render("view", engine, source, gam_db.Parameters.paper(), calibration)
         print(f"gam compile, one plain table, view form, {engine}: {size_of(script)}")
     for engine in ("duckdb", "postgres"):
         print(f"gam migrate --sql, {engine}: {size_of(rendered(engine_named(engine), StateTables()))}")

@@ -35,27 +35,27 @@ ACTUATOR = ("PG_*", "Accel_*", "Angle", "Temp_*")
 RECORDINGS = {
     "plant": Recording(
         "production_plant",
-        Parameters(bins=16, window=200, max_gap=1, still_after=25),
+        Parameters(tau=1, bins=16, window=200, max_gap=1, still_after=25),
         Calibration(fraction=0.2),
         ("L_*", "A_*", "B_*", "C_*"),
         ("end_of_life",),
     ),
     "bearings": Recording(
         "femto_bearings",
-        Parameters(bins=16, window=1000, max_gap=1),
+        Parameters(tau=1, bins=16, window=1000, max_gap=1),
         Calibration(fraction=0.2),
         ("acc_*",),
         ("end_of_life",),
     ),
     "actuators": Recording(
         "hydraulic_actuators",
-        Parameters(bins=64, window=2000, max_gap=1),
+        Parameters(tau=1, bins=64, window=2000, max_gap=1),
         Calibration(fraction=0.25),
         ACTUATOR,
     ),
     "seal": Recording(
         "hydraulic_actuators",
-        Parameters(bins=64, window=2000, max_gap=1),
+        Parameters(tau=1, bins=64, window=2000, max_gap=1),
         Calibration(
             fraction=0.25,
             pool=[["Act_1", "Act_2", "Act_4"]],
@@ -66,14 +66,14 @@ RECORDINGS = {
     ),
     "rig": Recording(
         "hydraulic_rig",
-        Parameters(bins=16, window=600, stride=60, max_gap=10, overrides=_ONE_HERTZ),
+        Parameters(tau=1, bins=16, window=600, stride=60, max_gap=10, overrides=_ONE_HERTZ),
         Calibration(intervals=_HEALTHY),
         ("FS*", "TS*"),
         ("pump_leak=1", "pump_leak=2", "accumulator=115", "accumulator=100", "accumulator=90"),
     ),
     "cobot": Recording(
         "ur3_cobot",
-        Parameters(bins=8, window=100, max_gap="5 s"),
+        Parameters(tau=1, bins=8, window=100, max_gap="5 s"),
         Calibration(fraction=0.25),
         ("Current_*", "Speed_*", "Temperature_*"),
         time="ts",
