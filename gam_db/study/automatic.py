@@ -255,6 +255,7 @@ _COLLAPSED = columns((COUNT, "channel_id time"), (SHARE, "value"), (COUNT, "conf
 
 _LEARNERS = columns(
     (COUNT, "channel_id unit_id learner_id support_id delay_no window_length is_cut thinning"),
+    (COUNT, "by_machine"),
     (SHARE, "calibrated_lo calibrated_hi"),
 )
 
@@ -336,6 +337,8 @@ def _learners(
     of: Siblings, members: Sequence[Row], unit: int, delays: Iterable[int], window: int, is_cut: int = 0
 ) -> list[Row]:
     figures = {"unit_id": unit, "window_length": window, "is_cut": is_cut, "thinning": of.thinning}
+    # Members that taught nothing are judged by leaving out whole machines (both sides, section 6).
+    figures["by_machine"] = int(1 < len(_taught(members)) < len(members))
     return [{**row, **figures, "delay": delay} for row in members for delay in delays]
 
 

@@ -6,10 +6,10 @@ SELECT
   support_id,
   block_no,
   block AS pool_block,
-  vectors,
-  CAST(COUNT(*) OVER (PARTITION BY support_id) AS BIGINT) AS pool_blocks
+  part,
+  vectors
 FROM (
-  SELECT channel_id, support_id, block_no, block, CAST(COUNT(*) AS BIGINT) AS vectors
+  SELECT channel_id, support_id, block_no, block, part, CAST(COUNT(*) AS BIGINT) AS vectors
   FROM learnt
-  GROUP BY channel_id, support_id, block_no, block
+  GROUP BY channel_id, support_id, block_no, block, part
 ) AS counted

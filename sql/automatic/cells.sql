@@ -10,9 +10,11 @@ SELECT
   cell_key,
   CAST(COUNT(*) AS BIGINT) AS visits,
   MIN(block) AS first_block,
-  MAX(block) AS last_block
+  MAX(block) AS last_block,
+  MIN(part) AS first_part,
+  MAX(part) AS last_part
 FROM (
-  SELECT vector.support_id AS support_id, :coarse_key AS cell_key, vector.block AS block
+  SELECT vector.support_id AS support_id, :coarse_key AS cell_key, vector.block AS block, vector.part AS part
   FROM learnt AS vector
   JOIN coarser AS good ON good.support_id = vector.support_id
 ) AS placed

@@ -1,4 +1,5 @@
--- Passing: the supports that calibration fills on one grid, by the floor and the highest block (method, section 5).
+-- Passing: the supports that calibration fills on one grid, by the floor and the highest block, or machine (method,
+-- section 5; both sides, section 6).
 -- Reads:  block_sizes, cells, coarser
 -- A row:  one support that passes. 2^-40 allows for the division.
 -- Slots:  :level, :divisor  the number of the grid, and how many bins of the finest one make one of it
@@ -30,15 +31,23 @@ FROM (
           WHEN exclusive.hit = 1 THEN CAST(exclusive.visits AS DOUBLE) / CAST(size.vectors AS DOUBLE)
           ELSE CAST(0 AS DOUBLE)
         END AS share,
-        FLOOR(CAST(4611686018427387904 AS DOUBLE) / CAST(size.pool_blocks AS DOUBLE)) AS units
-      FROM block_sizes AS size
+        FLOOR(CAST(4611686018427387904 AS DOUBLE) / CAST(size.parts AS DOUBLE)) AS units
+      FROM (
+        SELECT
+          support_id,
+          part,
+          CAST(SUM(block.vectors) AS BIGINT) AS vectors,
+          CAST(COUNT(*) OVER (PARTITION BY support_id) AS BIGINT) AS parts
+        FROM block_sizes AS block
+        GROUP BY support_id, part
+      ) AS size
       JOIN coarser AS good ON good.support_id = size.support_id
       LEFT JOIN (
-        SELECT first_block, CAST(SUM(cell.visits) AS BIGINT) AS visits, 1 AS hit
+        SELECT first_part, CAST(SUM(cell.visits) AS BIGINT) AS visits, 1 AS hit
         FROM cells AS cell
-        WHERE first_block = last_block
-        GROUP BY first_block
-      ) AS exclusive ON exclusive.first_block = size.pool_block
+        WHERE first_part = last_part
+        GROUP BY first_part
+      ) AS exclusive ON exclusive.first_part = size.part
     ) AS shared
   ) AS rounded
   GROUP BY support_id

@@ -67,6 +67,11 @@ CASES: dict[str, tuple[list[Row], dict[str, Any], dict[str, Any]]] = {
     "given window": (alike(), {"window": 60, "tau": 2, "bins": 16}, {"fraction": 0.5}),
     "another m": (alike(), {"m": 2, "least_vectors": 100}, {"fraction": 0.5}),
     "a pool": (alike(), {"stride": 7}, {"fraction": 0.5, "pool": "channel"}),
+    "a pool of which one taught nothing": (
+        [*alike(), *(("c", "x", i, stroke(i, 2)) for i in range(900))],
+        {"target_floor": 0.3},
+        {"fraction": 0.5, "pool": "channel", "overrides": {"c": Calibration(intervals=[(9000, 9001)])}},
+    ),
     "damaged": (
         damaged(),
         {"max_gap": 10, "still_after": 9},

@@ -111,9 +111,15 @@ def _score(
     visited: dict[tuple[int, ...], set[int]] = {}
     for values, block in zip(held, blocks, strict=True):
         visited.setdefault(cell(values), set()).add(block)
-    sizes = Counter(blocks)
-    alone = Counter(b for v, b in zip(held, blocks, strict=True) if len(visited[cell(v)]) == 1)
-    shares = [alone[block] / size for block, size in sizes.items()]
+    parts = blocks
+    if 1 < sum(any(member.healthy) for member in members) < len(members):
+        parts = [members.index(member) for member, _ in vectors]
+    seen: dict[tuple[int, ...], set[int]] = {}
+    for values, part in zip(held, parts, strict=True):
+        seen.setdefault(cell(values), set()).add(part)
+    sizes = Counter(parts)
+    alone = Counter(b for v, b in zip(held, parts, strict=True) if len(seen[cell(v)]) == 1)
+    shares = [alone[part] / size for part, size in sizes.items()]
     # Sums of whole units, as in the certificate: then the mean is the same on every machine.
     units = float(2**62 // len(shares))
     floor = sum(math.floor(share * units + 0.5) for share in shares) / (units * len(shares))
