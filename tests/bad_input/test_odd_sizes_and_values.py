@@ -99,7 +99,7 @@ def test_too_many_cells_are_refused_with_the_largest_m(bins: int, m: int, fittin
         ({"m": 0}, "m is 0; it must be at least 1"),
         ({"tau": -3}, "tau is -3; it must be at least 1"),
         ({"m": 1.5}, "m is 1.5; it must be an integer"),
-        ({"window": "5000"}, "window is '5000'; it must be an integer"),
+        ({"window": "5000"}, "window is '5000'; it takes an integer, or 'auto'"),
         ({"bins": True}, "bins is True; it must be an integer"),
         ({"bins": 2**31 + 1}, "must not exceed 2,147,483,648"),
         ({"m": 3, "tau": 2**30}, r"stay below 2\^31 samples"),

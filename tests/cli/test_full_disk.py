@@ -140,8 +140,11 @@ def test_a_copy_that_finds_no_room(full_disk: Path, tmp_path: Path, recording: s
 @pytest.mark.parametrize(
     ("words", "what"),
     [
-        (("compile", "telemetry", "--engine", "duckdb"), "What this command prints"),
-        (("compile", "telemetry", "--engine", "duckdb", "--out", "/dev/full"), "/dev/full"),
+        (("compile", "telemetry", "--engine", "duckdb", "--paper"), "What this command prints"),
+        (
+            ("compile", "telemetry", "--engine", "duckdb", "--paper", "--out", "/dev/full"),
+            "/dev/full",
+        ),
     ],
     ids=["printed", "a file"],
 )

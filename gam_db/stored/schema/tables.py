@@ -15,26 +15,17 @@ from gam_db.composing import template
 from gam_db.errors import ConfigurationError, InternalError
 
 TABLES = (
-    *("migration", "monitor", "channel", "version", "calibration", "bounds", "block", "support"),
-    *("bucket", "novel", "run", "unplaced", "checksum", "horizon", "proof", "ladder"),
+    *("migration", "monitor", "channel", "version", "calibration", "bounds", "block", "probe"),
+    *("support", "bucket", "novel", "run", "unplaced", "checksum", "horizon", "proof", "ladder"),
     *("buffered", "extent", "limit", "judgement", "episode", "label", "band", "band_visit"),
-    *("left_out", "probe"),
+    "left_out",
 )
 #: Each after those that it reads.
 VIEWS = (
     *("finished_run", "visible_bucket", "visible_novel", "visible_judgement", "visible_episode"),
-    *(
-        "certified",
-        "labelled_episode",
-        "health",
-        "stillness",
-        "onset",
-        "fleet",
-        "machine",
-        "trend",
-        "unplaced_day",
-    ),
-    *("cell", "quarantine", "growth", "alarm", "alarm_event", "alarm_band", "alarm_cell"),
+    *("labelled_episode", "certified", "health", "stillness", "onset", "fleet", "machine", "trend"),
+    *("unplaced_day", "cell", "quarantine", "growth"),
+    *("alarm", "alarm_event", "alarm_band", "alarm_cell"),
 )
 
 #: What people and other tools read or write. All else is of gam-db alone.
