@@ -39,6 +39,7 @@ LIST = Path(__file__).with_name("mutants.txt")
 FOLDERS = (
     *("source", "support", "embedding", "score", "health", "calibration", "certificate", "stored"),
     *("streams", "census", "rowids", "arrays", "judgement", "report", "alarms", "probe", "range"),
+    "automatic",
 )
 
 #: Files of ``sql/`` -> the engine that runs them; DuckDB runs all others.
@@ -162,6 +163,7 @@ _ABOUT = {
     "alarms/*": "test_alarms",
     "stored/calibrating/ladder_rows": "test_cells",
     "stored/calibrating/probe_rows": "test_probe",
+    "automatic/*": "test_automatic",
     "probe/*": "test_probe",
     "range/*": "test_range",
     "stored/pruning/expired_*": "test_pruning",
