@@ -33,9 +33,9 @@ SETTINGS = (
 
 #: What the status takes, and what there is to look at.
 STATUS = {"migration", "monitor", "proof", "visible_bucket", "fleet", "stillness"}
-STATUS |= {"version", "run", "finished_run", "unplaced", "left_out"}
+STATUS |= {"version", "bounds", "run", "finished_run", "unplaced", "left_out"}
 SHOWN = {"health", "quarantine", "unplaced_day", "onset", "machine", "growth", "cell", "trend"}
-SHOWN |= {"channel", "bounds", "limit", "alarm", "ladder", "label"}
+SHOWN |= {"channel", "limit", "alarm", "ladder", "probe", "label"}
 SHOWN |= {"visible_judgement", "labelled_episode", "alarm_event", "alarm_band", "alarm_cell"}
 
 #: The views that a writer takes, and the tables whose rows stay.

@@ -36,13 +36,13 @@ _COUNTING = (
 #: What the status is made of.
 _STATUS = (
     *("migration", "monitor", "proof", "visible_bucket", "fleet", "stillness"),
-    *("version", "run", "finished_run", "unplaced", "left_out"),
+    *("version", "bounds", "run", "finished_run", "unplaced", "left_out"),
 )
 
 #: What readers use, and what other commands of a reader take.
 _SHOWN = (
     *(name for name in (*VIEWS, *TABLES) if name in FOR_READERS and name not in _STATUS),
-    *("labelled_episode", "channel", "bounds", "limit"),
+    *("labelled_episode", "channel", "limit"),
 )
 
 #: What a script cannot know, as comments of it.
