@@ -361,7 +361,8 @@ def test_every_figure_is_that_of_the_views(chrome: Any, plant: Plant) -> None:
         assert [float(one) for one in chip] == [row["hi"], row["hi_limit"]]
         facts = seen.ask("[...document.querySelectorAll('.facts b')].map(b => b.textContent)")
         assert facts[:3] == [share(row["hi"]), share(row["hi_limit"]), share(row["floor"])]
-        assert facts[5] == f"{row['cells']:,}"
+        assert facts[3] == ("–" if row["sees"] is None else f"{row['sees']} %")
+        assert facts[6] == f"{row['cells']:,}"
         ladder = seen.ask("document.querySelector('[data-ladder]').dataset.ladder")
         assert dict(json.loads(ladder)) == plant.ladder
         said = seen.ask("document.querySelector('.state').textContent")
