@@ -129,7 +129,13 @@ def expected(rows: list[Row], *method: Any) -> tuple[Chosen, Means]:
     return taken, sorted(means, key=str)
 
 
-@pytest.mark.parametrize("case", CASES)
+#: What repeats another case but for a setting.
+REPEATED = ("another m", "overrides")
+
+
+@pytest.mark.parametrize(
+    "case", [pytest.param(case, marks=pytest.mark.full) if case in REPEATED else case for case in CASES]
+)
 def test_the_choice(engine: str, case: str) -> None:
     rows, settings, said = CASES[case]
     everything = {"tau": "auto", "bins": "auto", "window": "auto", **settings}
@@ -139,6 +145,7 @@ def test_the_choice(engine: str, case: str) -> None:
     comparisons.compared(engine, "exact", rows, *method)
 
 
+@pytest.mark.full
 def test_stretches_of_a_long_calibration(engine: str) -> None:
     method = Parameters(tau="auto", bins="auto", window="auto"), Calibration(fraction=1.0)
     found = chosen(engine, long(), *method)

@@ -132,10 +132,14 @@ def columns() -> Iterator[tuple[str, str, bool]]:
             yield name, column.name, not present
 
 
+#: Columns of text that may be NULL.
+TEXTS = ("reason", "would_not_see", "blind_reason", "only_teacher", "member_verdict")
+
+
 def other(column: str, value: Any, less: bool = False) -> Any:
     """A value that is not this one, and near it unless it is a key or a length."""
     if value is None:
-        return "1" if column == "reason" else 1
+        return "1" if column in TEXTS else 1
     if isinstance(value, str):
         return f"{value}0"
     if less:
@@ -322,6 +326,14 @@ def find_all(engine: str) -> None:
         *(("version", f"{column} IS NULL") for column in ("max_gap", "score_from")),
         ("run", "withdrawn IS NULL"),
         *is_null,
+        *(
+            ("bounds", f"{column} IS NULL")
+            for column in (
+                *("lowest_dropped", "highest_dropped", "sees_slower", "would_not_see", "blind_reason"),
+                *("teachers", "only_teacher", "member_verdict", "member_floor", "member_floor_sd"),
+                *("member_floor_max", "member_finest_bins"),
+            )
+        ),
         *(
             ("version", "still_after IS NULL"),
             ("bucket", "still IS NULL"),

@@ -12,6 +12,7 @@ FIRST: dict[str, tuple[str, ...]] = {
         "checking/",
         "engines/",
         "method/test_agreement.py",
+        "method/test_probe.py::test_golden_figures",
         "method/test_spec.py::test_cases[",
         "reading/",
         "stored/test_calibrated_together.py::test_versions_and_limits_come_together[postgres-limit",
@@ -27,6 +28,7 @@ FIRST: dict[str, tuple[str, ...]] = {
         "engines/test_texts_in_scripts.py::test_a_text_is_no_time[clickhouse-7 of 9-timestamp",
         "engines/test_types.py",
         "method/test_agreement.py",
+        "method/test_probe.py::test_golden_figures",
         "method/test_spec.py::test_cases[",
         "reading/test_ahead.py",
         "reading/test_local_time.py::test_both_passes_of_the_autumn_hour_are_read",
@@ -36,6 +38,7 @@ FIRST: dict[str, tuple[str, ...]] = {
     "mariadb": (
         "engines/test_mariadb.py",
         "engines/test_types.py",
+        "method/test_probe.py::test_golden_figures",
         "method/test_spec.py::test_cases[",
         "stored/test_stored_on_engines.py",
     ),
