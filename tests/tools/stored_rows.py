@@ -99,7 +99,6 @@ class Plant:
             "dropped_above": 0,
             "calibration_vectors": 1000,
             "cells": 10,
-            "sees": 5,
             "seen_once": 1,
             "blocks": 10,
             "floor": floor,
