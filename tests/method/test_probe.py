@@ -172,7 +172,8 @@ def members(teaching: int) -> tuple[list[Row], Any, Any]:
 
 @pytest.mark.parametrize("teaching", [1, 2, 4])
 def test_members_that_taught_nothing(engine: str, teaching: int) -> None:
-    rows, *method = members(teaching)
+    rows, parameters, calibration = members(teaching)
+    method = parameters, calibration
     session = engines.session(engine)
     with session.lent(harness.arrow(rows)) as table:
         found = gam_db.support(gam_db.Source(table.name), *method, session).to_pylist()
@@ -189,7 +190,8 @@ def test_members_that_taught_nothing(engine: str, teaching: int) -> None:
 
 @pytest.mark.parametrize("teaching", [1, 2])
 def test_the_state_keeps_what_others_say(teaching: int) -> None:
-    rows, *method = members(teaching)
+    rows, parameters, calibration = members(teaching)
+    method = parameters, calibration
     expected = reference.support(rows, *method)
     with duckdb.connect() as connection:
         telemetry = harness.arrow(rows)  # noqa: F841

@@ -75,8 +75,8 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
                 "version": f"{key + 100}, {key}, {key + 200}, NULL, 1, 'active', 'r', 3, 1, 10, 50, 10, "
                 "NULL, NULL, 0.05, NULL, 0, 0, 0, 0, 'h', 'h', 0, NULL, NULL, 1",
                 "calibration": f"{key + 100}, 0, 1",
-                "bounds": f"{key + 200}, 0, 1, 0, 0, NULL, NULL, 0, 0.5, 1, 2, 3, 4, 5, 'ready', 0, 0, 0, "
-                f"1, 0, 5, {', '.join(['NULL'] * 13)}",
+                "bounds": f"{key + 200}, 0, 1, 0, 0, NULL, NULL, 0, 0.5, 1, 2, 3, 4, 5, 'ready', 0, "
+                f"0, 0, 1, 0, 5, {', '.join(['NULL'] * 13)}",
                 "block": f"{key + 200}, 0, {key}, 0, 1, 2, 3",
                 "ladder": f"{key + 200}, 4, 0.5",
                 "probe": f"{key + 200}, 1, 'frozen', 9, 3",

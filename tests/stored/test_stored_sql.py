@@ -93,7 +93,8 @@ def test_filled_steps_break_no_rule(setting: Setting) -> None:
         # The last bits of logarithms are allowed for, as in the certificate itself; outlook takes the
         # larger of two figures, so that they decide nothing.
         rough = [
-            found.split(":")[:2] for found in broken(learning_steps(setting, kind, 0.05, 1), dict(known))
+            found.split(":")[:2]
+            for found in broken(learning_steps(setting, kind, 0.05, 1, True, True), dict(known))
         ]
         assert rough == [[step, " rough_decisions"] for step in ("outlook", "outlook", "verdicts")]
     assert broken(plan_steps(1, 5), given()) == []

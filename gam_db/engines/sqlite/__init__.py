@@ -34,11 +34,11 @@ def range_of(column: exp.Expr, earliest: int | None, latest: int | None) -> list
     conditions: list[exp.Expr] = []
     micros = ENGINE.micros_of(TimeKind.TIMESTAMP, column)
     if earliest is not None:
-        if earliest >= _FIRST_DAYS:
+        if _FIRST_DAYS <= earliest < _LAST_DAYS:
             conditions.append(exp.GTE(this=column.copy(), expression=_day(earliest - _DAY)))
         conditions.append(exp.GTE(this=micros.copy(), expression=template.node_of(earliest)))
     if latest is not None:
-        if latest < _LAST_DAYS:
+        if _FIRST_DAYS <= latest < _LAST_DAYS:
             conditions.append(exp.LT(this=column.copy(), expression=_day(latest + 2 * _DAY)))
         conditions.append(exp.LTE(this=micros.copy(), expression=template.node_of(latest)))
     return conditions
