@@ -139,8 +139,8 @@ def _score(
     m = len(held[0])
     plain = [k * delay for k in range(m)]
     changes: list[tuple[list[int], Any]] = []
-    changes += [(plain, lambda x, p=p: x + p / 100.0 * width) for p in (5, -5, 10, -10)]
-    changes += [(plain, lambda x, p=p: q50 + p / 10.0 * (x - q50)) for p in (5, 8, 12)]
+    changes += [(plain, lambda x, p=p: probe_reference.shifted(x, p, width)) for p in (5, -5, 10, -10)]
+    changes += [(plain, lambda x, p=p: probe_reference.stroked(x, p, q50)) for p in (5, 8, 12)]
     changes += [([0] * m, lambda x: x)]
     for p, q in ((3, 2), (2, 1), (2, 3)):
         delays = [(2 * k * p * delay + q) // (2 * q) for k in range(m)]

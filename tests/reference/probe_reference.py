@@ -25,6 +25,16 @@ def usual(values: list[float]) -> tuple[float, float, float]:
     return ordered[(n + 19) // 20 - 1], ordered[(n + 1) // 2 - 1], ordered[n - n // 20 - 1]
 
 
+def shifted(x: float, percent: int, width: float) -> float:
+    """Return a sample moved by so many hundredths of a width; one below 1e-290 moves nothing."""
+    return x + percent / 100.0 * width if width > 1e-290 else x
+
+
+def stroked(x: float, tenths: int, middle: float) -> float:
+    """Return a sample so many tenths as far from the middle; one within 1e-290 of it stays."""
+    return x if -1e-290 <= x - middle <= 1e-290 else middle + tenths / 10.0 * (x - middle)
+
+
 def found_at(channel: reference.Channel, newest: int, delays: list[int]) -> list[float] | None:
     """Return the values that a vector needs, the newest first; None where one cannot be had."""
     numbers = reference.segments(channel)
@@ -69,9 +79,9 @@ def probe(pool: reference.Pool) -> list[dict[str, Any]]:
     plain = [k * tau for k in range(m)]
     asked: list[tuple[str, list[int], Any]] = []
     for p in SHIFTS:
-        asked.append((f"shift {p:+d} %", plain, lambda x, p=p: x + p / 100.0 * width))
+        asked.append((f"shift {p:+d} %", plain, lambda x, p=p: shifted(x, p, width)))
     for p in (5, 8, 12):
-        asked.append((f"stroke {p / 10:g}", plain, lambda x, p=p: q50 + p / 10.0 * (x - q50)))
+        asked.append((f"stroke {p / 10:g}", plain, lambda x, p=p: stroked(x, p, q50)))
     asked.append(("frozen", [0] * m, lambda x: x))
     for p, q in SPEEDS:
         asked.append(
