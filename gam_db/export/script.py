@@ -39,8 +39,13 @@ from gam_db.settings.source import (
 FORMS = ("exact", "view")
 HEALTH_OF = ("asset_name", "channel_name")
 
-#: Tables of the view form that only its own script needs.
-_PASSING = ("timeline", "series", "limits", "calibrated", "visits", "missing_vectors")
+#: Tables of the view form that only its own script needs: small steps that several statements read. As
+#: steps of a query they would be spelled out, and on some engines planned, once for each reader.
+_PASSING = (
+    *("timeline", "series", "limits", "calibrated", "range_counts", "range", "visits"),
+    *("missing_vectors", "block_sizes", "cells", "blocks", "ladder", "spread"),
+    *("probed", "usual", "probe", "sight", "limited"),
+)
 _LASTING = ("channels", "calibration", "bounds", "support")
 _RESULTS = ("support_summary", "certificate", "probes")
 
@@ -152,9 +157,9 @@ def _view_statements(
 
 
 def _table_of(step: str) -> str:
-    """Return a step's name without the number of its set."""
+    """Return a step's name without the numbers of its round and its set."""
     stem, _, number = step.rpartition("_")
-    return stem if number.isdigit() else step
+    return _table_of(stem) if number.isdigit() else step
 
 
 def _drop(kind: str, table: exp.Table) -> exp.Drop:

@@ -27,7 +27,7 @@ FIRST: dict[str, tuple[str, ...]] = {
         "engines/test_texts_in_scripts.py::test_a_text_is_no_number[clickhouse-1.5abc",
         "engines/test_texts_in_scripts.py::test_a_text_is_no_time[clickhouse-7 of 9-timestamp",
         "engines/test_types.py",
-        "method/test_agreement.py::test_exact_form",
+        "method/test_agreement.py",
         "method/test_probe.py::test_golden_figures",
         "method/test_spec.py::test_cases[",
         "reading/test_ahead.py",
