@@ -14,6 +14,7 @@ from gam_db.health import certificate as certificate
 from gam_db.health import health_at_buckets as health_at_buckets
 from gam_db.health import health_indicator as health_indicator
 from gam_db.health import probe as probe
+from gam_db.health import programs as programs
 from gam_db.health import support as support
 from gam_db.lab.estimators import scores as scores
 from gam_db.lab.estimators import scores_at_buckets as scores_at_buckets

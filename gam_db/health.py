@@ -7,6 +7,7 @@ from typing import Any
 
 import pyarrow as pa
 
+from gam_db.errors import wrong
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
 from gam_db.study import studied
@@ -108,6 +109,32 @@ def probe(
         vectors (NULL where two delays would be one), novel (of them).
     """
     return _table("probes", source, parameters, calibration, engine)
+
+
+def programs(
+    source: Any,
+    parameters: Parameters | None = None,
+    calibration: Calibration | None = None,
+    engine: Any = None,
+) -> pa.Table:
+    """Return what each machine ran in calibration and since (both sides, section 5).
+
+    The source names the column that says so (``program``). Arguments and errors as in
+    :func:`health_indicator`.
+
+    Returns:
+        One row per channel and program, ordered: asset, channel, program (as text; NULL for readings
+        without one), verdict (ready, needs_data or unknown: vectors of the last two are not judged),
+        vectors (of calibration), unvouched (of these, how many only their own block vouches for), floor
+        (their share), readings, first_time, last_time (since calibration, missing ones left out). What
+        speaks of calibration is the pool's.
+
+    Raises:
+        SourceError: the source names no such column.
+    """
+    if getattr(source, "program", None) is None:
+        raise wrong("no_program_column")
+    return _table("program_summary", source, parameters, calibration, engine)
 
 
 def certificate(

@@ -85,7 +85,8 @@ CREATE TABLE IF NOT EXISTS stored_version (
   created BIGINT NOT NULL,
   still_after BIGINT,
   least_vectors BIGINT,
-  is_robust BIGINT NOT NULL
+  is_robust BIGINT NOT NULL,
+  program_column VARCHAR
 );
 
 COMMENT ON TABLE stored_version
@@ -119,6 +120,8 @@ COMMENT ON COLUMN stored_version.least_vectors
   IS 'Calibration vectors below which the verdict is needs_data; NULL for any number';
 COMMENT ON COLUMN stored_version.is_robust
   IS '1 if a few values far from the rest may be left out of the calibrated range, else 0';
+COMMENT ON COLUMN stored_version.program_column
+  IS 'Column of the source that says which program the machine runs; NULL where states are of no program';
 
 -- Calibration: the intervals a version learnt from, as they were resolved then.
 CREATE TABLE IF NOT EXISTS stored_calibration (
@@ -265,6 +268,24 @@ COMMENT ON COLUMN stored_probe.vectors
   IS 'Vectors of calibration that were changed so; NULL where two delays would be one';
 COMMENT ON COLUMN stored_probe.novel IS 'Those of them that would be novel; NULL where there are no vectors';
 
+-- Program: what calibration knows of each program that a machine ran, where a column of the source says which.
+CREATE TABLE IF NOT EXISTS stored_program (
+  support_id BIGINT NOT NULL,
+  program_no BIGINT NOT NULL,
+  program VARCHAR NOT NULL,
+  vectors BIGINT NOT NULL,
+  unvouched BIGINT NOT NULL,
+  verdict VARCHAR NOT NULL
+);
+
+COMMENT ON TABLE stored_program IS 'Programs that calibration holds; one row per support and program';
+COMMENT ON COLUMN stored_program.support_id IS 'The support';
+COMMENT ON COLUMN stored_program.program_no IS 'Its number in the keys of cells, as their highest digit: key div (bins + 3)^m';
+COMMENT ON COLUMN stored_program.program IS 'What the machine ran';
+COMMENT ON COLUMN stored_program.vectors IS 'Vectors of calibration';
+COMMENT ON COLUMN stored_program.unvouched IS 'Those of them in cells that only one block of calibration visited';
+COMMENT ON COLUMN stored_program.verdict IS 'ready: its vectors are judged; needs_data: calibration holds too little of it';
+
 -- Support: the cells that healthy operation visited.
 CREATE TABLE IF NOT EXISTS stored_support (
   support_id BIGINT NOT NULL,
@@ -298,7 +319,8 @@ CREATE TABLE IF NOT EXISTS stored_bucket (
   novel BIGINT NOT NULL,
   out_of_range BIGINT NOT NULL,
   novel_in_window BIGINT,
-  still BIGINT
+  still BIGINT,
+  unknown_program BIGINT
 );
 
 COMMENT ON TABLE stored_bucket IS 'Full buckets of scored vectors, of all runs; read visible_bucket instead';
@@ -317,6 +339,8 @@ COMMENT ON COLUMN stored_bucket.novel_in_window
   IS 'Novel vectors in the window that ends with it; NULL until the window is full';
 COMMENT ON COLUMN stored_bucket.still
   IS 'Samples after the previous bucket up to the end of this one that stood still; NULL without still_after';
+COMMENT ON COLUMN stored_bucket.unknown_program
+  IS 'Readings after the previous bucket up to its end of programs that are not judged; NULL without programs';
 
 -- Novel: the cells outside the support that each bucket visited. Rows are visible once their run is
 -- recorded; read them through visible_novel.
@@ -338,6 +362,28 @@ COMMENT ON COLUMN stored_novel.cell_key IS 'The cell: its bins on the m axes, as
 COMMENT ON COLUMN stored_novel.visits IS 'Vectors of the bucket in it';
 COMMENT ON COLUMN stored_novel.first_time IS 'Time of its first visit in the bucket';
 COMMENT ON COLUMN stored_novel.last_time IS 'Time of its last visit in the bucket';
+
+-- Unknown program: what a machine ran that calibration holds too little of, or nothing. It counts from bucket to
+-- bucket; rows of the bucket after the last one are of what came since. Read them through visible_program.
+CREATE TABLE IF NOT EXISTS stored_unknown_program (
+  version_id BIGINT NOT NULL,
+  bucket_no BIGINT NOT NULL,
+  run_id BIGINT NOT NULL,
+  program VARCHAR,
+  readings BIGINT NOT NULL,
+  first_time BIGINT NOT NULL,
+  last_time BIGINT NOT NULL
+);
+
+COMMENT ON TABLE stored_unknown_program IS 'Readings of programs that are not judged, of all runs; read visible_program instead';
+COMMENT ON COLUMN stored_unknown_program.version_id IS 'The version';
+COMMENT ON COLUMN stored_unknown_program.bucket_no
+  IS 'The bucket that ends next; the one after the last for readings since';
+COMMENT ON COLUMN stored_unknown_program.run_id IS 'The run that wrote it';
+COMMENT ON COLUMN stored_unknown_program.program IS 'What the machine ran; NULL where nothing says so';
+COMMENT ON COLUMN stored_unknown_program.readings IS 'Readings that are not missing';
+COMMENT ON COLUMN stored_unknown_program.first_time IS 'Time of the first of them';
+COMMENT ON COLUMN stored_unknown_program.last_time IS 'Time of the last of them';
 
 -- Run: the record that a version was scored from a bucket on. It is written last and makes the rows of
 -- the run visible; rows of earlier runs from that bucket on are hidden.

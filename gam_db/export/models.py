@@ -26,6 +26,7 @@ from gam_db.method.calibration import add_calibration
 from gam_db.method.certificate import add_judgement
 from gam_db.method.judgement import add_judged, limit_slots
 from gam_db.method.probe import add_certified, add_probe
+from gam_db.method.programs import add_samples, has_programs, identified_slots
 from gam_db.method.source import add_rules
 from gam_db.reading.ahead import latest_live
 from gam_db.settings.source import AnySource, under
@@ -218,10 +219,9 @@ def _learning(of: Modelled) -> Pipeline:
     steps.add("limits", limits, "Limits: when calibration ends, and from when on is scored.")
     add_rules(steps, of.method)
     steps.add("readings", rows, template.load("source/readings").comment)
-    add(steps, "source/identified", {"read": exp.true()})
+    add(steps, "source/identified", identified_slots(exp.true(), has_programs(rows)))
     add(steps, "stored/scoring/repeats", name="timeline")
-    for name in ("collapsed", "samples"):
-        add(steps, f"source/{name}")
+    add_samples(steps, has_programs(rows))
     add(steps, "calibration/calibrated")
     one = OfSet(steps, of.method, 0)
     add_calibration(one)
@@ -273,13 +273,11 @@ def _scoring(of: Modelled, is_later: bool) -> Pipeline:
     add(steps, "stored/scoring/channels")
     add(steps, "stored/scoring/bounds", {"settings": []})
     add(steps, "stored/scoring/support")
-    steps.add("readings", of.readings(*conditions), template.load("source/readings").comment)
+    rows = of.readings(*conditions)
+    steps.add("readings", rows, template.load("source/readings").comment)
     edges = [exp.column(name, table="named") for name in ("read_from", "read_until")]
-    add(
-        steps,
-        "source/identified",
-        {"read": exp.column("time", table="reading").between(edges[0], edges[1])},
-    )
+    within = exp.column("time", table="reading").between(edges[0], edges[1])
+    add(steps, "source/identified", identified_slots(within, has_programs(rows)))
     add_counting(steps, setting, of.method.kind, has_past=is_later)
     add(steps, "export/bucket_rows")
     if is_later:

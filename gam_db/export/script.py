@@ -17,7 +17,7 @@ from gam_db.composing.pipeline import Pipeline
 from gam_db.engines import engine_named
 from gam_db.engines.base import Engine, macro
 from gam_db.errors import EngineError, ParameterError, SourceError, nearest, wrong
-from gam_db.method import Method, pipeline
+from gam_db.method import Method, Programs, pipeline
 from gam_db.reading.ahead import latest_live
 from gam_db.reading.preparing import prepared
 from gam_db.settings.calibration import Calibration
@@ -87,7 +87,8 @@ def render(
     if schema is not None and not chosen.schemas:
         raise EngineError(f"{engine} has no schemas; leave schema out and give another prefix.")
     source, kind, found, relation = _looked_at(source, parameters, calibration, chosen)
-    method = Method(parameters, calibration, kind)
+    programs = None if source.program is None else Programs(source.program)
+    method = Method(parameters, calibration, kind, programs=programs)
     steps = _steps(method, source, relation, chosen)
     head = [
         f"gam-db, form {form}, for {chosen.name}. {_described(parameters)}",

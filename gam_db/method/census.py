@@ -26,6 +26,7 @@ from gam_db.method.delays import (
 )
 from gam_db.method.delays import KEPT as KEPT_BY
 from gam_db.method.probe import add_probe
+from gam_db.method.programs import identified_slots
 from gam_db.method.ranges import add_bounds
 from gam_db.method.resolved import Method
 from gam_db.method.scoring import (
@@ -101,7 +102,13 @@ def add_census(steps: Pipeline, method: Method, slicing: Slicing, ways: Ways) ->
         add(steps, f"{ways.delays}/edge_samples")
     else:
         _add_readings(steps, EDGES)
-        add(steps, "source/identified", {"read": exp.true()}, "near_edges", {"readings": EDGES})
+        add(
+            steps,
+            "source/identified",
+            identified_slots(exp.true(), False),
+            "near_edges",
+            {"readings": EDGES},
+        )
         add(steps, "census/edge_samples")
     file = "conflicts" if ways.is_collapsed else "no_conflicts"
     add(steps, f"census/{file}", name="conflicts")
@@ -110,7 +117,7 @@ def add_census(steps: Pipeline, method: Method, slicing: Slicing, ways: Ways) ->
     add(steps, "census/calibrated")
     if ways.delays is None or ways.is_cut:
         _add_readings(steps, TAUGHT)
-    add(steps, "source/identified", {"read": exp.true()})
+    add(steps, "source/identified", identified_slots(exp.true(), False))
 
 
 def add_names(steps: Pipeline, slicing: Slicing, ways: Ways) -> None:

@@ -7,6 +7,7 @@ from sqlglot import exp
 from gam_db.composing import template
 from gam_db.composing.pipeline import union_of
 from gam_db.method.adding import OfSet, add_stacked
+from gam_db.method.programs import weight_of
 from gam_db.method.vectors import add_vectors, compared
 from gam_db.settings.parameters import Parameters
 
@@ -17,18 +18,25 @@ def add_missing_vectors(one: OfSet, samples: str) -> None:
     may_lack = exp.true() if told else exp.column("missing_readings", table="named") > 0
     slots: dict[str, template.Slot] = {"read": may_lack, "carried": told}
     one.add("certificate/known_codes", slots, tables={"samples": samples})
-    add_vectors(one, "known_")
+    add_vectors(one, "known_", has_keys=False)
     one.add("certificate/missing_vectors", tables={"vectors": "known_vectors"})
 
 
-def coarse_key(setting: Parameters) -> exp.Expr:
-    """Return the key of a cell on a coarser grid, of its key and a divisor of bins."""
+def coarse_key(setting: Parameters, has_programs: bool = False) -> exp.Expr:
+    """Return the key of a cell on a coarser grid, of its key and a divisor of bins.
+
+    Where there are programs, the coarser cell is of the same one.
+    """
     radix, top = setting.radix, setting.m - 1
+    spelt = setting.m if has_programs else top
     coarse = [
         template.fill("certificate/coarse_term", {"weight": radix**k, "above": radix ** (k + 1)})
-        for k in range(top)
+        for k in range(spelt)
     ]
-    coarse.append(template.fill("certificate/top_term", {"weight": radix**top}))
+    if has_programs:
+        coarse.append(template.fill("program/key_term", {"weight": weight_of(setting)}))
+    else:
+        coarse.append(template.fill("certificate/top_term", {"weight": radix**top}))
     return template.added(coarse)
 
 
@@ -54,7 +62,9 @@ def add_judgement(one: OfSet, by_halves: bool = False) -> None:
         add_stacked(one.steps, "certificate/levels", rows, one.named(name))
 
     add_levels("levels", {k: 2**k for k in rungs})
-    slots: dict[str, template.Slot] = {"coarse_key": coarse_key(setting)}
+    slots: dict[str, template.Slot] = {
+        "coarse_key": coarse_key(setting, one.method.programs is not None)
+    }
     if by_halves and len(rungs) > 1:
         finer, halved = "cells", []
         for k in rungs[1:]:

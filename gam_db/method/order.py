@@ -12,6 +12,7 @@ from gam_db.method.certificate import add_judgement, add_missing_vectors
 from gam_db.method.delays import INCOMPLETE, Ways
 from gam_db.method.judgement import add_stillness, limit_slots
 from gam_db.method.probe import add_certified, add_probe
+from gam_db.method.programs import add_judged_programs, add_program_summary
 from gam_db.method.resolved import Method
 from gam_db.method.scoring import (
     add_placed,
@@ -29,6 +30,7 @@ _JOINED_CERTIFICATE = (
     *("bounds", "run_up", "cells", "blocks", "ladder", "learning", "spread", "finest", "outlook"),
     *("missing_vectors", "probe", "sight"),
 )
+_JOINED_PROGRAMS = ("programs", "judged_programs")
 
 
 def pipeline(
@@ -55,15 +57,21 @@ def pipeline(
         add_calibration(one)
         add_support_bits(one, bits)
         one.add("score/run_up", {"span": one.setting.reach})
+        if method.programs is not None:  # which programs are judged follows from the certificate
+            add_judgement(one)
+            add_judged_programs(one)
         add_scoring(one, bits)
         add_placed(one, ["numbered"])
         one.add("health/bucket_counts")
-        add_judgement(one)
+        if method.programs is None:
+            add_judgement(one)
         add_probe(one)
         add_missing_vectors(one, "samples")
     join_sets(steps, method, (*_JOINED_HEALTH, *_JOINED_BUCKETS, *_certificate(method)))
     add_stillness(steps, method, "moving_codes")
     add_results(steps, instant_of, bool(method.pools))
+    if method.programs is not None:
+        add_program_summary(steps, instant_of)
     return steps
 
 
@@ -123,7 +131,8 @@ def add_results(steps: Pipeline, instant_of: TimeNode, has_pools: bool) -> None:
 
 def _certificate(method: Method) -> tuple[str, ...]:
     """Return the steps of the certificate of which the rows of all sets are read."""
-    return (*_JOINED_CERTIFICATE, *(_JOINED_MEMBERS if method.pools else ()))
+    ran = () if method.programs is None else _JOINED_PROGRAMS
+    return (*_JOINED_CERTIFICATE, *(_JOINED_MEMBERS if method.pools else ()), *ran)
 
 
 def _add_readings(steps: Pipeline, readings: exp.Query) -> None:

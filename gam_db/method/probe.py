@@ -9,6 +9,7 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import OfSet, add, add_stacked
 from gam_db.method.judgement import limit_of
+from gam_db.method.programs import keyed, numbers
 from gam_db.method.slots import code_in
 from gam_db.method.vectors import add_earlier
 from gam_db.settings.parameters import Parameters
@@ -77,11 +78,18 @@ def add_probe(one: OfSet, samples: str = "samples") -> None:
     add_stacked(one.steps, "probe/changes", rows, one.named("changes"))
     coordinates = [f"y_{k}" for k in range(setting.m)]
     slots: dict[str, template.Slot] = {
-        "samples": [exp.alias_(_sample(setting, k, asked), name) for k, name in enumerate(coordinates)],
-        "codes": [
-            exp.alias_(code_in(setting.grid, value=exp.column(name)), f"code_{k}")
-            for k, name in enumerate(coordinates)
+        "samples": [
+            *(exp.alias_(_sample(setting, k, asked), name) for k, name in enumerate(coordinates)),
+            *(exp.alias_(exp.column(of.name, table="vector"), of.name) for of in numbers(one)),
         ],
+        "codes": [
+            *(
+                exp.alias_(code_in(setting.grid, value=exp.column(name)), f"code_{k}")
+                for k, name in enumerate(coordinates)
+            ),
+            *numbers(one),
+        ],
+        **keyed(one),
     }
     one.add("probe/changed", slots)
     one.add("probe/probe")

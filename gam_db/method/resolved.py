@@ -12,7 +12,7 @@ from gam_db.settings.parameters import OPENABLE, Parameters
 SMALL = frozenset(
     (
         *("names", "rules", "declared", "channels", "timeline", "recounted", "series"),
-        *("limits", "calibration", "calibrated", "collapsed"),
+        *("limits", "calibration", "calibrated", "collapsed", "taught_programs", "ran_programs"),
     )
 )
 SMALL_OF_SET = frozenset(
@@ -20,6 +20,7 @@ SMALL_OF_SET = frozenset(
         *("bounds", "support", "support_bits", "visits", "block_sizes", "cells", "blocks"),
         *("cell_shares", "learning", "levels", "ladder", "spread", "finest", "outlook"),
         *("missing_vectors", "run_up", "visited", "tallied", "buckets"),
+        *("programs", "judged_programs"),
         *("taught_before", "picked", "probed", "usual", "probe", "sight"),
         *(
             "member_sizes",
@@ -37,6 +38,19 @@ SMALL_OF_SET = frozenset(
 
 
 @dataclass(frozen=True)
+class Programs:
+    """The column that says which program a machine runs.
+
+    Attributes:
+        column: its name in the source.
+        is_whole: whether it holds whole numbers, which are ordered by size; texts are by their bytes.
+    """
+
+    column: str
+    is_whole: bool = False
+
+
+@dataclass(frozen=True)
 class Method:
     """What the user asked for, resolved: the input of every pipeline.
 
@@ -49,6 +63,7 @@ class Method:
         asked: the parameters as the user gave them, where calibration has chosen since.
         columns: the settings in which channels of one set may differ: the steps read them as columns. Of
             these the parameters have the largest.
+        programs: the column that says which program a machine runs, if the source has one.
         assets: the patterns of the calibration's overrides; that of number n has rule n + 1.
         pools: groups of asset patterns.
         settings: the distinct sets of parameters; number 0 is the general one.
@@ -65,6 +80,7 @@ class Method:
     kind: TimeKind
     asked: Parameters | None = field(default=None, compare=False)
     columns: tuple[str, ...] = ()
+    programs: Programs | None = None
     assets: tuple[str, ...] = field(init=False)
     pools: tuple[tuple[str, ...], ...] = field(init=False)
     settings: tuple[Parameters, ...] = field(init=False)
@@ -118,8 +134,12 @@ class Method:
         )
 
     def is_unbroken(self, number: int) -> bool:
-        """Tell whether no segment ends and no sample counts as still in one set."""
-        return self.gaps[number] is None and self.settings[number].still_after is None
+        """Tell whether every whole vector of one set counts whose samples are there.
+
+        No segment ends, no sample counts as still, and no program is unknown.
+        """
+        is_moving = self.settings[number].still_after is None
+        return self.gaps[number] is None and is_moving and self.programs is None
 
     @property
     def has_instants(self) -> bool:

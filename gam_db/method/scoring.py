@@ -10,6 +10,7 @@ from gam_db.method.adding import OfSet
 from gam_db.method.bits import Bits
 from gam_db.method.calibration import add_marked_codes
 from gam_db.method.delays import COMPLETE, INCOMPLETE
+from gam_db.method.programs import JUDGED, coded
 from gam_db.method.vectors import add_vectors, compared, varying
 from gam_db.settings.parameters import LARGEST_KEY, Parameters
 
@@ -64,7 +65,7 @@ def add_numbered(one: OfSet, bits: Bits | None = None, carried: Sequence[str] = 
 
     The vectors' ``still_so_far`` travels with them where it is ``carried``.
     """
-    add_marked_codes(one, "", exp.true())
+    add_marked_codes(one, "", exp.true(), JUDGED)
     add_vectors(one, "", ["calibration_vector", "straddling", *carried])
     counted = exp.and_(template.fill("score/counted"), template.fill("score/untaught"))
     _add_counted(one, "", counted, exp.column("straddling", table="vector"), carried, bits)
@@ -237,8 +238,9 @@ def _add_vectors_from_run_up(
     """Add codes and vectors of channels with, or without, missing samples, or of those to ``read``."""
     of_prefix = exp.column("complete", table="scale").eq(int(prefix == COMPLETE))
     carried = [*compared(one.setting), *varying(one)]
-    slots: dict[str, template.Slot] = {"read": read or of_prefix, "carried": carried}
-    one.add("support/codes", slots, f"{prefix}codes")
+    slots, tables = coded(one, JUDGED)
+    slots |= {"read": read or of_prefix, "carried": carried}
+    one.add("support/codes", slots, f"{prefix}codes", tables)
     add_vectors(one, prefix, asked)
 
 

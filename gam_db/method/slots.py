@@ -80,21 +80,21 @@ def cell_key(
     """Return the key of a vector's cell: a term for each coordinate, of that file of ``sql/``."""
     return template.added(
         [
-            template.fill(term, {"code": code, "weight": _weight(setting, k, radix)})
+            template.fill(term, {"code": code, "weight": weight_at(setting, k, radix)})
             for k, code in enumerate(coordinates(setting))
         ]
     )
 
 
-def _weight(setting: Parameters, power: int, radix: exp.Expr | None) -> template.Slot:
+def weight_at(setting: Parameters, power: int, radix: exp.Expr | None = None) -> template.Slot:
     """Return the radix to a power: a number, or a product of a column."""
     if radix is None or power == 0:
-        weight_of: int = setting.radix**power
-        return weight_of
-    weight: exp.Expr = exp.cast(radix.copy(), "BIGINT")
+        weight: int = setting.radix**power
+        return weight
+    product: exp.Expr = exp.cast(radix.copy(), "BIGINT")
     for _ in range(power - 1):
-        weight = exp.Mul(this=weight, expression=exp.cast(radix.copy(), "BIGINT"))
-    return weight
+        product = exp.Mul(this=product, expression=exp.cast(radix.copy(), "BIGINT"))
+    return product
 
 
 def novel_before(setting: Parameters, delayed: str) -> exp.Expr:

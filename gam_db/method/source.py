@@ -8,6 +8,7 @@ from gam_db.clock import LONG_AGO
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add, add_stacked
+from gam_db.method.programs import add_samples, add_taught_programs, identified_slots
 from gam_db.method.resolved import Method
 from gam_db.settings.parameters import Parameters
 
@@ -17,10 +18,14 @@ def add_source(steps: Pipeline, method: Method) -> None:
     add(steps, "source/names")
     add_rules(steps, method)
     add_channels(steps, method)
-    add(steps, "source/identified", {"read": exp.true()})
-    for name in ("timeline", "collapsed", "samples", "recounted", "series"):
+    has_programs = method.programs is not None
+    add(steps, "source/identified", identified_slots(exp.true(), has_programs))
+    add(steps, "source/timeline")
+    add_samples(steps, has_programs)
+    for name in ("recounted", "series"):
         add(steps, f"source/{name}")
     add_intervals(steps)
+    add_taught_programs(steps, method.programs)
     add(steps, "calibration/calibrated")
 
 

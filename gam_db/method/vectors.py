@@ -9,6 +9,7 @@ from sqlglot import exp
 from gam_db.clock import LONG_AGO
 from gam_db.composing import template
 from gam_db.method.adding import OfSet
+from gam_db.method.programs import TAUGHT, coded, keyed, numbers
 from gam_db.method.slots import cell_key, code_in, coordinates, known, outside, place_in
 from gam_db.settings.parameters import Parameters
 
@@ -20,6 +21,7 @@ def add_vectors(
     carried: Sequence[str] = (),
     told: Sequence[exp.Expr] = (),
     known: Mapping[str, template.Slot] | None = None,
+    has_keys: bool = True,
 ) -> None:
     """Add the vectors of one set (Eq. 1) over the codes of the same prefix.
 
@@ -40,14 +42,16 @@ def add_vectors(
         told: what else is told of a vector, by its own columns.
         known: slots otherwise than usual, where it is known that all coordinates are there, or that keys
             are small.
+        has_keys: whether cells matter; else it does not matter which program ran.
     """
     setting = one.setting
     is_marked = "calibration_vector" in asked
     radix = ["radix"] * ("radix" in one.method.columns)
-    codes, over, whole = add_last_codes(one, prefix, [*carried, *radix, *["calibrating"] * is_marked])
+    inner = [*radix, *(column.name for column in numbers(one) if has_keys)]
+    codes, over, whole = add_last_codes(one, prefix, [*carried, *inner, *["calibrating"] * is_marked])
     delayed: list[exp.Expr] = [exp.column(name) for name in carried]
     said = [*delayed, *told]
-    delayed += [exp.column(name) for name in radix]
+    delayed += [exp.column(name) for name in inner]
     if is_marked:
         over["oldest_time"] = _before("time", setting.span)
         over["last_uncalibrated"] = _newest(exp.column("calibrating").eq(0), setting.span)
@@ -82,6 +86,7 @@ def add_vectors(
         "context": _context(setting),
         "carried": said,
         "whole": whole,
+        **(keyed(one) if has_keys else {}),
         **(known or {}),
     }
     one.add("embedding/vectors", slots, f"{prefix}vectors", {"codes": codes})
@@ -93,8 +98,8 @@ def compared(setting: Parameters) -> list[exp.Expr]:
 
 
 def varying(one: OfSet) -> list[exp.Expr]:
-    """Return what codes carry of the settings in which the channels of a set differ: all but bins."""
-    return [exp.column(name) for name in one.method.columns if name != "bins"]
+    """Return what codes carry besides: settings in which channels differ, all but bins, and programs."""
+    return [*(exp.column(name) for name in one.method.columns if name != "bins"), *numbers(one)]
 
 
 def add_earlier(one: OfSet, prefix: str, samples: str, delays: Sequence[int]) -> None:
@@ -103,19 +108,22 @@ def add_earlier(one: OfSet, prefix: str, samples: str, delays: Sequence[int]) ->
     Each is one of calibration, in the segment of the newest one, and counts as usual.
     """
     until = exp.column("time", table="sampled") <= exp.column("calibration_end", table="scale")
-    read: dict[str, template.Slot] = {"read": until, "carried": [exp.column("value")]}
-    one.add("support/marked_codes", read, f"{prefix}codes", {"samples": samples})
-    codes, _, _ = add_last_codes(one, prefix, ["calibrating", "value"])
+    slots, tables = coded(one, TAUGHT)
+    slots |= {"read": until, "carried": [exp.column("value"), *numbers(one)]}
+    one.add("support/marked_codes", slots, f"{prefix}codes", {"samples": samples} | tables)
+    ran = [column.name for column in numbers(one)]
+    codes, _, _ = add_last_codes(one, prefix, ["calibrating", "value", *ran])
     has_gap = one.method.gaps[one.number] is not None
     over, values = _earlier(exp.column("known_value"), delays, has_gap)
     if has_gap and delays:
         over["segment_from"] = _newest(exp.column("breaking").eq(1), max(delays) - 1)
-    slots: dict[str, template.Slot] = {
-        "told": [exp.column("breaking")] if has_gap and delays else [],
-        "delayed": _named(over),
-        "reached": values,
+    of_placed = [exp.alias_(exp.column(name, table="placed"), name) for name in ran]
+    probed: dict[str, template.Slot] = {
+        "told": [*[exp.column("breaking")] * (has_gap and bool(delays)), *numbers(one)],
+        "delayed": [*_named(over), *numbers(one)],
+        "reached": [*values, *of_placed],
     }
-    one.add("probe/probed", slots, tables={"codes": codes})
+    one.add("probe/probed", probed, tables={"codes": codes})
 
 
 def _earlier(

@@ -26,7 +26,7 @@ def resolved(source: AnySource, columns: dict[str, str], session: Session) -> An
         SourceError: a column is missing or of the wrong type.
     """
     if isinstance(source, WideSource) and source.channels is None:
-        types, others = session.engine.types, (source.asset, source.time)
+        types, others = session.engine.types, (source.asset, source.time, source.program)
         for holds in (types.is_numeric, types.is_truth):
             if found := tuple(name for name, of in columns.items() if name not in others and holds(of)):
                 break
@@ -130,7 +130,7 @@ def _check_type(role: str, column: str, type_name: str, session: Session, time_u
         if types.time_kind(type_name) is None and not is_read and not (counts and time_unit):
             hint = "Say --time-unit (s, ms, us, ns) if it counts from 1970. " * counts
             raise wrong("tells_no_time", column=column, type_name=type_name, hint=hint)
-    elif role in ("asset", "channel"):
+    elif role in ("asset", "channel", "program"):
         if not types.is_name(type_name):
             raise wrong("no_name", role=role, column=column, type_name=type_name)
     elif not (types.is_numeric(type_name) or types.is_truth(type_name) or is_read):

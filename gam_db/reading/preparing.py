@@ -119,7 +119,7 @@ def _retyped(session: Session, source: AnySource, columns: dict[str, str]) -> di
         for name in source.value_columns
         if types.is_whole(columns[name]) or (source.thousands and types.is_numeric(columns[name]))
     }
-    names = (source.asset, getattr(source, "channel", None))
+    names = (source.asset, getattr(source, "channel", None), source.program)
     return values | {name: "VARCHAR" for name in names if name is not None and name not in values}
 
 

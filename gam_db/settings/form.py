@@ -72,11 +72,14 @@ def _zone(_: Setting, name: str, value: Any) -> str:
 
 _ZONE = Kind(_zone)
 
+#: What is said of rows, not of how words are written.
+_OF_ROWS = ("source_time_zone", "valid_when", "program")
+
 
 @declared
 @dataclass(frozen=True, kw_only=True)
 class Form:
-    """How numbers and times are written in a source, and which of its readings count."""
+    """How numbers and times are written in a source, which readings count, and of which program they are."""
 
     decimal: str | None = setting(None, one_of(",", "."))
     thousands: str | None = setting(None, one_of(".", ",", " ", "'"))
@@ -89,6 +92,7 @@ class Form:
     time_unit: str | None = setting(None, one_of(*SINCE_1970))
     source_time_zone: str | None = setting(None, _ZONE)
     valid_when: str | None = setting(None, TEXT)
+    program: str | None = setting(None, TEXT)
 
     @property
     def written(self) -> dict[str, Any]:
@@ -99,7 +103,7 @@ class Form:
     @property
     def of_words(self) -> tuple[str, ...]:
         """The names of what was said that only a reader of text heeds, not the SQL of every engine."""
-        return tuple(name for name in self.written if name not in ("source_time_zone", "valid_when"))
+        return tuple(name for name in self.written if name not in _OF_ROWS)
 
     @property
     def reads_words(self) -> bool:

@@ -63,7 +63,8 @@ def ranged_readings(
     def shown(file: str, conditions: Sequence[exp.Expr], **slots: template.Slot) -> exp.Query:
         ranged = _narrowed(source, conditions)
         rows = readings(ranged, relation, micros_of, number_of, unpivots, validity)
-        filled = template.fill(file, slots)
+        programs = [] if source.program is None else [exp.column("program")]
+        filled = template.fill(file, {**slots, "carried": programs})
         read_from(rows.subquery("local_readings"), filled)
         return filled  # type: ignore[return-value]
 

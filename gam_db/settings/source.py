@@ -48,7 +48,8 @@ class Source(Form):
 
     How numbers and times are written is said by keywords, see :class:`gam_db.settings.form.Form`:
     decimal, thousands, unit, null, delimiter, skip_rows, encoding, time_format, time_unit,
-    source_time_zone, valid_when.
+    source_time_zone, valid_when. ``program`` is a column of texts or whole numbers that says what a machine
+    runs at a row (both sides, section 5): a state is then healthy for a program.
     """
 
     relation: Any
@@ -67,6 +68,7 @@ class Source(Form):
     def columns(self) -> dict[str, str]:
         """The columns to be read, by what they say."""
         said = {"asset": self.asset, "channel": self.channel, "time": self.time, "value": self.value}
+        said["program"] = self.program
         return {role: column for role, column in said.items() if column is not None}
 
     @property
@@ -107,7 +109,7 @@ class WideSource(Form):
     @property
     def columns(self) -> dict[str, str]:
         """The columns to be read, by what they say; channels are numbered."""
-        said = {"asset": self.asset, "time": self.time}
+        said = {"asset": self.asset, "time": self.time, "program": self.program}
         named = {role: column for role, column in said.items() if column is not None}
         return named | {f"channel {n}": column for n, column in enumerate(self.value_columns, 1)}
 
@@ -185,7 +187,7 @@ def readings(
     asset = named_by(source.asset, ONLY_ASSET)
     if unpivots and len(source.value_columns) >= UNPIVOTED_FROM:
         time = micros_of(template.column(source.time))
-        said = {"asset": asset, "time": time, "condition": condition}
+        said = {"asset": asset, "time": time, "condition": condition, **_program(source)}
         return up_to(_unpivoted(source, relation, said, validity), "time", until)
     branches: list[exp.Query] = []
     for value in source.value_columns:
@@ -195,6 +197,7 @@ def readings(
             "time": micros_of(template.column(source.time)),
             "reading": _reading(source, number_of(template.column(value)), validity),
             "condition": condition,
+            **_program(source),
         }
         filled = template.fill("source/readings", slots)
         read_from(relation, filled)
@@ -213,6 +216,14 @@ def up_to(rows: exp.Query, time: str, until: exp.Expr | int | None) -> exp.Query
         return rows
     column, limit = exp.column(time), until if isinstance(until, exp.Expr) else template.node_of(until)
     return rows.where(exp.or_(column <= limit, column.copy().is_(exp.null())), copy=False)
+
+
+def _program(source: AnySource) -> dict[str, template.Slot]:
+    """Return the slots of the column that says which program a machine runs; empty where none does."""
+    if source.program is None:
+        return {"program": [], "carried": []}
+    named = exp.alias_(exp.cast(template.column(source.program), "VARCHAR"), "program_name")
+    return {"program": [named], "carried": [exp.alias_(exp.column("program_name"), "program")]}
 
 
 def _reading(source: AnySource, reading: exp.Expr, validity: bool) -> exp.Expr:
@@ -236,7 +247,7 @@ def named_by(column: str | None, otherwise: str) -> exp.Expr:
 
 
 def _unpivoted(
-    source: AnySource, relation: exp.Expr, said: Mapping[str, exp.Expr], validity: bool
+    source: AnySource, relation: exp.Expr, said: Mapping[str, template.Slot], validity: bool
 ) -> exp.Query:
     """Return the readings of a wide source in one select."""
     columns, named = [], []

@@ -16,7 +16,7 @@ from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns, name_of, table_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, filled, place
 from gam_db.errors import CalibrationError
-from gam_db.method import Method
+from gam_db.method import Method, Programs
 from gam_db.method.adding import add
 from gam_db.method.alarms import NEAR, add_learnt_limits
 from gam_db.method.judgement import add_judged
@@ -40,6 +40,7 @@ _METHOD = (
     "probe",
     "score",
     "health",
+    "program",
 )
 
 #: What a checksum is made of: of a version that is being written, the steps that its tables are given.
@@ -93,6 +94,8 @@ def calibrate(
     add_learnt_limits(steps, study.method, ())
     for part in ("calibration", "bounds", "block", "ladder", "probe", "support", "buffered", "band"):
         add(steps, f"stored/calibrating/{part}_rows")
+    if study.method.programs is not None:
+        add(steps, "stored/calibrating/program_rows")
     add(steps, "stored/calibrating/extent_rows", {"g": NEAR})
     add(steps, "stored/calibrating/checksum_rows", tables=_SUMMED)
     versions = {
@@ -174,20 +177,30 @@ def settings_hash(method: Method, channel: Mapping[str, Any]) -> str:
         del figures["least_vectors"]
     if setting.range != ROBUST:  # likewise
         del figures["is_robust"]
+    if method.programs is not None:  # likewise
+        figures["program"] = method.programs.column
     said = (figures, method.rules[channel["calibration_no"]], pool)
     return hashlib.sha256(repr(said).encode()).hexdigest()[:16]
 
 
 def differing(
-    state: State, name: str, parameters: Parameters, calibration: Calibration
+    state: State,
+    name: str,
+    parameters: Parameters,
+    calibration: Calibration,
+    program: str | None = None,
 ) -> list[tuple[str, str]]:
     """Return asset and channel of the active versions that were made under other settings than these.
+
+    The program is the column that says which one a machine runs.
 
     Raises:
         UserError: there is no such monitor, or a length does not fit how it tells time.
     """
     monitor = state.monitor(name)
-    method = Method(parameters.finest(), calibration, kind_of(monitor), parameters)
+    programs = None if program is None else Programs(program)
+    kind = kind_of(monitor)
+    method = Method(parameters.finest(), calibration, kind, parameters, programs=programs)
     rows = state.rows("stored/state/active", {"monitor_id": monitor["monitor_id"]})
     names = table_of([{**row, "readings": 1, "missing_readings": 0} for row in rows], _COUNTED)
     steps = Pipeline()
@@ -270,7 +283,7 @@ def _learn(
         name_of(row): row["channel_id"]
         for row in state.rows("stored/state/known_channels", {"monitor_id": monitor["monitor_id"]})
     }
-    last, method = draft.last, method_hash()
+    last, method, programs = draft.last, method_hash(), study.method.programs
     numbering: list[Row] = []
     channels: list[Row] = []
     for row in group:
@@ -294,6 +307,7 @@ def _learn(
                 "reason": row["reason"],
                 **_figures(study.method.settings[number], study.method.gaps[number]),
                 "score_from": study.method.rules[row["calibration_no"]].score_from,
+                "program_column": None if programs is None else programs.column,
                 "settings_hash": row["hash"],
                 "method_hash": method,
             }
@@ -303,7 +317,9 @@ def _learn(
         running.placed["numbering"] = loaded
         # The support first: what reads its cells reads channels in stored order, where they can be.
         parts = ("support", *TAUGHT, "version")
-        queries = {part: study.query(f"{part}_rows") for part in parts}
+        queries = {
+            part: study.query(f"{part}_rows") for part in parts if f"{part}_rows" in study.steps.steps
+        }
         running.on_step("writing")
         draft.add(channels, queries)
         learnt = {row["channel_id"]: row for row in running.rows("bounds")}
@@ -327,7 +343,7 @@ _NUMBERING = columns(
     (COUNT, "window_length stride max_gap still_after least_vectors is_robust"),
     (COUNT, "score_from"),
     (SHARE, "target_floor"),
-    (WORD, "reason settings_hash method_hash"),
+    (WORD, "reason settings_hash method_hash program_column"),
 )
 _RESULT = columns(
     (WORD, "asset channel"),

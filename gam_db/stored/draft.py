@@ -18,9 +18,9 @@ from gam_db.stored.planning import Row
 from gam_db.stored.schema.migration_files import columns_of
 from gam_db.stored.state import State
 
-#: What is appended, in this order, before limits and versions.
+#: What is appended, in this order, before limits and versions; programs where a column says which one ran.
 TAUGHT = (
-    *("calibration", "bounds", "block", "ladder", "probe", "support"),
+    *("calibration", "bounds", "block", "ladder", "probe", "program", "support"),
     *("buffered", "band", "extent", "checksum"),
 )
 
@@ -62,7 +62,7 @@ class Draft:
         with self.state.alone(self._keys):
             if channels:
                 self.state.append_rows("channel", channels)
-            for part in TAUGHT:
+            for part in (part for part in TAUGHT if part in parts):
                 self.state.append(part, parts[part])
         self._keep("version", parts["version"])
 

@@ -21,11 +21,12 @@ from gam_db.engines.base import Engine
 from gam_db.engines.connecting import borrowed
 from gam_db.engines.session import Row, Session
 from gam_db.errors import wrong
-from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
+from gam_db.method import Method, Programs, opening_pipeline, pipeline, trusting_pipeline
 from gam_db.method.adding import OfSet, add
 from gam_db.method.bits import Bits
 from gam_db.method.census import Slicing
 from gam_db.method.delays import Ways
+from gam_db.method.programs import check_programs
 from gam_db.reading import ahead, look
 from gam_db.reading.guess import sourced
 from gam_db.reading.preparing import prepared
@@ -84,6 +85,10 @@ class Study:
         self._is_lent = not isinstance(source.relation, (str, Path, tuple, list))
         read = prepared(session, source)
         self.relation, self.columns, self.source = read.stored, read.columns, read.source
+        programs = None
+        if (column := read.source.program) is not None:
+            programs = Programs(column, session.engine.types.is_whole(read.columns[column]))
+            short_cuts = False  # which program ran is told by the steps that look first
         said = None
         #: Channels that share settings which calibration chose.
         self.siblings: list[Siblings] = []
@@ -93,7 +98,7 @@ class Study:
             said = parameters
             parameters, self.siblings = rough.chosen(said)
             rough.forget()
-        self.method = Method(parameters, calibration, read.kind, said)
+        self.method = Method(parameters, calibration, read.kind, said, programs=programs)
         unread = dataclasses.replace(read.rows, relation=None)  # the node counts
         self.clock = ahead.Clock.read(session, self.source, read.kind)
         #: Channels with rows that are later than now, which are left out; see :func:`ahead.rows_ahead`.
@@ -105,6 +110,7 @@ class Study:
         self._on_step, self._steps_wanted = on_step, frozenset(asked)
         self._has_census = short_cuts and on_trust and census.serves(self.method)
         self._form: Streams | Census | None = None
+        self._is_checked = False
         self._begin(short_cuts)
         names = self._names()
         ends = () if self.clock.now is None else names["latest"].drop_null().to_pylist()
@@ -145,7 +151,7 @@ class Study:
         """Choose the form in which the steps are made: streams, the census, or those that look first."""
         # Supports are kept as bits where those of so many channels have room.
         grids = (one.radix**one.m for one in self.method.settings)
-        self._bits = bits = self.session.engine.bits
+        self._bits = bits = None if self.method.programs else self.session.engine.bits
         if bits is not None and not all(bits.serve(cells, names.num_rows) for cells in grids):
             self._bits = bits = None
         ways = self._ways
@@ -280,11 +286,22 @@ class Study:
     def _prepare(self, step: str) -> None:
         """Let the form prove what a step needs; where it cannot, run the steps once more."""
         if self._form is None:
+            self._check_programs()
             return
         outcome = self._form.prepare(step)
         if outcome is not Outcome.HOLDS:
             self._run_again(outcome)
             self._prepare(step)
+
+    def _check_programs(self) -> None:
+        """Refuse more programs than keys have room for; where there are none, nothing is looked at."""
+        if self.method.programs is None or self._is_checked:
+            return
+        self._is_checked = True
+        self.running.keep("taught_programs")
+        counts = [row["program_no"] + 1 for row in self.running.rows("taught_programs")]
+        for setting in self.method.settings:
+            check_programs(setting, max(counts, default=0))
 
     def _run_again(self, outcome: Outcome) -> None:
         """Run the same steps over readings that are collapsed by instant: the only way back.

@@ -5,17 +5,20 @@
 --         :time             integer microseconds (UTC) or an integer counter
 --         :reading          the numeric column
 --         :condition        the user's condition, TRUE where there is none
+--         :program, :carried  what a machine runs, as text; nothing where no column says so
 SELECT
   source_rows.asset_name AS asset,
   source_rows.channel_name AS channel,
   source_rows.instant AS time,
-  source_rows.reading AS reading
+  source_rows.reading AS reading,
+  :carried
 FROM (
   SELECT
     CAST(:asset AS VARCHAR) AS asset_name,
     CAST(:channel AS VARCHAR) AS channel_name,
     :time AS instant,
-    CAST(:reading AS DOUBLE) AS reading
+    CAST(:reading AS DOUBLE) AS reading,
+    :program
   FROM source
   WHERE :condition
 ) AS source_rows

@@ -4,6 +4,7 @@
 -- Reads:  source, the readings by local time, of such times alone
 -- A row:  one such reading.
 -- Slots:  :shift, :second  what the local time is ahead of UTC in the first and in the second pass
+--         :carried  program, where a column says what a machine runs
 SELECT
   clocked.asset AS asset,
   clocked.channel AS channel,
@@ -11,13 +12,15 @@ SELECT
     WHEN clocked.place = 1 THEN clocked.local_time - clocked.shift
     ELSE clocked.local_time - clocked.second_shift
   END AS time,
-  clocked.reading AS reading
+  clocked.reading AS reading,
+  :carried
 FROM (
   SELECT
     asset,
     channel,
     time AS local_time,
     reading,
+    :carried,
     :shift AS shift,
     :second AS second_shift,
     CAST(

@@ -7,15 +7,18 @@
 --         :columns    the numeric columns, as column_1, column_2, ...
 --         :named      the same, each with its channel
 --         :condition  the user's condition, TRUE where there is none
+--         :program, :carried  what a machine runs, as text; nothing where no column says so
 SELECT
   wide_rows.asset AS asset,
   wide_rows.channel AS channel,
   wide_rows.time AS time,
-  wide_rows.reading AS reading
+  wide_rows.reading AS reading,
+  :carried
 FROM (
   SELECT
     CAST(:asset AS VARCHAR) AS asset,
     :time AS time,
+    :program,
     :columns
   FROM source
   WHERE :condition

@@ -16,6 +16,7 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.session import Session
 from gam_db.errors import wrong
+from gam_db.method.programs import JUDGED, gathered
 from gam_db.reading.ahead import Clock
 from gam_db.reading.preparing import prepared
 from gam_db.reading.undated import Undated, undated
@@ -179,7 +180,8 @@ def make_vectors(running: Running) -> None:
     if "repeated_instants" in running.steps.steps and running.rows("repeated_instants"):
         running.forget(but=before)
         running.make("stored/scoring/repeats", {}, "timeline")
-        running.make("stored/scoring/collapsed", {}, "identified")
+        least = gathered("reading", JUDGED in running.steps.steps)
+        running.make("stored/scoring/collapsed", {"gathered": least}, "identified")
         running.keep("visited")
 
 

@@ -15,7 +15,7 @@ from sqlglot import exp
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, union_of
-from gam_db.method import Method
+from gam_db.method import Method, Programs
 from gam_db.method.adding import OfSet, add
 from gam_db.method.alarms import NEAR, add_counted, add_spreads, band_of
 from gam_db.method.bits import Bits
@@ -24,6 +24,7 @@ from gam_db.method.certificate import add_judgement
 from gam_db.method.delays import INCOMPLETE
 from gam_db.method.judgement import limit_slots
 from gam_db.method.probe import add_certified, add_probe
+from gam_db.method.programs import add_samples, has_programs, identified_slots
 from gam_db.method.ranges import add_bounds
 from gam_db.method.resolved import SMALL_OF_SET
 from gam_db.method.scoring import (
@@ -78,6 +79,7 @@ class Setting(NamedTuple):
         max_gap: integer time; None for no limit.
         has_start: whether the version is scored from a given instant on.
         still_after: samples; None for never.
+        has_programs: whether states are healthy for a program.
     """
 
     m: int
@@ -88,6 +90,7 @@ class Setting(NamedTuple):
     max_gap: int | None
     has_start: bool
     still_after: int | None = None
+    has_programs: bool = False
 
     @property
     def radix(self) -> int:
@@ -97,8 +100,9 @@ class Setting(NamedTuple):
 
 def setting_of(version: Mapping[str, Any]) -> Setting:
     """Return the setting of a row of the plan."""
-    figures = {name: version[name] for name in Setting._fields if name != "has_start"}
-    return Setting(**figures, has_start=version["score_from"] is not None)
+    figures = {name: version[name] for name in Setting._fields if not name.startswith("has_")}
+    begins, runs = version["score_from"] is not None, version["program_column"] is not None
+    return Setting(**figures, has_start=begins, has_programs=runs)
 
 
 def shape_of(version: Mapping[str, Any]) -> Setting:
@@ -170,7 +174,8 @@ def reading_steps(rows: exp.Query, is_ranged: bool = True) -> Pipeline:
     add(steps, "stored/scoring/channels")
     edges = [exp.column(name, table="named") for name in ("read_from", "read_until")]
     ranged = exp.Between(this=exp.column("time", table="reading"), low=edges[0], high=edges[1])
-    add(steps, "source/identified", {"read": ranged if is_ranged else exp.true()})
+    slots = identified_slots(ranged if is_ranged else exp.true(), has_programs(rows))
+    add(steps, "source/identified", slots)
     add(steps, "stored/scoring/calibration")
     add(steps, "stored/scoring/recount")
     return steps
@@ -322,12 +327,12 @@ def _add_samples(
     of_set = OfSet(steps, method_of(setting, kind, asked, columns, has_pools), 0)
     if trusting:
         add(steps, "census/trusted_timeline", name="timeline")
-        rows = union_of(steps, ["identified"], ("channel_id", "time", "value"))
+        columns = ("channel_id", "time", "value", *["program"] * setting.has_programs)
+        rows = union_of(steps, ["identified"], columns)
         steps.add("samples", rows, "Samples: every reading is one.")
         return of_set
     add(steps, "stored/scoring/repeats", name="timeline")
-    for name in ("collapsed", "samples"):
-        add(steps, f"source/{name}")
+    add_samples(steps, setting.has_programs)
     return of_set
 
 
@@ -383,7 +388,7 @@ def method_of(
     if gap is not None and not kind.is_counter:
         gap = dt.timedelta(microseconds=gap)
     figures = setting._asdict() | {"max_gap": gap, "window": setting.window_length}
-    del figures["window_length"], figures["has_start"]
+    del figures["window_length"], figures["has_start"], figures["has_programs"]
     start = None
     if setting.has_start:
         start = 0 if kind.is_counter else dt.date(1970, 1, 1)

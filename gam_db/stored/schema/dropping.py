@@ -117,9 +117,12 @@ def _conditions(tables: StateTables, monitor_id: int) -> dict[str, exp.Expr]:
     of_versions = among("version_id", "version", of_channels)
     of_supports = among("support_id", "version", of_channels)
     return {
-        **dict.fromkeys(("bucket", "novel", "judgement", "run", "horizon", "calibration"), of_versions),
+        **dict.fromkeys(
+            ("bucket", "novel", "unknown_program", "judgement", "run", "horizon", "calibration"),
+            of_versions,
+        ),
         **dict.fromkeys(("checksum", "buffered", "band", "band_visit", "extent", "limit"), of_versions),
-        **dict.fromkeys(("block", "ladder", "probe", "support", "bounds"), of_supports),
+        **dict.fromkeys(("block", "ladder", "probe", "program", "support", "bounds"), of_supports),
         "version": of_channels,
         **dict.fromkeys(("proof", "episode", "label", "channel", "unplaced", "left_out"), of_monitor),
         "monitor": of_monitor,

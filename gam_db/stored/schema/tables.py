@@ -16,7 +16,19 @@ from gam_db.errors import ConfigurationError, InternalError
 
 TABLES = (
     *("migration", "monitor", "channel", "version", "calibration", "bounds", "block", "probe"),
-    *("support", "bucket", "novel", "run", "unplaced", "checksum", "horizon", "proof", "ladder"),
+    *(
+        "program",
+        "support",
+        "bucket",
+        "novel",
+        "unknown_program",
+        "run",
+        "unplaced",
+        "checksum",
+        "horizon",
+        "proof",
+        "ladder",
+    ),
     *("buffered", "extent", "limit", "judgement", "episode", "label", "band", "band_visit"),
     "left_out",
 )

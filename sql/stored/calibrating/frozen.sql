@@ -17,6 +17,7 @@ SELECT
   made.stride AS stride,
   made.max_gap AS max_gap,
   made.still_after AS still_after,
+  made.program_column AS program_column,
   made.least_vectors AS least_vectors,
   made.is_robust AS is_robust,
   made.score_from AS score_from,

@@ -24,6 +24,7 @@ SELECT
   numbered.target_floor AS target_floor,
   numbered.least_vectors AS least_vectors,
   numbered.is_robust AS is_robust,
+  numbered.program_column AS program_column,
   scale.calibration_end AS calibration_end,
   scale.first_scored AS first_scored,
   CASE

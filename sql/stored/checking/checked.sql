@@ -22,6 +22,7 @@ SELECT
   made.stride AS stride,
   made.max_gap AS max_gap,
   made.still_after AS still_after,
+  made.program_column AS program_column,
   made.score_from AS score_from,
   made.target_floor AS target_floor,
   made.least_vectors AS least_vectors,

@@ -21,6 +21,7 @@ SELECT
   frozen.stride AS stride,
   frozen.max_gap AS max_gap,
   frozen.still_after AS still_after,
+  frozen.program_column AS program_column,
   frozen.score_from AS score_from,
   frozen.calibration_end AS calibration_end,
   frozen.calibration_readings AS calibration_readings,

@@ -1,0 +1,136 @@
+"""Programs: what a machine was told to do, where a column of the source says so (both sides, section 5).
+
+A cell's key has the number of the program as its highest digit: all that follows looks keys up as ever.
+Without such a column nothing here adds a step or a column.
+"""
+
+from sqlglot import exp
+
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
+from gam_db.errors import wrong
+from gam_db.method.adding import OfSet, add
+from gam_db.method.resolved import Programs
+from gam_db.method.slots import cell_key, known, weight_at
+from gam_db.settings.parameters import LARGEST_KEY, Parameters
+from gam_db.settings.source import TimeNode
+
+#: Samples with the number of their program: of all programs of calibration, and of those that are judged.
+TAUGHT, JUDGED = "taught_samples", "judged_samples"
+
+_PROGRAM, _NUMBER = "program", "program_no"
+
+
+def has_programs(readings: exp.Query) -> bool:
+    """Tell whether a column of some readings says what a machine runs."""
+    return _PROGRAM in readings.named_selects
+
+
+def identified_slots(read: exp.Expr, has_programs: bool) -> dict[str, template.Slot]:
+    """Return the slots of source/identified.sql: which readings are read, and what travels with them."""
+    return {"read": read, "programs": _carried(has_programs)}
+
+
+def add_samples(steps: Pipeline, has_programs: bool) -> None:
+    """Add the samples, of which each instant has one: *collapsed* and *samples*."""
+    conflicting = template.fill("source/conflicting")
+    least = gathered("repeated", has_programs)
+    if has_programs:
+        program = exp.column(_PROGRAM, table="repeated")
+        differing = exp.LT(this=exp.Min(this=program), expression=exp.Max(this=program.copy()))
+        conflicting = exp.or_(conflicting, differing)
+    slots: dict[str, template.Slot] = {
+        "conflicting": conflicting,
+        "programs": _carried(has_programs),
+        "gathered": least,
+    }
+    add(steps, "source/collapsed", slots)
+    add(steps, "source/samples", {"programs": _carried(has_programs)})
+
+
+def gathered(table: str, has_programs: bool) -> list[exp.Expr]:
+    """Return the least program of the readings of one instant, as a column."""
+    least = exp.Min(this=exp.column(_PROGRAM, table=table))
+    return [exp.alias_(least, _PROGRAM)] if has_programs else []
+
+
+def add_taught_programs(steps: Pipeline, programs: Programs | None) -> None:
+    """Add the programs of calibration, numbered, and its samples with these numbers."""
+    if programs is None:
+        return
+    ordered: exp.Expr = exp.column(_PROGRAM)
+    if programs.is_whole:
+        ordered = exp.cast(ordered, "BIGINT")
+    add(steps, "program/taught_programs", {"ordered": ordered})
+    add(steps, "program/program_samples", name=TAUGHT, tables={"numbered_programs": "taught_programs"})
+
+
+def add_judged_programs(one: OfSet) -> None:
+    """Add what calibration knows of the programs of one set, and the samples of those that are judged."""
+    if one.method.programs is None:
+        return
+    one.add("program/programs", {"weight": weight_of(one.setting)})
+    one.add("program/judged_programs")
+    one.add("program/program_samples", name=JUDGED, tables={"numbered_programs": "judged_programs"})
+
+
+def coded(one: OfSet, samples: str) -> tuple[dict[str, template.Slot], dict[str, str]]:
+    """Return slots and tables of a file that codes samples, which carry the number of their program.
+
+    Its slot ``settings`` has the settings of a channel that are columns.
+    """
+    columns = [exp.alias_(exp.column(name, table="scale"), name) for name in one.method.columns]
+    if one.method.programs is None:
+        return {"settings": columns}, {}
+    number = exp.alias_(exp.column(_NUMBER, table="sampled"), _NUMBER)
+    return {"settings": [*columns, number]}, {"samples": samples}
+
+
+def numbers(one: OfSet) -> list[exp.Expr]:
+    """Return the column of codes that holds the number of the program, if there is one."""
+    return [] if one.method.programs is None else [exp.column(_NUMBER)]
+
+
+def keyed(one: OfSet) -> dict[str, template.Slot]:
+    """Return the slots of a file that makes keys of codes: which vectors have one, and the key.
+
+    Nothing where there are no programs: the slots follow from the parameters then.
+    """
+    if one.method.programs is None:
+        return {}
+    setting = one.setting
+    radix = exp.column("radix") if "radix" in one.method.columns else None
+    term = template.fill("program/program_term", {"weight": weight_at(setting, setting.m, radix)})
+    return {
+        "known": exp.and_(known(setting), template.fill("program/fits", {"most": most_of(setting)})),
+        "cell_key": template.added([cell_key(setting, radix=radix), term]),
+    }
+
+
+def weight_of(setting: Parameters) -> int:
+    """Return by how much the keys of two programs differ at least: R^m."""
+    weight: int = setting.radix**setting.m
+    return weight
+
+
+def most_of(setting: Parameters) -> int:
+    """Return the largest number of a program with which every key fits into 64 bits."""
+    return LARGEST_KEY // weight_of(setting) - 1
+
+
+def check_programs(setting: Parameters, count: int) -> None:
+    """Refuse (ParameterError) more programs than the keys of cells have room for."""
+    most = most_of(setting) + 1
+    if count > most:
+        raise wrong("too_many_programs", count=count, most=most, m=setting.m, bins=setting.grid)
+
+
+def _carried(has_programs: bool) -> list[exp.Expr]:
+    return [exp.column(_PROGRAM)] * has_programs
+
+
+def add_program_summary(steps: Pipeline, instant_of: TimeNode) -> None:
+    """Add what each channel ran, in calibration and since; the last step is *program_summary*."""
+    add(steps, "program/ran_programs")
+    edges = {name: instant_of(exp.column(name, table="counted")) for name in ("first_time", "last_time")}
+    add(steps, "program/program_summary", edges)

@@ -1,0 +1,2 @@
+-- Conflicting: whether an instant had two different values.
+MIN(repeated.reading) < MAX(repeated.reading)
