@@ -17,7 +17,7 @@ from gam_db.composing.pipeline import Pipeline
 from gam_db.engines import engine_named
 from gam_db.engines.base import Engine, macro
 from gam_db.errors import EngineError, ParameterError, SourceError, nearest, wrong
-from gam_db.method import Method, Programs, pipeline
+from gam_db.method import Method, pipeline
 from gam_db.reading.ahead import latest_live
 from gam_db.reading.preparing import prepared
 from gam_db.settings.calibration import Calibration
@@ -26,6 +26,7 @@ from gam_db.settings.setting import settings_of
 from gam_db.settings.source import (
     ONLY_ASSET,
     AnySource,
+    Programs,
     Source,
     WideSource,
     declared_kind,
