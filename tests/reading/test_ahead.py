@@ -97,7 +97,8 @@ def test_a_script_leaves_out_what_is_ahead_whenever_it_runs(engine: str) -> None
     answers = []
     for held in (rows(), rows(("a", "x", FAR, 3.0), ("c", "x", FAR, 3.0))):
         source = gam_db.Source(loaded(session, held).name, time_kind="timestamp")
-        script = gam_db.render("exact", engine, source, PARAMETERS, calibration)
+        parameters = scripts.of_one_query(engine, PARAMETERS)
+        script = gam_db.render("exact", engine, source, parameters, calibration)
         answers.append(scripts.fetched(session, script))
     assert answers[0]
     harness.assert_same(answers[0], answers[1], "exact script")

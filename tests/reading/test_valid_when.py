@@ -52,9 +52,9 @@ def test_what_is_not_valid_is_missing_in_the_exact_form_and_in_scripts(engine: s
     found = gam_db.health_indicator(source, *METHOD, session).to_pylist()
     harness.assert_same(meant, found, "exact")
     comparisons.compared(engine, "exact", as_missing(rows), *METHOD)
-    harness.assert_same(
-        meant, scripts.fetched(session, gam_db.render("exact", engine, source, *METHOD)), "script"
-    )
+    method = scripts.of_one_query(engine, METHOD[0]), METHOD[1]
+    script = gam_db.render("exact", engine, source, *method)
+    harness.assert_same(meant, scripts.fetched(session, script), "script")
     scripts.run(session, gam_db.render("view", engine, source, *METHOD, prefix))
     query = exp.select("*").from_(f"{prefix}health").order_by("asset", "channel", "time")
     harness.assert_same(meant, session.fetch(query).to_pylist(), "view")
