@@ -81,7 +81,8 @@ def score(
             copy(session, monitor.tables, copy_to)
         # Only a settings file can say that channels are to be calibrated otherwise.
         is_said = settings.parameters or settings.calibration or settings.overrides
-        others = differing(*asked, *settings.method()) if is_said else []
+        program = monitor.source.program
+        others = differing(*asked, *settings.method(), program) if is_said else []
     urgent = status is not None and need_attention(status.to_pylist())
     figures = {
         **place(settings),

@@ -255,11 +255,14 @@ class _Check:
             samples = {name: row[name] for name in ("samples_then", "samples_now")}
             said = {"what": what, "differing": row["differing"], "since": row["since"]}
             self.note(row["owner_id"], "scored", **samples, **said)
-        for row in made.novel:
-            if row["owner_id"] not in told:  # else it follows from the buckets
-                what = "novel cells that the source does not give"
-                said = {name: row[name] for name in ("differing", "since")}
-                self.note(row["owner_id"], "novel cells", what=what, **said)
+        for rows, part, of in (
+            (made.novel, "novel cells", "novel cells"),
+            (made.programs, "scored", "readings of unknown programs"),
+        ):
+            for row in rows:
+                if row["owner_id"] not in told:  # else it follows from the buckets
+                    said = {name: row[name] for name in ("differing", "since")}
+                    self.note(row["owner_id"], part, what=f"{of} that the source does not give", **said)
         for row in group:
             key, read = row["version_id"], made.reread.get(row["channel_id"])
             version = self.versions[key]

@@ -21,9 +21,9 @@ from gam_db.stored.alarms.judging import buckets_of
 from gam_db.stored.planning import Row, assets_of
 from gam_db.stored.planning.reading import Reader, cohort_of, listed, make_vectors, near
 from gam_db.stored.planning.steps import (
-    FORMER,
     LEARNT,
     OF_SUPPORT,
+    former,
     former_slots,
     learning_steps,
     reading_steps,
@@ -54,7 +54,7 @@ def compared(
     """
     running.prepare(made)
     schema = columns_of(table)
-    left_out = {"run_id"} if table in ("bucket", "novel") else set()
+    left_out = {"run_id"} if table in ("bucket", "novel", "unknown_program") else set()
     names = [name for name in running.steps.steps[made].query.named_selects if name not in left_out]
     shares = [name for name in names if schema.field(name).type == SHARE]
     unlike = [
@@ -89,7 +89,7 @@ class Scored(NamedTuple):
     """What scoring again gives.
 
     Attributes:
-        buckets, novel: rows of :func:`compared`.
+        buckets, novel, programs: rows of :func:`compared`.
         reread: of each channel (by its number) what its last run would read now: rows_then, rows_now and
             ends_now, whether there still is a row where it ended.
         late: versions of which rows came or went where their last run has read.
@@ -97,6 +97,7 @@ class Scored(NamedTuple):
 
     buckets: list[Row]
     novel: list[Row]
+    programs: list[Row]
     reread: Mapping[int, Row]
     late: Set[int]
 
@@ -224,17 +225,24 @@ class Again:
             ]
             running.load("cohort", cohort_of(group, read_until=until, settled=settled, **begin))
             running.load("stamp", table_of([{"run_id": 0}], counts("run_id")))
-            found = {}
-            for table, column in (("bucket", "oldest_bucket"), ("novel", "novel_from")):
+            found = {"unknown_program": list[Row]()}
+            programs = shared_by(group).has_programs
+            for table, kept in former(programs).items():
+                column = "novel_from" if table == "novel" else "oldest_bucket"
                 firsts = zip(group, begin[column], strict=True)
                 running.load(
                     "changed", table_of([{**row, "first_bucket": n} for row, n in firsts], _CHANGED)
                 )
-                kept, programs = FORMER[table], shared_by(group).has_programs
+                if table == "unknown_program":
+                    recorded = [
+                        {"version_id": row["version_id"], "run_id": 0, "from_bucket": first}
+                        for row, first in zip(group, begin[column], strict=True)
+                    ]
+                    running.load("run_rows", table_of(recorded, _RECORDED))
                 slots = former_slots(table, _kept(column), exp.true(), programs)
                 running.make(f"stored/scoring/{kept}", slots)
                 found[table] = compared(running, table, f"{table}_rows", kept)
-        return Scored(found["bucket"], found["novel"], again, late)
+        return Scored(found["bucket"], found["novel"], found["unknown_program"], again, late)
 
     def _cut(self, running: Running, cohort: pa.Table) -> None:
         """Let the readings of each channel end where a cohort says."""
@@ -296,3 +304,4 @@ def _kept(column: str) -> exp.Expr:
 
 _NUMBERING = counts("channel_id stored_channel_id version_id stored_support_id")
 _CHANGED = counts("channel_id version_id first_bucket")
+_RECORDED = counts("version_id run_id from_bucket")
