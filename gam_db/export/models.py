@@ -248,7 +248,7 @@ def _learning(of: Modelled) -> Pipeline:
     add_judgement(one)
     add_judged_programs(one)
     add_probe(one)
-    add_certified(steps, bool(of.method.pools))
+    add_certified(steps, bool(of.method.pools), of.setting.has_programs)
     return steps
 
 

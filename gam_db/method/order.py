@@ -69,7 +69,7 @@ def pipeline(
         add_missing_vectors(one, "samples")
     join_sets(steps, method, (*_JOINED_HEALTH, *_JOINED_BUCKETS, *_certificate(method)))
     add_stillness(steps, method, "moving_codes")
-    add_results(steps, instant_of, bool(method.pools))
+    add_results(steps, instant_of, method)
     if method.programs is not None:
         add_program_summary(steps, instant_of)
     return steps
@@ -116,17 +116,17 @@ def trusting_pipeline(
     join_sets(steps, method, (*_JOINED_BUCKETS, *_certificate(method)))
     add_stillness(steps, method, f"{INCOMPLETE}moving_codes")
     if ways.is_cut:
-        _add_summaries(steps, instant_of, bool(method.pools))
+        _add_summaries(steps, instant_of, method)
     else:
         join_sets(steps, method, _JOINED_HEALTH)
-        add_results(steps, instant_of, bool(method.pools))
+        add_results(steps, instant_of, method)
     return steps
 
 
-def add_results(steps: Pipeline, instant_of: TimeNode, has_pools: bool) -> None:
+def add_results(steps: Pipeline, instant_of: TimeNode, method: Method) -> None:
     """Add the last steps: names and instants instead of integers, and the only divisions."""
     add(steps, "health/health_indicator", {"time": instant_of(_counted("time"))})
-    _add_summaries(steps, instant_of, has_pools)
+    _add_summaries(steps, instant_of, method)
 
 
 def _certificate(method: Method) -> tuple[str, ...]:
@@ -139,10 +139,10 @@ def _add_readings(steps: Pipeline, readings: exp.Query) -> None:
     steps.add("readings", readings, template.load("source/readings").comment)
 
 
-def _add_summaries(steps: Pipeline, instant_of: TimeNode, has_pools: bool) -> None:
+def _add_summaries(steps: Pipeline, instant_of: TimeNode, method: Method) -> None:
     edges = {name: instant_of(_counted(name)) for name in ("first_time", "last_time")}
     add(steps, "health/bucket_health", edges)
-    add_certified(steps, has_pools)
+    add_certified(steps, bool(method.pools), method.programs is not None)
     target = exp.column("target_floor", table="scale")
     add(steps, "judgement/limited", limit_slots(target))
     add(steps, "judgement/assessed")

@@ -98,9 +98,11 @@ def add_probe(one: OfSet, samples: str = "samples") -> None:
     one.add("probe/sight", {"hi_limit": limit}, tables=tables)
 
 
-def add_certified(steps: Pipeline, has_pools: bool) -> None:
+def add_certified(steps: Pipeline, has_pools: bool, has_programs: bool = False) -> None:
     """Add what calibration says of each channel of all sets, both sides of it: *certified*."""
-    add(steps, "certificate/verdicts")
+    add(steps, "certificate/verdicts", name="plain_verdicts" if has_programs else None)
+    if has_programs:
+        add(steps, "program/program_verdicts", name="verdicts")
     slots: dict[str, template.Slot] = {
         name: template.fill(f"probe/{name}") for name in ("would_not_see", "blind_reason")
     }

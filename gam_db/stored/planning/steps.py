@@ -349,7 +349,7 @@ def learning_steps(
     add_judgement(of_set)
     add_judged_programs(of_set)
     add_probe(of_set)
-    add_certified(steps, has_pools)
+    add_certified(steps, has_pools, setting.has_programs)
     add(steps, "judgement/limited", limit_slots(exp.column("target_floor", table="scale")))
     add_counted(steps)
     add_spreads(steps, ())
