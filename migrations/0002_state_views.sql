@@ -54,8 +54,35 @@ COMMENT ON COLUMN stored_finished_run.committed
 COMMENT ON COLUMN stored_finished_run.planned_from
   IS 'The newest finished run of the version when this one was planned; 0 if there was none';
 
--- Visible bucket: of each bucket the row of the newest finished run that reached it. A run hides all rows of
--- earlier ones from from_bucket on; only runs that may (hides) are put in order, with those before them.
+-- Hidden run: from which bucket on the rows of a run are hidden by later ones. A run hides all rows of earlier ones from
+-- from_bucket on; only runs that may (hides) are put in order, with those before them.
+CREATE OR REPLACE VIEW stored_hidden_run AS
+SELECT version_id, run_id, hidden_from
+FROM (
+  SELECT
+    run.version_id AS version_id,
+    run.run_id AS run_id,
+    CAST(ROW_NUMBER() OVER (PARTITION BY run.version_id ORDER BY run.run_id DESC) AS BIGINT) AS runs_back,
+    MIN(run.from_bucket) OVER (
+      PARTITION BY run.version_id ORDER BY run.run_id DESC ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING
+    ) AS hidden_from
+  FROM stored_finished_run AS run
+  JOIN (
+    SELECT version_id, MAX(run_id) AS newest_id
+    FROM stored_run
+    WHERE hides IS NULL
+    GROUP BY version_id
+  ) AS hiding ON hiding.version_id = run.version_id
+  WHERE run.run_id <= hiding.newest_id
+) AS placed
+WHERE runs_back > 1;
+
+COMMENT ON VIEW stored_hidden_run IS 'Runs of which later ones hide rows';
+COMMENT ON COLUMN stored_hidden_run.version_id IS 'The version';
+COMMENT ON COLUMN stored_hidden_run.run_id IS 'The run';
+COMMENT ON COLUMN stored_hidden_run.hidden_from IS 'First bucket whose rows of this run are hidden';
+
+-- Visible bucket: of each bucket the row of the newest finished run that reached it.
 CREATE OR REPLACE VIEW stored_visible_bucket AS
 SELECT
   written.version_id AS version_id,
@@ -73,24 +100,7 @@ JOIN stored_finished_run AS finished
   ON finished.version_id = written.version_id AND finished.run_id = written.run_id
 LEFT JOIN (
   SELECT version_id, run_id, hidden_from, 1 AS hit
-  FROM (
-    SELECT
-      run.version_id AS version_id,
-      run.run_id AS run_id,
-      CAST(ROW_NUMBER() OVER (PARTITION BY run.version_id ORDER BY run.run_id DESC) AS BIGINT) AS runs_back,
-      MIN(run.from_bucket) OVER (
-        PARTITION BY run.version_id ORDER BY run.run_id DESC ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING
-      ) AS hidden_from
-    FROM stored_finished_run AS run
-    JOIN (
-      SELECT version_id, MAX(run_id) AS newest_id
-      FROM stored_run
-      WHERE hides IS NULL
-      GROUP BY version_id
-    ) AS hiding ON hiding.version_id = run.version_id
-    WHERE run.run_id <= hiding.newest_id
-  ) AS placed
-  WHERE runs_back > 1
+  FROM stored_hidden_run
 ) AS later ON later.version_id = written.version_id AND later.run_id = written.run_id
 WHERE written.bucket_no >= finished.from_bucket
   AND CASE WHEN later.hit = 1 AND written.bucket_no >= later.hidden_from THEN 1 ELSE 0 END = 0;
@@ -128,24 +138,7 @@ JOIN stored_finished_run AS finished
   ON finished.version_id = written.version_id AND finished.run_id = written.run_id
 LEFT JOIN (
   SELECT version_id, run_id, hidden_from, 1 AS hit
-  FROM (
-    SELECT
-      run.version_id AS version_id,
-      run.run_id AS run_id,
-      CAST(ROW_NUMBER() OVER (PARTITION BY run.version_id ORDER BY run.run_id DESC) AS BIGINT) AS runs_back,
-      MIN(run.from_bucket) OVER (
-        PARTITION BY run.version_id ORDER BY run.run_id DESC ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING
-      ) AS hidden_from
-    FROM stored_finished_run AS run
-    JOIN (
-      SELECT version_id, MAX(run_id) AS newest_id
-      FROM stored_run
-      WHERE hides IS NULL
-      GROUP BY version_id
-    ) AS hiding ON hiding.version_id = run.version_id
-    WHERE run.run_id <= hiding.newest_id
-  ) AS placed
-  WHERE runs_back > 1
+  FROM stored_hidden_run
 ) AS later ON later.version_id = written.version_id AND later.run_id = written.run_id
 WHERE written.bucket_no >= finished.from_bucket
   AND CASE WHEN later.hit = 1 AND written.bucket_no >= later.hidden_from THEN 1 ELSE 0 END = 0;
@@ -177,24 +170,7 @@ JOIN stored_finished_run AS finished
   ON finished.version_id = written.version_id AND finished.run_id = written.run_id
 LEFT JOIN (
   SELECT version_id, run_id, hidden_from, 1 AS hit
-  FROM (
-    SELECT
-      run.version_id AS version_id,
-      run.run_id AS run_id,
-      CAST(ROW_NUMBER() OVER (PARTITION BY run.version_id ORDER BY run.run_id DESC) AS BIGINT) AS runs_back,
-      MIN(run.from_bucket) OVER (
-        PARTITION BY run.version_id ORDER BY run.run_id DESC ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING
-      ) AS hidden_from
-    FROM stored_finished_run AS run
-    JOIN (
-      SELECT version_id, MAX(run_id) AS newest_id
-      FROM stored_run
-      WHERE hides IS NULL
-      GROUP BY version_id
-    ) AS hiding ON hiding.version_id = run.version_id
-    WHERE run.run_id <= hiding.newest_id
-  ) AS placed
-  WHERE runs_back > 1
+  FROM stored_hidden_run
 ) AS later ON later.version_id = written.version_id AND later.run_id = written.run_id
 WHERE written.bucket_no >= finished.from_bucket
   AND CASE WHEN later.hit = 1 AND written.bucket_no >= later.hidden_from THEN 1 ELSE 0 END = 0;
@@ -231,24 +207,7 @@ JOIN stored_finished_run AS finished
   ON finished.version_id = written.version_id AND finished.run_id = written.run_id
 LEFT JOIN (
   SELECT version_id, run_id, hidden_from, 1 AS hit
-  FROM (
-    SELECT
-      run.version_id AS version_id,
-      run.run_id AS run_id,
-      CAST(ROW_NUMBER() OVER (PARTITION BY run.version_id ORDER BY run.run_id DESC) AS BIGINT) AS runs_back,
-      MIN(run.from_bucket) OVER (
-        PARTITION BY run.version_id ORDER BY run.run_id DESC ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING
-      ) AS hidden_from
-    FROM stored_finished_run AS run
-    JOIN (
-      SELECT version_id, MAX(run_id) AS newest_id
-      FROM stored_run
-      WHERE hides IS NULL
-      GROUP BY version_id
-    ) AS hiding ON hiding.version_id = run.version_id
-    WHERE run.run_id <= hiding.newest_id
-  ) AS placed
-  WHERE runs_back > 1
+  FROM stored_hidden_run
 ) AS later ON later.version_id = written.version_id AND later.run_id = written.run_id
 WHERE written.bucket_no >= finished.from_bucket
   AND CASE WHEN later.hit = 1 AND written.bucket_no >= later.hidden_from THEN 1 ELSE 0 END = 0;

@@ -55,7 +55,7 @@ def test_an_envelope_holds_the_lowest_and_the_highest_of_a_stretch() -> None:
 def test_a_piece_holds_the_readings_that_lie_next_to_its_instant() -> None:
     found = step(
         "report/pieces",
-        {"most": 3},
+        {"most": 3, "programs": [], "carried": []},
         samples=rows("channel_id time value", *READINGS),
         channels=rows("channel_id asset channel", (1, "a", "x"), (2, "b", "x")),
         wanted_pieces=rows(

@@ -137,7 +137,7 @@ def test_rows_of_a_run_that_was_cut_short_while_the_clock_stood_ahead_go(
     assert refused < newest < alive
     for run_id in (dead, alive, refused):
         plant.execute(
-            f"INSERT INTO gam_state_bucket SELECT 1, 90, {run_id}, 0, 0, 0, 5, 0, 0, NULL, NULL"
+            f"INSERT INTO gam_state_bucket SELECT 1, 90, {run_id}, 0, 0, 0, 5, 0, 0, NULL, NULL, NULL"
         )
         plant.execute(f"INSERT INTO gam_state_novel SELECT 1, 90, {run_id}, 7, 1, 0, 0")
     mine = monitor(plant)
@@ -162,7 +162,7 @@ def test_runs_go_on_from_ids_of_a_clock_that_stood_ahead(
     ((newest,),) = asked(plant, "SELECT MAX(run_id) FROM gam_state_run")
     assert min(given) > newest
     plant.execute(
-        f"INSERT INTO gam_state_bucket SELECT 1, 90, {max(given)}, 0, 0, 0, 5, 0, 0, NULL, NULL"
+        f"INSERT INTO gam_state_bucket SELECT 1, 90, {max(given)}, 0, 0, 0, 5, 0, 0, NULL, NULL, NULL"
     )
     mine.session.transactions = False
     pruning.prune(mine.state)

@@ -27,13 +27,17 @@ def filled(session: DuckSession, tables: StateTables = TABLES) -> DuckSession:
     monitor = plant.monitor()
     channel = plant.channel(monitor, "it's", "j1")
     version = plant.version(channel, learnt)
-    plant.run(version, [{7: 1}, {8: 2}], still_since=1, settled_bucket=1)
+    plant.run(version, [{7: 1}, {8: 1}], still_since=1, settled_bucket=1)
+    plant.run(version, [{8: 2}], from_bucket=1, still_since=1, settled_bucket=1)
     plant.run(version, [{9: 2}], from_bucket=1, committed=False)
     plant.add(
         "block", support_id=learnt, block=0, channel_id=1, first_time=0, last_time=0, vectors=1, novel=0
     )
     plant.add("ladder", support_id=learnt, bins=4, floor=0.5)
     plant.add("probe", support_id=learnt, change_no=1, change_name="frozen", vectors=9, novel=3)
+    plant.add(
+        "program", support_id=learnt, program_no=0, program="p", vectors=9, unvouched=1, verdict="ready"
+    )
     plant.add("horizon", version_id=version.version_id, first_bucket=0, first_novel=1)
     sums = dict.fromkeys(("cells_sum", "intervals_sum", "figures_sum", "target_floor"), 1)
     hashes = dict.fromkeys(("settings_hash", "method_hash"), "h")
@@ -44,6 +48,8 @@ def filled(session: DuckSession, tables: StateTables = TABLES) -> DuckSession:
     plant.add("unplaced", monitor_id=monitor, started=0, **counts)
     plant.add("left_out", monitor_id=monitor, started=0, kind="unknown", readings=2, latest=9)
     of = {"version_id": version.version_id}
+    unknown = {"bucket_no": 0, "run_id": version.buckets[0][1], "program": "q", "readings": 3}
+    plant.add("unknown_program", **of, **unknown, first_time=0, last_time=1)
     plant.add("buffered", **of, block=0, g=1, vectors=10, novel_buffered=1)
     plant.add("band", **of, g=1, band=0, visits=10, novel_buffered=1)
     seen = {"judgement_no": 0, "run_id": version.buckets[0][1]}

@@ -31,6 +31,7 @@ ENDS = (100, 125, 150, 170)
 
 #: What may differ without being wrong: columns no number depends on, or that nothing can be held to.
 MAY_DIFFER = {
+    ("version", "program_column"): "told for people; without one the programs are missed",
     ("run", "started"): "a clock",
     ("run", "committed"): "a clock; it says when a channel was last looked at",
     ("run", "rows_read"): "rows may come and go within the lookback until the next run reads them",
@@ -96,9 +97,11 @@ CHOSEN: dict[str, dict[str, Callable[[Rows], dict[str, Any]]]] = {
     "block": {"": lambda rows: rows[1]},
     "ladder": {"": lambda rows: rows[1]},
     "probe": {"": lambda rows: rows[1]},
+    "program": {"": lambda rows: rows[0]},
     "support": {"": lambda rows: rows[len(rows) // 2]},
     "bucket": {"settled": lambda rows: rows[2], "newest": lambda rows: rows[-1]},
     "novel": {"settled": lambda rows: rows[0], "newest": lambda rows: rows[-1]},
+    "unknown_program": {"settled": lambda rows: rows[0], "newest": lambda rows: rows[-1]},
     "run": {"newest": lambda rows: rows[-1]},
 }
 
@@ -133,7 +136,10 @@ def columns() -> Iterator[tuple[str, str, bool]]:
 
 
 #: Columns of text that may be NULL.
-TEXTS = ("reason", "would_not_see", "blind_reason", "only_teacher", "member_verdict")
+TEXTS = (
+    *("reason", "would_not_see", "blind_reason", "only_teacher", "member_verdict"),
+    *("program", "program_column"),
+)
 
 
 def other(column: str, value: Any, less: bool = False) -> Any:
@@ -153,7 +159,10 @@ def other(column: str, value: Any, less: bool = False) -> Any:
 CHANGED, LESSENED, EMPTIED, DELETED, DOUBLED = "changed", "smaller", "NULL", "deleted", "twice"
 
 #: Tables of what was learnt: a figure that is too small is found there as well as one that is too large.
-LEARNT = ("bounds", "block", "ladder", "probe", "support", "extent", "limit", "bucket", "judgement")
+LEARNT = (
+    *("bounds", "block", "ladder", "probe", "program", "support", "extent", "limit", "bucket"),
+    *("judgement", "unknown_program"),
+)
 
 
 @dataclass(frozen=True)
@@ -223,7 +232,17 @@ def series(asset: str, end: int) -> list[Row]:
     return [(asset, "x", time, float(value)) for time, value in enumerate(values)]
 
 
-def made(engine: str, assets: list[str]) -> Monitor:
+def with_programs(session: Any, table: exp.Table) -> str:
+    """Make a view of the rows in which machines run something new twice, the second time to the end."""
+    time, name = exp.column("time"), engines.fresh_name("programs")
+    is_new = exp.or_(time.between(131, 136), time.copy() >= 165)
+    program = exp.case().when(is_new, exp.Literal.string("new")).else_(exp.Literal.string("old"))
+    rows = exp.select("asset", "channel", "time", "value", program.as_("product")).from_(table.copy())
+    session.execute(exp.Create(this=exp.to_table(name), kind="VIEW", expression=rows))
+    return name
+
+
+def made(engine: str, assets: list[str], has_programs: bool = False) -> Monitor:
     """A monitor that was scored three times, and pruned, with a retired version of each channel.
 
     Each has an episode, and that of the first one a label.
@@ -232,7 +251,10 @@ def made(engine: str, assets: list[str]) -> Monitor:
     table = scripts.telemetry(session, [row for asset in assets for row in series(asset, ENDS[0])])
     reach: dict[str, Any] = {"lookback": LOOKBACK, "prefix": engines.fresh_name("state")}
     calibration = gam_db.Calibration(intervals=[(0, CALIBRATED)])
-    monitor = Monitor(session, gam_db.Source(table.name), PARAMETERS, calibration, ALARMS, **reach)
+    source = gam_db.Source(table.name)
+    if has_programs:
+        source = gam_db.Source(with_programs(session, table), program="product")
+    monitor = Monitor(session, source, PARAMETERS, calibration, ALARMS, **reach)
     monitor.migrate()
     monitor.calibrate()
     monitor.score()
@@ -292,7 +314,7 @@ def test_whatever_is_wrong_is_found_on_every_engine(engine: str) -> None:
 def find_all(engine: str) -> None:
     """Spoil something in each of many channels, and look whether each is found."""
     asked = {f"c{number:03}": case for number, case in enumerate(cases())}
-    monitor = made(engine, list(asked))
+    monitor = made(engine, list(asked), has_programs=True)
     # Pruning that was cut short may leave the record of an earlier one beside its own.
     earlier = {"first_bucket": 0, "first_novel": 0}
     known = stored(monitor, "horizon")

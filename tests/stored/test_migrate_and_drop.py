@@ -25,7 +25,7 @@ pytestmark = pytest.mark.migrates
 
 STATE = StateTables()
 FILE = "plant.duckdb"
-TABLES_OF_A_MONITOR = 25
+TABLES_OF_A_MONITOR = 27
 
 
 @pytest.fixture(autouse=True)
@@ -73,15 +73,17 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
             for table, values in {
                 "channel": f"{key}, {monitor}, 'a', 'c{key}'",
                 "version": f"{key + 100}, {key}, {key + 200}, NULL, 1, 'active', 'r', 3, 1, 10, 50, 10, "
-                "NULL, NULL, 0.05, NULL, 0, 0, 0, 0, 'h', 'h', 0, NULL, NULL, 1",
+                "NULL, NULL, 0.05, NULL, 0, 0, 0, 0, 'h', 'h', 0, NULL, NULL, 1, NULL, NULL",
                 "calibration": f"{key + 100}, 0, 1",
                 "bounds": f"{key + 200}, 0, 1, 0, 0, NULL, NULL, 0, 0.5, 1, 2, 3, 4, 5, 'ready', 0, "
                 f"0, 0, 1, 0, 5, {', '.join(['NULL'] * 13)}",
                 "block": f"{key + 200}, 0, {key}, 0, 1, 2, 3",
                 "ladder": f"{key + 200}, 4, 0.5",
                 "probe": f"{key + 200}, 1, 'frozen', 9, 3",
+                "program": f"{key + 200}, 0, 'p', 9, 3, 'ready'",
                 "support": f"{key + 200}, 1, 2, 0, 0, 0, 1",
-                "bucket": f"{key + 100}, 0, 1, 0, 1, 0, 1, 1, 0, NULL, NULL",
+                "bucket": f"{key + 100}, 0, 1, 0, 1, 0, 1, 1, 0, NULL, NULL, NULL",
+                "unknown_program": f"{key + 100}, 0, 1, 'q', 1, 1, 1",
                 "novel": f"{key + 100}, 0, 1, 1, 1, 1, 1",
                 "run": f"1, {key + 100}, 0, 0, 0, 0, 0, NULL, NULL, 0, NULL, NULL, NULL, 0, 0, 0, "
                 "NULL, NULL, NULL, NULL",

@@ -225,7 +225,7 @@ def test_pruning_leaves_the_newest_record(plant: duckdb.DuckDBPyConnection) -> N
 def test_the_past_window_is_found_by_literals(plant: duckdb.DuckDBPyConnection) -> None:
     """The condition reaches the scan; DuckDB says how many rows come out of it."""
     plant.execute(
-        "INSERT INTO gam_state_bucket SELECT 1, n, 7, n, n, n, 1, 0, 0, 0, NULL "
+        "INSERT INTO gam_state_bucket SELECT 1, n, 7, n, n, n, 1, 0, 0, 0, NULL, NULL "
         "FROM range(200000) AS others(n)"
     )
     nothing = "NULL, NULL, 0, 0, 0, 0, 0, 0, 0, NULL, NULL, NULL, NULL"

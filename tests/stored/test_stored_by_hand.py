@@ -150,12 +150,13 @@ def test_a_plan_expects_the_samples_that_a_vector_and_stillness_reach_back() -> 
     """(m - 1) tau of them, one where m is 1, and still_after - 1 more."""
     frozen = (
         "version_id channel_id asset channel support_id lo hi m tau bins window_length stride max_gap "
-        "still_after score_from calibration_end calibration_readings first_scored run_up_from created"
+        "still_after score_from calibration_end calibration_readings first_scored run_up_from "
+        "created program_column"
     )
 
     def version(number: int, m: int, still_after: int | None) -> tuple[int | float | str | None, ...]:
         of_parameters = (m, 4, 8, 10, 2, None, still_after, None)
-        return (number, number, "a", "x", 1, 0.0, 1.0, *of_parameters, 99, 100, 100, 88, 5)
+        return (number, number, "a", "x", 1, 0.0, 1.0, *of_parameters, 99, 100, 100, 88, 5, None)
 
     versions = [
         version(1, 3, None),
@@ -178,7 +179,7 @@ def test_a_plan_expects_the_samples_that_a_vector_and_stillness_reach_back() -> 
         ),
     )
     # version, then first_bucket, first_scored, read_from, context_expected, oldest_bucket, restarts, ...
-    assert [(row[0], *row[17:]) for row in found] == [
+    assert [(row[0], *row[17:-1]) for row in found] == [
         (1, 8, 151, 140, 8, 0, 1, 170, 180, 181),
         (2, 8, 151, 140, 1, 0, 1, 1, 2, 5),
         (3, 8, 151, 140, 13, 0, 1, BEFORE_ALL, BEFORE_ALL, 5),
@@ -241,12 +242,12 @@ def test_a_version_reads_from_where_all_of_its_first_vector_is_there() -> None:
     names = (
         "version_id channel_id stored_channel_id stored_support_id parent_id version_no reason m tau "
         "bins window_length stride max_gap still_after score_from target_floor least_vectors "
-        "is_robust settings_hash method_hash"
+        "is_robust program_column program_weight settings_hash method_hash"
     )
 
     def numbered(version: int, still_after: int | None) -> tuple[int | float | str | None, ...]:
         head = (version, version, version + 20, version + 40, version + 60, 2, "other settings")
-        return (*head, 3, 2, 8, 10, 2, None, still_after, None, 0.05, 1, 1, "s", "m")
+        return (*head, 3, 2, 8, 10, 2, None, still_after, None, 0.05, 1, 1, None, None, "s", "m")
 
     found = step(
         "stored/calibrating/version_rows",
@@ -408,11 +409,11 @@ def test_counts_of_rows_without_a_place_go_when_they_are_old() -> None:
 def test_cells_of_an_alarm_are_its_own_in_order() -> None:
     names = (
         "monitor episode_id version_id cell_rank axis cell_key visits first_tick last_tick "
-        "samples_before place value_from value_to steps displacement"
+        "samples_before place value_from value_to steps displacement program"
     )
 
     def cell(monitor: str, episode: int, version: int, rank: int, axis: int) -> tuple[int | str, ...]:
-        return (monitor, episode, version, rank, axis, *range(10))
+        return (monitor, episode, version, rank, axis, *range(11))
 
     asked = [("gam", 2, 5, 2, 0), ("gam", 2, 5, 1, 1), ("gam", 2, 5, 1, 0)]
     others = [("gam", 3, 5, 7, 0), ("gam", 1, 5, 7, 0), ("gam", 2, 6, 7, 0), ("other", 2, 5, 7, 0)]
@@ -469,14 +470,15 @@ def test_a_version_is_checked_with_what_the_newest_records_say_of_it() -> None:
     """The furthest horizon; the newest run that read, and the newest that counted calibration."""
     names = (
         "version_id channel_id support_id parent_id version_no status reason m tau bins window_length "
-        "stride max_gap still_after score_from target_floor least_vectors is_robust calibration_end "
+        "stride max_gap still_after program_column score_from target_floor least_vectors is_robust "
+        "calibration_end "
         "first_scored calibration_readings run_up_from"
     )
 
     def version(
         number: int, channel: int, still_after: int | None
     ) -> tuple[int | str | float | None, ...]:
-        settings = (3, 4, 8, 10, 2, None, still_after, None, 0.05, 1, 1)
+        settings = (3, 4, 8, 10, 2, None, still_after, None, None, 0.05, 1, 1)
         return (number, channel, 40, None, 1, "active", "first calibration", *settings, 90, 91, 30, 80)
 
     found = step(
@@ -506,7 +508,7 @@ def test_a_version_is_checked_with_what_the_newest_records_say_of_it() -> None:
         (30, 9, None, 8),
     ], "calibration_readings, taught_from, calibration_from, started"
     # version_id, context_rows, lo, hi, is_active, first_bucket, first_novel, read_to, counted_readings
-    assert [(row[0], row[-9], *row[-7:]) for row in found] == [
+    assert [(row[0], row[-10], *row[-8:-1]) for row in found] == [
         (1, 8, 0.5, 2.5, 0, 0, 0, None, None),
         (2, 13, 0.5, 2.5, 1, 8, 9, 200, 32),
         (3, 8, 0.5, 2.5, 1, 1, 1, 90, None),
@@ -561,7 +563,7 @@ def test_what_is_stored_of_new_buckets_is_what_is_seen_of_them() -> None:
     slots = {"near": ALWAYS}
     found = step(
         "stored/scoring/former_buckets",
-        {**slots, "within": ALWAYS},
+        {**slots, "within": ALWAYS, "programs": []},
         cohort=cohort,
         stored_visible_bucket=bucket,
         stored_bucket=written,

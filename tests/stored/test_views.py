@@ -255,7 +255,7 @@ def test_a_look_at_one_machine_reads_only_its_stored_rows(session: DuckSession) 
     plant.run(version, [{}])
     plant.write(emptied(session, TABLES), TABLES)
     session.connection.execute(
-        f"INSERT INTO {ODD('bucket')} SELECT 100 + n // 4096, 0, 1, 0, 0, 0, 1, 0, 0, 0, NULL "
+        f"INSERT INTO {ODD('bucket')} SELECT 100 + n // 4096, 0, 1, 0, 0, 0, 1, 0, 0, 0, NULL, NULL "
         "FROM range(200000) AS others(n)"
     )
     said = session.connection.execute(

@@ -110,10 +110,20 @@ def test_the_newest_finished_run_that_reached_a_bucket_is_seen(
         if run.is_finished
     ]
     for connection in connections:
-        write(connection, "gam_state_bucket", [f"({key}, 1, 2, 3, 4, 5, 6, NULL, NULL)" for key in keys])
+        write(
+            connection,
+            "gam_state_bucket",
+            [f"({key}, 1, 2, 3, 4, 5, 6, NULL, NULL, NULL)" for key in keys],
+        )
         write(connection, "gam_state_novel", [f"({key}, 7, 8, 9, 10)" for key in keys])
+        unknown = [f"({key}, 'p', 8, 9, 10)" for key in keys]
+        write(connection, "gam_state_unknown_program", unknown)
         write(connection, "gam_state_run", finished)
-        for view, more in (("bucket", (1, 2, 3, 4, 5, 6, None)), ("novel", (7, 8, 9, 10))):
+        for view, more in (
+            ("bucket", (1, 2, 3, 4, 5, 6, None)),
+            ("novel", (7, 8, 9, 10)),
+            ("program", ("p", 8, 9, 10)),
+        ):
             found = connection.execute(f"SELECT * FROM gam_state_visible_{view}").fetchall()
             assert sorted(row[:3] for row in found) == sorted(expected(runs))
             assert {row[3:] for row in found} <= {more}

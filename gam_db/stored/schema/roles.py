@@ -29,8 +29,8 @@ _TOUCHED = {"migration": "applied_at", "monitor": "created"}
 
 #: The views by which runs, buckets and cells that count are found, and what a run says in the end.
 _COUNTING = (
-    *("finished_run", "visible_bucket", "visible_novel", "visible_program", "visible_judgement"),
-    "visible_episode",
+    *("finished_run", "hidden_run", "visible_bucket", "visible_novel", "visible_program"),
+    *("visible_judgement", "visible_episode"),
     *("fleet", "stillness"),
 )
 

@@ -34,8 +34,8 @@ TABLES = (
 )
 #: Each after those that it reads.
 VIEWS = (
-    *("finished_run", "visible_bucket", "visible_novel", "visible_program", "visible_judgement"),
-    "visible_episode",
+    *("finished_run", "hidden_run", "visible_bucket", "visible_novel", "visible_program"),
+    *("visible_judgement", "visible_episode"),
     *("labelled_episode", "certified", "health", "stillness", "onset", "fleet", "machine", "trend"),
     *("unplaced_day", "cell", "unjudged_program", "quarantine", "growth"),
     *("alarm", "alarm_event", "alarm_band", "alarm_cell"),

@@ -42,7 +42,8 @@ SELECT
     + figure(least_vectors)
     + figure(is_robust)
     + figure(dropped_below)
-    + figure(dropped_above) AS figures_sum,
+    + figure(dropped_above)
+    + figure(program_weight) AS figures_sum,
   calibrated_lo,
   calibrated_hi,
   target_floor,
@@ -81,6 +82,7 @@ FROM (
     reduced(learnt.is_robust, 25) AS is_robust,
     reduced(scale.dropped_below, 26) AS dropped_below,
     reduced(scale.dropped_above, 27) AS dropped_above,
+    reduced(learnt.program_weight, 28) AS program_weight,
     scale.calibrated_lo AS calibrated_lo,
     scale.calibrated_hi AS calibrated_hi,
     learnt.target_floor AS target_floor,

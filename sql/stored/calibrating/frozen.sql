@@ -18,6 +18,7 @@ SELECT
   made.max_gap AS max_gap,
   made.still_after AS still_after,
   made.program_column AS program_column,
+  made.program_weight AS program_weight,
   made.least_vectors AS least_vectors,
   made.is_robust AS is_robust,
   made.score_from AS score_from,

@@ -24,8 +24,6 @@ SELECT
   numbered.target_floor AS target_floor,
   numbered.least_vectors AS least_vectors,
   numbered.is_robust AS is_robust,
-  numbered.program_column AS program_column,
-  numbered.program_weight AS program_weight,
   scale.calibration_end AS calibration_end,
   scale.first_scored AS first_scored,
   CASE
@@ -40,7 +38,9 @@ SELECT
   CAST(scale.calibration_samples AS BIGINT) AS calibration_samples,
   numbered.settings_hash AS settings_hash,
   numbered.method_hash AS method_hash,
-  CAST(:created AS BIGINT) AS created
+  CAST(:created AS BIGINT) AS created,
+  numbered.program_column AS program_column,
+  numbered.program_weight AS program_weight
 FROM numbering AS numbered
 JOIN bounds AS scale ON scale.channel_id = numbered.channel_id
 LEFT JOIN (

@@ -22,7 +22,6 @@ SELECT
   made.stride AS stride,
   made.max_gap AS max_gap,
   made.still_after AS still_after,
-  made.program_column AS program_column,
   made.score_from AS score_from,
   made.target_floor AS target_floor,
   made.least_vectors AS least_vectors,
@@ -45,7 +44,8 @@ SELECT
   CASE WHEN pruned.hit = 1 THEN pruned.first_bucket ELSE 0 END AS first_bucket,
   CASE WHEN pruned.hit = 1 THEN pruned.first_novel ELSE 0 END AS first_novel,
   CASE WHEN done.hit = 1 THEN done.read_to END AS read_to,
-  CASE WHEN done.hit = 1 THEN done.counted_readings END AS counted_readings
+  CASE WHEN done.hit = 1 THEN done.counted_readings END AS counted_readings,
+  made.program_column AS program_column
 FROM stored_version AS made
 JOIN stored_channel AS named ON named.channel_id = made.channel_id
 JOIN (

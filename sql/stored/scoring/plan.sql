@@ -21,7 +21,6 @@ SELECT
   frozen.stride AS stride,
   frozen.max_gap AS max_gap,
   frozen.still_after AS still_after,
-  frozen.program_column AS program_column,
   frozen.score_from AS score_from,
   frozen.calibration_end AS calibration_end,
   frozen.calibration_readings AS calibration_readings,
@@ -43,7 +42,8 @@ SELECT
   CASE
     WHEN seen.hit = 1 AND seen.counted_at > CAST(:long_ago AS BIGINT) THEN seen.counted_at
     ELSE frozen.created
-  END AS counted_at
+  END AS counted_at,
+  frozen.program_column AS program_column
 FROM active AS frozen
 LEFT JOIN (
   SELECT version_id, oldest_bucket, 1 AS hit
