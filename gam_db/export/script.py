@@ -44,10 +44,11 @@ HEALTH_OF = ("asset_name", "channel_name")
 _PASSING = (
     *("timeline", "series", "limits", "calibrated", "range_counts", "range", "visits"),
     *("missing_vectors", "block_sizes", "cells", "blocks", "ladder", "spread"),
-    *("probed", "usual", "probe", "sight", "limited"),
+    *("probed", "usual", "probe", "sight", "limited", "taught_programs", "programs"),
 )
-_LASTING = ("channels", "calibration", "bounds", "support")
+_LASTING = ("channels", "calibration", "bounds", "support", "judged_programs")
 _RESULTS = ("support_summary", "certificate", "probes")
+_OF_PROGRAMS = ("program_summary",)
 
 
 def render(
@@ -64,7 +65,9 @@ def render(
     Args:
         form: "exact", one query, a row per scored vector; or "view", tables <prefix>channels,
             <prefix>calibration, <prefix>bounds, <prefix>support, <prefix>support_summary,
-            <prefix>certificate and <prefix>probes, and the view <prefix>health over the live source.
+            <prefix>certificate and <prefix>probes, and the view <prefix>health over the live source;
+            where a column says which program a machine runs, also <prefix>judged_programs and
+            <prefix>program_summary, as of when the script ran.
             DuckDB also gets the table macro <prefix>health_of(asset, channel). The script begins by
             dropping what bears these names: the tables of a monitor, which begin with gam_ unless told
             otherwise, are others.
@@ -86,8 +89,8 @@ def render(
     chosen = engine_named(engine)
     if schema is not None and not chosen.schemas:
         raise EngineError(f"{engine} has no schemas; leave schema out and give another prefix.")
-    source, kind, found, relation = _looked_at(source, parameters, calibration, chosen)
-    programs = None if source.program is None else Programs(source.program)
+    source, kind, found, relation, is_whole = _looked_at(source, parameters, calibration, chosen)
+    programs = None if source.program is None else Programs(source.program, is_whole is True)
     method = Method(parameters, calibration, kind, programs=programs)
     steps = _steps(method, source, relation, chosen)
     head = [
@@ -96,6 +99,8 @@ def render(
         "A cell is novel if healthy operation never visited it; the health indicator is the share of "
         "novel vectors among the last W scored ones.",
     ]
+    if programs is not None and is_whole is None:
+        head.append(f"Programs are numbered by their texts, though {programs.column} may hold numbers.")
     begin = chosen.beginning()
     if (
         chosen.guard is not None
@@ -130,9 +135,10 @@ def _view_statements(
 ) -> Iterator[tuple[str, exp.Expr]]:
     """Give the statements of the view form in order, each with its comment."""
     names = [name for name in steps.steps if _table_of(name) in (*_PASSING, *_LASTING)]
+    results = [*_RESULTS, *(name for name in _OF_PROGRAMS if name in steps.steps)]
     placed: dict[str, exp.Table] = {}
     yield "Begin anew: a view goes before the tables it reads.", _drop("VIEW", place("health"))
-    for name in (*names, *_RESULTS):
+    for name in (*names, *results):
         table = place(name)
         query = steps.query(name, placed, commented=True)
         query.set("order", None)
@@ -187,8 +193,13 @@ def _steps(method: Method, source: AnySource, relation: exp.Expr, engine: Engine
 
 def _looked_at(
     source: AnySource, parameters: Parameters, calibration: Calibration, engine: Engine
-) -> tuple[AnySource, TimeKind, bool, exp.Expr]:
-    """Return the source with its channels named, its kind of time, if that is known, and the node."""
+) -> tuple[AnySource, TimeKind, bool, exp.Expr, bool | None]:
+    """Return what a script knows of its source.
+
+    Returns:
+        The source with its channels named, its kind of time, whether that is sure, the node, and whether
+        its programs are whole numbers, None where nothing tells.
+    """
     declared, relation = declared_kind(source), source.relation
     if is_file(relation):
         if not engine.reads_files:
@@ -199,7 +210,9 @@ def _looked_at(
 
         with DuckSession() as session:
             read = prepared(session, source)
-            return read.rows, read.kind, True, session.following(read.relation)
+            program = source.program
+            is_whole = program is not None and session.engine.types.is_whole(read.columns[program])
+            return read.rows, read.kind, True, session.following(read.relation), is_whole
     if source.of_words:
         raise wrong("script_reads_no_words", names=", ".join(source.of_words))
     if isinstance(source, WideSource) and source.channels is None:
@@ -210,12 +223,12 @@ def _looked_at(
         raise wrong("script_of_a_frame")
     node = table_names(relation)[0]
     if declared is not None:
-        return source, declared, True, node
+        return source, declared, True, node, None
     pairs = (*(calibration.intervals or ()), *calibration.exclude)
     given = [calibration.duration, calibration.score_from, *(end for pair in pairs for end in pair)]
     given += [variant.max_gap for variant in parameters.variants()]
     calendar = any(value is not None and looks_like_calendar(value) for value in given)
-    return source, TimeKind.TIMESTAMP if calendar else TimeKind.COUNTER, calendar, node
+    return source, TimeKind.TIMESTAMP if calendar else TimeKind.COUNTER, calendar, node, None
 
 
 def _described(parameters: Parameters) -> str:

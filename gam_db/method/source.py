@@ -19,9 +19,10 @@ def add_source(steps: Pipeline, method: Method) -> None:
     add_rules(steps, method)
     add_channels(steps, method)
     has_programs = method.programs is not None
+    is_whole = method.programs is not None and method.programs.is_whole
     add(steps, "source/identified", identified_slots(exp.true(), has_programs))
     add(steps, "source/timeline")
-    add_samples(steps, has_programs)
+    add_samples(steps, has_programs, is_whole)
     for name in ("recounted", "series"):
         add(steps, f"source/{name}")
     add_intervals(steps)

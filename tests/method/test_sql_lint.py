@@ -26,7 +26,7 @@ from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.export import Package, grafana
-from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
+from gam_db.method import Method, Programs, opening_pipeline, pipeline, trusting_pipeline
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_backtested, add_judgements, add_learnt_limits, add_replay
 from gam_db.method.automatic import DELAYS, scoring
@@ -515,6 +515,7 @@ TELEMETRY = {
         "time": Kind.INTEGER,
         "value": Kind.DOUBLE,
         "torque": Kind.NARROW,
+        "recipe": Kind.OTHER,
     }
 }
 
@@ -528,7 +529,8 @@ def steps(
     parameters: gam_db.Parameters, calibration: gam_db.Calibration, source: Source | WideSource
 ) -> list[tuple[str, exp.Query]]:
     """The filled steps of the method, in order, over a source that counts time."""
-    method = Method(parameters, calibration, TimeKind.COUNTER)
+    programs = None if source.program is None else Programs(source.program, is_whole=True)
+    method = Method(parameters, calibration, TimeKind.COUNTER, programs=programs)
     rows = readings(source, exp.to_table("telemetry"), lambda node: node)
     made = pipeline(method, rows, lambda node: node)
     add_look(made, method, lambda node: node)
@@ -538,6 +540,7 @@ def steps(
 SOURCES: list[Source | WideSource] = [
     Source("telemetry"),
     WideSource("telemetry", channels=["value", "torque"], asset=None),
+    Source("telemetry", program="recipe"),
 ]
 PIPELINES: list[tuple[gam_db.Parameters, gam_db.Calibration, Source | WideSource]] = [
     (PARAMETERS[0], CALIBRATIONS[0], SOURCES[0]),
@@ -546,6 +549,7 @@ PIPELINES: list[tuple[gam_db.Parameters, gam_db.Calibration, Source | WideSource
     (PARAMETERS[1], CALIBRATIONS[3], SOURCES[0]),
     (PARAMETERS[2], CALIBRATIONS[2], SOURCES[0]),
     (PARAMETERS[3], CALIBRATIONS[1], SOURCES[0]),
+    (PARAMETERS[3], CALIBRATIONS[2], SOURCES[2]),
 ]
 
 
