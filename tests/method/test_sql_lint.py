@@ -684,6 +684,10 @@ def watch_once() -> None:
                 monitor.report(Path(folder) / "page.html")
             monitor.prune()
         withdraw(monitor.state, 0)
+        running = arrow([(*row, "ab"[row[2] // 2 % 2]) for row in rows])
+        named = gam_db.Source(running, program="program")
+        monitor = Monitor(session, named, gam_db.Parameters(m=2, window=4), name="programs")
+        monitor.calibrate()
 
 
 def alarm_once() -> None:
