@@ -11,7 +11,7 @@ Four kinds of slot value:
   as a decimal),
 * ``None``, put in as ``NULL``,
 * a node (a quoted column, a condition, a string literal made by :func:`text`),
-* a list of nodes, spliced into a list of columns.
+* a list of nodes, spliced into a list of columns or of what orders rows.
 """
 
 import math
@@ -207,12 +207,15 @@ def case(
 
 
 def _splice(placeholder: exp.Placeholder, nodes: Sequence[exp.Expr]) -> None:
-    parent = placeholder.parent
-    if parent is None or placeholder.arg_key != "expressions":
+    item: exp.Expr = placeholder
+    if isinstance(placeholder.parent, exp.Ordered):
+        item, nodes = placeholder.parent, [exp.Ordered(this=node) for node in nodes]
+    parent = item.parent
+    if parent is None or item.arg_key != "expressions":
         raise TemplateError(f"The slot :{placeholder.name} takes a list only among columns.")
     columns: list[exp.Expr] = []
     for node in parent.args["expressions"]:
-        columns.extend(nodes if node is placeholder else [node])
+        columns.extend(nodes if node is item else [node])
     parent.set("expressions", columns)
 
 

@@ -112,7 +112,7 @@ class Modelled:
         one, gap = self.method.settings[0], self.method.gaps[0]
         has_start = any(rule.score_from is not None for rule in self.method.rules)
         figures = (one.m, one.tau, one.grid, one.window, one.bucket_length)
-        return Setting(*figures, gap, has_start, one.still_after, self.method.programs is not None)
+        return Setting(*figures, gap, has_start, one.still_after, self.method.programs)
 
     @property
     def calibrated(self) -> Mapping[str, tuple[str, ...]]:
@@ -240,7 +240,7 @@ def _learning(of: Modelled) -> Pipeline:
     steps.add("readings", rows, template.load("source/readings").comment)
     add(steps, "source/identified", identified_slots(exp.true(), has_programs(rows)))
     add(steps, "stored/scoring/repeats", name="timeline")
-    add_samples(steps, has_programs(rows))
+    add_samples(steps, of.method.programs)
     add(steps, "calibration/calibrated")
     add_taught_programs(steps, of.method.programs)
     one = OfSet(steps, of.method, 0)

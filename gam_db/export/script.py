@@ -90,8 +90,8 @@ def render(
     chosen = engine_named(engine)
     if schema is not None and not chosen.schemas:
         raise EngineError(f"{engine} has no schemas; leave schema out and give another prefix.")
-    source, kind, found, relation = _looked_at(source, parameters, calibration, chosen)
-    programs = None if source.program is None else Programs(source.program)
+    source, kind, found, relation, is_whole = _looked_at(source, parameters, calibration, chosen)
+    programs = None if source.program is None else Programs(source.program, is_whole is True)
     method = Method(parameters, calibration, kind, programs=programs)
     steps = _steps(method, source, relation, chosen)
     head = [
@@ -100,6 +100,8 @@ def render(
         "A cell is novel if healthy operation never visited it; the health indicator is the share of "
         "novel vectors among the last W scored ones.",
     ]
+    if programs is not None and is_whole is None:
+        head.append(f"Programs are numbered by their texts, though {programs.column} may hold numbers.")
     begin = chosen.beginning()
     if (
         chosen.guard is not None
@@ -200,8 +202,13 @@ def _steps(method: Method, source: AnySource, relation: exp.Expr, engine: Engine
 
 def _looked_at(
     source: AnySource, parameters: Parameters, calibration: Calibration, engine: Engine
-) -> tuple[AnySource, TimeKind, bool, exp.Expr]:
-    """Return the source with its channels named, its kind of time, if that is known, and the node."""
+) -> tuple[AnySource, TimeKind, bool, exp.Expr, bool | None]:
+    """Return what a script knows of its source.
+
+    Returns:
+        The source with its channels named, its kind of time, whether that is sure, the node, and whether
+        its programs are whole numbers, None where nothing tells.
+    """
     declared, relation = declared_kind(source), source.relation
     if is_file(relation):
         if not engine.reads_files:
@@ -212,7 +219,9 @@ def _looked_at(
 
         with DuckSession() as session:
             read = prepared(session, source)
-            return read.rows, read.kind, True, session.following(read.relation)
+            program = source.program
+            is_whole = program is not None and session.engine.types.is_whole(read.columns[program])
+            return read.rows, read.kind, True, session.following(read.relation), is_whole
     if source.of_words:
         raise wrong("script_reads_no_words", names=", ".join(source.of_words))
     if isinstance(source, WideSource) and source.channels is None:
@@ -223,12 +232,12 @@ def _looked_at(
         raise wrong("script_of_a_frame")
     node = table_names(relation)[0]
     if declared is not None:
-        return source, declared, True, node
+        return source, declared, True, node, None
     pairs = (*(calibration.intervals or ()), *calibration.exclude)
     given = [calibration.duration, calibration.score_from, *(end for pair in pairs for end in pair)]
     given += [variant.max_gap for variant in parameters.variants()]
     calendar = any(value is not None and looks_like_calendar(value) for value in given)
-    return source, TimeKind.TIMESTAMP if calendar else TimeKind.COUNTER, calendar, node
+    return source, TimeKind.TIMESTAMP if calendar else TimeKind.COUNTER, calendar, node, None
 
 
 def _described(parameters: Parameters) -> str:

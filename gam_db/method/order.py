@@ -71,7 +71,7 @@ def pipeline(
     add_stillness(steps, method, "moving_codes")
     add_results(steps, instant_of, method)
     if method.programs is not None:
-        add_program_summary(steps, instant_of)
+        add_program_summary(steps, method.programs, instant_of)
     return steps
 
 

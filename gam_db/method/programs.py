@@ -15,7 +15,7 @@ from gam_db.settings.parameters import LARGEST_KEY, Parameters
 from gam_db.settings.source import Programs, TimeNode
 
 #: Samples with the number of their program: of all that calibration holds, and of those judged.
-TAUGHT, JUDGED = "taught_samples", "judged_samples"
+TAUGHT, JUDGED = "program_samples", "judged_samples"
 
 _PROGRAM, _NUMBER = "program", "program_no"
 
@@ -30,36 +30,41 @@ def identified_slots(read: exp.Expr, has_programs: bool) -> dict[str, template.S
     return {"read": read, "programs": _carried(has_programs)}
 
 
-def add_samples(steps: Pipeline, has_programs: bool) -> None:
+def add_samples(steps: Pipeline, programs: Programs | None) -> None:
     """Add the samples, of which each instant has one: *collapsed* and *samples*."""
     conflicting = template.fill("source/conflicting")
-    least = gathered("repeated", has_programs)
-    if has_programs:
+    if programs is not None:
         program = exp.column(_PROGRAM, table="repeated")
         differing = exp.LT(this=exp.Min(this=program), expression=exp.Max(this=program.copy()))
         conflicting = exp.or_(conflicting, differing)
     slots: dict[str, template.Slot] = {
         "conflicting": conflicting,
-        "programs": _carried(has_programs),
-        "gathered": least,
+        "programs": _carried(programs is not None),
+        "gathered": gathered("repeated", programs),
     }
     add(steps, "source/collapsed", slots)
-    add(steps, "source/samples", {"programs": _carried(has_programs)})
+    add(steps, "source/samples", {"programs": _carried(programs is not None)})
 
 
-def gathered(table: str, has_programs: bool) -> list[exp.Expr]:
-    """Return the least program of the readings of one instant, as a column."""
-    least = exp.Min(this=exp.column(_PROGRAM, table=table))
-    return [exp.alias_(least, _PROGRAM)] if has_programs else []
+def gathered(table: str, programs: Programs | None) -> list[exp.Expr]:
+    """Return the least program of the readings of one instant, as a column: of whole numbers by size."""
+    if programs is None:
+        return []
+    program = ordered_by(exp.column(_PROGRAM, table=table), programs.is_whole)
+    least: exp.Expr = exp.Min(this=program)
+    return [exp.alias_(exp.cast(least, "VARCHAR") if programs.is_whole else least, _PROGRAM)]
+
+
+def ordered_by(program: exp.Expr, is_whole: bool) -> exp.Expr:
+    """Return what programs are ordered by: texts by their bytes, whole numbers by size."""
+    return exp.cast(program, "BIGINT") if is_whole else program
 
 
 def add_taught_programs(steps: Pipeline, programs: Programs | None) -> None:
     """Add the programs of calibration, numbered, and its samples with these numbers."""
     if programs is None:
         return
-    ordered: exp.Expr = exp.column(_PROGRAM)
-    if programs.is_whole:
-        ordered = exp.cast(ordered, "BIGINT")
+    ordered = ordered_by(exp.column(_PROGRAM), programs.is_whole)
     add(steps, "program/taught_programs", {"ordered": ordered})
     add(steps, "program/program_samples", name=TAUGHT, tables={"numbered_programs": "taught_programs"})
 
@@ -128,8 +133,10 @@ def _carried(has_programs: bool) -> list[exp.Expr]:
     return [exp.column(_PROGRAM)] * has_programs
 
 
-def add_program_summary(steps: Pipeline, instant_of: TimeNode) -> None:
+def add_program_summary(steps: Pipeline, programs: Programs, instant_of: TimeNode) -> None:
     """Add what each channel ran, in calibration and since; the last step is *program_summary*."""
     add(steps, "program/ran_programs")
-    edges = {name: instant_of(exp.column(name, table="counted")) for name in ("first_time", "last_time")}
-    add(steps, "program/program_summary", edges)
+    columns = {name: exp.column(name, table="counted") for name in ("first_time", "last_time")}
+    slots: dict[str, template.Slot] = {name: instant_of(column) for name, column in columns.items()}
+    slots["ordered"] = ordered_by(exp.column(_PROGRAM, table="counted"), programs.is_whole)
+    add(steps, "program/program_summary", slots)

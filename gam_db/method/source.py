@@ -21,7 +21,7 @@ def add_source(steps: Pipeline, method: Method) -> None:
     has_programs = method.programs is not None
     add(steps, "source/identified", identified_slots(exp.true(), has_programs))
     add(steps, "source/timeline")
-    add_samples(steps, has_programs)
+    add_samples(steps, method.programs)
     for name in ("recounted", "series"):
         add(steps, f"source/{name}")
     add_intervals(steps)

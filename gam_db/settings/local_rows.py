@@ -75,7 +75,11 @@ def ranged_readings(
         among = exp.paren(exp.or_(*(exp.and_(*within(*ends)) for ends in repeated)))
         passes = [piece for piece in pieces if piece.is_twice]
         first, second = (by_time(time, passes, one) for one in (lambda p: p.shift, lambda p: p.second))
-        branches.append(shown("source/shown_twice", [*near, among], shift=first, second=second))
+        ordered: list[exp.Expr] = []
+        if source.program is not None:
+            ordered = [template.fill("program/untold"), exp.column("program")]
+        told: dict[str, template.Slot] = {"shift": first, "second": second, "ordered": ordered}
+        branches.append(shown("source/shown_twice", [*near, among], **told))
     made = stacked(branches)
     is_whole = (earliest, latest) == (LONG_AGO, FAR_AHEAD)
     if is_whole and until is None:

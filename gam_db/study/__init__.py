@@ -297,9 +297,10 @@ class Study:
             return
         self._is_checked = True
         self.running.keep("taught_programs")
-        counts = [row["program_no"] + 1 for row in self.running.rows("taught_programs")]
-        for setting in self.method.settings:
-            check_programs(setting, max(counts, default=0))
+        held = {row["support_id"]: row["settings_no"] for row in self.running.rows("channels")}
+        taught = self.running.rows("taught_programs")
+        for row in sorted(taught, key=lambda row: row["program_no"], reverse=True):
+            check_programs(self.method.settings[held[row["support_id"]]], row["program_no"] + 1)
 
     def _run_again(self, outcome: Outcome) -> None:
         """Run the same steps over readings that are collapsed by instant: the only way back.

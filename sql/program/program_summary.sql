@@ -3,6 +3,7 @@
 -- A row:  one program of one channel, in order; program is NULL for readings whose program was not told. What speaks of
 --         calibration is the pool's.
 -- Slots:  :first_time, :last_time  the instants of its first and last reading since calibration, as the source tells time
+--         :ordered  the program by which those are ordered that calibration did not hold
 SELECT
   named.asset AS asset,
   named.channel AS channel,
@@ -58,4 +59,4 @@ ORDER BY
   CASE WHEN counted.program_no IS NULL THEN 1 ELSE 0 END,
   counted.program_no,
   CASE WHEN counted.program IS NULL THEN 1 ELSE 0 END,
-  counted.program
+  :ordered

@@ -19,9 +19,9 @@ SELECT
   END AS verdict
 FROM taught_programs AS ran
 JOIN (
-  SELECT support_id, MIN(target_floor) AS target_floor
-  FROM bounds
-  GROUP BY support_id
+  SELECT edge.support_id AS support_id, MIN(edge.target_floor) AS target_floor
+  FROM bounds AS edge
+  GROUP BY edge.support_id
 ) AS scale ON scale.support_id = ran.support_id
 LEFT JOIN (
   SELECT

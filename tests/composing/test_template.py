@@ -139,6 +139,11 @@ def test_a_list_becomes_columns() -> None:
     terms = [exp.alias_(exp.Literal.number(n), f"c{n}") for n in (1, 2)]
     assert sql("SELECT x, :more, y FROM t", more=terms) == "SELECT x, 1 AS c1, 2 AS c2, y FROM t"
     assert sql("SELECT x, :more, y FROM t", more=[]) == "SELECT x, y FROM t"  # m = 1 has no delay
+    ordered = "SELECT ROW_NUMBER() OVER (ORDER BY x, :more) AS place FROM t"
+    assert sql(ordered, more=[exp.column("y")]) == (
+        "SELECT ROW_NUMBER() OVER (ORDER BY x, y) AS place FROM t"
+    )
+    assert sql(ordered, more=[]) == "SELECT ROW_NUMBER() OVER (ORDER BY x) AS place FROM t"
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ compared less than ``comparisons.txt`` says.
 import hashlib
 import struct
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -30,10 +30,10 @@ FOUND: Found = defaultdict(set)
 def compared(
     engine: str,
     form: str,
-    rows: Iterable[reference.Row],
+    rows: reference.Rows,
     parameters: Any,
     calibration: Any,
-    first: Iterable[reference.Row] | None = None,
+    first: reference.Rows | None = None,
 ) -> None:
     """Note that every channel of a source was compared with the reference.
 
@@ -54,10 +54,10 @@ def compared_recording(engine: str, form: str, *said: str) -> None:
 
 
 def _marks(
-    rows: Iterable[reference.Row],
+    rows: reference.Rows,
     parameters: Any,
     calibration: Any,
-    first: Iterable[reference.Row] | None,
+    first: reference.Rows | None,
 ) -> Iterator[bytes]:
     """Yield what tells each channel: its series, what applies to it, and what its pool learnt from."""
     final = _series(rows)
@@ -86,11 +86,12 @@ def _rule(rule: Any) -> Any:
     return rule.fraction, rule.duration, rule.intervals, tuple(rule.exclude), rule.score_from
 
 
-def _series(rows: Iterable[reference.Row]) -> Mapping[tuple[str, str], bytes]:
+def _series(rows: reference.Rows) -> Mapping[tuple[str, str], bytes]:
     """Return the times and values of each channel, whatever the order of their rows."""
     found: dict[tuple[str, str], list[bytes]] = defaultdict(list)
-    for asset, name, time, value in rows:
+    for asset, name, time, value, *program in rows:
         packed = struct.pack("<q", time) if value is None else struct.pack("<qd", time, value)
+        packed += b"".join(repr(one).encode() for one in program)
         found[asset, name].append(packed)
     return {name: b",".join(sorted(packed)) for name, packed in found.items()}
 

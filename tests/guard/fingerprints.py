@@ -38,6 +38,7 @@ _DATED = gam_db.Source(
 _SINGLE = gam_db.Source(("odd schema", 'a "table"'), None, None, "t", "Value", time_kind="counter")
 _WIDE = gam_db.WideSource("lines.wide", ("temp", "Flow rate"), "machine", "at", "temp > 0", "timestamp")
 _LOCAL = gam_db.Source("telemetry", source_time_zone="Europe/Berlin", valid_when="quality IN (0, 192)")
+_RECIPES = gam_db.Source("telemetry", time_kind="counter", program="recipe")
 _BARE = gam_db.WideSource("wide", ("v",), None)  # time_kind left open
 
 #: name -> arguments of ``gam_db.render`` after the engine
@@ -88,6 +89,7 @@ SCRIPTS: Mapping[str, tuple[Any, ...]] = {
         gam_db.Calibration(intervals=[("2026-01-01", "2026-01-08")]),
     ),
     "local times": (_LOCAL, _ASKED(m=2, bins=9)),
+    "programs": (_RECIPES, _ASKED(m=2, bins=9)),
 }
 
 #: name -> arguments of :class:`gam_db.export.Package`

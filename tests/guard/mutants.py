@@ -39,7 +39,7 @@ LIST = Path(__file__).with_name("mutants.txt")
 FOLDERS = (
     *("source", "support", "embedding", "score", "health", "calibration", "certificate", "stored"),
     *("streams", "census", "rowids", "arrays", "judgement", "report", "alarms", "probe", "range"),
-    "automatic",
+    *("automatic", "program"),
 )
 
 #: Files of ``sql/`` -> the engine that runs them; DuckDB runs all others.
@@ -166,6 +166,8 @@ _ABOUT = {
     "automatic/*": "test_automatic",
     "probe/*": "test_probe",
     "range/*": "test_range",
+    "program/*": "test_programs",
+    "source/conflicting": "test_programs",
     "stored/pruning/expired_*": "test_pruning",
     "stored/pruning/bucket_ages": "test_pruning",
     "stored/pruning/horizons": "test_pruning",

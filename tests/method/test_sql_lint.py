@@ -38,7 +38,7 @@ from gam_db.selection.lags import add_delays, add_samples
 from gam_db.selection.neighbours import add_dimensions, add_embedding
 from gam_db.selection.search import Search
 from gam_db.settings.parameters import RUNGS
-from gam_db.settings.source import Source, WideSource, readings
+from gam_db.settings.source import Programs, Source, WideSource, readings
 from gam_db.stored.alarms import told as alarms
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.planning.steps import Setting, scoring_steps
@@ -466,6 +466,7 @@ NAMES = [str(path.relative_to(FOLDER).with_suffix("").as_posix()) for path in FI
 EXEMPT = {
     ("outlook", "rough_decisions"),
     ("verdicts", "rough_decisions"),
+    ("plain_verdicts", "rough_decisions"),
 }
 
 #: The minimum of evidence is over 50 judgements by definition.
@@ -515,6 +516,7 @@ TELEMETRY = {
         "time": Kind.INTEGER,
         "value": Kind.DOUBLE,
         "torque": Kind.NARROW,
+        "recipe": Kind.OTHER,
     }
 }
 
@@ -528,7 +530,8 @@ def steps(
     parameters: gam_db.Parameters, calibration: gam_db.Calibration, source: Source | WideSource
 ) -> list[tuple[str, exp.Query]]:
     """The filled steps of the method, in order, over a source that counts time."""
-    method = Method(parameters, calibration, TimeKind.COUNTER)
+    programs = None if source.program is None else Programs(source.program, is_whole=True)
+    method = Method(parameters, calibration, TimeKind.COUNTER, programs=programs)
     rows = readings(source, exp.to_table("telemetry"), lambda node: node)
     made = pipeline(method, rows, lambda node: node)
     add_look(made, method, lambda node: node)
@@ -538,6 +541,7 @@ def steps(
 SOURCES: list[Source | WideSource] = [
     Source("telemetry"),
     WideSource("telemetry", channels=["value", "torque"], asset=None),
+    Source("telemetry", program="recipe"),
 ]
 PIPELINES: list[tuple[gam_db.Parameters, gam_db.Calibration, Source | WideSource]] = [
     (PARAMETERS[0], CALIBRATIONS[0], SOURCES[0]),
@@ -546,6 +550,7 @@ PIPELINES: list[tuple[gam_db.Parameters, gam_db.Calibration, Source | WideSource
     (PARAMETERS[1], CALIBRATIONS[3], SOURCES[0]),
     (PARAMETERS[2], CALIBRATIONS[2], SOURCES[0]),
     (PARAMETERS[3], CALIBRATIONS[1], SOURCES[0]),
+    (PARAMETERS[3], CALIBRATIONS[2], SOURCES[2]),
 ]
 
 
@@ -680,6 +685,16 @@ def watch_once() -> None:
                 monitor.report(Path(folder) / "page.html")
             monitor.prune()
         withdraw(monitor.state, 0)
+        running = arrow([(*row, "ab"[row[2] // 2 % 2]) for row in rows])
+        named = gam_db.Source(running, program="program")
+        monitor = Monitor(session, named, gam_db.Parameters(m=2, window=4), name="programs")
+        monitor.calibrate()
+        monitor.score()
+        monitor.lookback = 5
+        monitor.score()
+        assert monitor.check_state().num_rows == 0
+        with tempfile.TemporaryDirectory() as folder:
+            monitor.report(Path(folder) / "page.html")
 
 
 def alarm_once() -> None:
@@ -892,9 +907,13 @@ def test_every_file_is_used() -> None:
         gam_db.render("view", "mariadb", gam_db.Source("telemetry", time_kind="timestamp"))
         local = gam_db.Source(autumn, None, None, valid_when="value > 1")
         gam_db.check(replace(local, source_time_zone="Europe/Berlin"))
+        ran = autumn.append_column("program", pa.array(["a", "b"]))
+        named = gam_db.Source(ran, None, None, program="program", source_time_zone="Europe/Berlin")
+        gam_db.support(named, PARAMETERS[0])
         for pool in (None, "channel"):
             calibration = gam_db.Calibration(intervals=[(0, 9)], pool=pool)
-            Package(source, gam_db.Parameters(), calibration).files()
+            for program in (None, "product"):
+                Package(replace(source, program=program), gam_db.Parameters(), calibration).files()
         grafana.queries("postgres", StateTables(), "default")
     assert set(NAMES) - loaded == set()
     assert {name for name in loaded if name not in NAMES} == set()

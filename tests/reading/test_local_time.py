@@ -27,7 +27,7 @@ from gam_db.errors import SourceError
 from gam_db.export import Package
 from gam_db.settings.local_time import local_time
 from gam_db.stored.monitor import Monitor
-from harness import Row
+from harness import ProgramRow, Row
 from visible import BUCKETS, NOVEL, visible
 
 MINUTE = 60 * 10**6
@@ -79,13 +79,14 @@ def told(session: Session) -> exp.Expr:
     )
 
 
-def telemetry(session: Session, rows: list[Row]) -> exp.Table:
+def telemetry(session: Session, rows: list[Row] | list[ProgramRow]) -> exp.Table:
     """Make a table of local times that say no zone."""
     if session.engine.name != "clickhouse":
         return scripts.telemetry(session, rows, told(session))
     # A column that is made of a query keeps the zone of what it is made of.
     name = engines.fresh_name("telemetry")
     columns = "asset String, channel String, time DateTime64(6), value Nullable(Float64)"
+    columns += ", program Nullable(String)" * any(len(row) > 4 for row in rows)
     session.driver.execute(f"CREATE TABLE {name} ({columns}) ENGINE = MergeTree ORDER BY tuple()")
     scripts.arrive(session, exp.to_table(name), rows, told(session))
     return exp.to_table(name)
@@ -116,6 +117,27 @@ def test_both_passes_of_the_autumn_hour_are_read(engine: str, zone: str) -> None
     support = gam_db.support(source, *METHOD, session).to_pylist()
     harness.assert_same(reference.support(meant, *METHOD), with_ticks(support), "support")
     comparisons.compared(engine, "exact", meant, *METHOD)
+
+
+def test_both_passes_of_an_hour_that_comes_twice_keep_their_programs(engine: str) -> None:
+    """Equal readings of one local time are told apart by their programs, the least of the first pass."""
+    zone = "Europe/Berlin"
+    plain = [row for _, row in readings(*SPANS[zone], zone)]
+    rows: list[ProgramRow] = [(*row, "ab"[n // 7 % 2]) for n, row in enumerate(plain) if row[0] != "b"]
+    twice = micros(2026, 10, 25, 2, 30)  # both passes tell one reading and two programs
+    rows += [("d", "x", twice + k, 1.0, program) for k in range(40) for program in ("b", "a")]
+    session = engines.session(engine)
+    table = telemetry(session, rows)
+    source = gam_db.Source(table.name, source_time_zone=zone, program="program")
+    method = harness.made({"m": 2, "bins": 4, "window": 4, "least_vectors": 4}, {"fraction": 0.6})
+    meant = local_reference.with_programs(rows, zone)
+    health = gam_db.health_indicator(source, *method, session).to_pylist()
+    expected = reference.health_indicator(meant, *method)
+    harness.assert_same(expected, with_ticks(health), "health")
+    summary = gam_db.programs(source, *method, session).to_pylist()
+    expected = reference.programs(meant, *method)
+    harness.assert_same(expected, with_ticks(summary), "programs")
+    assert [row["program"] for row in summary if row["asset"] == "d"] == ["a", "b"]
 
 
 def test_scripts_read_the_same_instants(engine: str) -> None:

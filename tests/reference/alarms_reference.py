@@ -31,7 +31,7 @@ def root(count: int) -> int:
 def buffered(channel: Channel, pool: Pool, g: int) -> tuple[list[int], list[int]]:
     """Section 2: of each block its vectors, and those in cells that only blocks near it know."""
     start = sum(len(c.learnt) for c in pool.members[: pool.members.index(channel)])
-    cells, blocks = reference.numbered(pool.grid).tolist(), pool.blocks.tolist()
+    cells, blocks = reference.cells_of(pool).tolist(), pool.blocks.tolist()
     seen: dict[int, list[int]] = {}
     for cell, block in zip(cells, blocks, strict=True):
         seen.setdefault(cell, []).append(block)
@@ -69,7 +69,7 @@ def order_ratio(channel: Channel, pool: Pool) -> int:
     g = 4
     _, novel = buffered(channel, pool, g)
     start = sum(len(c.learnt) for c in pool.members[: pool.members.index(channel)])
-    cells, blocks = reference.numbered(pool.grid).tolist(), pool.blocks.tolist()
+    cells, blocks = reference.cells_of(pool).tolist(), pool.blocks.tolist()
     own = range(start, start + len(channel.learnt))
     strangers = {cells[i] for i in range(len(cells)) if i not in own}
     n = len(novel)

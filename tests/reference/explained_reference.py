@@ -47,8 +47,8 @@ def healthy_bands(channel: Channel, pool: Pool, g: int) -> tuple[Counter[int], C
     start = sum(len(one.learnt) for one in pool.members[: pool.members.index(channel)])
     own = range(start, start + len(channel.learnt))
     # pool.grid has bins, codes are two more; in calibration all lie in range.
-    cells, blocks = [tuple(line) for line in pool.grid.tolist()], pool.blocks.tolist()
-    seen: dict[tuple[int, ...], set[int]] = {}
+    cells, blocks = reference.cells_of(pool).tolist(), pool.blocks.tolist()
+    seen: dict[int, set[int]] = {}
     for cell, block in zip(cells, blocks, strict=True):
         seen.setdefault(cell, set()).add(block)
     visits: Counter[int] = Counter()

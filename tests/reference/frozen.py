@@ -8,18 +8,22 @@ from collections.abc import Iterator
 from typing import Any
 
 import reference
-from reference import Channel, Pool, Row
+from reference import Channel, Pool, ProgramRow, Row
 
 
 def channels(
-    first: list[Row], final: list[Row], parameters: Any, calibration: Any
+    first: list[Row] | list[ProgramRow],
+    final: list[Row] | list[ProgramRow],
+    parameters: Any,
+    calibration: Any,
 ) -> Iterator[tuple[Channel, Pool]]:
     """Give every channel of the first rows, holding the final ones, with its frozen pool."""
-    rows: dict[tuple[str, str], list[tuple[int, float | None]]] = {}
+    rows: dict[tuple[str, str], list[Any]] = {}
     for row in final:
         rows.setdefault(row[:2], []).append(row[2:])
     for learnt, pool in reference.channels(first, parameters, calibration):
-        times, values, conflicts = reference.collapse(rows.get((learnt.asset, learnt.name), []))
+        own_rows = rows.get((learnt.asset, learnt.name), [])
+        times, values, conflicts = reference.collapse(row[:2] for row in own_rows)
         own = resolved(calibration, learnt)
         healthy = [any(a <= t <= b for a, b in own) for t in times]
         channel = Channel(
@@ -34,6 +38,9 @@ def channels(
             learnt.score_from,
         )
         reference.embed(channel)
+        if learnt.programs is not None:
+            channel.programs, channel.conflicts = reference.collapse_programs(own_rows)
+        reference.judge_programs(channel, pool)
         if pool.lo is not None and pool.hi is not None:
             channel.codes = [reference.code(x, pool.lo, pool.hi, pool.settings.bins) for x in values]
         yield channel, pool
@@ -58,7 +65,10 @@ def resolved(calibration: Any, channel: Channel) -> list[tuple[float, float]]:
 
 
 def buckets(
-    first: list[Row], final: list[Row], parameters: Any, calibration: Any
+    first: list[Row] | list[ProgramRow],
+    final: list[Row] | list[ProgramRow],
+    parameters: Any,
+    calibration: Any,
 ) -> list[dict[str, Any]]:
     """Return what ``gam_state_bucket`` must show, in order, names in the place of numbers."""
     answer = []
@@ -103,7 +113,10 @@ def stands_still(channel: Channel) -> list[bool]:
 
 
 def still_counts(
-    first: list[Row], final: list[Row], parameters: Any, calibration: Any
+    first: list[Row] | list[ProgramRow],
+    final: list[Row] | list[ProgramRow],
+    parameters: Any,
+    calibration: Any,
 ) -> list[dict[str, Any]]:
     """Return the column ``still`` of ``gam_state_bucket``, in order."""
     stands: dict[tuple[str, str], tuple[int, list[int] | None]] = {
@@ -125,7 +138,10 @@ def still_counts(
 
 
 def still_since(
-    first: list[Row], final: list[Row], parameters: Any, calibration: Any
+    first: list[Row] | list[ProgramRow],
+    final: list[Row] | list[ProgramRow],
+    parameters: Any,
+    calibration: Any,
 ) -> dict[tuple[str, str], int | None]:
     """Return since when each channel stands still, of what is scored; None where it moves."""
     found = {}
@@ -138,7 +154,10 @@ def still_since(
 
 
 def novel_cells(
-    first: list[Row], final: list[Row], parameters: Any, calibration: Any
+    first: list[Row] | list[ProgramRow],
+    final: list[Row] | list[ProgramRow],
+    parameters: Any,
+    calibration: Any,
 ) -> list[dict[str, Any]]:
     """Return what ``gam_state_novel`` must show, in order, names in the place of numbers."""
     answer = []

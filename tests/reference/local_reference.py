@@ -6,6 +6,7 @@ It shares no code with the package, which writes the changes of a zone out as in
 import datetime as dt
 import zoneinfo
 from collections import defaultdict
+from typing import Any
 
 Row = tuple[str, str, int, float | None]
 
@@ -28,6 +29,22 @@ def shown(instant: int, zone: str) -> int:
     """Return what clocks of a zone show at an instant, in microseconds since 1970."""
     told = (_EPOCH + instant * _MICROSECOND).replace(tzinfo=dt.UTC).astimezone(zoneinfo.ZoneInfo(zone))
     return (told.replace(tzinfo=None) - _EPOCH) // _MICROSECOND
+
+
+def with_programs(rows: list[Any], zone: str) -> list[Any]:
+    """Return rows with programs likewise; of equal readings the one of the least program comes first."""
+    together: dict[tuple[str, str, int], list[tuple[float | None, str | None]]] = defaultdict(list)
+    for asset, channel, local, value, program in rows:
+        together[asset, channel, local].append((value, program))
+    found: list[Any] = []
+    for (asset, channel, local), told in together.items():
+        there = instants(local, zone)
+        told.sort(
+            key=lambda one: (one[0] is None, one[0] or 0.0, one[1] is None, (one[1] or "").encode())
+        )
+        for place, of in enumerate(told if there else []):
+            found.append((asset, channel, there[-1] if place else there[0], *of))
+    return found
 
 
 def in_utc(rows: list[Row], zone: str) -> list[Row]:

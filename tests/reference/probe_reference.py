@@ -5,7 +5,6 @@ Built on :mod:`reference`, which finds the calibration vectors; it shares no cod
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import Any
 
 import reference
@@ -53,7 +52,10 @@ def found_at(channel: reference.Channel, newest: int, delays: list[int]) -> list
 
 
 def picked_of(pool: reference.Pool) -> list[tuple[int, reference.Channel, int]]:
-    """Return the vectors by which a support is probed: block in the pool, channel, newest sample."""
+    """Return the vectors by which a support is probed: block in the pool, channel, newest sample.
+
+    A changed vector is of the program of its newest sample.
+    """
     every = [(member, vector[0]) for member in pool.members for vector in member.learnt]
     return [
         (int(pool.blocks[number]), member, newest)
@@ -72,9 +74,9 @@ def probe(pool: reference.Pool) -> list[dict[str, Any]]:
     q05, q50, q95 = usual(newest_values)
     width = q95 - q05 or hi - lo
     blocks = pool.blocks
-    visited: dict[tuple[int, ...], set[int]] = {}
-    for vector, block in zip(pool.grid.tolist(), blocks.tolist(), strict=True):
-        visited.setdefault(tuple(vector), set()).add(block)
+    visited: dict[tuple[int | None, ...], set[int]] = {}
+    for vector, block, ran in zip(pool.grid.tolist(), blocks.tolist(), pool.ran.tolist(), strict=True):
+        visited.setdefault((*vector, ran), set()).add(block)
     tau, m = settings.tau, settings.m
     plain = [k * tau for k in range(m)]
     asked: list[tuple[str, list[int], Any]] = []
@@ -100,11 +102,12 @@ def probe(pool: reference.Pool) -> list[dict[str, Any]]:
                 continue
             codes = [reference.code(change(x), lo, hi, settings.bins) - 2 for x in values]
             row["vectors"] += 1
-            row["novel"] += not (visited.get(tuple(codes), set()) - {block})
+            cell = (*codes, member.numbers[newest])
+            row["novel"] += not (visited.get(cell, set()) - {block})
     return answer
 
 
-def probes(rows: Iterable[reference.Row], parameters: Any, calibration: Any) -> list[dict[str, Any]]:
+def probes(rows: reference.Rows, parameters: Any, calibration: Any) -> list[dict[str, Any]]:
     """Return what is asked of each channel, which is asked of its support."""
     answer = []
     for channel, pool in reference.channels(rows, parameters, calibration):

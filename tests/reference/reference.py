@@ -4,12 +4,14 @@ Written from the equations of the paper and from the specification of the method
 the latter's), not from the package: it shares no code with it and imports nothing of it, so that
 a misreading would have to be made twice to go unseen. Clarity goes before speed.
 
-A row of the source is (asset, channel, time, value), time being an integer. Parameters and
+A row of the source is (asset, channel, time, value), time being an integer; where a column says which
+program a machine runs, it comes fifth, a text or a whole number (both sides, section 5). Parameters and
 calibration are read by attribute only, hence ``Any``: whatever has the attributes will do.
 """
 
 import math
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -21,6 +23,8 @@ from numpy.typing import NDArray
 import probe_reference
 
 Row = tuple[str, str, int, float | None]
+ProgramRow = tuple[str, str, int, float | None, Any]
+Rows = Iterable[Row] | Iterable[ProgramRow]
 Answer = list[dict[str, Any]]
 Integers = NDArray[np.int64]
 
@@ -67,6 +71,8 @@ class Channel:
     scored: list[list[int]] = field(default_factory=list)
     missing_vectors: int = 0
     codes: list[int] = field(default_factory=list)
+    programs: list[Any] | None = None  # of each sample; None where no column says which
+    numbers: list[int | None] = field(default_factory=list)  # of the programs; None where it has none
 
 
 @dataclass
@@ -74,7 +80,9 @@ class Pool:
     """Channels sharing one support (one that stands alone is a pool of one), with that support.
 
     ``grid`` has the bins of each calibration vector, one line per vector in pool order, and
-    ``blocks`` the number of the vector's block, counted over the whole pool.
+    ``blocks`` the number of the vector's block, counted over the whole pool. ``ran`` has the number of
+    each vector's program, which is its place in ``programs``; where no column says which program runs,
+    all have number 0.
     """
 
     members: list[Channel]
@@ -85,6 +93,8 @@ class Pool:
     keys: set[int] = field(default_factory=set)
     grid: Integers = field(default_factory=lambda: np.zeros((0, 1), np.int64))
     blocks: Integers = field(default_factory=lambda: np.zeros(0, np.int64))
+    ran: Integers = field(default_factory=lambda: np.zeros(0, np.int64))
+    programs: list[Any] = field(default_factory=list)
 
 
 #: Every channel of a source with its pool.
@@ -127,6 +137,29 @@ def collapse(found: Iterable[tuple[int, float | None]]) -> tuple[list[int], list
     times = sorted(instants)
     smallest = [min(instants[t], default=None) for t in times]
     return times, smallest, sum(len(set(values)) > 1 for values in instants.values())
+
+
+def collapse_programs(found: Iterable[tuple[int, float | None, Any]]) -> tuple[list[Any], int]:
+    """Both sides, section 5: one program per instant, the least that is told; count all conflicts.
+
+    Two programs of one instant are a conflict as two values are; an instant with both is one.
+    """
+    values: dict[int, set[float]] = {}
+    programs: dict[int, set[Any]] = {}
+    for time, value, program in found:
+        of_time, ran = values.setdefault(time, set()), programs.setdefault(time, set())
+        if value is not None and -1e300 <= value <= 1e300:
+            of_time.add(float(value))
+        if program is not None:
+            ran.add(program)
+    times = sorted(values)
+    least = [min(programs[t], key=program_order, default=None) for t in times]
+    return least, sum(len(values[t]) > 1 or len(programs[t]) > 1 for t in times)
+
+
+def program_order(program: Any) -> Any:
+    """Both sides, section 5: whole numbers by size, texts by their bytes."""
+    return program.encode() if isinstance(program, str) else program
 
 
 def calibrated(
@@ -206,9 +239,14 @@ def code(x: float | None, lo: float, hi: float, bins: int) -> int:
 
 
 def cell_key(channel: Channel, vector: list[int]) -> int:
-    """Phi for one vector, section 3: sum over k of code(x(t - k tau)) * (bins + 3)^k."""
-    radix = channel.settings.bins + 3
-    return sum(channel.codes[i] * radix**k for k, i in enumerate(vector))
+    """Phi for one vector, section 3: sum over k of code(x(t - k tau)) * (bins + 3)^k.
+
+    The number of the program of its newest sample is the highest digit.
+    """
+    radix, number = channel.settings.bins + 3, 0
+    if channel.programs is not None:
+        number = channel.numbers[vector[0]] or 0
+    return sum(code * radix**k for k, code in enumerate([*(channel.codes[i] for i in vector), number]))
 
 
 def block_numbers(n: int, window: int) -> list[int]:
@@ -247,6 +285,7 @@ def without_strays(values: list[float]) -> tuple[list[float], list[float]]:
 
 def learn(pool: Pool) -> None:
     """Eq. 3: bounds over all members, codes, and the set of cells that calibration visited."""
+    number_programs(pool)
     usable: list[float] = []
     for c in pool.members:
         pairs = zip(c.values, c.healthy, strict=True)
@@ -258,31 +297,89 @@ def learn(pool: Pool) -> None:
     pool.lo, pool.hi = lo, hi = min(usable), max(usable)
     grid: list[list[int]] = []
     blocks: list[int] = []
+    ran: list[int] = []
     for c in pool.members:
         c.codes = [code(x, lo, hi, pool.settings.bins) for x in c.values]
         # What was dropped is taught to nobody, though it is of calibration and not scored either.
         top = pool.settings.bins + 2
         c.learnt = [v for v in c.learnt if all(c.codes[i] not in (1, top) for i in v)]
+        c.learnt = [v for v in c.learnt if c.numbers[v[0]] is not None]
         pool.keys |= {cell_key(c, vector) for vector in c.learnt}
         grid += [[c.codes[i] - 2 for i in vector] for vector in c.learnt]
+        ran += [c.numbers[vector[0]] or 0 for vector in c.learnt]
         start = blocks[-1] + 1 if blocks else 0
         blocks += [start + b for b in block_numbers(len(c.learnt), pool.settings.window)]
     if grid:
         pool.grid, pool.blocks = np.array(grid, np.int64), np.array(blocks, np.int64)
+        pool.ran = np.array(ran, np.int64)
+    for c in pool.members:
+        judge_programs(c, pool)
 
 
-def channels(rows: Iterable[Row], parameters: Any, calibration: Any) -> Pairs:
+def judge_programs(channel: Channel, pool: Pool) -> None:
+    """Both sides, section 5: number a channel's samples; vectors of some programs are not scored."""
+    number_samples(channel, pool)
+    if channel.programs is not None:
+        judged = {row["number"] for row in learnt_programs(pool) if row["verdict"] == "ready"}
+        channel.scored = [v for v in channel.scored if channel.numbers[v[0]] in judged]
+
+
+def number_programs(pool: Pool) -> None:
+    """Both sides, section 5: number the programs of calibration, and the samples by them."""
+    held = {
+        program
+        for c in pool.members
+        for program, healthy in zip(c.programs or [], c.healthy, strict=False)
+        if healthy and program is not None
+    }
+    pool.programs = sorted(held, key=program_order)
+    for c in pool.members:
+        number_samples(c, pool)
+
+
+def number_samples(channel: Channel, pool: Pool) -> None:
+    """Give each sample the number of its program; where no column says which runs, all have 0."""
+    channel.numbers = [0] * len(channel.times)
+    if channel.programs is not None:
+        numbers = {program: number for number, program in enumerate(pool.programs)}
+        channel.numbers = [numbers.get(program) for program in channel.programs]
+
+
+def learnt_programs(pool: Pool) -> Answer:
+    """Both sides, section 5: what calibration says of each of its programs, by number."""
+    vectors = Counter(pool.ran.tolist())
+    alone = Counter[int]()
+    if len(pool.blocks):
+        cells = cells_of(pool)
+        blocks: dict[int, set[int]] = {}
+        for cell, block in zip(cells.tolist(), pool.blocks.tolist(), strict=True):
+            blocks.setdefault(cell, set()).add(block)
+        for cell, number in zip(cells.tolist(), pool.ran.tolist(), strict=True):
+            alone[number] += len(blocks[cell]) == 1
+    answer = []
+    for number, program in enumerate(pool.programs):
+        n, share = vectors[number], pool.settings.target_floor
+        enough = n >= max(pool.settings.least_vectors, 1) and alone[number] / n <= share
+        row = {"number": number, "program": program, "vectors": n, "unvouched": alone[number]}
+        answer.append(row | {"verdict": "ready" if enough else "needs_data"})
+    return answer
+
+
+def channels(rows: Rows, parameters: Any, calibration: Any) -> Pairs:
     """Sections 2 to 4: every channel of the source with its pool, by asset and name."""
     pairs, pools = opened(rows, parameters, calibration)
     settle(pools)
     return pairs
 
 
-def opened(rows: Iterable[Row], parameters: Any, calibration: Any) -> tuple[Pairs, list[Pool]]:
+def opened(rows: Rows, parameters: Any, calibration: Any) -> tuple[Pairs, list[Pool]]:
     """The same before settings are chosen, and the pools."""
     found: dict[tuple[str, str], list[tuple[int, float | None]]] = {}
-    for asset, name, time, value in rows:
+    told: dict[tuple[str, str], list[tuple[int, float | None, Any]]] = {}
+    for asset, name, time, value, *program in rows:
         found.setdefault((asset, name), []).append((time, value))
+        for one in program:
+            told.setdefault((asset, name), []).append((time, value, one))
     groups = calibration.pool or []
     if groups == "channel":
         groups = [["*"]]
@@ -293,6 +390,8 @@ def opened(rows: Iterable[Row], parameters: Any, calibration: Any) -> tuple[Pair
         times, values, conflicts = collapse(found[asset, name])
         own = calibrated(calibration, asset, times)
         channel = Channel(asset, name, settings, times, values, conflicts, *own)
+        if told:
+            channel.programs, channel.conflicts = collapse_programs(told[asset, name])
         embed(channel)
         numbers = [g for g, group in enumerate(groups) if any(glob(p, asset) for p in group)]
         key = (numbers[0], name, settings) if numbers else ("alone", asset, name)
@@ -314,6 +413,7 @@ def settle(pools: list[Pool]) -> None:
         pool = pools[place]
         pool.settings, pool.keys, pool.dropped = settings, set(), []
         pool.grid, pool.blocks = np.zeros((0, 1), np.int64), np.zeros(0, np.int64)
+        pool.ran = np.zeros(0, np.int64)
         for channel in pool.members:
             channel.settings, channel.learnt, channel.scored = settings, [], []
             channel.missing_vectors = 0
@@ -342,7 +442,7 @@ def health(channel: Channel, pool: Pool) -> Iterator[dict[str, Any]]:
         }
 
 
-def health_indicator(rows: Iterable[Row], parameters: Any, calibration: Any) -> Answer:
+def health_indicator(rows: Rows, parameters: Any, calibration: Any) -> Answer:
     """Eq. 2: the share of novel vectors among the last W scored ones, at every scored vector."""
     return _singles(channels(rows, parameters, calibration))
 
@@ -351,7 +451,7 @@ def _singles(pairs: Pairs) -> Answer:
     return [row for pair in pairs for row in health(*pair)]
 
 
-def buckets(rows: Iterable[Row], parameters: Any, calibration: Any) -> Answer:
+def buckets(rows: Rows, parameters: Any, calibration: Any) -> Answer:
     """Section 4, stored form: Eq. 2 after every ``stride`` scored vectors; full buckets only."""
     return _buckets(channels(rows, parameters, calibration))
 
@@ -385,6 +485,11 @@ def numbered(grid: Integers) -> Integers:
     return np.unique(grid, axis=0, return_inverse=True)[1].reshape(-1)
 
 
+def cells_of(pool: Pool, divisor: int = 1) -> Integers:
+    """The cell of each calibration vector, on a grid so many times coarser; one cell, one program."""
+    return numbered(np.column_stack([pool.grid // divisor, pool.ran]))
+
+
 def left_out(cells: Integers, blocks: Integers) -> tuple[Integers, Integers]:
     """Section 5: per block its vectors, and those of them in cells that no other block visited."""
     first, last = np.full(cells.max() + 1, len(cells)), np.full(cells.max() + 1, -1)
@@ -410,7 +515,7 @@ def finest_bins(pool: Pool, floor: float) -> int | None:
         bins = math.ceil(pool.settings.bins / divisor)
         if bins < 2:
             return None
-        floor = floor_of(numbered(pool.grid // divisor), pool.blocks)
+        floor = floor_of(cells_of(pool, divisor), pool.blocks)
     return bins
 
 
@@ -428,7 +533,7 @@ def vectors_needed(pool: Pool, floor: float) -> int | None:
     if count < 4 or target <= 0:
         return None
     half = pool.blocks < count // 2
-    floor_half = floor_of(numbered(pool.grid)[half], pool.blocks[half])
+    floor_half = floor_of(cells_of(pool)[half], pool.blocks[half])
     b = math.log(floor_half / floor) / math.log(n / int(half.sum())) if floor_half > 0 else 0.0
     if b <= 0:
         return None  # more calibration has not helped so far
@@ -444,7 +549,7 @@ def judgement(pool: Pool) -> dict[str, Any]:
     names = "floor floor_sd floor_max good_turing cells_per_vector finest_bins vectors_needed"
     if len(pool.blocks) == 0:
         return {"verdict": "no_data", "blocks": 0} | dict.fromkeys(names.split())
-    cells = numbered(pool.grid)
+    cells = cells_of(pool)
     vectors, novel = left_out(cells, pool.blocks)
     visits, floor = np.bincount(cells), floor_of(cells, pool.blocks)
     finest = finest_bins(pool, floor)
@@ -507,7 +612,7 @@ def limit(said: dict[str, Any], target_floor: float) -> dict[str, Any]:
     return {"hi_limit": highest, "limit_reason": reason}
 
 
-def support(rows: Iterable[Row], parameters: Any, calibration: Any) -> Answer:
+def support(rows: Rows, parameters: Any, calibration: Any) -> Answer:
     """Eq. 3 and section 5: per channel the bounds, the counts and the verdict of its pool."""
     return _support(channels(rows, parameters, calibration))
 
@@ -545,7 +650,46 @@ def _support(pairs: Pairs) -> Answer:
     ]
 
 
-def certificate(rows: Iterable[Row], parameters: Any, calibration: Any) -> Answer:
+def programs(rows: Rows, parameters: Any, calibration: Any) -> Answer:
+    """Both sides, section 5: what each channel ran, in calibration and since."""
+    return _programs(channels(rows, parameters, calibration))
+
+
+def _programs(pairs: Pairs) -> Answer:
+    answer = []
+    for channel, pool in pairs:
+        since: dict[Any, list[int]] = {}
+        for time, value, program in zip(
+            channel.times, channel.values, channel.programs or [], strict=True
+        ):
+            first = channel.score_from
+            is_due = channel.end is None or time > channel.end if first is None else time >= first
+            if is_due and value is not None:
+                since.setdefault(program, []).append(time)
+        learnt = learnt_programs(pool)
+        rest = [one for one in since if one not in pool.programs]
+        rest.sort(key=lambda one: (one is None, b"" if one is None else program_order(one)))
+        nothing = {"verdict": "unknown", "vectors": 0, "unvouched": 0}
+        for row in [*learnt, *({"program": program} | nothing for program in rest)]:
+            program, n, times = row["program"], row["vectors"], since.get(row["program"], [])
+            answer.append(
+                {
+                    "asset": channel.asset,
+                    "channel": channel.name,
+                    "program": None if program is None else str(program),
+                    "verdict": row["verdict"],
+                    "vectors": n,
+                    "unvouched": row["unvouched"],
+                    "floor": row["unvouched"] / n if n else None,
+                    "readings": len(times),
+                    "first_time": min(times, default=None),
+                    "last_time": max(times, default=None),
+                }
+            )
+    return answer
+
+
+def certificate(rows: Rows, parameters: Any, calibration: Any) -> Answer:
     """Section 5: per block its two integers, and the learning curve up to and with it."""
     return _certificate(channels(rows, parameters, calibration))
 
@@ -555,7 +699,7 @@ def _certificate(pairs: Pairs) -> Answer:
     for channel, pool in pairs:
         if not channel.learnt:
             continue
-        cells = numbered(pool.grid)
+        cells = cells_of(pool)
         vectors, novel = left_out(cells, pool.blocks)
         start = sum(len(c.learnt) for c in pool.members[: pool.members.index(channel)])
         own = pool.blocks[start : start + len(channel.learnt)]
@@ -579,7 +723,7 @@ def _certificate(pairs: Pairs) -> Answer:
     return answer
 
 
-def answers(rows: Iterable[Row], parameters: Any, calibration: Any) -> dict[str, Answer]:
+def answers(rows: Rows, parameters: Any, calibration: Any) -> dict[str, Answer]:
     """All four, of channels that are counted once."""
     pairs = channels(rows, parameters, calibration)
     return {

@@ -334,6 +334,7 @@ GIVEN: dict[str, tuple[tuple[str, ...], Any]] = {
     "time_unit": (("--time-unit", "ms"), "ms"),
     "source_time_zone": (("--source-time-zone", "Europe/Berlin"), "Europe/Berlin"),
     "valid_when": (("--valid-when", "v > 0"), "v > 0"),
+    "program": (("--program", "product"), "product"),
     "m": (("--m", "2"), 2),
     "tau": (("--tau", "0"), 0),
     "bins": (("--bins", "7"), 7),

@@ -4,7 +4,7 @@ The reference is the NumPy count, which shares no code with the SQL; the others 
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import pyarrow as pa
@@ -16,6 +16,8 @@ import reference
 from gam_db.study import Study
 
 Row = tuple[str, str, int, float | None]
+#: The same with the program that a machine runs, a text or a whole number.
+ProgramRow = tuple[str, str, int, float | None, Any]
 Answer = list[dict[str, Any]]
 Form = Callable[[str, list[Row], gam_db.Parameters, gam_db.Calibration], Answer]
 
@@ -36,11 +38,14 @@ STEPS = {
 }
 
 
-def arrow(rows: list[Row]) -> pa.Table:
-    """Return rows as the Arrow table of a long source."""
+def arrow(rows: Sequence[Row] | Sequence[ProgramRow]) -> pa.Table:
+    """Return rows as the Arrow table of a long source; a fifth value is the program of a row."""
     columns = list(zip(*rows, strict=True)) if rows else [(), (), (), ()]
-    types = (pa.string(), pa.string(), pa.int64(), pa.float64())
-    names = ("asset", "channel", "time", "value")
+    types = [pa.string(), pa.string(), pa.int64(), pa.float64()]
+    names = ["asset", "channel", "time", "value"]
+    if len(columns) > len(names):
+        is_whole = any(isinstance(program, int) for program in columns[4])
+        names, types = [*names, "program"], [*types, pa.int64() if is_whole else pa.string()]
     arrays = [pa.array(list(c), t) for c, t in zip(columns, types, strict=True)]
     return pa.table(dict(zip(names, arrays, strict=True)))
 

@@ -1,6 +1,7 @@
 """Running the rendered scripts the way a warehouse team does: no Python of ours between the lines."""
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 
 import duckdb
@@ -13,7 +14,7 @@ import engines
 import gam_db
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
-from harness import Answer, Row, arrow
+from harness import Answer, ProgramRow, Row, arrow
 
 #: question -> relation of the view form, and its order
 RELATIONS = {
@@ -37,7 +38,10 @@ def of_one_query(engine: str, parameters: gam_db.Parameters) -> gam_db.Parameter
 
 
 def on(
-    engine: str, rows: list[Row], parameters: gam_db.Parameters, calibration: gam_db.Calibration
+    engine: str,
+    rows: Sequence[Row] | Sequence[ProgramRow],
+    parameters: gam_db.Parameters,
+    calibration: gam_db.Calibration,
 ) -> dict[str, Answer]:
     """Answer by the scripts on an engine: the view form, and under ``exact`` the exact one."""
     if engine == "duckdb":  # a script may use all of a connection: its own, and in one piece
@@ -47,11 +51,15 @@ def on(
 
 
 def _answers(
-    session: Session, rows: list[Row], parameters: gam_db.Parameters, calibration: gam_db.Calibration
+    session: Session,
+    rows: Sequence[Row] | Sequence[ProgramRow],
+    parameters: gam_db.Parameters,
+    calibration: gam_db.Calibration,
 ) -> dict[str, Answer]:
     prefix, name = engines.fresh_name("script"), session.engine.name
     table = telemetry(session, rows)
-    source = gam_db.Source(table.name)
+    has_programs = any(len(row) > 4 for row in rows)
+    source = gam_db.Source(table.name, program="program" if has_programs else None)
     exact = gam_db.render("exact", name, source, of_one_query(name, parameters), calibration)
     found = {"exact": fetched(session, exact)}
     run(session, gam_db.render("view", name, source, parameters, calibration, prefix))
@@ -66,7 +74,9 @@ def _answers(
 COUNTER = exp.column("time")
 
 
-def telemetry(session: Session, rows: list[Row], time: exp.Expr = COUNTER) -> exp.Table:
+def telemetry(
+    session: Session, rows: Sequence[Row] | Sequence[ProgramRow], time: exp.Expr = COUNTER
+) -> exp.Table:
     """Make a table of telemetry, as a team would find it in its warehouse.
 
     Args:
@@ -76,21 +86,28 @@ def telemetry(session: Session, rows: list[Row], time: exp.Expr = COUNTER) -> ex
     """
     table = exp.to_table(engines.fresh_name("telemetry"))
     with session.lent(arrow(rows)) as lent:
-        session.execute(session.engine.create_table(table, _columns(time).from_(lent)))
+        query = _columns(time, any(len(row) > 4 for row in rows)).from_(lent)
+        session.execute(session.engine.create_table(table, query))
     return table
 
 
-def arrive(session: Session, table: exp.Table, rows: list[Row], time: exp.Expr = COUNTER) -> None:
+def arrive(
+    session: Session,
+    table: exp.Table,
+    rows: Sequence[Row] | Sequence[ProgramRow],
+    time: exp.Expr = COUNTER,
+) -> None:
     """Append rows to a table of telemetry."""
     with session.lent(arrow(rows)) as lent:
-        query = _columns(time).from_(lent)
+        query = _columns(time, any(len(row) > 4 for row in rows)).from_(lent)
         names = [exp.to_identifier(column) for column in query.named_selects]
         into = exp.Schema(this=table.copy(), expressions=names)
         session.execute(exp.Insert(this=into, expression=query))
 
 
-def _columns(time: exp.Expr) -> exp.Select:
-    return exp.select("asset", "channel", exp.alias_(time, "time"), "value")
+def _columns(time: exp.Expr, has_programs: bool = False) -> exp.Select:
+    programs = [exp.column("program")] * has_programs
+    return exp.select("asset", "channel", exp.alias_(time, "time"), "value", *programs)
 
 
 def fetched(session: Session, script: str) -> Answer:
@@ -121,7 +138,7 @@ def run(session: Session, script: str) -> None:
 def clear(session: Session, table: str, prefix: str) -> None:
     """Drop what a script made, and its telemetry."""
     made = [name for name in session.relations() if name.startswith(prefix)]
-    is_view = {f"{prefix}health"}
+    is_view = {f"{prefix}health", f"{prefix}program_summary"}
     for name in sorted(made, key=lambda name: name not in is_view):
         kind = "VIEW" if name in is_view else "TABLE"
         session.execute(exp.Drop(tables=[exp.to_table(name)], kind=kind))

@@ -31,6 +31,7 @@ ROOMS = {
     "certificate": "What calibration says about itself (section 5).",
     "automatic": "Which delay, bins and window calibration chooses (both sides, section 4).",
     "probe": "What the indicator would show if a machine changed (both sides, section 2).",
+    "program": "Which program a machine runs, where a column says so (both sides, section 5).",
     "judgement": "When a channel is above its limit, and its status: the same in every form.",
     "alarms": "Judgements, the limits they are judged by, and episodes (alarms, sections 2 to 4).",
     "stored/state": "The stored form: what is there of monitors, channels, versions and runs.",

@@ -92,7 +92,7 @@ def check_state(
     check = _Check(state, reader, lookback, on_step)
     monitor_id, began = monitor["monitor_id"], now()
     buckets, oldest = check.soundness(monitor_id)
-    reader.check_programs(check.versions.values())
+    check.versions = {row["version_id"]: row for row in reader.with_programs(check.versions.values())}
     for one in inconsistencies(state, monitor_id, reader.kind, check.versions, oldest):
         key = one.version_id if one.version_id in check.versions else None
         check.note(key, one.part, what=one.what, differing=one.differing, since=one.since)
@@ -196,13 +196,13 @@ class _Check:
             (row["started"] for row in usable.values() if row["started"] is not None), default=None
         )
         planned = []
-        for row in searched_plan_rows(self.state, monitor_id, None):
+        for row in self.reader.with_programs(searched_plan_rows(self.state, monitor_id, None)):
             key = row["version_id"]
             if key not in active:
                 continue
             version, is_gone = active[key], key in whole
             if is_gone:
-                row = whole[key]
+                (row,) = self.reader.with_programs([whole[key]])
                 self.leave(key, "scored", GONE, until=oldest[key])
             elif key not in oldest and row["oldest_bucket"] >= 0 and row["restarts"]:
                 self.leave(key, "scored", GONE)

@@ -136,7 +136,7 @@ class Again:
             bool(group[0]["is_robust"]),
         )
         ends = [row["calibration_end"] for row in group]
-        steps = learning_steps(setting, self.reader.kind, *learning, has_pools, self.reader.programs)
+        steps = learning_steps(setting, self.reader.kind, *learning, has_pools)
         with self._running(steps) as running:
             cohort = cohort_of(members, read_from=LONG_AGO, read_until=ends, first_bucket=0)
             running.load("cohort", cohort)
@@ -251,7 +251,7 @@ class Again:
 
     def _count(self, running: Running, group: Sequence[Row]) -> dict[int, int]:
         """Make the buckets of some channels, and return the last one of each."""
-        make_vectors(running)
+        make_vectors(running, setting_of(group[0]).programs)
         buckets = buckets_of(group[0])
         past: dict[str, template.Slot] = {"buckets": buckets, "near": near(group, buckets)}
         running.make("stored/scoring/past_buckets", past)

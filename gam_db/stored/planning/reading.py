@@ -16,11 +16,11 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.session import Session
 from gam_db.errors import wrong
-from gam_db.method.programs import JUDGED, gathered
+from gam_db.method.programs import gathered
 from gam_db.reading.ahead import Clock
 from gam_db.reading.preparing import prepared
 from gam_db.reading.undated import Undated, undated
-from gam_db.settings.source import AnySource, parsed_condition, under
+from gam_db.settings.source import AnySource, Programs, parsed_condition, under
 from gam_db.stored.planning import Row
 from gam_db.stored.planning.steps import DAY, plan_steps, searched_plan_steps
 from gam_db.stored.state import State, first_run_at, now
@@ -87,15 +87,19 @@ class Reader:
             return under(self._source, exp.In(this=named, expressions=texts))
         return self._source
 
-    def check_programs(self, versions: Iterable[Row]) -> None:
-        """Refuse a source that names no program where states are of programs.
+    def with_programs(self, versions: Iterable[Row]) -> list[Row]:
+        """Return versions, each with ``programs``: the column of this source, where states are of these.
 
         Raises:
-            SourceError: so it is.
+            SourceError: the source names no such column, and one of them has.
         """
-        columns = {row["program_column"] for row in versions} - {None}
+        rows = list(versions)
+        columns = {row["program_column"] for row in rows} - {None}
         if columns and self.programs is None:
             raise wrong("program_of_monitor", monitor=self._name, column=min(columns))
+        return [
+            {**row, "programs": None if row["program_column"] is None else self.programs} for row in rows
+        ]
 
     def is_empty(self) -> bool:
         """Tell whether the source holds nothing at all; that nothing is new is another matter."""
@@ -181,7 +185,7 @@ def listed(column: exp.Expr, found: Iterable[int]) -> exp.Expr:
     return exp.In(this=column, expressions=[exp.Literal.number(key) for key in keys])
 
 
-def make_vectors(running: Running) -> None:
+def make_vectors(running: Running, programs: Programs | None = None) -> None:
     """Keep *visited*, the scored vectors in groups, of the steps of a run.
 
     Where an instant occurs twice, the steps run once more over readings that are collapsed by instant.
@@ -191,7 +195,7 @@ def make_vectors(running: Running) -> None:
     if "repeated_instants" in running.steps.steps and running.rows("repeated_instants"):
         running.forget(but=before)
         running.make("stored/scoring/repeats", {}, "timeline")
-        least = gathered("reading", JUDGED in running.steps.steps)
+        least = gathered("reading", programs)
         running.make("stored/scoring/collapsed", {"gathered": least}, "identified")
         running.keep("visited")
 

@@ -91,7 +91,7 @@ class Setting(NamedTuple):
         max_gap: integer time; None for no limit.
         has_start: whether the version is scored from a given instant on.
         still_after: samples; None for never.
-        has_programs: whether states are healthy for a program.
+        programs: the column that says which program runs, where states are healthy for one.
     """
 
     m: int
@@ -102,7 +102,12 @@ class Setting(NamedTuple):
     max_gap: int | None
     has_start: bool
     still_after: int | None = None
-    has_programs: bool = False
+    programs: Programs | None = None
+
+    @property
+    def has_programs(self) -> bool:
+        """Whether states are healthy for a program."""
+        return self.programs is not None
 
     @property
     def radix(self) -> int:
@@ -112,9 +117,9 @@ class Setting(NamedTuple):
 
 def setting_of(version: Mapping[str, Any]) -> Setting:
     """Return the setting of a row of the plan."""
-    figures = {name: version[name] for name in Setting._fields if not name.startswith("has_")}
-    begins, runs = version["score_from"] is not None, version["program_column"] is not None
-    return Setting(**figures, has_start=begins, has_programs=runs)
+    figures = {name: version[name] for name in Setting._fields if name not in ("has_start", "programs")}
+    begins = version["score_from"] is not None
+    return Setting(**figures, has_start=begins, programs=version.get("programs"))
 
 
 def shape_of(version: Mapping[str, Any]) -> Setting:
@@ -328,20 +333,18 @@ def learning_steps(
     least_vectors: int,
     is_robust: bool,
     has_pools: bool,
-    programs: Programs | None = None,
 ) -> Pipeline:
     """Return the steps from *identified* to what calibration appends, over intervals that are stored.
 
     Given by the caller are the state tables, *identified*, *cohort*, which is *limits*, too, and
-    *numbering*; the last steps are the rows of :data:`LEARNT`, and *recount*. Where states are of
-    ``programs``, the rows of these are among them.
+    *numbering*; the last steps are the rows of :data:`LEARNT`, and *recount*.
     """
     steps = Pipeline(small=KEPT | SMALL_OF_SET | {"learnt"})
     for name in ("channels", "calibration", "calibration_range", "recount"):
         add(steps, f"stored/scoring/{name}")
     rule = ROBUST if is_robust else MIN_MAX
     asked = {"target_floor": target_floor, "least_vectors": least_vectors, "range": rule}
-    of_set = _add_samples(steps, setting, kind, asked=asked, has_pools=has_pools, programs=programs)
+    of_set = _add_samples(steps, setting, kind, asked=asked, has_pools=has_pools)
     add(steps, "calibration/calibrated")
     add_taught_programs(steps, of_set.method.programs)
     add_bounds(of_set)
@@ -381,10 +384,9 @@ def _add_samples(
     asked: Mapping[str, Any] | None = None,
     columns: Sequence[str] = (),
     has_pools: bool = False,
-    programs: Programs | None = None,
 ) -> OfSet:
     """Add the steps from *identified* to the samples, and return the one set of the setting."""
-    of_set = OfSet(steps, method_of(setting, kind, asked, columns, has_pools, programs), 0)
+    of_set = OfSet(steps, method_of(setting, kind, asked, columns, has_pools), 0)
     if trusting:
         add(steps, "census/trusted_timeline", name="timeline")
         columns = ("channel_id", "time", "value", *["program"] * setting.has_programs)
@@ -392,7 +394,7 @@ def _add_samples(
         steps.add("samples", rows, "Samples: every reading is one.")
         return of_set
     add(steps, "stored/scoring/repeats", name="timeline")
-    add_samples(steps, setting.has_programs)
+    add_samples(steps, setting.programs)
     return of_set
 
 
@@ -439,7 +441,6 @@ def method_of(
     asked: Mapping[str, Any] | None = None,
     columns: Sequence[str] = (),
     has_pools: bool = False,
-    programs: Programs | None = None,
 ) -> Method:
     """Return the method of a stored version; its calibration is in the tables, and so are its pools.
 
@@ -449,11 +450,10 @@ def method_of(
     if gap is not None and not kind.is_counter:
         gap = dt.timedelta(microseconds=gap)
     figures = setting._asdict() | {"max_gap": gap, "window": setting.window_length}
-    del figures["window_length"], figures["has_start"], figures["has_programs"]
+    del figures["window_length"], figures["has_start"], figures["programs"]
     start = None
     if setting.has_start:
         start = 0 if kind.is_counter else dt.date(1970, 1, 1)
     parameters = Parameters(**figures, **(asked or {}))
     calibration = Calibration(score_from=start, pool=[["*"]] if has_pools else None)
-    programs = (programs or Programs("program")) if setting.has_programs else None
-    return Method(parameters, calibration, kind, columns=tuple(columns), programs=programs)
+    return Method(parameters, calibration, kind, columns=tuple(columns), programs=setting.programs)

@@ -79,7 +79,7 @@ class Groups:
             since = min(row["read_from"] for row in group)
             rows = reading_steps(self.reader.readings(assets, since))
             running.put("identified", rows.query("identified", running.placed))
-            make_vectors(running)
+            make_vectors(running, setting.programs)
             self._count(running, group, compared)
             self._publish(running, group)
 

@@ -1,4 +1,4 @@
--- Bucket rows, where states are of programs: what a run appends to the stored buckets, with the readings whose program is
+-- Program bucket rows: bucket rows where states are of programs: what a run appends to the stored buckets, with the readings whose program is
 -- not judged.
 -- Reads:  plain_bucket_rows, unknown_programs
 -- A row:  one bucket.

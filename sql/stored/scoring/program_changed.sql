@@ -1,4 +1,4 @@
--- Changed, where states are of programs: as changed, and from the first bucket on of which the readings whose program is
+-- Program changed: as changed where states are of programs, and from the first bucket on of which the readings whose program is
 -- not judged are not stored just so, those after the last full bucket among them.
 -- Reads:  changed_buckets, unknown_programs, former_programs
 -- A row:  one channel; differs = 1 if there is such a bucket.
