@@ -8,6 +8,7 @@ from typing import Any
 import pyarrow as pa
 from sqlglot import exp
 
+from gam_db.checking.programs import Candidate, candidates, program_rows
 from gam_db.clock import TimeKind
 from gam_db.columns import name_of
 from gam_db.composing import template
@@ -125,6 +126,8 @@ class Look:
     engine: Engine  # that was asked
     clock: Clock  # of the database, as it was read
     ahead: tuple[Row, ...]  # of :func:`gam_db.reading.ahead.rows_ahead`
+    programs: tuple[Row, ...]  # of each channel, where a column names them
+    candidates: tuple[Candidate, ...]  # columns that look as if they did
 
     @property
     def kind(self) -> TimeKind:
@@ -163,13 +166,15 @@ def look_at(
     invalid = study.invalid()
     for row in channels if study.source.valid_when is not None else ():
         row["invalid"] = invalid.get(name_of(row), 0)
+    programs = program_rows(study)
     others = _number_texts(study), undated, session.engine, study.clock, tuple(study.ahead)
     method = study.method
     if parameters.is_open:
         moving = [row["calibration_samples"] for row in channels if row["rises"] or row["falls"]]
         closed = parameters.finest(window_of(moving))
         method = dataclasses.replace(method, parameters=closed, asked=parameters)
-    return Look(study.source, method, table, channels, nameless, exact, *others)
+    columns = candidates(study, min(setting.window for setting in method.settings))
+    return Look(study.source, method, table, channels, nameless, exact, *others, programs, columns)
 
 
 def exact_columns(session: Session, source: AnySource, columns: Mapping[str, str]) -> tuple[str, ...]:

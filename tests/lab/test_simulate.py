@@ -38,7 +38,7 @@ def values(joint: Joint) -> NDArray[np.float64]:
 
 def values_of(readings: pa.Table) -> NDArray[np.float64]:
     """Readings in the order of arrival, 0 where missing."""
-    return np.nan_to_num(readings["value"].fill_null(0).to_numpy())
+    return np.asarray(np.nan_to_num(readings["value"].fill_null(0).to_numpy()))
 
 
 def with_event(joints: list[Joint], *events: str) -> list[Joint]:

@@ -126,6 +126,11 @@ class Fleet:
             raise ParameterError(f"products is {self.products}; it takes 1 to {MOST_PRODUCTS}.")
 
     @property
+    def shift_length(self) -> int:
+        """How many samples a shift has; all of them where there is one product."""
+        return self.shift or self.samples // (_SHIFTS if self.products > 1 else 1)
+
+    @property
     def schema(self) -> pa.Schema:
         """The columns of the readings."""
         return READINGS if self.products == 1 else READINGS.append(pa.field("product", pa.string()))
@@ -174,14 +179,13 @@ class _Robot:
         self._others: list[tuple[Program, Timeline]] = []
         self._products = np.zeros(1, np.int64)  # number of the product of each shift
         has_products = fleet.products > 1
-        self._shift = fleet.shift or fleet.samples // (_SHIFTS if has_products else 1)
         if fleet.shift or has_products:
             shifts = stream(fleet.seed, number, WHOLE_ROBOT, Purpose.SHIFTS)
             for _ in range(max(1, fleet.products - 1)):
                 program = drawn_program(shifts)
                 other = drawn_timeline(program, shifts, self._seconds + 1, stops=False)
                 self._others.append((program, other))
-            self._products = np.arange(fleet.samples // self._shift + 2) % 2
+            self._products = np.arange(fleet.samples // fleet.shift_length + 2) % 2
             if has_products:
                 shares = 0.5 ** np.arange(fleet.products)
                 drawn = shifts.choice(fleet.products, len(self._products), p=shares / shares.sum())
@@ -251,7 +255,7 @@ class _Robot:
 
     def _product_at(self, times: NDArray[np.int64]) -> NDArray[np.int64]:
         """Return the number of the product that is made at each time, in microseconds."""
-        shifts = (times - FIRST_TIME) * HERTZ // (self._shift * 1_000_000)
+        shifts = (times - FIRST_TIME) * HERTZ // (self._fleet.shift_length * 1_000_000)
         return np.asarray(self._products[shifts])
 
     def _worked(self) -> tuple[list[Program], Timeline]:
