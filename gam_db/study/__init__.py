@@ -95,8 +95,8 @@ class Study:
         if parameters.is_open:
             listening = (on_step, strict, short_cuts, on_trust)
             # Settings are chosen over all programs (both sides, section 5).
-            rows = source if programs is None else dataclasses.replace(self.source, program=None)
-            rough = Study(session, rows, parameters.finest(), calibration, *listening, ("bounds",))
+            whole = source if programs is None else dataclasses.replace(self.source, program=None)
+            rough = Study(session, whole, parameters.finest(), calibration, *listening, ("bounds",))
             said = parameters
             parameters, self.siblings = rough.chosen(said)
             rough.forget()
@@ -256,8 +256,7 @@ class Study:
     def readings_of(self, source: AnySource) -> exp.Query:
         """Return the readings of a source like the study's, of the same relation."""
         method, _, relation, engine, until = self._asked
-        rows = dataclasses.replace(source, relation=None)
-        return engine.readings(rows, relation, method.kind, until=until)
+        return engine.readings(source, relation, method.kind, until=until)
 
     def forget(self) -> None:
         """Drop the tables that were kept, and let go of an Arrow table: the session stays open."""
