@@ -4,8 +4,8 @@
 SELECT reading.asset AS channel_id, reading.time AS time, reading.program AS program
 FROM readings AS reading
 JOIN (
-  SELECT asset, MIN(channel) AS channel
-  FROM readings
+  SELECT asset, MIN(dated.channel) AS channel
+  FROM readings AS dated
   WHERE time IS NOT NULL
   GROUP BY asset
 ) AS lowest ON lowest.asset = reading.asset AND lowest.channel = reading.channel

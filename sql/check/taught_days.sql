@@ -5,10 +5,7 @@ SELECT channel_id, program, CAST(COUNT(*) AS BIGINT) AS days
 FROM (
   SELECT channel_id, program, day
   FROM (
-    SELECT
-      channel_id,
-      program,
-      CAST(FLOOR(CAST(time AS DOUBLE) / CAST(86400000000 AS DOUBLE)) AS BIGINT) AS day
+    SELECT channel_id, program, time - (time % 86400000000 + 86400000000) % 86400000000 AS day
     FROM taught_readings
     WHERE program IS NOT NULL
   ) AS dated
