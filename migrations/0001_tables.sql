@@ -86,7 +86,8 @@ CREATE TABLE IF NOT EXISTS stored_version (
   still_after BIGINT,
   least_vectors BIGINT,
   is_robust BIGINT NOT NULL,
-  program_column VARCHAR
+  program_column VARCHAR,
+  program_weight BIGINT
 );
 
 COMMENT ON TABLE stored_version
@@ -122,6 +123,8 @@ COMMENT ON COLUMN stored_version.is_robust
   IS '1 if a few values far from the rest may be left out of the calibrated range, else 0';
 COMMENT ON COLUMN stored_version.program_column
   IS 'Column of the source that says which program the machine runs; NULL where states are of no program';
+COMMENT ON COLUMN stored_version.program_weight
+  IS 'By how much the keys of two programs differ: (bins + 3)^m; NULL where states are of no program';
 
 -- Calibration: the intervals a version learnt from, as they were resolved then.
 CREATE TABLE IF NOT EXISTS stored_calibration (
@@ -280,7 +283,7 @@ CREATE TABLE IF NOT EXISTS stored_program (
 
 COMMENT ON TABLE stored_program IS 'Programs that calibration holds; one row per support and program';
 COMMENT ON COLUMN stored_program.support_id IS 'The support';
-COMMENT ON COLUMN stored_program.program_no IS 'Its number in the keys of cells, as their highest digit: key div (bins + 3)^m';
+COMMENT ON COLUMN stored_program.program_no IS 'Its number in the keys of cells, as their highest digit: cell_key div program_weight';
 COMMENT ON COLUMN stored_program.program IS 'What the machine ran';
 COMMENT ON COLUMN stored_program.vectors IS 'Vectors of calibration';
 COMMENT ON COLUMN stored_program.unvouched IS 'Those of them in cells that only one block of calibration visited';

@@ -38,11 +38,14 @@ SELECT
     WHEN placed.code = placed.bins + 1 THEN placed.calibrated_hi
     ELSE placed.calibrated_lo
       + (placed.calibrated_hi - placed.calibrated_lo) * CAST(placed.code - 1 AS DOUBLE) / CAST(placed.bins AS DOUBLE)
-  END AS value_to
+  END AS value_to,
+  placed.program_no AS program_no,
+  CASE WHEN ran.hit = 1 THEN ran.program END AS program
 FROM (
   SELECT
     along.channel_id AS channel_id,
     along.version_id AS version_id,
+    along.support_id AS support_id,
     along.version_no AS version_no,
     along.bins AS bins,
     along.axis AS axis,
@@ -60,7 +63,17 @@ FROM (
         / CAST(along.weight AS DOUBLE)
         + CAST(5e-1 AS DOUBLE)
       ) AS BIGINT
-    ) AS code
+    ) AS code,
+    CASE
+      WHEN along.program_weight IS NULL THEN CAST(0 AS BIGINT)
+      ELSE CAST(
+        FLOOR(
+          CAST(visited.cell_key - visited.cell_key % along.program_weight AS DOUBLE)
+          / CAST(along.program_weight AS DOUBLE)
+          + CAST(5e-1 AS DOUBLE)
+        ) AS BIGINT
+      )
+    END AS program_no
   FROM (
     SELECT
       made.version_id AS version_id,
@@ -89,6 +102,7 @@ FROM (
       support_id,
       version_no,
       bins,
+      program_weight,
       radix,
       axis,
       axis * tau AS samples_before,
@@ -110,6 +124,7 @@ FROM (
         version.m AS m,
         version.tau AS tau,
         version.bins AS bins,
+        version.program_weight AS program_weight,
         version.radix AS radix,
         version.power_2 AS power_2,
         version.power_4 AS power_4,
@@ -130,6 +145,7 @@ FROM (
           m,
           tau,
           bins,
+          program_weight,
           radix,
           power_2,
           power_4,
@@ -143,6 +159,7 @@ FROM (
             m,
             tau,
             bins,
+            program_weight,
             radix,
             power_2,
             CASE WHEN m > 4 THEN power_2 * power_2 ELSE 1 END AS power_4
@@ -155,6 +172,7 @@ FROM (
               frozen.m AS m,
               frozen.tau AS tau,
               frozen.bins AS bins,
+              frozen.program_weight AS program_weight,
               frozen.bins + 3 AS radix,
               CASE WHEN frozen.m > 2 THEN (frozen.bins + 3) * (frozen.bins + 3) ELSE 1 END AS power_2
             FROM stored_version AS frozen
@@ -177,7 +195,11 @@ FROM (
   JOIN stored_bounds AS learnt ON learnt.support_id = along.support_id
 ) AS placed
 JOIN stored_channel AS named ON named.channel_id = placed.channel_id
-JOIN stored_monitor AS watching ON watching.monitor_id = named.monitor_id;
+JOIN stored_monitor AS watching ON watching.monitor_id = named.monitor_id
+LEFT JOIN (
+  SELECT support_id, program_no, program, 1 AS hit
+  FROM stored_program
+) AS ran ON ran.support_id = placed.support_id AND ran.program_no = placed.program_no;
 
 COMMENT ON VIEW stored_cell
   IS 'Cells of each channel, healthy and novel, as one interval of the signal per axis; one row per cell and axis';
@@ -204,6 +226,65 @@ COMMENT ON COLUMN stored_cell.place
   IS 'missing: no reading; below or above the range of calibration; within: in the bin from value_from to value_to';
 COMMENT ON COLUMN stored_cell.value_from IS 'Lower end in units of the signal; NULL where there is none';
 COMMENT ON COLUMN stored_cell.value_to IS 'Upper end in units of the signal; NULL where there is none';
+COMMENT ON COLUMN stored_cell.program_no IS 'Number of the program that it is of; 0 where states are of no program';
+COMMENT ON COLUMN stored_cell.program IS 'The program that it is of; NULL where states are of no program';
+
+-- Unjudged program: what machines ran since calibration that it holds too little of, or nothing: its readings are not
+-- judged. Only what is kept is counted.
+CREATE OR REPLACE VIEW stored_unjudged_program AS
+SELECT
+  watching.name AS monitor,
+  named.asset AS asset,
+  named.channel AS channel,
+  version.version_no AS version_no,
+  ran.program AS program,
+  CASE WHEN learnt.hit = 1 THEN 'needs_data' ELSE 'unknown' END AS verdict,
+  ran.readings AS readings,
+  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(ran.first_tick) END AS first_time,
+  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(ran.last_tick) END AS last_time,
+  ran.first_tick AS first_tick,
+  ran.last_tick AS last_tick
+FROM (
+  SELECT
+    version_id,
+    program,
+    CAST(SUM(counted.readings) AS BIGINT) AS readings,
+    MIN(first_time) AS first_tick,
+    MAX(last_time) AS last_tick
+  FROM stored_visible_program AS counted
+  GROUP BY version_id, program
+) AS ran
+JOIN stored_version AS version ON version.version_id = ran.version_id
+JOIN (
+  SELECT channel_id, MAX(version_id) AS newest_id
+  FROM stored_version
+  GROUP BY channel_id
+) AS active ON active.newest_id = version.version_id
+JOIN stored_channel AS named ON named.channel_id = version.channel_id
+JOIN stored_monitor AS watching ON watching.monitor_id = named.monitor_id
+LEFT JOIN (
+  SELECT support_id, program, 1 AS hit
+  FROM stored_program
+) AS learnt ON learnt.support_id = version.support_id AND learnt.program = ran.program;
+
+COMMENT ON VIEW stored_unjudged_program
+  IS 'Programs that calibration holds too little of, or nothing, as machines ran them since; active versions only';
+COMMENT ON COLUMN stored_unjudged_program.monitor IS 'The monitor';
+COMMENT ON COLUMN stored_unjudged_program.asset IS 'The machine';
+COMMENT ON COLUMN stored_unjudged_program.channel IS 'The signal';
+COMMENT ON COLUMN stored_unjudged_program.version_no IS 'Which calibration of the channel: 1, 2, ...';
+COMMENT ON COLUMN stored_unjudged_program.program IS 'What the machine ran; NULL where nothing says so';
+COMMENT ON COLUMN stored_unjudged_program.verdict
+  IS 'unknown: calibration does not hold it; needs_data: it holds too little of it';
+COMMENT ON COLUMN stored_unjudged_program.readings IS 'Readings that were not judged, missing ones left out';
+COMMENT ON COLUMN stored_unjudged_program.first_time
+  IS 'Time of the first of them (UTC); NULL where the source counts time, see first_tick';
+COMMENT ON COLUMN stored_unjudged_program.last_time
+  IS 'Time of the last of them (UTC); NULL where the source counts time, see last_tick';
+COMMENT ON COLUMN stored_unjudged_program.first_tick
+  IS 'Time of the first of them: microseconds since 1970 (UTC), or the counter of the source';
+COMMENT ON COLUMN stored_unjudged_program.last_tick
+  IS 'Time of the last of them: microseconds since 1970 (UTC), or the counter of the source';
 
 -- Quarantine: the states that calibration never visited and the machine has visited since, one row per
 -- channel and cell, under the active version: what explains a raised indicator, and what a recalibration

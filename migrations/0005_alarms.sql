@@ -333,8 +333,8 @@ COMMENT ON COLUMN stored_alarm_band.excess
   IS 'novel less visits * calibration_novel / calibration_visits: the novel vectors that calibration does not explain';
 
 -- Alarm cell: the ten commonest novel cells of each episode of an active version, one interval per axis, each beside the
--- healthy cell that lies nearest: the one whose largest step on any axis is smallest, of several the one of the smallest
--- key.
+-- healthy cell of the same program that lies nearest: the one whose largest step on any axis is smallest, of several the
+-- one of the smallest key.
 CREATE OR REPLACE VIEW stored_alarm_cell AS
 SELECT
   ranked.monitor AS monitor,
@@ -356,7 +356,8 @@ SELECT
   ranked.value_to AS value_to,
   ranked.nearest_key AS nearest_key,
   ranked.steps AS steps,
-  ranked.displacement AS displacement
+  ranked.displacement AS displacement,
+  ranked.program AS program
 FROM (
   SELECT
     apart.monitor AS monitor,
@@ -378,6 +379,7 @@ FROM (
     apart.nearest_key AS nearest_key,
     apart.steps AS steps,
     apart.displacement AS displacement,
+    apart.program AS program,
     CAST(
       DENSE_RANK() OVER (
         PARTITION BY apart.version_id, apart.episode_id, apart.cell_key ORDER BY apart.steps, apart.nearest_key
@@ -401,6 +403,7 @@ FROM (
       fresh.place AS place,
       fresh.value_from AS value_from,
       fresh.value_to AS value_to,
+      fresh.program AS program,
       healthy.cell_key AS nearest_key,
       fresh.code - healthy.code AS displacement,
       MAX(CASE WHEN fresh.code > healthy.code THEN fresh.code - healthy.code ELSE healthy.code - fresh.code END) OVER (
@@ -424,7 +427,9 @@ FROM (
         placed.place AS place,
         placed.value_from AS value_from,
         placed.value_to AS value_to,
-        placed.code AS code
+        placed.code AS code,
+        placed.program_no AS program_no,
+        placed.program AS program
       FROM stored_cell AS placed
       JOIN (
         SELECT
@@ -459,7 +464,8 @@ FROM (
       ) AS common ON common.version_id = placed.version_id AND common.cell_key = placed.cell_key
       WHERE placed.kind = 'novel' AND common.cell_rank <= 10
     ) AS fresh
-    JOIN stored_cell AS healthy ON healthy.version_id = fresh.version_id AND healthy.axis = fresh.axis
+    JOIN stored_cell AS healthy
+      ON healthy.version_id = fresh.version_id AND healthy.axis = fresh.axis AND healthy.program_no = fresh.program_no
     WHERE healthy.kind = 'healthy'
   ) AS apart
 ) AS ranked
@@ -492,3 +498,5 @@ COMMENT ON COLUMN stored_alarm_cell.value_to IS 'Upper end in units of the signa
 COMMENT ON COLUMN stored_alarm_cell.nearest_key IS 'The healthy cell that lies nearest';
 COMMENT ON COLUMN stored_alarm_cell.steps IS 'How far that is: the largest step on any axis, in bins';
 COMMENT ON COLUMN stored_alarm_cell.displacement IS 'By how many bins it lies above that on this axis; less than 0 for below';
+COMMENT ON COLUMN stored_alarm_cell.program
+  IS 'The program that both are of; NULL where states are of no program';

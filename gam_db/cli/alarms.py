@@ -287,14 +287,17 @@ def _show_cells(out: page.Out, cells: Sequence[Row], kind: TimeKind, shown_in: d
         page.say(out, f"where it went instead (values {before} samples before; bins from the healthy):")
         edges = ("first", "last")
         rows = [row | {edge: told_time(row[f"{edge}_tick"], kind) for edge in edges} for row in cells]
+        has_programs = any(row["program"] is not None for row in rows)
+        programs: dict[str, page.Cell] = {"program": "program"} if has_programs else {}
         columns: dict[str, page.Cell] = {
+            **programs,
             "vectors": "visits",
             **page.when("first", "first", rows, shown_in),
             **page.when("last", "last", rows, shown_in),
             "values": lambda row: " | ".join(map(_interval, row["axes"])),
             "bins": lambda row: " ".join(f"{axis['displacement']:+d}" for axis in row["axes"]),
         }
-        page.table(out, rows, columns, left=("values", "bins"))
+        page.table(out, rows, columns, left=("program", "values", "bins"))
 
 
 def _interval(row: Row) -> str:

@@ -18,12 +18,13 @@ from gam_db.engines import engine_named
 from gam_db.engines.base import Engine
 from gam_db.errors import SourceError, unwritable, wrong
 from gam_db.export import jinja, yaml_text
-from gam_db.export.models import ADAPTERS, CALIBRATED, SOURCE, TABLE, Model, Modelled, checks, models
+from gam_db.export.models import ADAPTERS, SOURCE, TABLE, Model, Modelled, checks, models
 from gam_db.method import Method
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
 from gam_db.settings.source import (
     AnySource,
+    Programs,
     WideSource,
     check_zone,
     declared_kind,
@@ -90,7 +91,8 @@ class Package:
         if (adapter := ADAPTERS.get(self.engine)) is None:
             raise wrong("dbt_no_adapter", engine=self.engine, names=", ".join(ADAPTERS))
         kind = declared_kind(self.source) or TimeKind.COUNTER
-        method = Method(self.parameters, self.calibration, kind)
+        programs = None if self.source.program is None else Programs(self.source.program)
+        method = Method(self.parameters, self.calibration, kind, programs=programs)
         prefix = StateTables("any", self.prefix).prefix
         check_zone(self.source, kind)
         lookback = lengths.lookback(self.lookback, kind, repeat_of(self.source))
@@ -286,6 +288,12 @@ def _is_always_there(table: str, column: str) -> bool:
     return False
 
 
+#: What the readme says besides where states are of programs.
+_OF_PROGRAMS = (
+    ", `{prefix}programs_are_judged`\n  of programs that calibration holds too little of, or nothing"
+)
+
+
 def readme(of: Modelled, table: str) -> str:
     """Return what somebody who opens the package should know first."""
     built = (
@@ -302,8 +310,9 @@ def readme(of: Modelled, table: str) -> str:
         built=built,
         stride=of.setting.stride,
         window=of.setting.window_length,
-        taught=", ".join(f"{of.prefix}{model}" for model in CALIBRATED),
+        taught=", ".join(f"{of.prefix}{model}" for model in of.calibrated),
         lookback=of.lookback,
         unit="steps of the counter" if of.method.kind.is_counter else "microseconds",
         table=table,
+        programs=_OF_PROGRAMS.format(prefix=of.prefix) if of.setting.has_programs else "",
     )

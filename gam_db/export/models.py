@@ -26,7 +26,13 @@ from gam_db.method.calibration import add_calibration
 from gam_db.method.certificate import add_judgement
 from gam_db.method.judgement import add_judged, limit_slots
 from gam_db.method.probe import add_certified, add_probe
-from gam_db.method.programs import add_samples, has_programs, identified_slots
+from gam_db.method.programs import (
+    add_judged_programs,
+    add_samples,
+    add_taught_programs,
+    has_programs,
+    identified_slots,
+)
 from gam_db.method.source import add_rules
 from gam_db.reading.ahead import latest_live
 from gam_db.settings.source import AnySource, under
@@ -49,6 +55,9 @@ CALIBRATED = {
     "ladder": ("support_id", "bins"),
     "probe": ("support_id", "change_no"),
 }
+
+#: The same where states are of programs.
+PROGRAM = {"program": ("support_id", "program_no")}
 
 #: The first microsecond of the year 1: no warehouse knows an earlier one.
 _FIRST = -62_135_596_800_000_000
@@ -103,7 +112,12 @@ class Modelled:
         one, gap = self.method.settings[0], self.method.gaps[0]
         has_start = any(rule.score_from is not None for rule in self.method.rules)
         figures = (one.m, one.tau, one.grid, one.window, one.bucket_length)
-        return Setting(*figures, gap, has_start, one.still_after)
+        return Setting(*figures, gap, has_start, one.still_after, self.method.programs is not None)
+
+    @property
+    def calibrated(self) -> Mapping[str, tuple[str, ...]]:
+        """The models that are built once, and the columns that no two rows of each share."""
+        return CALIBRATED | (PROGRAM if self.setting.has_programs else {})
 
     @cached_property
     def settings_hash(self) -> str:
@@ -163,14 +177,19 @@ def checks(of: Modelled) -> list[Model]:
     add(steps, "stored/scoring/recount")
     placed = {"stored_channel": of.reference("channel"), "calibration": of.reference("calibration")}
     made = []
-    for name, step in (
-        ("calibration_is_unchanged", "changed_calibration"),
-        ("channels_are_known", "unknown_channels"),
-    ):
+
+    def check(name: str, step: str) -> None:
         about, config = f"export/{step}", {"severity": "warn"}
         add(steps, about)
         query = steps.query(step, placed, commented=True)
         made.append(Model(name, "tests", about, query, config=config))
+
+    check("calibration_is_unchanged", "changed_calibration")
+    check("channels_are_known", "unknown_channels")
+    if of.setting.has_programs:
+        placed["programs"] = of.reference("program")
+        steps.replace("readings", of.readings())  # of all rows, not of those of calibration alone
+        check("programs_are_judged", "unjudged_programs")
     return made
 
 
@@ -188,7 +207,7 @@ def _calibration(of: Modelled) -> list[Model]:
     config = {"materialized": "incremental", "incremental_strategy": "append"}
     config |= of.adapter.get("config", {})
     made = []
-    for name, keys in CALIBRATED.items():
+    for name, keys in of.calibrated.items():
         about = f"{'export' if name in ('channel', 'calibration') else 'stored/calibrating'}/{name}_rows"
         if name == "channel":
             add(steps, about, slots)
@@ -223,9 +242,11 @@ def _learning(of: Modelled) -> Pipeline:
     add(steps, "stored/scoring/repeats", name="timeline")
     add_samples(steps, has_programs(rows))
     add(steps, "calibration/calibrated")
+    add_taught_programs(steps, of.method.programs)
     one = OfSet(steps, of.method, 0)
     add_calibration(one)
     add_judgement(one)
+    add_judged_programs(one)
     add_probe(one)
     add_certified(steps, bool(of.method.pools))
     return steps
@@ -233,7 +254,8 @@ def _learning(of: Modelled) -> Pipeline:
 
 def _bucket(of: Modelled) -> Model:
     """Return the model that grows: a later build reads what is new, by the restart rule."""
-    placed = {f"stored_{name}": of.reference(name) for name in ("channel", "bounds", "support")}
+    names = ("channel", "bounds", "support", *["program"] * of.setting.has_programs)
+    placed = {f"stored_{name}": of.reference(name) for name in names}
     placed["calibration"] = of.reference("calibration")
     first = _scoring(of, is_later=False).query("bucket_rows", placed, commented=True)
     steps = _scoring(of, is_later=True)

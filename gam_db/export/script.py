@@ -17,7 +17,7 @@ from gam_db.composing.pipeline import Pipeline
 from gam_db.engines import engine_named
 from gam_db.engines.base import Engine, macro
 from gam_db.errors import EngineError, ParameterError, SourceError, nearest, wrong
-from gam_db.method import Method, Programs, pipeline
+from gam_db.method import Method, pipeline
 from gam_db.reading.ahead import latest_live
 from gam_db.reading.preparing import prepared
 from gam_db.settings.calibration import Calibration
@@ -26,6 +26,7 @@ from gam_db.settings.setting import settings_of
 from gam_db.settings.source import (
     ONLY_ASSET,
     AnySource,
+    Programs,
     Source,
     WideSource,
     declared_kind,
@@ -43,10 +44,11 @@ HEALTH_OF = ("asset_name", "channel_name")
 #: steps of a query they would be spelled out, and on some engines planned, once for each reader.
 _PASSING = (
     *("timeline", "series", "limits", "calibrated", "range_counts", "range", "visits"),
+    "taught_programs",
     *("missing_vectors", "block_sizes", "cells", "blocks", "ladder", "spread"),
     *("probed", "usual", "probe", "sight", "limited"),
 )
-_LASTING = ("channels", "calibration", "bounds", "support")
+_LASTING = ("channels", "calibration", "bounds", "support", "programs")
 _RESULTS = ("support_summary", "certificate", "probes")
 
 
@@ -65,6 +67,8 @@ def render(
         form: "exact", one query, a row per scored vector; or "view", tables <prefix>channels,
             <prefix>calibration, <prefix>bounds, <prefix>support, <prefix>support_summary,
             <prefix>certificate and <prefix>probes, and the view <prefix>health over the live source.
+            Where the source names a program, also the table <prefix>programs and the view
+            <prefix>program_summary.
             DuckDB also gets the table macro <prefix>health_of(asset, channel). The script begins by
             dropping what bears these names: the tables of a monitor, which begin with gam_ unless told
             otherwise, are others.
@@ -132,6 +136,8 @@ def _view_statements(
     names = [name for name in steps.steps if _table_of(name) in (*_PASSING, *_LASTING)]
     placed: dict[str, exp.Table] = {}
     yield "Begin anew: a view goes before the tables it reads.", _drop("VIEW", place("health"))
+    if "program_summary" in steps.steps:
+        yield "So does what machines ran since.", _drop("VIEW", place("program_summary"))
     for name in (*names, *_RESULTS):
         table = place(name)
         query = steps.query(name, placed, commented=True)
@@ -147,6 +153,13 @@ def _view_statements(
         + steps.steps["health_indicator"].made.comment,
         exp.Create(this=place("health"), kind="VIEW", expression=view),
     )
+    if "program_summary" in steps.steps:
+        summary = steps.query("program_summary", live, commented=True)
+        summary.set("order", None)
+        yield (
+            steps.steps["program_summary"].made.comment,
+            exp.Create(this=place("program_summary"), kind="VIEW", expression=summary),
+        )
     if only is not None:
         yield (
             "One channel alone, which reads only its own rows of the source.",

@@ -11,6 +11,6 @@ each carry its number, and the rows of all sets are put under one another before
 """
 
 from gam_db.method.order import opening_pipeline, pipeline, trusting_pipeline
-from gam_db.method.resolved import Method, Programs
+from gam_db.method.resolved import Method
 
-__all__ = ["Method", "Programs", "opening_pipeline", "pipeline", "trusting_pipeline"]
+__all__ = ["Method", "opening_pipeline", "pipeline", "trusting_pipeline"]

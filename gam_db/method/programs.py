@@ -10,12 +10,11 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.errors import wrong
 from gam_db.method.adding import OfSet, add
-from gam_db.method.resolved import Programs
 from gam_db.method.slots import cell_key, known, weight_at
 from gam_db.settings.parameters import LARGEST_KEY, Parameters
-from gam_db.settings.source import TimeNode
+from gam_db.settings.source import Programs, TimeNode
 
-#: Samples with the number of their program: of all programs of calibration, and of those that are judged.
+#: Samples with the number of their program: of all that calibration holds, and of those judged.
 TAUGHT, JUDGED = "taught_samples", "judged_samples"
 
 _PROGRAM, _NUMBER = "program", "program_no"
@@ -66,7 +65,7 @@ def add_taught_programs(steps: Pipeline, programs: Programs | None) -> None:
 
 
 def add_judged_programs(one: OfSet) -> None:
-    """Add what calibration knows of the programs of one set, and the samples of those that are judged."""
+    """Add what calibration knows of the programs of one set, and samples of those that are judged."""
     if one.method.programs is None:
         return
     one.add("program/programs", {"weight": weight_of(one.setting)})

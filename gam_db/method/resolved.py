@@ -6,6 +6,7 @@ from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind, length
 from gam_db.errors import ParameterError
 from gam_db.settings.calibration import Calibration, Rule, resolve
 from gam_db.settings.parameters import OPENABLE, Parameters
+from gam_db.settings.source import Programs
 
 #: Steps that are small: a row per channel, interval, bucket or cell. They may be kept on the way.
 #: So may ``collapsed``, which has a row per sample of channels with repeated instants only.
@@ -35,19 +36,6 @@ SMALL_OF_SET = frozenset(
         *(f"range_counts_{number}" for number in range(1, 5)),
     )
 )
-
-
-@dataclass(frozen=True)
-class Programs:
-    """The column that says which program a machine runs.
-
-    Attributes:
-        column: its name in the source.
-        is_whole: whether it holds whole numbers, which are ordered by size; texts are by their bytes.
-    """
-
-    column: str
-    is_whole: bool = False
 
 
 @dataclass(frozen=True)

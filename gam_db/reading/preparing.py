@@ -27,7 +27,7 @@ from gam_db.reading.words import (
     suspects,
     ways_of,
 )
-from gam_db.settings.source import AnySource, parsed_condition
+from gam_db.settings.source import AnySource, Programs, parsed_condition
 
 
 @dataclass(frozen=True)
@@ -40,6 +40,7 @@ class Prepared:
     rows: AnySource  # how the relation below is read; conditions that it holds already are left out
     relation: exp.Expr  # the node that reads columns of numbers and times
     kind: TimeKind  # how time is told there
+    programs: Programs | None = None  # the column that says which program a machine runs
 
 
 def prepared(session: Session, source: AnySource) -> Prepared:
@@ -60,7 +61,10 @@ def prepared(session: Session, source: AnySource) -> Prepared:
         session.check_condition(made.relation, valid, condition, "valid_when")
     if source.source_time_zone is not None:
         _check_local(session, source, made.columns, made.stored)
-    return made
+    if (column := source.program) is None:
+        return made
+    programs = Programs(column, session.engine.types.is_whole(made.columns[column]))
+    return dataclasses.replace(made, programs=programs)
 
 
 def _made(session: Session, source: AnySource, columns: dict[str, str], stored: exp.Expr) -> Prepared:

@@ -96,8 +96,12 @@ def read(
     try:
         study.load("wanted", pa.Table.from_pylist(wanted))
         study.load("wanted_pieces", pa.Table.from_pylist(pieces_wanted))
-        for name, slots in (("envelope", {}), ("pieces", {"most": PIECE})):
-            study.steps.add(name, filled(f"report/{name}", slots))
+        study.steps.add("envelope", filled("report/envelope"))
+        slots: dict[str, template.Slot] = {"most": PIECE}
+        for slot, of in (("programs", "sampled"), ("carried", "placed")):
+            program = exp.alias_(exp.column("program", table=of), "program")
+            slots[slot] = [program] * (study.method.programs is not None)
+        study.steps.add("pieces", filled("report/pieces", slots))
         envelopes = _envelopes(study.table("envelope"), wanted, lengths)
         pieces = _pieces(study.table("pieces"), len(wanted))
     finally:
@@ -141,10 +145,13 @@ def _pieces(rows: pa.Table, many: int) -> dict[int, Row]:
     number, piece = rows["number"].to_numpy(), np.array(rows["piece"].to_pylist(), dtype=object)
     time = rows["time"].to_numpy()
     value = rows["value"].to_numpy(zero_copy_only=False).astype(np.float64)
+    program = None
+    if "program" in rows.column_names:
+        program = np.array(rows["program"].to_pylist(), dtype=object)
     found: dict[int, Row] = {one: {} for one in range(many)}
     for one, name in itertools.product(found, ("healthy", "onset")):
         mine = (number == one) & (piece == name)
-        found[one][name] = (time[mine], value[mine])
+        found[one][name] = (time[mine], value[mine], None if program is None else program[mine])
     return found
 
 
@@ -212,6 +219,7 @@ def cells(state: Reads, signals: Sequence[Row], raw: bool) -> dict[int, Row]:
                 top[at]["visits"],
                 away.get((key, top[at]["visit_rank"]), -1),
                 tick(top[at]["first_tick"]),
+                *(top[at]["program"],) * (row["program_weight"] is not None),
             ]
             for at in range(0, len(top), min(AXES, row["m"]))
         ]
@@ -249,11 +257,23 @@ def detail(state: Reads, row: Row, course: Any, raw: tuple[Row, Row] | None) -> 
         return told
     told["envelope"], pieces = raw
     keys = state.fetch("report/healthy_keys", {"support_id": row["support_id"]})["cell_key"].to_numpy()
+    numbers = _program_numbers(state, row)
     for name, piece in (("calm", "healthy"), ("onset", "onset")):
-        time, value = pieces[piece]
-        is_new = packed(are_new(time, value, row, keys), "u1")
+        time, value, program = pieces[piece]
+        ran = None
+        if numbers is not None and program is not None:
+            ran = np.array([numbers.get(of, -1) for of in program], np.int64)
+        is_new = packed(are_new(time, value, row, keys, ran), "u1")
         told[name] = {"time": ticks(time), "value": packed(value, "f8"), "new": is_new}
     return told
+
+
+def _program_numbers(state: Reads, row: Row) -> dict[str | None, int] | None:
+    """Return the numbers of the programs of a signal that are judged; None where states are of none."""
+    if row["program_weight"] is None:
+        return None
+    rows = state.rows("report/program_numbers", {"support_id": row["support_id"]})
+    return {of["program"]: of["program_no"] for of in rows}
 
 
 def summary(row: Mapping[str, Any], raw: bool) -> Row:

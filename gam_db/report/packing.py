@@ -124,12 +124,17 @@ def codes(values: NDArray[Any], low: float | None, high: float | None, bins: int
 
 
 def are_new(
-    time: NDArray[Any], values: NDArray[Any], signal: Mapping[str, Any], healthy: NDArray[Any]
+    time: NDArray[Any],
+    values: NDArray[Any],
+    signal: Mapping[str, Any],
+    healthy: NDArray[Any],
+    programs: NDArray[np.int64] | None = None,
 ) -> NDArray[np.bool_]:
     """Tell which readings of a piece end in a state that is in no healthy cell; not where none ends.
 
     Readings come in order, without one left out between them, NaN where missing; ``healthy`` holds the
-    keys of the support.
+    keys of the support, and programs the number of the program of each reading, -1 of one that is not
+    judged.
     """
     bins, m, tau = signal["bins"], signal["m"], signal["tau"]
     code = codes(values, signal["calibrated_lo"], signal["calibrated_hi"], bins)
@@ -142,6 +147,9 @@ def are_new(
         there = slice(span - axis * tau, count - axis * tau)
         key += code[there] * (bins + 3) ** axis
         whole &= ~np.isnan(values[there])
+    if programs is not None:
+        key += programs[span:] * signal["program_weight"]
+        whole &= programs[span:] >= 0
     new[span:] = whole & ~np.isin(key, healthy)
     if signal["max_gap"] is not None:
         segment = np.cumsum(np.diff(time, prepend=time[:1]) > signal["max_gap"])

@@ -79,7 +79,7 @@ _OF_ROWS = ("source_time_zone", "valid_when", "program")
 @declared
 @dataclass(frozen=True, kw_only=True)
 class Form:
-    """How numbers and times are written in a source, which readings count, and of which program they are."""
+    """How numbers and times are written in a source, which readings count, and of what program."""
 
     decimal: str | None = setting(None, one_of(",", "."))
     thousands: str | None = setting(None, one_of(".", ",", " ", "'"))

@@ -48,8 +48,8 @@ class Source(Form):
 
     How numbers and times are written is said by keywords, see :class:`gam_db.settings.form.Form`:
     decimal, thousands, unit, null, delimiter, skip_rows, encoding, time_format, time_unit,
-    source_time_zone, valid_when. ``program`` is a column of texts or whole numbers that says what a machine
-    runs at a row (both sides, section 5): a state is then healthy for a program.
+    source_time_zone, valid_when. ``program`` is a column of texts or whole numbers that says what a
+    machine runs at a row (both sides, section 5): a state is then healthy for a program.
     """
 
     relation: Any
@@ -120,6 +120,20 @@ class WideSource(Form):
 
 
 AnySource = Source | WideSource
+
+
+@dataclass(frozen=True)
+class Programs:
+    """The column that says which program a machine runs.
+
+    Attributes:
+        column: its name in the source.
+        is_whole: whether it holds whole numbers, which are ordered by size; texts are by their bytes.
+    """
+
+    column: str
+    is_whole: bool = False
+
 
 #: Columns of a wide source from which on it is not read as a union with a branch for each: that takes an
 #: engine long to plan, though it keeps the order in which few columns are stored.

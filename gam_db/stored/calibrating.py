@@ -16,13 +16,15 @@ from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns, name_of, table_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, filled, place
 from gam_db.errors import CalibrationError
-from gam_db.method import Method, Programs
+from gam_db.method import Method
 from gam_db.method.adding import add
 from gam_db.method.alarms import NEAR, add_learnt_limits
 from gam_db.method.judgement import add_judged
+from gam_db.method.programs import weight_of
 from gam_db.method.source import add_source
 from gam_db.settings.calibration import Calibration, subtract
 from gam_db.settings.parameters import ROBUST, Parameters, pattern_matches
+from gam_db.settings.source import Programs
 from gam_db.stored.draft import TAUGHT, Draft
 from gam_db.stored.planning import Row, by, whole_pools
 from gam_db.stored.sources import described
@@ -308,6 +310,7 @@ def _learn(
                 **_figures(study.method.settings[number], study.method.gaps[number]),
                 "score_from": study.method.rules[row["calibration_no"]].score_from,
                 "program_column": None if programs is None else programs.column,
+                "program_weight": None if programs is None else weight_of(study.method.settings[number]),
                 "settings_hash": row["hash"],
                 "method_hash": method,
             }
@@ -341,7 +344,7 @@ _COUNTED = columns((WORD, "asset channel"), (COUNT, "readings missing_readings")
 _NUMBERING = columns(
     (COUNT, "channel_id stored_channel_id version_id stored_support_id parent_id version_no m tau bins"),
     (COUNT, "window_length stride max_gap still_after least_vectors is_robust"),
-    (COUNT, "score_from"),
+    (COUNT, "score_from program_weight"),
     (SHARE, "target_floor"),
     (WORD, "reason settings_hash method_hash program_column"),
 )

@@ -18,7 +18,7 @@ from gam_db.stored.planning import Row
 from gam_db.stored.schema.migration_files import columns_of
 from gam_db.stored.state import State
 
-#: What is appended, in this order, before limits and versions; programs where a column says which one ran.
+#: What is appended, in this order, before limits and versions; programs where a column says which ran.
 TAUGHT = (
     *("calibration", "bounds", "block", "ladder", "probe", "program", "support"),
     *("buffered", "band", "extent", "checksum"),

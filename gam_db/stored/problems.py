@@ -23,6 +23,9 @@ _WORDS: Mapping[str, Mapping[str, str]] = data.table("gam_db.stored", "problems.
 #: The kinds, in the order in which they are listed.
 KINDS = tuple(_WORDS)
 
+#: What is said of readings without a program.
+_NO_PROGRAM = "nothing says what ran"
+
 #: What a problem lacks that is not of a version.
 _LACKING: Row = dict.fromkeys(
     ("asset", "channel", "version", "why", "affected", "total", "since", "until"), None
@@ -89,6 +92,23 @@ def left_out(rows: Sequence[Row], channels: int) -> list[Row]:
     return problems
 
 
+def programs(rows: Iterable[Row]) -> list[Row]:
+    """Return the problems of programs that are not judged, by the rows of program_problems.sql."""
+    why = {
+        "unknown": "{} was never calibrated",
+        "needs_data": "{} is too little in calibration",
+    }
+    return [
+        {
+            **_LACKING,
+            **row,
+            "kind": "program",
+            "why": _NO_PROGRAM if row["program"] is None else why[row["verdict"]].format(row["program"]),
+        }
+        for row in rows
+    ]
+
+
 def jumped(rows: Iterable[Row]) -> list[Row]:
     """Return the problems of counters that jumped, by the rows of jumps.sql."""
     return [
@@ -107,16 +127,17 @@ def _sentences(row: Row, kind: TimeKind, shown_in: dt.tzinfo) -> Row:
     said = _WORDS[row["kind"]]
     since, until, count, total = row["since"], row["until"], row["affected"], row["total"]
     words = {
-        "name": printable(" ".join(name or "" for name in name_of(row))),
+        "name": printable(" ".join(name for name in name_of(row) if name is not None)),
         "count": "" if count is None else f"{count:,}",
         "rows": "" if count is None else number_of(count, "row"),
+        "readings": "" if count is None else number_of(count, "reading"),
         "channels": "" if total is None else number_of(total, "channel"),
         "since": "" if since is None else _shown(since, kind, shown_in),
         "until": "" if until is None else _shown(until, kind, shown_in),
         "since_exact": "" if since is None else shown_instant(since, kind),
         "behind": "" if since is None or until is None else shown_length(until - since, kind),
         "version": row["version"],
-        "why": row["why"],
+        "why": None if row["why"] is None else printable(row["why"]),
         "hours": row.get("hours"),
     }
     form = "never" if since is None else "sentence"

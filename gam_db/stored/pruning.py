@@ -36,12 +36,15 @@ _FILES = (
     *("pruning/staying_buckets", "pruning/staying_novel", "pruning/staying_judgements"),
     *("pruning/expired_runs", "pruning/expired_band_visits", "pruning/expired_versions"),
     *("pruning/expired_supports", "pruning/expired_unplaced", "pruning/new_horizons"),
-    *("pruning/expired_horizons", "pruning/expired_left_out"),
+    *("pruning/expired_horizons", "pruning/expired_left_out", "pruning/staying_unknown_programs"),
 )
 
 #: State tables whose rows a later run writes again -> what their steps are called by: of each those that
 #: stay are a step, and those that are not among them expire.
-_REWRITTEN = {"bucket": "buckets", "novel": "novel", "judgement": "judgements"}
+_REWRITTEN = {
+    **{"bucket": "buckets", "novel": "novel", "judgement": "judgements"},
+    "unknown_program": "unknown_programs",
+}
 
 #: Steps that have a row per bucket, which are not kept.
 _LARGE = frozenset({"bucket_ages", *(f"staying_{called}" for called in _REWRITTEN.values())})
@@ -55,11 +58,12 @@ _UNPLACED = 365 * DAY
 _EXPIRED = {
     **{one: f"expired_{one}s" for one in ("bucket", "judgement", "run", "horizon", "band_visit")},
     **{"novel": "expired_novel", "unplaced": "expired_unplaced"},
+    "unknown_program": "expired_unknown_programs",
     "left_out": "expired_left_out",
     **dict.fromkeys(
         ("calibration", "buffered", "band", "extent", "limit", "checksum"), "expired_versions"
     ),
-    **dict.fromkeys(("support", "block", "ladder", "probe", "bounds"), "expired_supports"),
+    **dict.fromkeys(("support", "block", "ladder", "probe", "program", "bounds"), "expired_supports"),
     "version": "expired_versions",
 }
 

@@ -24,7 +24,7 @@ from gam_db.method.adding import add
 from gam_db.settings.parameters import pattern_matches
 from gam_db.stored import lengths
 from gam_db.stored.checking.proving import STATE, Proof, last_proofs
-from gam_db.stored.problems import data_problems, jumped, left_out
+from gam_db.stored.problems import data_problems, jumped, left_out, programs
 from gam_db.stored.schema import migrations
 from gam_db.stored.state import State, kind_of
 from gam_db.units import told_by
@@ -155,6 +155,7 @@ def assessed(
         # A calendar has pauses, and a clock that tells what is ahead.
         jumps = state.session.rows(steps.query("jumps", placed)) if kind.is_counter else []
     met = state.rows("stored/state/left_out_rows", {"monitor_id": known["monitor_id"]})
+    ran = state.rows("stored/state/program_problems", {"monitor": text(monitor)})
     rows = stored.sort_by(list(ORDER)).to_pylist()
     found, about = [], {}
     for row in rows:
@@ -170,7 +171,7 @@ def assessed(
         found.append({**said, "remarks": [one for one in remarks if one not in lacking]})
     nobody = dict.fromkeys(("asset", "channel", "version", "why"))
     listed = [row | about.get(row["version_id"], nobody) for row in problems]
-    listed += [*left_out(met, len(rows)), *jumped(jumps)]
+    listed += [*left_out(met, len(rows)), *jumped(jumps), *programs(ran)]
     return Standing(_table(found, kind), data_problems(listed, kind, shown_in))
 
 

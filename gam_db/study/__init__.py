@@ -21,7 +21,7 @@ from gam_db.engines.base import Engine
 from gam_db.engines.connecting import borrowed
 from gam_db.engines.session import Row, Session
 from gam_db.errors import wrong
-from gam_db.method import Method, Programs, opening_pipeline, pipeline, trusting_pipeline
+from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
 from gam_db.method.adding import OfSet, add
 from gam_db.method.bits import Bits
 from gam_db.method.census import Slicing
@@ -85,9 +85,7 @@ class Study:
         self._is_lent = not isinstance(source.relation, (str, Path, tuple, list))
         read = prepared(session, source)
         self.relation, self.columns, self.source = read.stored, read.columns, read.source
-        programs = None
-        if (column := read.source.program) is not None:
-            programs = Programs(column, session.engine.types.is_whole(read.columns[column]))
+        if read.programs is not None:
             short_cuts = False  # which program ran is told by the steps that look first
         said = None
         #: Channels that share settings which calibration chose.
@@ -95,12 +93,12 @@ class Study:
         if parameters.is_open:
             listening = (on_step, strict, short_cuts, on_trust)
             # Settings are chosen over all programs (both sides, section 5).
-            whole = source if programs is None else dataclasses.replace(self.source, program=None)
+            whole = source if read.programs is None else dataclasses.replace(self.source, program=None)
             rough = Study(session, whole, parameters.finest(), calibration, *listening, ("bounds",))
             said = parameters
             parameters, self.siblings = rough.chosen(said)
             rough.forget()
-        self.method = Method(parameters, calibration, read.kind, said, programs=programs)
+        self.method = Method(parameters, calibration, read.kind, said, programs=read.programs)
         unread = dataclasses.replace(read.rows, relation=None)  # the node counts
         self.clock = ahead.Clock.read(session, self.source, read.kind)
         #: Channels with rows that are later than now, which are left out; see :func:`ahead.rows_ahead`.

@@ -5,7 +5,20 @@
 -- Slots:  :chosen  which versions are wanted
 --         :most    cells of each signal and kind
 --         :axes    axes of each cell
-SELECT version_id, kind, visit_rank, cells, total, visits, first_tick, axis, code, place, value_from, value_to
+SELECT
+  version_id,
+  kind,
+  visit_rank,
+  cells,
+  total,
+  visits,
+  first_tick,
+  axis,
+  code,
+  place,
+  value_from,
+  value_to,
+  program
 FROM (
   SELECT
     version_id,
@@ -17,6 +30,7 @@ FROM (
     place,
     value_from,
     value_to,
+    program,
     CAST(COUNT(*) OVER (PARTITION BY version_id, kind, axis) AS BIGINT) AS cells,
     CAST(SUM(known.visits) OVER (PARTITION BY version_id, kind, axis) AS BIGINT) AS total,
     CAST(

@@ -3,17 +3,20 @@
 -- A row:  one reading; piece is healthy or onset. Missing readings are NULL. Positions are counted from the
 --         instant that the piece is about, back and, up to the last one that it may hold, forth.
 -- Slots:  :most  readings of a piece
+--         :programs, :carried  program, where a column says what a machine runs
 SELECT
   placed.number AS number,
   placed.piece AS piece,
   placed.time AS time,
-  placed.value AS value
+  placed.value AS value,
+  :carried
 FROM (
   SELECT
     wish.number AS number,
     wish.piece AS piece,
     sampled.time AS time,
     sampled.value AS value,
+    :programs,
     CAST(
       ROW_NUMBER() OVER (
         PARTITION BY wish.number, wish.piece ORDER BY ABS(sampled.time - wish.about_tick), sampled.time

@@ -41,6 +41,7 @@ SELECT
   known.blind_reason AS blind_reason,
   known.target_floor AS target_floor,
   version.max_gap AS max_gap,
+  version.program_weight AS program_weight,
   known.window_length AS window_length,
   known.stride AS stride,
   known.m AS m,

@@ -97,12 +97,13 @@ def cells(state: State, name: str, episode: Row) -> list[Row]:
 
     Returns:
         In order: cell_key, visits, first_tick and last_tick (integer time), steps (to the nearest
-        healthy cell: the largest on any axis, in bins), and axes, from the newest sample back, each with
+        healthy cell of the same program: the largest on any axis, in bins), program (None where states
+        are of none), and axes, from the newest sample back, each with
         samples_before, place, value_from, value_to and displacement (from that cell, in bins). Nothing
         where the episode is of an older version, or its cells were pruned.
     """
     found: dict[int, Row] = {}
-    shared = ("cell_key", "visits", "first_tick", "last_tick", "steps")
+    shared = ("cell_key", "visits", "first_tick", "last_tick", "steps", "program")
     for row in state.rows("stored/alarms/alarm_cells", _of(name, episode)):
         cell = found.setdefault(row["cell_rank"], {key: row[key] for key in shared} | {"axes": []})
         cell["axes"].append({key: row[key] for key in _AXIS})

@@ -92,6 +92,7 @@ def check_state(
     check = _Check(state, reader, lookback, on_step)
     monitor_id, began = monitor["monitor_id"], now()
     buckets, oldest = check.soundness(monitor_id)
+    reader.check_programs(check.versions.values())
     for one in inconsistencies(state, monitor_id, reader.kind, check.versions, oldest):
         key = one.version_id if one.version_id in check.versions else None
         check.note(key, one.part, what=one.what, differing=one.differing, since=one.since)

@@ -16,6 +16,7 @@ from gam_db.columns import SHARE, counts, table_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add
+from gam_db.method.programs import JUDGED
 from gam_db.stored.alarms.judging import buckets_of
 from gam_db.stored.planning import Row, assets_of
 from gam_db.stored.planning.reading import Reader, cohort_of, listed, make_vectors, near
@@ -23,6 +24,7 @@ from gam_db.stored.planning.steps import (
     FORMER,
     LEARNT,
     OF_SUPPORT,
+    former_slots,
     learning_steps,
     reading_steps,
     scoring_steps,
@@ -133,7 +135,8 @@ class Again:
             bool(group[0]["is_robust"]),
         )
         ends = [row["calibration_end"] for row in group]
-        with self._running(learning_steps(setting, self.reader.kind, *learning, has_pools)) as running:
+        steps = learning_steps(setting, self.reader.kind, *learning, has_pools, self.reader.programs)
+        with self._running(steps) as running:
             cohort = cohort_of(members, read_from=LONG_AGO, read_until=ends, first_bucket=0)
             running.load("cohort", cohort)
             running.placed["limits"] = running.placed["cohort"]
@@ -157,7 +160,8 @@ class Again:
                 known["taught_from"] = min(
                     row["first_time"], known.get("taught_from", row["first_time"])
                 )
-            differing = {part: self._part(running, part, group) for part in LEARNT}
+            parts = (part for part in LEARNT if f"{part}_rows" in running.steps.steps)
+            differing = {part: self._part(running, part, group) for part in parts}
         for part, twin in _LATER.items():
             never = {row["owner_id"] for row in differing[twin] if not row["stored"]}
             rows = differing[part]
@@ -226,9 +230,8 @@ class Again:
                 running.load(
                     "changed", table_of([{**row, "first_bucket": n} for row, n in firsts], _CHANGED)
                 )
-                kept = FORMER[table]
-                slots: dict[str, template.Slot] = {"near": _kept(column)}
-                slots |= {"within": exp.true()} if table == "bucket" else {}
+                kept, programs = FORMER[table], shared_by(group).has_programs
+                slots = former_slots(table, _kept(column), exp.true(), programs)
                 running.make(f"stored/scoring/{kept}", slots)
                 found[table] = compared(running, table, f"{table}_rows", kept)
         return Scored(found["bucket"], found["novel"], again, late)
@@ -268,7 +271,8 @@ class Again:
 
 def _cut(running: Running) -> exp.Query:
     """Return the readings of each channel up to where its cohort ends."""
-    said = [exp.column(name, table="reading").as_(name) for name in ("channel_id", "time", "value")]
+    names = ("channel_id", "time", "value", *["program"] * (JUDGED in running.steps.steps))
+    said = [exp.column(name, table="reading").as_(name) for name in names]
     same = exp.column("channel_id", table="member").eq(exp.column("channel_id", table="reading"))
     until = exp.column("time", table="reading") <= exp.column("read_until", table="member")
     reading, member = (running.placed[step].copy() for step in ("identified", "cohort"))

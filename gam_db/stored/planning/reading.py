@@ -48,9 +48,10 @@ class Reader:
     """
 
     def __init__(self, session: Session, source: AnySource, expected: TimeKind, name: str) -> None:
-        self._session, self._engine = session, session.engine
+        self._session, self._engine, self._name = session, session.engine, name
         read = prepared(session, source)
         self._source, self._relation, self.kind = read.rows, read.relation, read.kind
+        self.programs = read.programs
         self.clock = Clock.read(session, source, read.kind)
         if self.kind is not expected:
             meant = expected.value
@@ -85,6 +86,16 @@ class Reader:
             texts = [template.text(asset) for asset in assets]
             return under(self._source, exp.In(this=named, expressions=texts))
         return self._source
+
+    def check_programs(self, versions: Iterable[Row]) -> None:
+        """Refuse a source that names no program where states are of programs.
+
+        Raises:
+            SourceError: so it is.
+        """
+        columns = {row["program_column"] for row in versions} - {None}
+        if columns and self.programs is None:
+            raise wrong("program_of_monitor", monitor=self._name, column=min(columns))
 
     def is_empty(self) -> bool:
         """Tell whether the source holds nothing at all; that nothing is new is another matter."""

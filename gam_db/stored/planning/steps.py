@@ -15,7 +15,7 @@ from sqlglot import exp
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, union_of
-from gam_db.method import Method, Programs
+from gam_db.method import Method
 from gam_db.method.adding import OfSet, add
 from gam_db.method.alarms import NEAR, add_counted, add_spreads, band_of
 from gam_db.method.bits import Bits
@@ -24,7 +24,14 @@ from gam_db.method.certificate import add_judgement
 from gam_db.method.delays import INCOMPLETE
 from gam_db.method.judgement import limit_slots
 from gam_db.method.probe import add_certified, add_probe
-from gam_db.method.programs import add_samples, has_programs, identified_slots
+from gam_db.method.programs import (
+    JUDGED,
+    add_judged_programs,
+    add_samples,
+    add_taught_programs,
+    has_programs,
+    identified_slots,
+)
 from gam_db.method.ranges import add_bounds
 from gam_db.method.resolved import SMALL_OF_SET
 from gam_db.method.scoring import (
@@ -34,6 +41,7 @@ from gam_db.method.scoring import (
 )
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import MIN_MAX, ROBUST, Parameters
+from gam_db.settings.source import Programs
 
 #: What is kept of the vector that ends a bucket, and how it is called there.
 ENDS = {"position": "end_position", "context_time": "context_time"}
@@ -46,7 +54,7 @@ PUBLISHED = ("bucket_rows", "novel_rows", "run_rows")
 
 #: What a calibration appends of what it learnt: of a support, and of a version.
 OF_SUPPORT, OF_VERSION = (
-    ("bounds", "block", "ladder", "probe", "support"),
+    ("bounds", "block", "ladder", "probe", "program", "support"),
     ("buffered", "band", "extent"),
 )
 LEARNT = (*OF_SUPPORT, *OF_VERSION)
@@ -57,11 +65,15 @@ WRITTEN = {"changed": "cohort", "written": "new_buckets"}
 #: What is stored of the buckets that are made anew, by the table.
 FORMER = {"bucket": "former_buckets", "novel": "former_novel"}
 
+#: The same of readings whose program is not judged, where states are of programs.
+FORMER_PROGRAMS = {"unknown_program": "former_programs"}
+
 #: Steps of a run that are kept: what is read once, and what has few rows.
 KEPT = frozenset(
     (
         *("identified", "timeline", "collapsed", "seen", "run_up", "moving_codes"),
         f"{INCOMPLETE}moving_codes",
+        *("judged_programs", "unknown_programs"),
         *("support_bits", "visited", "buckets", "new_buckets", "recount", "stillness"),
     )
 )
@@ -212,13 +224,52 @@ def scoring_steps(
         add(steps, "census/repeated_instants", marked, tables={"marked": "visited"})
     for name in ("past_counts", "new_counts", "settled"):
         add(steps, f"stored/scoring/{name}")
+    if setting.has_programs:
+        add(steps, "stored/scoring/unknown_programs")
     if compared:
-        for name in WRITTEN:
-            add(steps, f"stored/scoring/{name}")
-        steps.small |= set(WRITTEN)
+        _add_written(steps, setting.has_programs)
     for part in PUBLISHED:
-        add(steps, f"stored/scoring/{part}")
+        add(steps, f"stored/scoring/{part}", name=_named(part, setting.has_programs))
+    if setting.has_programs:
+        add(steps, "stored/scoring/program_bucket_rows", name="bucket_rows")
+        add(steps, "stored/scoring/unknown_program_rows")
     return steps
+
+
+def published(has_programs: bool) -> tuple[str, ...]:
+    """Return the steps that a run appends, in order; the last one commits it."""
+    *before, last = PUBLISHED
+    return (*before, *["unknown_program_rows"] * has_programs, last)
+
+
+def former(has_programs: bool) -> dict[str, str]:
+    """Return the steps of what is stored of what a run makes anew, by the table."""
+    return FORMER | (FORMER_PROGRAMS if has_programs else {})
+
+
+def former_slots(
+    table: str, near: exp.Expr, within: exp.Expr, has_programs: bool
+) -> dict[str, template.Slot]:
+    """Return the slots of such a step: conditions on *bucket*, and on single rows of it."""
+    if table != "bucket":
+        return {"near": near}
+    programs = [exp.column("unknown_program")] * has_programs
+    return {"near": near, "within": within, "programs": programs}
+
+
+def _named(part: str, has_programs: bool) -> str:
+    return f"plain_{part}" if has_programs and part == "bucket_rows" else part
+
+
+def _add_written(steps: Pipeline, has_programs: bool) -> None:
+    """Add from which bucket on a run writes, and what."""
+    if has_programs:
+        add(steps, "stored/scoring/changed", name="changed_buckets")
+        add(steps, "stored/scoring/program_changed", name="changed")
+    else:
+        add(steps, "stored/scoring/changed")
+    add(steps, "stored/scoring/written")
+    steps.small |= set(WRITTEN)
 
 
 def add_counting(
@@ -238,6 +289,10 @@ def add_counting(
     the cohort may differ.
     """
     of_set = _add_samples(steps, setting, kind, trusting, columns=columns)
+    if setting.has_programs:
+        add(steps, "stored/scoring/judged_programs")
+        judged = {"numbered_programs": "judged_programs"}
+        add(steps, "program/program_samples", name=JUDGED, tables=judged)
     add_support_bits(of_set, bits)
     _add_new_buckets(of_set, trusting, bits)
     buckets = "new_buckets"
@@ -273,28 +328,32 @@ def learning_steps(
     least_vectors: int,
     is_robust: bool,
     has_pools: bool,
+    programs: Programs | None = None,
 ) -> Pipeline:
     """Return the steps from *identified* to what calibration appends, over intervals that are stored.
 
     Given by the caller are the state tables, *identified*, *cohort*, which is *limits*, too, and
-    *numbering*; the last steps are the rows of :data:`LEARNT`, and *recount*.
+    *numbering*; the last steps are the rows of :data:`LEARNT`, and *recount*. Where states are of
+    ``programs``, the rows of these are among them.
     """
     steps = Pipeline(small=KEPT | SMALL_OF_SET | {"learnt"})
     for name in ("channels", "calibration", "calibration_range", "recount"):
         add(steps, f"stored/scoring/{name}")
     rule = ROBUST if is_robust else MIN_MAX
     asked = {"target_floor": target_floor, "least_vectors": least_vectors, "range": rule}
-    of_set = _add_samples(steps, setting, kind, asked=asked, has_pools=has_pools)
+    of_set = _add_samples(steps, setting, kind, asked=asked, has_pools=has_pools, programs=programs)
     add(steps, "calibration/calibrated")
+    add_taught_programs(steps, of_set.method.programs)
     add_bounds(of_set)
     add_learnable(of_set)
     add_judgement(of_set)
+    add_judged_programs(of_set)
     add_probe(of_set)
     add_certified(steps, has_pools)
     add(steps, "judgement/limited", limit_slots(exp.column("target_floor", table="scale")))
     add_counted(steps)
     add_spreads(steps, ())
-    for part in LEARNT:
+    for part in (part for part in LEARNT if part != "program" or setting.has_programs):
         slots: dict[str, template.Slot] = {"g": NEAR} if part == "extent" else {}
         add(steps, f"stored/calibrating/{part}_rows", slots)
     return steps
@@ -322,9 +381,10 @@ def _add_samples(
     asked: Mapping[str, Any] | None = None,
     columns: Sequence[str] = (),
     has_pools: bool = False,
+    programs: Programs | None = None,
 ) -> OfSet:
     """Add the steps from *identified* to the samples, and return the one set of the setting."""
-    of_set = OfSet(steps, method_of(setting, kind, asked, columns, has_pools), 0)
+    of_set = OfSet(steps, method_of(setting, kind, asked, columns, has_pools, programs), 0)
     if trusting:
         add(steps, "census/trusted_timeline", name="timeline")
         columns = ("channel_id", "time", "value", *["program"] * setting.has_programs)
@@ -379,6 +439,7 @@ def method_of(
     asked: Mapping[str, Any] | None = None,
     columns: Sequence[str] = (),
     has_pools: bool = False,
+    programs: Programs | None = None,
 ) -> Method:
     """Return the method of a stored version; its calibration is in the tables, and so are its pools.
 
@@ -394,4 +455,5 @@ def method_of(
         start = 0 if kind.is_counter else dt.date(1970, 1, 1)
     parameters = Parameters(**figures, **(asked or {}))
     calibration = Calibration(score_from=start, pool=[["*"]] if has_pools else None)
-    return Method(parameters, calibration, kind, columns=tuple(columns))
+    programs = (programs or Programs("program")) if setting.has_programs else None
+    return Method(parameters, calibration, kind, columns=tuple(columns), programs=programs)

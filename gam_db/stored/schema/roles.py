@@ -29,14 +29,15 @@ _TOUCHED = {"migration": "applied_at", "monitor": "created"}
 
 #: The views by which runs, buckets and cells that count are found, and what a run says in the end.
 _COUNTING = (
-    *("finished_run", "visible_bucket", "visible_novel", "visible_judgement", "visible_episode"),
+    *("finished_run", "visible_bucket", "visible_novel", "visible_program", "visible_judgement"),
+    "visible_episode",
     *("fleet", "stillness"),
 )
 
 #: What the status is made of.
 _STATUS = (
     *("migration", "monitor", "proof", "visible_bucket", "fleet", "stillness"),
-    *("version", "bounds", "run", "finished_run", "unplaced", "left_out"),
+    *("version", "bounds", "run", "finished_run", "unplaced", "left_out", "unjudged_program"),
 )
 
 #: What readers use, and what other commands of a reader take.

@@ -34,9 +34,10 @@ TABLES = (
 )
 #: Each after those that it reads.
 VIEWS = (
-    *("finished_run", "visible_bucket", "visible_novel", "visible_judgement", "visible_episode"),
+    *("finished_run", "visible_bucket", "visible_novel", "visible_program", "visible_judgement"),
+    "visible_episode",
     *("labelled_episode", "certified", "health", "stillness", "onset", "fleet", "machine", "trend"),
-    *("unplaced_day", "cell", "quarantine", "growth"),
+    *("unplaced_day", "cell", "unjudged_program", "quarantine", "growth"),
     *("alarm", "alarm_event", "alarm_band", "alarm_cell"),
 )
 
@@ -54,7 +55,7 @@ FOR_READERS = frozenset(
             "ladder",
             "probe",
         ),
-        *("cell", "quarantine", "growth"),
+        *("program", "cell", "unjudged_program", "quarantine", "growth"),
         *("alarm", "alarm_event", "alarm_band", "alarm_cell", "visible_judgement", "label"),
     }
 )

@@ -130,6 +130,7 @@ class Run:
             begin = until + 1 if begin is None else min(begin, until + 1)
         if lookback is None or begin is not None:
             rows = searched_plan_rows(self.state, monitor_id, lookback, begin)
+        self.reader.check_programs(rows)
         allowed = {"lookback": self.wanted.lookback}
         chosen = [{**row, **allowed} for row in rows if self.wanted.chosen(*name_of(row))]
         later = [] if until is None else [row for row in chosen if row["read_from"] > until]

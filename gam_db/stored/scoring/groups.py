@@ -20,9 +20,10 @@ from gam_db.stored.alarms.judging import buckets_of, judge
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due
 from gam_db.stored.planning.reading import Reader, cohort_of, make_vectors, near
 from gam_db.stored.planning.steps import (
-    FORMER,
-    PUBLISHED,
     WRITTEN,
+    former,
+    former_slots,
+    published,
     reading_steps,
     scoring_steps,
     shared_by,
@@ -87,7 +88,8 @@ class Groups:
         bits, setting = self.session.engine.bits, shared_by(group)
         cells, supports = setting.radix**setting.m, len({row["support_id"] for row in group})
         is_little = cells * supports <= BITS_OF_A_ROW * read
-        return bits if bits is not None and is_little and bits.serve(cells, supports) else None
+        is_plain = is_little and not setting.has_programs
+        return bits if bits is not None and is_plain and bits.serve(cells, supports) else None
 
     def _recount(self, running: Running, group: Sequence[Row], assets: Sequence[str] | None) -> None:
         """First stage: count the rows of calibration of the channels for which it is due."""
@@ -108,13 +110,13 @@ class Groups:
         running.make("stored/scoring/past_buckets", past)
         self._check_past(group, running)
         running.keep("new_buckets")
-        for table, step in FORMER.items() if compared else ():
-            slots: dict[str, template.Slot] = {"near": near(group)}
-            slots |= {"within": near(group)} if table == "bucket" else {}
+        has_programs = shared_by(group).has_programs
+        for table, step in former(has_programs).items() if compared else ():
+            slots = former_slots(table, near(group), near(group), has_programs)
             running.make(f"stored/scoring/{step}", slots)
         if not compared:
             running.placed |= {step: running.placed[made] for step, made in WRITTEN.items()}
-        for part in PUBLISHED:
+        for part in published(has_programs):
             running.prepare(part)
 
     def _publish(self, running: Running, group: Sequence[Row]) -> None:
@@ -133,15 +135,16 @@ class Groups:
         after = min(row["first_scored"] for row in group) - 1
         monitor_id = self.monitor["monitor_id"]
         judged: dict[int, int] = {}
+        parts = published(shared_by(group).has_programs)
         with publication(self.state, monitor_id, group, self.planned, run_id) as compare_again:
-            for part in PUBLISHED:
-                if part == PUBLISHED[-1]:
+            for part in parts:
+                if part == parts[-1]:
                     given = {name: running.placed[step] for name, step in _JUDGED.items()}
                     judged = judge(self.state, group, given)
                     compare_again()
                 self.state.append(part.removesuffix("_rows"), running.query(part))
             if self.session.transactions:  # else `gam prune` does it now and then
-                for table in ("bucket", "novel", "judgement"):
+                for table in (*(part.removesuffix("_rows") for part in parts[:-1]), "judgement"):
                     self.state.delete_hidden(table, run_id, after, near(group))
                 follow(self.state, monitor_id, group, judged)
         if not self.session.transactions:

@@ -15,7 +15,8 @@ SELECT
   value_from,
   value_to,
   steps,
-  displacement
+  displacement,
+  program
 FROM stored_alarm_cell
 WHERE monitor = :monitor AND episode_id = :episode_id AND version_id = :version_id
 ORDER BY cell_rank, axis

@@ -25,6 +25,7 @@ SELECT
   numbered.least_vectors AS least_vectors,
   numbered.is_robust AS is_robust,
   numbered.program_column AS program_column,
+  numbered.program_weight AS program_weight,
   scale.calibration_end AS calibration_end,
   scale.first_scored AS first_scored,
   CASE

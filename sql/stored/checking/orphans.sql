@@ -4,7 +4,7 @@
 -- Reads:  stored_monitor, stored_channel, stored_version, stored_calibration, stored_checksum, stored_bounds,
 --         stored_block, stored_support, stored_bucket, stored_novel, stored_horizon, stored_run, stored_proof,
 --         stored_ladder, stored_probe, stored_buffered, stored_extent, stored_limit, stored_judgement, stored_episode, stored_label,
---         stored_visible_bucket, stored_visible_novel
+--         stored_visible_bucket, stored_visible_novel, stored_program, stored_unknown_program
 -- A row:  one kind of them that there is: the table, what it lacks, and how many.
 -- Slots:  :whole  1 where a run and a calibration are there as a whole or not at all
 SELECT of_table, lacks, CAST(SUM(looked.found) AS BIGINT) AS found
@@ -78,6 +78,9 @@ FROM (
     UNION ALL
     SELECT DISTINCT 'judgement' AS of_table, version_id, 0 AS is_written_first
     FROM stored_judgement
+    UNION ALL
+    SELECT DISTINCT 'unknown_program' AS of_table, version_id, 0 AS is_written_first
+    FROM stored_unknown_program
   ) AS orphan
   LEFT JOIN (
     SELECT DISTINCT version_id, 1 AS hit
@@ -103,6 +106,9 @@ FROM (
     UNION ALL
     SELECT DISTINCT 'probe' AS of_table, support_id
     FROM stored_probe
+    UNION ALL
+    SELECT DISTINCT 'program' AS of_table, support_id
+    FROM stored_program
   ) AS orphan
   LEFT JOIN (
     SELECT DISTINCT support_id, 1 AS hit
@@ -123,6 +129,9 @@ FROM (
     UNION ALL
     SELECT DISTINCT 'novel' AS of_table, version_id, run_id
     FROM stored_novel
+    UNION ALL
+    SELECT DISTINCT 'unknown_program' AS of_table, version_id, run_id
+    FROM stored_unknown_program
   ) AS orphan
   LEFT JOIN (
     SELECT DISTINCT version_id, run_id, 1 AS hit

@@ -3,6 +3,7 @@
 -- A row:  one bucket.
 -- Slots:  :near    a condition on bucket that holds for all of them
 --         :within  the same of single rows, in literals, by which an index finds them
+--         :programs  unknown_program, where states are of programs
 SELECT
   member.channel_id AS channel_id,
   member.version_id AS version_id,
@@ -12,12 +13,13 @@ SELECT
   bucket.context_time AS context_time,
   bucket.samples AS samples,
   written.still AS still,
+  :programs,
   bucket.novel AS novel,
   bucket.out_of_range AS out_of_range,
   bucket.novel_in_window AS novel_in_window
 FROM stored_visible_bucket AS bucket
 JOIN (
-  SELECT version_id, bucket_no, run_id, still
+  SELECT version_id, bucket_no, run_id, still, :programs
   FROM stored_bucket AS bucket
   WHERE :within
 ) AS written

@@ -64,9 +64,10 @@ function flat(healthy, fresh, signal, i, j, ago) {
 function tops(table, signal, fresh, ago) {
   if (!fresh.top.length) { table.append(el('p', {class: 'note'}, 'No new state was visited since calibration.')); return; }
   const shown = Math.min(3, signal.m);
-  const row = ([axes, visits, away, first]) => el('tr', {}, axes.map(axis => el('td', {}, interval(axis, signal))), el('td', {title: `${plural(visits, 'visit')}`}, percent(visits / fresh.total)),
+  const programs = fresh.top.some(top => top.length > 4);
+  const row = ([axes, visits, away, first, program]) => el('tr', {}, programs ? el('td', {}, program ?? '–') : null, axes.map(axis => el('td', {}, interval(axis, signal))), el('td', {title: `${plural(visits, 'visit')}`}, percent(visits / fresh.total)),
     el('td', {}, away < 0 ? '–' : away === 1 ? 'next to it' : `${away} cells away`), el('td', {title: when(first)}, shortly(first)));
   table.append(el('table', {}, el('caption', {}, 'The new states it visits most'),
-    el('thead', {}, el('tr', {}, Array.from({length: shown}, (_, k) => el('th', {scope: 'col'}, k ? `${k * signal.tau} before` : 'reading now')), ['share', 'nearest healthy', 'first'].map(text => el('th', {scope: 'col'}, text)))),
+    el('thead', {}, el('tr', {}, programs ? el('th', {scope: 'col'}, 'program') : null, Array.from({length: shown}, (_, k) => el('th', {scope: 'col'}, k ? `${k * signal.tau} before` : 'reading now')), ['share', 'nearest healthy', 'first'].map(text => el('th', {scope: 'col'}, text)))),
     el('tbody', {}, fresh.top.map(row))));
 }
