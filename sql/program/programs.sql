@@ -19,8 +19,8 @@ SELECT
   END AS verdict
 FROM taught_programs AS ran
 JOIN (
-  SELECT support_id, MIN(target_floor) AS target_floor
-  FROM bounds
+  SELECT support_id, MIN(learner.target_floor) AS target_floor
+  FROM bounds AS learner
   GROUP BY support_id
 ) AS scale ON scale.support_id = ran.support_id
 LEFT JOIN (

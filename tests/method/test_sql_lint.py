@@ -27,7 +27,7 @@ from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.export import Package, grafana
-from gam_db.method import Method, Programs, opening_pipeline, pipeline, trusting_pipeline
+from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_backtested, add_judgements, add_learnt_limits, add_replay
 from gam_db.method.automatic import DELAYS, scoring
@@ -39,7 +39,7 @@ from gam_db.selection.lags import add_delays, add_samples
 from gam_db.selection.neighbours import add_dimensions, add_embedding
 from gam_db.selection.search import Search
 from gam_db.settings.parameters import RUNGS
-from gam_db.settings.source import Source, WideSource, readings
+from gam_db.settings.source import Programs, Source, WideSource, readings
 from gam_db.stored.alarms import told as alarms
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.planning.steps import Setting, scoring_steps
