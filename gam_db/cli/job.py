@@ -71,8 +71,7 @@ class Job:
         if guessed:
             roles = [role for role in guessed if role != "layout"]
             line += f"; guessed: {'all' if len(roles) == len(shown) else ', '.join(roles)}"
-        if source.written:
-            said = (f"{name}={value!r}" for name, value in source.written.items())
+        if said := [f"{name}={value!r}" for name, value in source.written.items() if name != "program"]:
             line += f"; written with {' '.join(said)}"
         if "layout" in guessed:
             line += f"; taken as {guessed['layout']}"
