@@ -39,9 +39,9 @@ def check(
 
     Per channel: sampling, pauses, missing, repeated and conflicting readings, range, distinct values,
     standstills, cycle. With --program also what each machine ran and how much of it calibration holds;
-    without it, a column that looks like a program. Ends with 2 if something must be fixed: rows without name or time, conflicts
-    everywhere, one time for all rows, nothing that moves, too few samples for a window on any channel.
-    Nothing is written.
+    without it, a column that looks like a program. Ends with 2 if something must be fixed: rows without
+    name or time, conflicts everywhere, one time for all rows, nothing that moves, too few samples for a
+    window on any channel. Nothing is written.
     """
     if state:
         _check_state(settings, relation, common)
