@@ -1,6 +1,7 @@
 """One look at a source: the figures of every channel, by the formulas of ``sql/check``."""
 
 import dataclasses
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -99,6 +100,10 @@ def _by_setting(figures: Sequence[int | None]) -> exp.Expr:
     others = enumerate(figures[1:], start=1)
     return template.case(((number.eq(place), figure) for place, figure in others), figures[0])
 
+
+_NUMBER = re.compile(
+    r"\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*|\s*[+-]?(nan|inf(inity)?)\s*", re.ASCII | re.I
+)
 
 IRREGULAR = 3
 """The step that 95 % are no longer than, in steps that 5 % are no longer than, above which sampling is
@@ -214,7 +219,7 @@ def _number_texts(study: Study) -> tuple[str, ...]:
             {"words": template.column(column), "condition": parsed_condition(source.where)},
         )
         read_from(study.relation, query)
-        (row,) = session.rows(query)
-        if row["texts"] and row["texts"] == row["numbers"]:
+        words = [row["word"] for row in session.rows(query)]
+        if words and all(map(_NUMBER.fullmatch, words)):
             found.append(column)
     return tuple(found)

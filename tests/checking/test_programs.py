@@ -100,6 +100,12 @@ def test_a_column_that_looks_like_a_program_is_named(stored: tuple[exp.Table, Se
     assert "4 values, in runs of 50 readings" in text
 
 
+def test_a_text_of_no_number_is_not_refused(stored: tuple[exp.Table, Session]) -> None:
+    """No engine is asked to read a name as a number; neither does one take it for 0."""
+    table, session = stored
+    assert looked(table.name, session).number_texts == ()
+
+
 PLACES = np.tile(np.arange(LENGTH), 4)
 MACHINES = np.repeat(np.arange(4), LENGTH)
 
