@@ -10,7 +10,7 @@ from string import Formatter
 
 from gam_db import data
 from gam_db.checking.look import REGULAR_WITHIN, Look, Row, is_irregular, is_on_change
-from gam_db.checking.programs import remarks
+from gam_db.checking.program_notes import remarks
 from gam_db.checking.proposal import BLOCKS, CYCLES, MOST_STILL, Proposal
 from gam_db.checking.words import extent, instant, number_of, percent, reaching, spoken
 from gam_db.clock import JUMP, SECOND, SINCE_1970, TimeKind, epoch_unit, is_of_our_time

@@ -7,7 +7,7 @@ from typing import Any
 from gam_db.checking import Look, Note, Proposal, look_at, must_be_fixed, notes, propose
 from gam_db.checking.look import is_irregular
 from gam_db.checking.notes import is_heeded
-from gam_db.checking.programs import totals
+from gam_db.checking.program_notes import totals
 from gam_db.checking.words import instant, number_of, percent, spoken
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings

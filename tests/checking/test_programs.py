@@ -16,7 +16,8 @@ import engines
 from gam_db import Source, WideSource
 from gam_db.checking import look_at, notes, propose
 from gam_db.checking.look import Look
-from gam_db.checking.programs import Candidate, totals
+from gam_db.checking.program_notes import totals
+from gam_db.checking.programs import Candidate
 from gam_db.cli import app
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
