@@ -15,6 +15,7 @@ from gam_db.study import Study
 MOST = 50
 """Different values up to which a column may say which program a machine runs."""
 _SHARES = "program_shares"
+_AT_MOST = 10  # columns whose runs are looked at
 
 Row = dict[str, Any]
 
@@ -58,18 +59,20 @@ def candidates(study: Study, window: int) -> tuple[Candidate, ...]:
     """Return the columns that look as if they said which program a machine runs.
 
     They are texts or whole numbers that nothing reads, of 2 to 50 values, which stay for at least a
-    window of readings at the median and return. Their first rows are looked at first; a table without
-    columns of such a type is not looked at again.
+    window of readings at the median and return; ten such columns at most are looked at whole. Their
+    first rows are looked at before; a table without columns of such a type is not looked at again.
     """
     if study.method.programs is not None:
         return ()
-    names = list(_possible(study))
-    for file in ("first_programs", "distinct_programs"):
-        counts = _counted(study, file, names)
-        least = 2 if file == "distinct_programs" else 0  # the first rows may be of one shift
-        names = [name for name in names if least <= counts[name] <= MOST]
+    # A signal of a wide table may say it, too; one of two values is a switch.
+    signals = study.source.value_columns
+    names = sorted(_possible(study), key=lambda name: name in signals)
+    counts = _counted(study, "first_programs", names)
+    names = [name for name in names if counts[name] <= MOST]
+    counts = _counted(study, "distinct_programs", names)
+    names = [name for name in names if 2 + (name in signals) <= counts[name] <= MOST]
     found = []
-    for name in names:
+    for name in names[:_AT_MOST]:
         row = _usual_run(study, name)
         if row is None or row["turns"] is None:
             continue

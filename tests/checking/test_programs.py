@@ -116,6 +116,7 @@ MACHINES = np.repeat(np.arange(4), LENGTH)
     [
         (PLACES // 25 % 2, 25),  # runs of a window
         (PLACES // 24 % 2, None),  # and of one reading less
+        ((PLACES % 50 >= 20) * 1, None),  # as many of 20 readings as of 30: the lower median
         (PLACES // RUN % 2 * 1.0, None),  # not whole
         (PLACES // RUN % 2 > 0, None),  # true and false
         (PLACES // 200, None),  # does not return
@@ -170,7 +171,7 @@ def test_columns_of_a_wide_table() -> None:
         }
     )
     found = looked(WideSource(rows)).candidates
-    assert found == (Candidate("recipe", 3, RUN), Candidate("product", 3, RUN))
+    assert found == (Candidate("product", 3, RUN), Candidate("recipe", 3, RUN))
     look = looked(WideSource(rows, program="recipe"))
     names = ("channel", "program", "readings", "runs")
     assert [tuple(row[name] for name in names) for row in look.programs] == [
@@ -178,6 +179,22 @@ def test_columns_of_a_wide_table() -> None:
         for channel in ("force", "heat")
         for program, readings, runs in (("p", 200, 4), ("q", 100, 2), ("r", 100, 2))
     ]
+
+
+def test_a_switch_of_a_wide_table_is_no_program() -> None:
+    switch = np.arange(LENGTH) // RUN % 2
+    rows = pa.table({"time": range(LENGTH), "force": wave(LENGTH), "switch": switch, "state": switch})
+    wide = WideSource(rows, ["force", "switch"], asset=None)
+    assert looked(wide).candidates == (Candidate("state", 2, RUN),)
+
+
+def test_without_such_columns_nothing_more_is_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[str] = []
+    monkeypatch.setattr("gam_db.checking.programs.read_from", lambda *_: asked.append("first"))
+    monkeypatch.setattr("gam_db.checking.programs._usual_run", lambda *_: asked.append("runs"))
+    rows = plant(quality=wave(4 * LENGTH)).drop_columns(["product"])
+    assert looked(rows).candidates == ()
+    assert asked == []
 
 
 def test_days_and_lines_of_programs() -> None:
