@@ -38,7 +38,7 @@ def totals(look: Look) -> list[Total]:
     by_program: dict[str, list[Row]] = defaultdict(list)
     for row in look.programs:
         by_program[row["program"]].append(row)
-    found = []
+    programs = []
     for program, rows in by_program.items():
         most: dict[str, dict[str, int]] = {asset: defaultdict(int) for asset in assets}
         for row in rows:
@@ -46,12 +46,12 @@ def totals(look: Look) -> list[Total]:
             for name in ("runs", "calibration_runs", "calibration_days"):
                 most[row["asset"]][name] = max(most[row["asset"]][name], row[name])
         runs, taught, days = (
-            tuple(one[name] for one in most.values())
+            tuple(counts[name] for counts in most.values())
             for name in ("runs", "calibration_runs", "calibration_days")
         )
         share = sum(row["readings"] for row in rows) / samples
-        found.append(Total(program, share, sum(runs), taught, days))
-    return sorted(found, key=lambda total: (-total.share, total.program))
+        programs.append(Total(program, share, sum(runs), taught, days))
+    return sorted(programs, key=lambda total: (-total.share, total.program))
 
 
 #: A subject, its words and the channels concerned.
@@ -60,8 +60,12 @@ Remark = tuple[str, dict[str, str], tuple[tuple[str, str], ...]]
 
 def remarks(look: Look) -> Iterator[Remark]:
     """Yield what is to be known of the programs of a source."""
-    for one in look.candidates:
-        words = {"column": one.column, "programs": f"{one.programs:,}", "usual": f"{one.usual_run:,}"}
+    for candidate in look.candidates:
+        words = {
+            "column": candidate.column,
+            "programs": f"{candidate.programs:,}",
+            "usual": f"{candidate.usual_run:,}",
+        }
         yield "program_column", words, ()
     lacking: dict[str, list[Row]] = defaultdict(list)
     for row in look.programs:

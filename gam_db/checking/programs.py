@@ -71,14 +71,14 @@ def candidates(study: Study, window: int) -> tuple[Candidate, ...]:
     names = [name for name in names if counts[name] <= MOST]
     counts = _counted(study, "distinct_programs", names)
     names = [name for name in names if 2 + (name in signals) <= counts[name] <= MOST]
-    found = []
+    columns = []
     for name in names[:_AT_MOST]:
         row = _usual_run(study, name)
         if row is None or row["turns"] is None:
             continue
         if 2 <= row["programs"] <= MOST and row["turns"] > 1 and row["usual_run"] >= window:
-            found.append(Candidate(name, row["programs"], row["usual_run"]))
-    return tuple(found)
+            columns.append(Candidate(name, row["programs"], row["usual_run"]))
+    return tuple(columns)
 
 
 def _possible(study: Study) -> Iterator[str]:
@@ -87,11 +87,11 @@ def _possible(study: Study) -> Iterator[str]:
     read = {source.asset, source.time}
     if isinstance(source, Source):
         read |= {source.channel, source.value}
-    conditions = [one for one in (source.where, source.valid_when) if one is not None]
+    conditions = [text for text in (source.where, source.valid_when) if text is not None]
     heeded = {
         column.name.casefold()
-        for one in conditions
-        for column in parsed_condition(one).find_all(exp.Column)
+        for condition in conditions
+        for column in parsed_condition(condition).find_all(exp.Column)
     }
     for name, type_name in study.columns.items():
         if name in read or name.casefold() in heeded:

@@ -249,8 +249,8 @@ class _Robot:
         readings = _readings(self.name, f"joint_{joint}", rows)
         if self._fleet.products > 1:
             names = pa.array([f"product_{n}" for n in range(1, self._fleet.products + 1)])
-            made = names.take(pa.array(self._product_at(rows.times)))
-            readings = readings.append_column(self._fleet.schema.field("product"), made)
+            column = names.take(pa.array(self._product_at(rows.times)))
+            readings = readings.append_column(self._fleet.schema.field("product"), column)
         return Joint(readings, truth | _dirt_of(rows))
 
     def _product_at(self, times: NDArray[np.int64]) -> NDArray[np.int64]:

@@ -37,17 +37,17 @@ def measure(plan: Plan, products: int, shift: int, show: Callable[[str], None]) 
         limit of the health indicator: rate and wear). ``unjudged`` is how many vectors the column took
         from the judgements, ``programs`` how many programs of a channel have which verdict.
     """
-    made = [Fleet(seed, plan.samples, shift=shift, products=products) for seed in plan.seeds]
+    simulated = [Fleet(seed, plan.samples, shift=shift, products=products) for seed in plan.seeds]
 
     def on_file(fleet: Fleet, source: Source, read: fleets.Fleets) -> Learnt:
         named = replace(source, program="product")
         return learnt(named, plan.parameters, CALIBRATION, (_BUCKETS, _SUMMARY))
 
-    found = fleets.read(plan, made, CALIBRATION, show, on_file=on_file, more=(_BUCKETS,))
-    arms = dict(zip(_ARMS, (found.learnt, found.found), strict=True))
-    figures: dict[str, Any] = {name: _judged(plan, tables, found) for name, tables in arms.items()}
+    line = fleets.read(plan, simulated, CALIBRATION, show, on_file=on_file, more=(_BUCKETS,))
+    arms = dict(zip(_ARMS, (line.learnt, line.found), strict=True))
+    figures: dict[str, Any] = {name: _judged(plan, tables, line) for name, tables in arms.items()}
     verdicts = Counter(
-        verdict for one in found.found for verdict in one.tables[_SUMMARY]["verdict"].to_pylist()
+        verdict for fleet in line.found for verdict in fleet.tables[_SUMMARY]["verdict"].to_pylist()
     )
     return {
         "seeds": list(plan.seeds),
@@ -63,23 +63,23 @@ def measure(plan: Plan, products: int, shift: int, show: Callable[[str], None]) 
     }
 
 
-def _judged(plan: Plan, tables: list[Learnt], found: fleets.Fleets) -> Row:
+def _judged(plan: Plan, tables: list[Learnt], line: fleets.Fleets) -> Row:
     with DuckSession() as session:
         pool = Pool(session, tables)
         judged = pool.judged(Alarms(rate=f"{RATES[0]:g} per 1000 judgements", family=["*"]))
         windows = Windows(pool)
-        calm = [row for row in judged.counted if name_of(row) in found.calm]
+        calm = [row for row in judged.counted if name_of(row) in line.calm]
         episodes, judgements = (sum(row[name] for row in calm) for name in ("episodes", "judgements"))
-        withheld = Counter(row["reason"] for row in judged.limits if name_of(row) in found.calm)
+        withheld = Counter(row["reason"] for row in judged.limits if name_of(row) in line.calm)
         return {
             "channels": sum(withheld.values()),
             "limitless": {reason: count for reason, count in withheld.items() if reason is not None},
             "vectors": plan.parameters.bucket_length
-            * sum(one.tables[_BUCKETS].num_rows for one in tables),
+            * sum(fleet.tables[_BUCKETS].num_rows for fleet in tables),
             "alarmed": sum(row["episodes"] > 0 for row in calm),
             **rate_of(episodes, judgements),
-            "wear": wear(judged, found.wearing, windows.ends),
-            "today": today(pool, windows, plan.window, found.calm, found.wearing),
+            "wear": wear(judged, line.wearing, windows.ends),
+            "today": today(pool, windows, plan.window, line.calm, line.wearing),
         }
 
 
@@ -106,6 +106,7 @@ def lines(figures: Mapping[str, Any]) -> Iterator[str]:
         yield f"  wear: {of_wear(arm['wear'])}"
         yield f"  twice the floor: {of_rate(arm['today']['rate'])}; {of_wear(arm['today']['wear'])}"
     yield ""
-    told = ", ".join(f"{verdict} {count:,}" for verdict, count in sorted(figures["programs"].items()))
+    counts = sorted(figures["programs"].items())
+    programs = ", ".join(f"{verdict} {count:,}" for verdict, count in counts)
     share = figures["unjudged"] / figures["without"]["vectors"]
-    yield f"not judged with the column: {figures['unjudged']:,} vectors ({share:.1%}); programs: {told}"
+    yield f"not judged with the column: {figures['unjudged']:,} vectors ({share:.1%}); programs: {programs}"
