@@ -107,6 +107,6 @@ def lines(figures: Mapping[str, Any]) -> Iterator[str]:
         yield f"  twice the floor: {of_rate(arm['today']['rate'])}; {of_wear(arm['today']['wear'])}"
     yield ""
     counts = sorted(figures["programs"].items())
-    programs = ", ".join(f"{verdict} {count:,}" for verdict, count in counts)
+    programs = "programs: " + ", ".join(f"{verdict} {count:,}" for verdict, count in counts)
     share = figures["unjudged"] / figures["without"]["vectors"]
-    yield f"not judged with the column: {figures['unjudged']:,} vectors ({share:.1%}); programs: {programs}"
+    yield f"not judged with the column: {figures['unjudged']:,} vectors ({share:.1%}); {programs}"
