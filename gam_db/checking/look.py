@@ -1,6 +1,7 @@
 """One look at a source: the figures of every channel, by the formulas of ``sql/check``."""
 
 import dataclasses
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -8,6 +9,7 @@ from typing import Any
 import pyarrow as pa
 from sqlglot import exp
 
+from gam_db.checking.programs import Candidate, candidates, program_rows
 from gam_db.clock import TimeKind
 from gam_db.columns import name_of
 from gam_db.composing import template
@@ -99,6 +101,10 @@ def _by_setting(figures: Sequence[int | None]) -> exp.Expr:
     return template.case(((number.eq(place), figure) for place, figure in others), figures[0])
 
 
+_NUMBER = re.compile(
+    r"\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*|\s*[+-]?(nan|inf(inity)?)\s*", re.ASCII | re.I
+)
+
 IRREGULAR = 3
 """The step that 95 % are no longer than, in steps that 5 % are no longer than, above which sampling is
 irregular."""
@@ -125,6 +131,8 @@ class Look:
     engine: Engine  # that was asked
     clock: Clock  # of the database, as it was read
     ahead: tuple[Row, ...]  # of :func:`gam_db.reading.ahead.rows_ahead`
+    programs: tuple[Row, ...]  # of each channel, where a column names them
+    candidates: tuple[Candidate, ...]  # columns that look as if they did
 
     @property
     def kind(self) -> TimeKind:
@@ -163,13 +171,15 @@ def look_at(
     invalid = study.invalid()
     for row in channels if study.source.valid_when is not None else ():
         row["invalid"] = invalid.get(name_of(row), 0)
+    programs = program_rows(study)
     others = _number_texts(study), undated, session.engine, study.clock, tuple(study.ahead)
     method = study.method
     if parameters.is_open:
         moving = [row["calibration_samples"] for row in channels if row["rises"] or row["falls"]]
         closed = parameters.finest(window_of(moving))
         method = dataclasses.replace(method, parameters=closed, asked=parameters)
-    return Look(study.source, method, table, channels, nameless, exact, *others)
+    columns = candidates(study, min(setting.window for setting in method.settings))
+    return Look(study.source, method, table, channels, nameless, exact, *others, programs, columns)
 
 
 def exact_columns(session: Session, source: AnySource, columns: Mapping[str, str]) -> tuple[str, ...]:
@@ -209,7 +219,7 @@ def _number_texts(study: Study) -> tuple[str, ...]:
             {"words": template.column(column), "condition": parsed_condition(source.where)},
         )
         read_from(study.relation, query)
-        (row,) = session.rows(query)
-        if row["texts"] and row["texts"] == row["numbers"]:
+        words = [row["word"] for row in session.rows(query)]
+        if words and all(map(_NUMBER.fullmatch, words)):
             found.append(column)
     return tuple(found)

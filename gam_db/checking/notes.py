@@ -10,6 +10,7 @@ from string import Formatter
 
 from gam_db import data
 from gam_db.checking.look import REGULAR_WITHIN, Look, Row, is_irregular, is_on_change
+from gam_db.checking.program_notes import remarks
 from gam_db.checking.proposal import BLOCKS, CYCLES, MOST_STILL, Proposal
 from gam_db.checking.words import extent, instant, number_of, percent, reaching, spoken
 from gam_db.clock import JUMP, SECOND, SINCE_1970, TimeKind, epoch_unit, is_of_our_time
@@ -55,6 +56,8 @@ Worded = Callable[[Sequence[Row]], str | int]
 def notes(look: Look, proposal: Proposal) -> list[Note]:
     """Return what is to be known of a source, what must be fixed first, and else in a fixed order."""
     found = [*_on_times(look, proposal), *_on_amounts(look, proposal), *_on_values(look)]
+    for subject, words, names in remarks(look):
+        found.append(Note(subject, False, SENTENCES[subject].format(**words), names))
     return sorted(found, key=lambda note: not note.must)
 
 

@@ -1,12 +1,13 @@
 """``gam check``: what a source is like before anything is learnt of it, and what must be fixed."""
 
 import json
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 from gam_db.checking import Look, Note, Proposal, look_at, must_be_fixed, notes, propose
 from gam_db.checking.look import is_irregular
 from gam_db.checking.notes import is_heeded
+from gam_db.checking.program_notes import totals
 from gam_db.checking.words import instant, number_of, percent, spoken
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
@@ -37,9 +38,10 @@ def check(
     """Look at SOURCE before anything is learnt of it: what it is like, what to fix, what to set.
 
     Per channel: sampling, pauses, missing, repeated and conflicting readings, range, distinct values,
-    standstills, cycle. Ends with 2 if something must be fixed: rows without name or time, conflicts
-    everywhere, one time for all rows, nothing that moves, too few samples for a window on any channel.
-    Nothing is written.
+    standstills, cycle. With --program also what each machine ran and how much of it calibration holds;
+    without it, a column that looks like a program. Ends with 2 if something must be fixed: rows without
+    name or time, conflicts everywhere, one time for all rows, nothing that moves, too few samples for a
+    window on any channel. Nothing is written.
     """
     if state:
         _check_state(settings, relation, common)
@@ -78,6 +80,8 @@ def _figures(seen: Seen) -> Row:
             for row in look.channels
         ],
         "rows_without": look.nameless,
+        "programs": look.programs,
+        "program_columns": [asdict(one) for one in look.candidates],
         "notes": [
             {
                 "subject": note.subject,
@@ -110,6 +114,13 @@ def _show(out: page.Out, seen: Seen, common: options.Common) -> None:
     out.print()
     page.notes(out, (("!" if note.must else "-", note_line(note, look)) for note in seen.notes))
     page.say(out, *_ending(seen))
+    if look.programs:
+        of = totals(look)
+        out.print()
+        page.say(out, f"programs ({look.source.program}): {len(of):,}")
+        for total in common.of(of):
+            page.say(out, f"  {total.line(look.kind.is_counter)}")
+        page.cut(out, of, common.everything, what=" programs")
     out.print()
     rows = sorted(look.channels, key=lambda row: mark(row) != "!")
     if not rows:

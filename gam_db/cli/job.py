@@ -71,9 +71,10 @@ class Job:
         if guessed:
             roles = [role for role in guessed if role != "layout"]
             line += f"; guessed: {'all' if len(roles) == len(shown) else ', '.join(roles)}"
-        if source.written:
-            said = (f"{name}={value!r}" for name, value in source.written.items())
-            line += f"; written with {' '.join(said)}"
+        if written := [
+            f"{name}={value!r}" for name, value in source.written.items() if name != "program"
+        ]:
+            line += f"; written with {' '.join(written)}"
         if "layout" in guessed:
             line += f"; taken as {guessed['layout']}"
         if self.guess.unused:

@@ -18,6 +18,7 @@ from gam_db.address import is_url
 from gam_db.checking.notes import EXACT_UP_TO, SENTENCES
 from gam_db.checking.words import number_of
 from gam_db.cli import automatic, options, page
+from gam_db.cli import programs as of_programs
 from gam_db.cli.config import Settings
 from gam_db.cli.job import Job, job_of
 from gam_db.cli.options import option
@@ -61,7 +62,8 @@ def run(
     calibration is not good enough to be watched (too_fine, needs_data, or no fair sample of what
     followed); or if it would show no shift of its machine (blind). Constant channels and channels
     without calibration never raise an alarm; where no channel needs attention, exit code 4 says that one
-    has no usable reading in calibration, or that none can be judged. By another --estimator there is an
+    has no usable reading in calibration, that none can be judged, or that a program was calibrated too
+    little or never. By another --estimator there is an
     indicator (written to SOURCE.NAME.parquet) but no verdict.
     """
     shown_in = zone(common.time_zone)
@@ -88,15 +90,17 @@ def run(
                 longest = park_after(settings.monitor.park_after, study.method.kind)
                 found = findings(study, settings.alarms, longest)
                 urgent = need_attention(found) or any(map(is_blind, found))
-                lacking = lack_data(found)
+                programs = [] if study.method.programs is None else study.rows("program_summary")
+                lacking = lack_data(found) or bool(of_programs.unjudged(programs))
                 told = {
                     "channels": [{**row, "course": page.thinned(row["course"])} for row in found],
                     "verdicts": Counter(row["verdict"] for row in found),
                     "chosen": automatic.figures(study.siblings),
                     "judged_by_episode": sum(row["judged_by"] == "episode" for row in found),
                     "needs_attention": urgent,
+                    **({} if study.method.programs is None else {"programs": programs}),
                 }
-                more = partial(show, everything=everything, siblings=study.siblings)
+                more = partial(show, everything=everything, siblings=study.siblings, programs=programs)
                 shows = partial(more, job=job, found=found, shown_in=shown_in)
             else:
                 others.add_estimator(study, estimator)
@@ -148,8 +152,9 @@ def show(
     everything: bool = False,
     shown_in: dt.tzinfo = dt.UTC,
     siblings: Sequence[Siblings] = (),
+    programs: Sequence[Row] = (),
 ) -> None:
-    """Print what was found of each channel, and what calibration chose for siblings."""
+    """Print what was found of each channel, what calibration chose for siblings, and what it lacks."""
     samples = sum(row["samples"] for row in found)
     page.say(out, f"{printable(job.name)}: {page.amount(found)}, {samples:,} samples{job.settings}")
     page.say(out, *job.lines())
@@ -164,6 +169,9 @@ def show(
     words = ", ".join(f"{said}: {count:,}" if len(by) > 1 else said for said, count in by)
     page.say(out, f"channels: {page.counted(found)}{f'; judged by {words}' if words else ''}")
     page.say(out, *page.unseen(found))
+    lacking = of_programs.lines(programs)
+    page.say(out, *(lacking if everything else lacking[: options.SHOWN]))
+    page.cut(out, lacking, everything, what=" programs")
     if silent := sum(row["silent"] for row in found):
         page.say(out, f"silent: {silent:,}")
     if job.parameters.is_open:
@@ -187,7 +195,7 @@ def show(
         for row in found
     ):
         page.say(out, f"{number_of(beyond, 'channel')} of {SENTENCES['beyond']}")
-    if not (need_attention(found) or any(map(is_blind, found)) or lack_data(found)):
+    if not (need_attention(found) or any(map(is_blind, found)) or lack_data(found) or lacking):
         page.say(out, "nothing needs attention")
     page.say(out, page.legend(found, everything))
 

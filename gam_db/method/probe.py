@@ -100,24 +100,24 @@ def add_probe(one: OfSet, samples: str = "samples") -> None:
 
 def add_certified(steps: Pipeline, has_pools: bool, has_programs: bool = False) -> None:
     """Add what calibration says of each channel of all sets, both sides of it: *certified*."""
-    add(steps, "certificate/verdicts", name="plain_verdicts" if has_programs else None)
-    if has_programs:
-        add(steps, "program/program_verdicts", name="verdicts")
+    add(steps, "certificate/verdicts")
     slots: dict[str, template.Slot] = {
         name: template.fill(f"probe/{name}") for name in ("would_not_see", "blind_reason")
     }
+    verdicts = "verdicts"
     if has_pools:
         add(steps, "certificate/vouched_verdicts")
+        verdicts = "vouched_verdicts"
+    vouched = (("vouched_by", "BIGINT"), ("only_teacher", "VARCHAR"))
     slots["vouched"] = [
         exp.alias_(exp.column(name, table="learnt") if has_pools else exp.cast(exp.null(), of), name)
-        for name, of in (("vouched_by", "BIGINT"), ("only_teacher", "VARCHAR"))
+        for name, of in vouched
     ]
-    add(
-        steps,
-        "certificate/certified",
-        slots,
-        tables={"verdicts": "vouched_verdicts"} if has_pools else {},
-    )
+    if has_programs:
+        carried = slots["vouched"] if has_pools else []
+        add(steps, "program/program_verdicts", {"vouched": carried}, tables={"verdicts": verdicts})
+        verdicts = "program_verdicts"
+    add(steps, "certificate/certified", slots, tables={"verdicts": verdicts})
 
 
 def _sample(setting: Parameters, k: int, delays: Mapping[int, Sequence[int]]) -> exp.Expr:

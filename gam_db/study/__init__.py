@@ -92,7 +92,9 @@ class Study:
         self.siblings: list[Siblings] = []
         if parameters.is_open:
             listening = (on_step, strict, short_cuts, on_trust)
-            rough = Study(session, source, parameters.finest(), calibration, *listening, ("bounds",))
+            # Settings are chosen over all programs (both sides, section 5).
+            whole = source if read.programs is None else dataclasses.replace(self.source, program=None)
+            rough = Study(session, whole, parameters.finest(), calibration, *listening, ("bounds",))
             said = parameters
             parameters, self.siblings = rough.chosen(said)
             rough.forget()
@@ -248,6 +250,11 @@ class Study:
         steps.add("readings", engine.readings(source, relation, method.kind, validity=True, until=until))
         add(steps, "source/validity")
         return {name_of(row): row["invalid"] for row in self.session.rows(steps.query("validity"))}
+
+    def readings_of(self, source: AnySource) -> exp.Query:
+        """Return the readings of a source like the study's, of the same relation."""
+        method, _, relation, engine, until = self._asked
+        return engine.readings(source, relation, method.kind, until=until)
 
     def forget(self) -> None:
         """Drop the tables that were kept, and let go of an Arrow table: the session stays open."""

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from gam_db.columns import COUNT, SHARE, WORD, columns, name_of, table_of
+from gam_db.columns import COUNT, SHARE, columns, name_of, table_of
 from gam_db.engines.session import Row
 from gam_db.method.adding import OfSet, add
 from gam_db.method.automatic import DELAYS, STRETCH, add_taught_samples, rungs, scoring
@@ -251,9 +251,7 @@ class Choosing:
 
 _IDS = (("learner_id", "channel_id"), ("support_id", "unit_id"))
 
-_COLLAPSED = columns(
-    (COUNT, "channel_id time"), (SHARE, "value"), (COUNT, "conflict"), (WORD, "program")
-)
+_COLLAPSED = columns((COUNT, "channel_id time"), (SHARE, "value"), (COUNT, "conflict"))
 
 _LEARNERS = columns(
     (COUNT, "channel_id unit_id learner_id support_id delay_no window_length is_cut thinning"),

@@ -1,6 +1,7 @@
 -- Program verdicts: as verdicts, and a calibration that holds enough of no program needs data, however much it holds of all.
--- Reads:  plain_verdicts, bounds, judged_programs
+-- Reads:  verdicts, bounds, judged_programs
 -- A row:  one channel.
+-- Slots:  :vouched  who vouches for a channel of a pool; nothing where there are no pools
 SELECT
   learnt.channel_id AS channel_id,
   CASE
@@ -16,8 +17,9 @@ SELECT
   learnt.floor_sd AS floor_sd,
   learnt.floor_max AS floor_max,
   learnt.finest_bins AS finest_bins,
-  learnt.vectors_needed AS vectors_needed
-FROM plain_verdicts AS learnt
+  learnt.vectors_needed AS vectors_needed,
+  :vouched
+FROM verdicts AS learnt
 JOIN bounds AS scale ON scale.channel_id = learnt.channel_id
 LEFT JOIN (
   SELECT support_id, 1 AS hit

@@ -15,6 +15,7 @@ from typer.testing import CliRunner
 import gam_db
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.lab.benchmark.alarms import fleets, rivals
+from gam_db.lab.benchmark.alarms import programs as of_programs
 from gam_db.lab.benchmark.alarms.figures import promise, shares, wear
 from gam_db.lab.benchmark.alarms.plan import CALIBRATION, Plan
 from gam_db.lab.benchmark.alarms.tables import Judged, Pool
@@ -178,6 +179,27 @@ def test_two_products_take_turns() -> None:
     apart = np.abs(alone - both) > 0.1 * (np.nanmax(alone) - np.nanmin(alone))
     assert apart[:3000].mean() < 0.2
     assert apart[-3000:].mean() > 0.5
+
+
+def test_both_ways_judge_the_same_rows_of_a_line_with_products() -> None:
+    """All programs are of calibration, or none that returns is: what is judged follows from that."""
+    plan = replace(PLAN, seeds=(3,), robots=2, joints=1)
+    told = of_programs.measure(plan, 2, 600, lambda _: None)
+    without, named = told["without"], told["with"]
+    assert without["channels"] == named["channels"] > 0
+    assert without["wear"]["joints"] == named["wear"]["joints"]
+    assert told["unjudged"] == without["vectors"] - named["vectors"] > 0
+    # A channel of calm robots has a row for each product that it makes.
+    assert sum(told["programs"].values()) == 2 * (named["channels"] + named["wear"]["joints"])
+    assert told["programs"].keys() <= {"ready", "needs_data", "unknown"}
+    lines = list(of_programs.lines(told))
+    assert lines[0].startswith("Fleets 3: 2 products in shifts of 600 samples, 12,000 samples, W = 100")
+    assert f"not judged with the column: {told['unjudged']:,} vectors" in lines[-1]
+
+
+def test_seeds_of_programs_are_numbers() -> None:
+    answer = CliRunner().invoke(benchmarks, ["programs", "--seeds", "1,x"])
+    assert "--seeds is 'x'" in str(answer.exception)
 
 
 @pytest.mark.full

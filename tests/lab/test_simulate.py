@@ -6,13 +6,14 @@ from typing import Any
 import duckdb
 import numpy as np
 import pyarrow as pa
+import pyarrow.compute as pc
 import pytest
 from numpy.typing import NDArray
 from pyarrow import parquet
 from typer.testing import CliRunner
 
 from gam_db.cli import app
-from gam_db.lab.simulate.fleet import Fleet, Joint
+from gam_db.lab.simulate.fleet import FIRST_TIME, READINGS, Fleet, Joint
 from gam_db.lab.simulate.roles import FAULTS, GROWTHS, role_of
 from gam_db.lab.simulate.wear import grown, shown
 
@@ -33,6 +34,11 @@ def values(joint: Joint) -> NDArray[np.float64]:
     """Readings in order of time, NaN where missing."""
     ordered = joint.readings.sort_by("time")["value"]
     return np.asarray(ordered.fill_null(np.nan).to_numpy())
+
+
+def values_of(readings: pa.Table) -> NDArray[np.float64]:
+    """Readings in the order of arrival, 0 where missing."""
+    return np.asarray(np.nan_to_num(readings["value"].fill_null(0).to_numpy()))
 
 
 def with_event(joints: list[Joint], *events: str) -> list[Joint]:
@@ -181,6 +187,64 @@ def test_faults_are_small_beside_the_range(joints: list[Joint]) -> None:
         assert beyond < 0.1 * range_of_joint
 
 
+def test_products_are_made_in_shifts_and_named_in_a_column(tmp_path: Path) -> None:
+    out = tmp_path / "line.parquet"
+    words = ("--only", "1", "--samples", "6000", "--products", "3", "--seed", "5")
+    assert invoked("fleet", "--out", str(out), *words).exit_code == 0
+    table = parquet.read_table(out)
+    assert table.column_names == ["asset", "channel", "time", "value", "product"]
+    rows = table.filter(pc.equal(table["channel"], "joint_1"))
+    # A thirtieth of 6,000 samples at 5 Hz: a product lasts 40 seconds.
+    shift = (rows["time"].cast(pa.int64()).to_numpy() - FIRST_TIME) // 40_000_000
+    made = rows["product"].to_numpy()
+    assert set(made) == {"product_1", "product_2", "product_3"}
+    assert all(len(set(made[shift == number])) == 1 for number in set(shift))
+    assert [len(Fleet(3, 6000, products=n)._robot(1)._others) for n in (1, 2, 3)] == [0, 1, 2]
+
+
+def test_the_first_product_is_the_most_frequent_one() -> None:
+    shifts = np.concatenate([Fleet(3, 6000, products=3)._robot(n)._products for n in range(1, 41)])
+    shares = np.bincount(shifts) / len(shifts)
+    assert shares == pytest.approx([4 / 7, 2 / 7, 1 / 7], abs=0.05)
+
+
+def test_the_product_is_that_of_each_reading_whatever_the_order_of_arrival() -> None:
+    """What one product shows differs from what another does, in the rows that came late, too."""
+    for joint in Fleet(3, 6000, products=2).robot(1):
+        late = joint.readings
+        shift = (late["time"].cast(pa.int64()).to_numpy() - FIRST_TIME) // 40_000_000
+        drawn = Fleet(3, 6000, products=2)._robot(1)._products
+        assert late["product"].to_pylist() == [f"product_{drawn[number] + 1}" for number in shift]
+
+
+def test_without_products_nothing_changes() -> None:
+    """The first product is the program that a robot repeats without any others."""
+    alone = Fleet(3, 6000).joint(1, 1).readings
+    among = Fleet(3, 6000, products=3).joint(1, 1).readings
+    assert alone.schema == READINGS
+    assert Fleet(3, 6000).schema == READINGS
+    assert among["time"].equals(alone["time"])
+    first = pc.equal(among["product"], "product_1").to_numpy()
+    apart = np.abs(values_of(alone) - values_of(among)) > 0.1 * np.ptp(values_of(alone))
+    assert apart[first].mean() < 0.2
+    assert apart[~first].mean() > 0.5
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_wear_shows_in_every_product(fault: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    robot = next(number for number in range(1, 40) if role_of(3, number).fault == fault)
+    joint = role_of(3, robot).joint
+    assert joint is not None
+    fleet = Fleet(3, 60_000, products=2)
+    worn = fleet.joint(robot, joint)
+    monkeypatch.setattr("gam_db.lab.simulate.fleet.shown", lambda _, size, *others: np.zeros(len(size)))
+    sound = fleet.joint(robot, joint)
+    differs = values_of(worn.readings) != values_of(sound.readings)
+    made = worn.readings["product"].to_numpy()
+    later = worn.readings["time"].cast(pa.int64()).to_numpy() > worn.truth["onset"]
+    assert {str(name) for name in made[differs & later]} == {"product_1", "product_2"}
+
+
 def test_a_fleet_in_a_database(tmp_path: Path) -> None:
     out = tmp_path / "plant.duckdb"
     for _ in range(2):  # the second run replaces the first
@@ -221,6 +285,7 @@ def test_what_cannot_be_made_is_refused(tmp_path: Path) -> None:
         "give a name in .parquet": ("fleet", "--out", str(tmp_path / "fleet.csv")),
         "there is no folder": ("fleet", "--out", str(tmp_path / "no" / "fleet.parquet")),
         "numbers of robots": ("fleet", "--out", str(tmp_path / "f.parquet"), "--only", "0"),
+        "it takes 1 to 20": ("fleet", "--out", str(tmp_path / "f.parquet"), "--products", "21"),
         "at least 2000": ("fleet", "--out", str(tmp_path / "f.parquet"), "--samples", "10"),
     }
     for words, command in refused.items():

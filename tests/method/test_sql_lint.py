@@ -19,6 +19,7 @@ import engines
 import gam_db
 import sql_lint
 from gam_db.checking.look import add_look
+from gam_db.checking.programs import add_programs, add_usual_run
 from gam_db.clock import TimeKind
 from gam_db.composing import template
 from gam_db.composing.lately import Lately
@@ -466,7 +467,6 @@ NAMES = [str(path.relative_to(FOLDER).with_suffix("").as_posix()) for path in FI
 EXEMPT = {
     ("outlook", "rough_decisions"),
     ("verdicts", "rough_decisions"),
-    ("plain_verdicts", "rough_decisions"),
 }
 
 #: The minimum of evidence is over 50 judgements by definition.
@@ -517,6 +517,7 @@ TELEMETRY = {
         "value": Kind.DOUBLE,
         "torque": Kind.NARROW,
         "recipe": Kind.OTHER,
+        "product": Kind.OTHER,
     }
 }
 
@@ -591,6 +592,18 @@ def test_a_file_breaks_no_rule(name: str) -> None:
     assert [str(found) for found in findings if (step, found.rule) not in exempt] == []
 
 
+def program_steps(source: Source | WideSource) -> list[tuple[str, exp.Query]]:
+    """The filled steps of a look at a source that names programs, and at a column that may do so."""
+    method = Method(PARAMETERS[0], CALIBRATIONS[0], TimeKind.COUNTER, programs=Programs("product"))
+    rows = readings(replace(source, program="product"), exp.to_table("telemetry"), lambda node: node)
+    made = pipeline(method, rows, lambda node: node)
+    add_programs(made)
+    told = Pipeline()
+    told.add("readings", rows)
+    add_usual_run(told)
+    return [*filled_steps(made), *filled_steps(told)]
+
+
 def selection_steps() -> list[tuple[str, exp.Query]]:
     """The filled steps of the method and of a selection on top, with every round of its searches."""
     method = Method(PARAMETERS[0], CALIBRATIONS[0], TimeKind.COUNTER)
@@ -653,6 +666,7 @@ def test_filled_queries_break_no_rule(number: int) -> None:
     for is_cut in (False, True):
         found |= found_in(trusting_steps(PIPELINES[number][2], is_cut))
     found |= found_in(look_steps(PIPELINES[number][2]))
+    found |= found_in(program_steps(PIPELINES[number][2]))
     assert {place for place in found if place[:2] not in EXEMPT} == set()
     assert {place[:2] for place in found} == EXEMPT, "an exemption that nothing needs any more goes"
 

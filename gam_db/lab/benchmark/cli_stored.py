@@ -1,4 +1,4 @@
-"""``gam benchmark incremental|memory|stored|engines|alarms``: the stored form, other engines, alarms."""
+"""``gam benchmark incremental|memory|stored|engines|alarms|programs``: stored form, engines, alarms."""
 
 from typing import Annotated, Any
 
@@ -9,7 +9,7 @@ from gam_db.address import has_password, is_url
 from gam_db.cli import options
 from gam_db.errors import ConfigurationError, nearest
 from gam_db.lab.benchmark import stored_report
-from gam_db.lab.benchmark.alarms.cli import alarms
+from gam_db.lab.benchmark.alarms.cli import alarms, programs
 from gam_db.lab.benchmark.cli import benchmark, chosen, counts, shown, told
 from gam_db.lab.benchmark.engines import EMBEDDED, EnginesPlan, measure_engines
 from gam_db.lab.benchmark.incremental import IncrementalPlan, measure_incremental
@@ -147,3 +147,4 @@ benchmarks.command()(incremental)
 benchmarks.command()(memory)
 benchmarks.command()(engines)
 benchmarks.command()(alarms)
+benchmarks.command()(programs)

@@ -52,6 +52,14 @@ def fleet(
         str | None, typer.Option(metavar="N,N", help="Only these robots, the same as in the fleet.")
     ] = None,
     samples: Annotated[int, typer.Option(help="Instants per joint, at 5 Hz.")] = SAMPLES,
+    products: Annotated[
+        int,
+        typer.Option(
+            min=1,
+            help="Products that each robot makes, in shifts of a thirtieth of the samples. With 2 or "
+            "more the column product says which one; each is half as frequent as the one before.",
+        ),
+    ] = 1,
     seed: SeedOption = 0,
     table: TableOption = TABLE,
     outcomes: Annotated[
@@ -71,7 +79,7 @@ def fleet(
     check_target(out)
     if outcomes is not None:
         check_outcomes(outcomes)
-    simulated = Fleet(seed, samples)
+    simulated = Fleet(seed, samples, products=products)
     numbers = list(robots_of(robots)) if only is None else _numbers(only)
     screen = Console(stderr=True)
     with interruptible():

@@ -1,7 +1,8 @@
 """A fleet: the readings of any robot of it, and the truth about them."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import reduce
 from typing import Any
 
 import numpy as np
@@ -31,6 +32,7 @@ from gam_db.lab.simulate.wear import grown, shown
 
 SAMPLES = 300_000
 FEWEST_SAMPLES = 2_000
+MOST_PRODUCTS = 20
 FIRST_TIME = 1_704_067_200_000_000
 """Microseconds: 1 January 2024, UTC."""
 
@@ -69,6 +71,7 @@ _AMPLITUDE = (0.02, 0.08)  # of the joint's range, at the failure
 _REZEROED_BY = (0.03, 0.08)  # of the joint's range
 _PAYLOAD = (1.05, 1.2)  # gain
 _WANDERING = 0.6  # standard deviations of a level
+_SHIFTS = 30  # of a recording, where a fleet makes several products
 
 
 @dataclass(frozen=True)
@@ -98,22 +101,39 @@ class Fleet:
             robot is switched off there are no rows.
         wander: samples in which a drift of 0.6 standard deviations of a level forgets where it was; 0
             for no such drift.
-        shift: samples of a shift; in every other one a robot makes another product. 0 for one product.
+        shift: samples of a shift; in every other one a robot makes another product. 0 for one product,
+            or, with several products, a thirtieth of the samples.
+        products: how many products a robot makes, each by a program of its own. The product of a shift
+            is drawn: each one half as often as the one before. The readings then say in a column
+            *product* which one it is. 1 for no such column.
 
     Raises:
-        ParameterError: seed or samples are out of range.
+        ParameterError: seed, samples or products are out of range.
     """
 
     seed: int = 0
     samples: int = SAMPLES
     wander: float = 0.0
     shift: int = 0
+    products: int = 1
 
     def __post_init__(self) -> None:
         if self.seed < 0:
             raise ParameterError(f"seed is {self.seed}; it takes 0 or more.")
         if self.samples < FEWEST_SAMPLES:
             raise ParameterError(f"samples is {self.samples}; a fleet takes at least {FEWEST_SAMPLES}.")
+        if not 1 <= self.products <= MOST_PRODUCTS:
+            raise ParameterError(f"products is {self.products}; it takes 1 to {MOST_PRODUCTS}.")
+
+    @property
+    def shift_length(self) -> int:
+        """How many samples a shift has; all of them where there is one product."""
+        return self.shift or self.samples // (_SHIFTS if self.products > 1 else 1)
+
+    @property
+    def schema(self) -> pa.Schema:
+        """The columns of the readings."""
+        return READINGS if self.products == 1 else READINGS.append(pa.field("product", pa.string()))
 
     def robot(self, number: int) -> Iterator[Joint]:
         """Yield the joints of a robot, one after another.
@@ -156,25 +176,37 @@ class _Robot:
         self._gain = float(events.uniform(*_PAYLOAD))
         self._repeats, self._late = events.integers(1, JOINTS + 1, 2)
         self._programs, self._timeline = self._worked()
-        self._other: Timeline | None = None
-        if fleet.shift:
+        self._others: list[tuple[Program, Timeline]] = []
+        self._products = np.zeros(1, np.int64)  # number of the product of each shift
+        has_products = fleet.products > 1
+        if fleet.shift or has_products:
             shifts = stream(fleet.seed, number, WHOLE_ROBOT, Purpose.SHIFTS)
-            self._programs.append(drawn_program(shifts))
-            self._other = drawn_timeline(self._programs[-1], shifts, self._seconds + 1, stops=False)
+            for _ in range(max(1, fleet.products - 1)):
+                program = drawn_program(shifts)
+                other = drawn_timeline(program, shifts, self._seconds + 1, stops=False)
+                self._others.append((program, other))
+            self._products = np.arange(fleet.samples // fleet.shift_length + 2) % 2
+            if has_products:
+                shares = 0.5 ** np.arange(fleet.products)
+                drawn = shifts.choice(fleet.products, len(self._products), p=shares / shares.sum())
+                self._products = drawn
 
     def joint(self, joint: int) -> Joint:
         """Return a joint: its readings and the truth about them."""
         seed, number, role = self._fleet.seed, self._number, self._role
-        levels = self._levels(joint)
+        parts = self._levels(joint)
+        levels = reduce(Levels.then, parts)
         own = stream(seed, number, joint, Purpose.SCALE)
         noise = drawn_noise(levels, own)
         shared = stream(seed, role.program, joint, Purpose.SCALE)
         scale = drawn_scale(noise, shared)
         seconds = np.arange(int(self._seconds * HERTZ)) / HERTZ + scale.clock
         moves, states = sampled(self._timeline, seconds)
-        if self._other is not None:
-            is_other = (seconds * HERTZ // self._fleet.shift) % 2 == 1
-            moves = np.where(is_other, sampled(self._other, seconds)[0] + self._programs[0].moves, moves)
+        times = FIRST_TIME + np.round(seconds * 1e6).astype(np.int64)
+        products = self._product_at(times)
+        ways = [moves, *(sampled(timeline, seconds)[0] for _, timeline in self._others)]
+        firsts = np.cumsum([0, *(len(part.places) for part in parts[:-1])])
+        moves = np.choose(products, [way + first for way, first in zip(ways, firsts, strict=True)])
 
         signal = stream(seed, number, joint, Purpose.SIGNAL)
         heights = followed(levels, moves, signal) + (0.0 if number == role.program else twin_offset(own))
@@ -189,7 +221,18 @@ class _Robot:
         onset = self._onset
         if truth["event"] == "silent":
             onset = self._seconds * float(event.uniform(*_SILENT_FROM))
-        heights = self._changed(heights, truth, seconds - onset, moves, levels, event)
+
+        def worn(fault: str, size: NDArray[np.float64]) -> NDArray[np.float64]:
+            """Return how the fault shows: where products are told apart, in the moves of each one."""
+            if self._fleet.products == 1:
+                return shown(fault, size, moves, levels.places, event)
+            each = zip(ways, parts, strict=True)
+            return np.choose(
+                products, [shown(fault, size, way, part.places, event) for way, part in each]
+            )
+
+        height = float(np.ptp(levels.heights))
+        heights = self._changed(heights, truth, seconds - onset, height, worn, event)
 
         values = measured(scale, heights, states)
         if truth["event"] == "constant":
@@ -197,14 +240,23 @@ class _Robot:
         kept = reporting(states)
         if truth["event"] == "silent":
             kept &= seconds < onset
-        times = FIRST_TIME + np.round(seconds * 1e6).astype(np.int64)
         dirt = stream(seed, number, joint, Purpose.DIRT)
         rows = dirtied(times[kept], values[kept], dirt, joint == self._repeats, joint == self._late)
         if truth["event"] not in (None, "constant"):
             truth["onset"] = FIRST_TIME + int(onset * 1e6)
         if truth["event"] == role.fault and role.fault is not None:
             truth["failed_at"] = int(times[-1])
-        return Joint(_readings(self.name, f"joint_{joint}", rows), truth | _dirt_of(rows))
+        readings = _readings(self.name, f"joint_{joint}", rows)
+        if self._fleet.products > 1:
+            names = pa.array([f"product_{n}" for n in range(1, self._fleet.products + 1)])
+            column = names.take(pa.array(self._product_at(rows.times)))
+            readings = readings.append_column(self._fleet.schema.field("product"), column)
+        return Joint(readings, truth | _dirt_of(rows))
+
+    def _product_at(self, times: NDArray[np.int64]) -> NDArray[np.int64]:
+        """Return the number of the product that is made at each time, in microseconds."""
+        shifts = (times - FIRST_TIME) * HERTZ // (self._fleet.shift_length * 1_000_000)
+        return np.asarray(self._products[shifts])
 
     def _worked(self) -> tuple[list[Program], Timeline]:
         """Return the programs of the robot, one after another, and what it did when."""
@@ -220,12 +272,11 @@ class _Robot:
         after = drawn_timeline(second, doing, self._seconds - self._onset + 1)
         return [first, second], timeline.before(self._onset).then(after, first.moves)
 
-    def _levels(self, joint: int) -> Levels:
+    def _levels(self, joint: int) -> list[Levels]:
+        """Return the levels that a joint visits for each product."""
         random = stream(self._fleet.seed, self._role.program, joint, Purpose.LEVELS)
-        levels = drawn_levels(self._programs[0], random)
-        for program in self._programs[1:]:
-            levels = levels.then(drawn_levels(program, random))
-        return levels
+        first = reduce(Levels.then, [drawn_levels(program, random) for program in self._programs])
+        return [first, *(drawn_levels(program, random) for program, _ in self._others)]
 
     def _happened(self, joint: int, random: np.random.Generator) -> dict[str, Any]:
         """Return the row of the truth table, still without onset, failure and dirt."""
@@ -256,22 +307,20 @@ class _Robot:
         heights: NDArray[np.float64],
         truth: dict[str, Any],
         since: NDArray[np.float64],
-        moves: NDArray[np.int64],
-        levels: Levels,
+        full_range: float,
+        worn: Callable[[str, NDArray[np.float64]], NDArray[np.float64]],
         random: np.random.Generator,
     ) -> NDArray[np.float64]:
         """Return the heights with what happened to the joint, ``since`` seconds after its onset."""
         event = truth["event"]
         if event == "payload":
             return np.asarray(np.where(since < 0, heights, self._gain * heights))
-        full_range = float(np.ptp(levels.heights))
         if event == "rezeroed":
             return np.asarray(np.where(since < 0, heights, heights + truth["amplitude"] * full_range))
         if event is None or truth["growth"] is None:
             return heights
         size = grown(truth["growth"], since / (self._seconds - self._onset), random)
-        added = shown(event, size, moves, levels.places, random)
-        return np.asarray(heights + truth["amplitude"] * full_range * added)
+        return np.asarray(heights + truth["amplitude"] * full_range * worn(event, size))
 
 
 def _readings(asset: str, channel: str, rows: Rows) -> pa.Table:

@@ -5,5 +5,6 @@ and episodes are then the product's own steps over these tables. Nothing here kn
 
 * ``plan``: which fleets; ``tables``: what the product says of them; ``fleets``: from one to the other;
 * ``figures``: promise, wear; ``rivals``: today's limit, the control, other estimators;
-* ``measure``: the order of work; ``report``: how it is said.
+* ``measure``: the order of work; ``report``: how it is said;
+* ``programs``: the same of several products, with and without the column that says which.
 """

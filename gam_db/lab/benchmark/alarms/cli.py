@@ -1,4 +1,4 @@
-"""``gam benchmark alarms``: is the stated rate of false alarms kept, and is wear seen?"""
+"""``gam benchmark alarms|programs``: is the stated rate of false alarms kept, and is wear seen?"""
 
 from typing import Annotated
 
@@ -6,10 +6,12 @@ import typer
 
 from gam_db.cli import options
 from gam_db.errors import ConfigurationError
+from gam_db.lab.benchmark.alarms import programs as of_programs
 from gam_db.lab.benchmark.alarms.measure import measure
-from gam_db.lab.benchmark.alarms.plan import Plan
+from gam_db.lab.benchmark.alarms.plan import ROBOTS, Plan
 from gam_db.lab.benchmark.alarms.report import lines
-from gam_db.lab.benchmark.cli import shown, told
+from gam_db.lab.benchmark.cli import counts, shown, told
+from gam_db.lab.simulate.fleet import SAMPLES
 
 
 def alarms(
@@ -33,3 +35,26 @@ def alarms(
     seeds = tuple(range(seed, seed + fleets))
     plan = Plan.quick(seeds[:1]) if quick else Plan(seeds, everything)
     told(shown(plan.runs, lambda on_run: measure(plan, on_run)), lines, as_json)
+
+
+def programs(
+    seeds: Annotated[str, typer.Option(help="Of the fleets, with commas.")] = "1,2,3",
+    products: Annotated[
+        int, typer.Option(min=2, help="Products that each robot makes, in long shifts.")
+    ] = 3,
+    robots: Annotated[int, typer.Option(min=1, help="Robots of each fleet.")] = ROBOTS,
+    samples: Annotated[int, typer.Option(help="Instants per joint.")] = SAMPLES,
+    shift: Annotated[int, typer.Option(min=1, help="Instants of a shift.")] = 10_000,
+    as_json: options.Json = False,
+) -> None:
+    """Measure false alarms and wear of machines with several products, with and without --program.
+
+    Both ways judge the same rows: simulated robots that make several products in shifts. Some of them
+    wear.
+    """
+    plan = Plan(tuple(counts("seeds", seeds)), robots=robots, samples=samples)
+    told(
+        shown(len(plan.seeds), lambda on_run: of_programs.measure(plan, products, shift, on_run)),
+        of_programs.lines,
+        as_json,
+    )

@@ -1,7 +1,7 @@
 """Fleets: simulated into a file, read by the product, and forgotten but for its tables and the truth."""
 
 import tempfile
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -11,7 +11,7 @@ from pyarrow import parquet
 
 from gam_db.lab.benchmark.alarms.plan import Plan, is_watched
 from gam_db.lab.benchmark.alarms.tables import Learnt, Name, learnt
-from gam_db.lab.simulate.fleet import READINGS, Fleet
+from gam_db.lab.simulate.fleet import Fleet
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.source import Source
 
@@ -44,6 +44,7 @@ def read(
     show: Callable[[str], None],
     wearing: bool = True,
     on_file: OnFile | None = None,
+    more: Sequence[str] = (),
 ) -> Fleets:
     """Simulate fleets and read them, one after another.
 
@@ -54,6 +55,7 @@ def read(
         show: told which fleet is at work.
         wearing: with the joints that wear.
         on_file: makes something else of each file.
+        more: steps whose tables are wanted, too.
     """
     result = Fleets()
     for fleet in fleets:
@@ -62,19 +64,17 @@ def read(
             path = Path(folder) / "fleet.parquet"
             _write(path, plan, fleet, wearing, result)
             source = Source(path, "asset", "channel", "time", "value")
-            result.learnt.append(learnt(source, plan.parameters, calibration))
+            result.learnt.append(learnt(source, plan.parameters, calibration, more))
             if on_file is not None:
                 result.found.append(on_file(fleet, source, result))
     return result
 
 
 def _write(path: Path, plan: Plan, fleet: Fleet, wearing: bool, result: Fleets) -> None:
-    with parquet.ParquetWriter(path, READINGS, compression="zstd") as writer:
+    with parquet.ParquetWriter(path, fleet.schema, compression="zstd") as writer:
         for robot in range(1, plan.robots + 1):
             joints = [n for n in range(1, 7) if is_watched(fleet, robot, n, plan, wearing)]
-            for number, joint in enumerate(fleet.robot(robot) if joints else (), 1):
-                if number not in joints:
-                    continue
+            for number, joint in ((number, fleet.joint(robot, number)) for number in joints):
                 # A family is named by patterns of channels, so they say which fleet and robot.
                 name = joint.truth["asset"], f"f{fleet.seed}_r{robot}_j{number}"
                 repeated = pa.array([name[1]]).take(pa.array([0] * joint.readings.num_rows))

@@ -33,14 +33,14 @@ def lines(figures: Row) -> Iterator[str]:
     yield ""
     yield "Wear: joints seen, and the median share of worn life that they had used"
     for row in figures["wear"]:
-        yield f"  {_asked(row)}{_worn(row)}"
+        yield f"  {_asked(row)}{of_wear(row)}"
     today = figures["today"]
-    yield f"  {'today, twice the floor':33}{_worn(today['wear'])}; seen {_rate(today['rate'])}"
+    yield f"  {'today, twice the floor':33}{of_wear(today['wear'])}; seen {of_rate(today['rate'])}"
     yield ""
     control = figures["control"]
     yield (
         f"Control, a Bernoulli CUSUM with p0 = floor: stated {_thousand(control['stated'])}, "
-        f"seen {_rate(control)}: {_teeth(control)}"
+        f"seen {of_rate(control)}: {_teeth(control)}"
     )
     if "rivals" in figures:
         yield ""
@@ -50,7 +50,7 @@ def lines(figures: Row) -> Iterator[str]:
             more = ", the highest tried: opens more often" * (row["rate"]["episodes"] > aimed)
             at = "" if row["height"] is None else f" (height {row['height']:g}{more})"
             name = _ESTIMATORS[row["estimator"]]
-            yield f"  {name}{at}: seen {_rate(row['rate'])}; {_worn(row['wear'])}"
+            yield f"  {name}{at}: seen {of_rate(row['rate'])}; {of_wear(row['wear'])}"
         yield ""
         yield "Calm fleets that move, calibration of 40 % included"
         for row in figures["drift"]:
@@ -62,7 +62,8 @@ def _thousand(rate: float | None) -> str:
     return "-" if rate is None else f"{1000 * rate:.2f}"
 
 
-def _rate(row: Row) -> str:
+def of_rate(row: Row) -> str:
+    """Return a rate with its interval, per 1,000 judgements."""
     if row["lower"] is None:
         return "-"
     return (
@@ -112,7 +113,8 @@ def _withheld(row: Row) -> str:
     return f"{said} of {row['calm']:,} ({share:.1%})"
 
 
-def _worn(row: Row) -> str:
+def of_wear(row: Row) -> str:
+    """Return how many joints that wear were seen, and when."""
     kinds = ", ".join(f"{kind} {_of(its)}{_at(its)}" for kind, its in row["by_kind"].items())
     early = f", {row['early']:,} before 0.6" if row["seen"] else ""
     unseen = ", ".join(f"{why} {count:,}" for why, count in sorted(row["unseen"].items()))

@@ -43,13 +43,15 @@ class Learnt:
     tables: dict[str, pa.Table]
 
 
-def learnt(source: AnySource, parameters: Parameters, calibration: Calibration) -> Learnt:
-    """Read a source; return its tables up to the counts of the windows that are judged."""
+def learnt(
+    source: AnySource, parameters: Parameters, calibration: Calibration, more: Sequence[str] = ()
+) -> Learnt:
+    """Read a source; return its tables up to the counts of judged windows, and those of more steps."""
     with DuckSession() as session:
         study = Study(session, source, parameters, calibration)
         add_learnt_limits(study.steps, study.method, ())
         add_judgements(study.steps, study.method, study.instant_of)
-        return Learnt(study.method.kind, {name: study.table(name) for name in _TABLES})
+        return Learnt(study.method.kind, {name: study.table(name) for name in (*_TABLES, *more)})
 
 
 @dataclass(frozen=True)
