@@ -79,6 +79,7 @@ _STORED = (
 _ABOUT = {
     "source/names": "test_learnt",
     "streams/*": "test_streaming",
+    "stored/*program*": "test_program_histories",
     "source/unpivoted": "test_wide",
     "source/misfits": "test_files",
     "source/misfit_count": "test_files",

@@ -701,7 +701,8 @@ def watch_once() -> None:
         withdraw(monitor.state, 0)
         running = arrow([(*row, "ab"[row[2] // 2 % 2]) for row in rows])
         named = gam_db.Source(running, program="program")
-        monitor = Monitor(session, named, gam_db.Parameters(m=2, window=4), name="programs")
+        parameters = gam_db.Parameters(m=2, bins=2, window=4, target_floor=0.6)
+        monitor = Monitor(session, named, parameters, name="programs")
         monitor.calibrate()
         monitor.score()
         monitor.lookback = 5
@@ -924,6 +925,13 @@ def test_every_file_is_used() -> None:
         ran = autumn.append_column("program", pa.array(["a", "b"]))
         named = gam_db.Source(ran, None, None, program="program", source_time_zone="Europe/Berlin")
         gam_db.support(named, PARAMETERS[0])
+        shifts = pa.table(
+            {"time": range(400), "value": [1.5] * 400, "recipe": [n // 50 % 2 for n in range(400)]}
+        )
+        for program in (None, "recipe"):
+            gam_db.check(
+                gam_db.Source(shifts, None, None, program=program), gam_db.Parameters(window=10)
+            )
         for pool in (None, "channel"):
             calibration = gam_db.Calibration(intervals=[(0, 9)], pool=pool)
             for program in (None, "product"):
