@@ -6,7 +6,7 @@ This module owns the order of work: look at the source, resolve what was asked, 
 import contextlib
 import dataclasses
 from collections.abc import Collection, Iterator
-from functools import lru_cache, partial
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -17,11 +17,10 @@ from gam_db.clock import FAR_AHEAD, TimeKind
 from gam_db.columns import name_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline, union_of
-from gam_db.engines.base import Engine
 from gam_db.engines.connecting import borrowed
 from gam_db.engines.session import Row, Session
 from gam_db.errors import wrong
-from gam_db.method import Method, opening_pipeline, pipeline, trusting_pipeline
+from gam_db.method import Method
 from gam_db.method.adding import OfSet, add
 from gam_db.method.bits import Bits
 from gam_db.method.census import Slicing
@@ -38,13 +37,8 @@ from gam_db.study import census
 from gam_db.study.automatic import Siblings, choose
 from gam_db.study.census import Census, Outcome
 from gam_db.study.running import TAUGHT, Listener, Running, unheard
+from gam_db.study.steps import filled, opened, ranged
 from gam_db.study.streaming import Streams, seems_ordered
-
-#: Studies whose filled and composed steps are kept; each has a few thousand nodes of trees.
-LATELY = 16
-
-#: Ranges of time that a study asks for.
-RANGES = 3
 
 
 class Study:
@@ -264,14 +258,14 @@ class Study:
 
     def _opening(self, slicing: Slicing | None = None, ways: Ways | None = None) -> Pipeline:
         """Return the steps that are asked first."""
-        steps = _opened(*self._asked, slicing, ways).copied()
+        steps = opened(*self._asked, slicing, ways).copied()
         return self._with_file(steps)
 
     def _steps(
         self, bits: Bits | None, slicing: Slicing | None = None, ways: Ways | None = None
     ) -> Pipeline:
         """Return steps of the study's own; text is parsed once, not once per step."""
-        steps = _filled(*self._asked, bits is not None, slicing, ways).copied()
+        steps = filled(*self._asked, bits is not None, slicing, ways).copied()
         if "probes" in self._steps_wanted:
             steps.small |= self.method.probed()
         return self._with_file(steps)
@@ -337,7 +331,7 @@ class Study:
         if "readings" in self.running.placed:  # of a text file, which is not to be parsed again
             within = engine.in_range(TimeKind.COUNTER, exp.column("time"), earliest, latest)
             return union_of(self.steps, ["readings"]).where(*within, copy=False)
-        return _ranged(source, relation, engine, method.kind, earliest, latest, until).copy()
+        return ranged(source, relation, engine, method.kind, earliest, latest, until).copy()
 
 
 @contextlib.contextmanager
@@ -362,56 +356,3 @@ def studied(
         finally:
             if session is engine:  # it stays open, and nobody asks this study again
                 study.forget()
-
-
-@lru_cache(maxsize=LATELY)
-def _opened(
-    method: Method,
-    source: AnySource,
-    relation: exp.Expr,
-    engine: Engine,
-    until: int | None,
-    slicing: Slicing | None,
-    ways: Ways | None,
-) -> Pipeline:
-    """Return the steps that are asked first, likewise; arguments as for :func:`_filled`."""
-    rows = engine.readings(source, relation, method.kind, until=until)
-    return opening_pipeline(rows, slicing, ways)
-
-
-@lru_cache(maxsize=RANGES * LATELY)
-def _ranged(
-    source: AnySource,
-    relation: exp.Expr,
-    engine: Engine,
-    kind: TimeKind,
-    earliest: int,
-    latest: int,
-    until: int | None,
-) -> exp.Query:
-    """Return the step *readings* for a range of time; arguments as for :func:`_filled`."""
-    return engine.readings(source, relation, kind, earliest, latest, until=until)
-
-
-@lru_cache(maxsize=LATELY)
-def _filled(
-    method: Method,
-    source: AnySource,
-    relation: exp.Expr,
-    engine: Engine,
-    until: int | None,
-    has_bits: bool,
-    slicing: Slicing | None = None,
-    ways: Ways | None = None,
-) -> Pipeline:
-    """Return the steps of a method, which nobody may add to; asked again, the same ones.
-
-    The relation is the node to read from; that of the source does not matter. Slicing and ways are for
-    the steps that trust; without slicing they look first.
-    """
-    kind, bits = method.kind, engine.bits if has_bits else None
-    rows = engine.readings(source, relation, kind, until=until)
-    said = method, rows, lambda node: engine.instant_of(kind, node)
-    if slicing is not None:
-        return trusting_pipeline(*said, slicing, bits, ways)
-    return pipeline(*said, bits)

@@ -14,7 +14,7 @@ from typer.testing import CliRunner, Result
 from gam_db.cli import app
 
 STATE = ("--database", "plant.duckdb")
-SETTINGS = ("--m", "2", "--tau", "1", "--bins", "8", "--window", "40", "--stride", "10")
+SETTINGS: tuple[str, ...] = ("--m", "2", "--tau", "1", "--bins", "8", "--window", "40", "--stride", "10")
 SETTINGS += ("--least-vectors", "400")
 HEALTHY = ("--calibrate", "0/2399")
 SHIFT = 200

@@ -10,7 +10,6 @@ import engines
 import gam_db
 import harness
 import scripts
-from gam_db import study
 from gam_db.clock import TimeKind
 from gam_db.composing import pipeline, template
 from gam_db.composing.lately import Lately
@@ -18,6 +17,8 @@ from gam_db.composing.pipeline import Pipeline
 from gam_db.engines import base
 from gam_db.engines.base import Engine
 from gam_db.method import Method
+from gam_db.study import Study
+from gam_db.study.steps import filled
 
 ROWS: list[harness.Row] = [
     (asset, "x", time, float(time % 5 if time % 17 else time % 3))
@@ -61,7 +62,7 @@ def test_asking_again_composes_nothing(kind: str, engine: str, made: Counter[str
     table = scripts.telemetry(session, ROWS)
     source = gam_db.Source(table.name if kind == "table" else harness.arrow(ROWS))
     before = session.relations()
-    study._filled.cache_clear()
+    filled.cache_clear()
     first = answers(session, source, PARAMETERS)
     for name, answer in harness.all_by_reference(ROWS, PARAMETERS, CALIBRATION).items():
         harness.assert_same(answer, first[name], name)
@@ -81,11 +82,11 @@ def test_what_is_added_to_one_study_is_not_in_the_next() -> None:
     with session.lent(harness.arrow(ROWS)) as table:
         asked = (session, gam_db.Source(table.name), PARAMETERS, CALIBRATION)
         for column in ("settings_no", "calibration_no"):
-            one = study.Study(*asked)
+            one = Study(*asked)
             one.steps.add("added", exp.select(column).from_("channels"))
             assert one.table("added").column_names == [column]
             one.forget()
-        assert "added" not in study.Study(*asked).steps.steps
+        assert "added" not in Study(*asked).steps.steps
 
 
 def test_a_query_reads_the_table_that_is_placed_now() -> None:

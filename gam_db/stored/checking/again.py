@@ -19,12 +19,11 @@ from gam_db.method.adding import add
 from gam_db.method.programs import JUDGED
 from gam_db.stored.alarms.judging import buckets_of
 from gam_db.stored.planning import Row, assets_of
+from gam_db.stored.planning.published import former, former_slots
 from gam_db.stored.planning.reading import Reader, cohort_of, listed, make_vectors, near
 from gam_db.stored.planning.steps import (
     LEARNT,
     OF_SUPPORT,
-    former,
-    former_slots,
     learning_steps,
     reading_steps,
     scoring_steps,

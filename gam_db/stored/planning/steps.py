@@ -42,6 +42,7 @@ from gam_db.method.scoring import (
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import MIN_MAX, ROBUST, Parameters
 from gam_db.settings.source import Programs
+from gam_db.stored.planning.published import add_published
 
 #: What is kept of the vector that ends a bucket, and how it is called there.
 ENDS = {"position": "end_position", "context_time": "context_time"}
@@ -49,24 +50,12 @@ ENDS = {"position": "end_position", "context_time": "context_time"}
 #: A day, in microseconds.
 DAY = 86_400_000_000
 
-#: What a run appends, in this order: the rows of *run* are its commit.
-PUBLISHED = ("bucket_rows", "novel_rows", "run_rows")
-
 #: What a calibration appends of what it learnt: of a support, and of a version.
 OF_SUPPORT, OF_VERSION = (
     ("bounds", "block", "ladder", "probe", "program", "support"),
     ("buffered", "band", "extent"),
 )
 LEARNT = (*OF_SUPPORT, *OF_VERSION)
-
-#: From which bucket on a run writes, and what; and what stands for these where that is all it has made.
-WRITTEN = {"changed": "cohort", "written": "new_buckets"}
-
-#: What is stored of the buckets that are made anew, by the table.
-FORMER = {"bucket": "former_buckets", "novel": "former_novel"}
-
-#: The same of readings whose program is not judged, where states are of programs.
-FORMER_PROGRAMS = {"unknown_program": "former_programs"}
 
 #: Steps of a run that are kept: what is read once, and what has few rows.
 KEPT = frozenset(
@@ -124,7 +113,10 @@ def setting_of(version: Mapping[str, Any]) -> Setting:
 
 def shape_of(version: Mapping[str, Any]) -> Setting:
     """Return what stands in the text of a run: the setting without what is read as a column."""
-    return setting_of(version)._replace(bins=0, max_gap=None if version["max_gap"] is None else 1)
+    setting = setting_of(version)
+    # With how many programs a key fits into 64 bits follows from the bins.
+    bins = setting.bins if setting.has_programs else 0
+    return setting._replace(bins=bins, max_gap=None if version["max_gap"] is None else 1)
 
 
 def shared_by(group: Sequence[Mapping[str, Any]]) -> Setting:
@@ -215,7 +207,7 @@ def scoring_steps(
     Given by the caller are the state tables, *identified*, *past_buckets*, *recount*, *stamp* (run_id,
     started, committed, deletes_hidden), and *cohort*: the channels, from where on each is read and
     scored, the number of its first bucket, and its lookback; to compare, *former_buckets* and
-    *former_novel*, else what stands for :data:`WRITTEN`.
+    *former_novel*, else what stands for :data:`~.published.WRITTEN`.
     """
     # Settings in which the channels of a run may differ are columns.
     columns = ("bins", "radix", *["max_gap"] * (setting.max_gap is not None))
@@ -229,52 +221,8 @@ def scoring_steps(
         add(steps, "census/repeated_instants", marked, tables={"marked": "visited"})
     for name in ("past_counts", "new_counts", "settled"):
         add(steps, f"stored/scoring/{name}")
-    if setting.has_programs:
-        add(steps, "stored/scoring/unknown_programs")
-    if compared:
-        _add_written(steps, setting.has_programs)
-    for part in PUBLISHED:
-        add(steps, f"stored/scoring/{part}", name=_named(part, setting.has_programs))
-    if setting.has_programs:
-        add(steps, "stored/scoring/program_bucket_rows", name="bucket_rows")
-        add(steps, "stored/scoring/unknown_program_rows")
+    add_published(steps, setting.has_programs, compared)
     return steps
-
-
-def published(has_programs: bool) -> tuple[str, ...]:
-    """Return the steps that a run appends, in order; the last one commits it."""
-    *before, last = PUBLISHED
-    return (*before, *["unknown_program_rows"] * has_programs, last)
-
-
-def former(has_programs: bool) -> dict[str, str]:
-    """Return the steps of what is stored of what a run makes anew, by the table."""
-    return FORMER | (FORMER_PROGRAMS if has_programs else {})
-
-
-def former_slots(
-    table: str, near: exp.Expr, within: exp.Expr, has_programs: bool
-) -> dict[str, template.Slot]:
-    """Return the slots of such a step: conditions on *bucket*, and on single rows of it."""
-    if table != "bucket":
-        return {"near": near}
-    programs = [exp.column("unknown_program")] * has_programs
-    return {"near": near, "within": within, "programs": programs}
-
-
-def _named(part: str, has_programs: bool) -> str:
-    return f"plain_{part}" if has_programs and part == "bucket_rows" else part
-
-
-def _add_written(steps: Pipeline, has_programs: bool) -> None:
-    """Add from which bucket on a run writes, and what."""
-    if has_programs:
-        add(steps, "stored/scoring/changed", name="changed_buckets")
-        add(steps, "stored/scoring/program_changed", name="changed")
-    else:
-        add(steps, "stored/scoring/changed")
-    add(steps, "stored/scoring/written")
-    steps.small |= set(WRITTEN)
 
 
 def add_counting(

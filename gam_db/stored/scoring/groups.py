@@ -18,12 +18,9 @@ from gam_db.method.bits import Bits
 from gam_db.stored.alarms.episodes import follow
 from gam_db.stored.alarms.judging import buckets_of, judge
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due
+from gam_db.stored.planning.published import WRITTEN, former, former_slots, published
 from gam_db.stored.planning.reading import Reader, cohort_of, make_vectors, near
 from gam_db.stored.planning.steps import (
-    WRITTEN,
-    former,
-    former_slots,
-    published,
     reading_steps,
     scoring_steps,
     shared_by,
