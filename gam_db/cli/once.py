@@ -90,7 +90,9 @@ def run(
                 longest = park_after(settings.monitor.park_after, study.method.kind)
                 found = findings(study, settings.alarms, longest)
                 urgent = need_attention(found) or any(map(is_blind, found))
-                programs = [] if study.method.programs is None else study.rows("program_summary")
+                programs: list[Row] = []
+                if study.method.programs is not None:  # by way of Arrow: instants may have a zone
+                    programs = study.table("program_summary").to_pylist()
                 lacking = lack_data(found) or bool(of_programs.unjudged(programs))
                 told = {
                     "channels": [{**row, "course": page.thinned(row["course"])} for row in found],

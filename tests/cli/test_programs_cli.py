@@ -133,3 +133,17 @@ def test_a_program_is_text_or_a_whole_number() -> None:
     assert (
         "The program column 'value' is of type DOUBLE; it must be text or an integer" in refused.stderr
     )
+
+
+def test_a_run_lists_programs_that_are_not_judged_whatever_the_times() -> None:
+    for zone in (None, "UTC"):
+        rows = made()
+        seconds = pa.array(1_700_000_000 + rows["time"].to_numpy()).cast(pa.timestamp("s", zone))
+        parquet.write_table(rows.set_column(2, "time", seconds), "press.parquet")
+        span = ("--calibrate", "2023-11-14T22:13:20Z/2023-11-14T22:53:19Z")
+        ran = gam("run", "press.parquet", *span, *SETTINGS, "--program", "product")
+        assert (
+            "program d was never calibrated on press (force): 200 readings since 2023-11-15 00:33 UTC"
+            in (text(ran))
+        )
+        assert ran.exit_code in (2, 4), ran.output
