@@ -147,3 +147,9 @@ def test_a_run_lists_programs_that_are_not_judged_whatever_the_times() -> None:
             in (text(ran))
         )
         assert ran.exit_code in (2, 4), ran.output
+
+
+def test_an_estimator_that_knows_no_programs_says_so() -> None:
+    refused = gam("run", "press.parquet", "--program", "product", "--estimator", "centroid")
+    assert refused.exit_code == 1
+    assert "'centroid' knows no programs" in refused.stderr

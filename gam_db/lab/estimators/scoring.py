@@ -11,7 +11,7 @@ import numpy as np
 import pyarrow as pa
 
 from gam_db.engines.connecting import borrowed
-from gam_db.errors import ParameterError, nearest
+from gam_db.errors import ParameterError, nearest, wrong
 from gam_db.extras import needed
 from gam_db.lab.estimators import centroid, dse, forest, gmm, ocsvm
 from gam_db.lab.estimators.base import Estimator, Fit, Points
@@ -140,9 +140,12 @@ def add_estimator(study: Study, name: str, seed: int = 0, sample: int = SAMPLE) 
         sample: calibration vectors of a support that are given to scikit-learn at most.
 
     Raises:
-        ParameterError: there is no such estimator, or the sample or seed is no number that will do.
+        ParameterError: there is no such estimator, the source names a program, or the sample or seed is
+            no number that will do.
     """
     estimator = estimator_named(name)
+    if study.method.programs is not None:
+        raise wrong("estimator_of_programs", name=name, column=study.method.programs.column)
     seed, sample = _whole("seed", seed, 0, 2**32), _whole("sample", sample, _FEWEST, 2**63)
     if estimator.fit is not None:
         needed("sklearn", "benchmark")  # said before anything is read
