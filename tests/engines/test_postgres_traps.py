@@ -54,7 +54,7 @@ FOREIGN = """
 
 #: Views without a row: no row is lost, no calibration is long enough for a limit, nothing stands still.
 EMPTY = {"unplaced_day", "visible_judgement", "visible_episode", "alarm", "alarm_event", "stillness"}
-EMPTY |= {"labelled_episode"}
+EMPTY |= {"labelled_episode", "hidden_run", "visible_program", "unjudged_program"}
 EMPTY |= {"alarm_band", "alarm_cell"}
 
 

@@ -29,9 +29,9 @@ _TOUCHED = {"migration": "applied_at", "monitor": "created"}
 
 #: The views by which runs, buckets and cells that count are found, and what a run says in the end.
 _COUNTING = (
-    *("finished_run", "hidden_run", "visible_bucket", "visible_novel", "visible_program"),
+    *("finished_run", "visible_bucket", "visible_novel", "visible_program"),
     *("visible_judgement", "visible_episode"),
-    *("fleet", "stillness"),
+    *("fleet", "stillness", "unjudged_program"),
 )
 
 #: What the status is made of.
