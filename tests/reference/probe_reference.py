@@ -34,10 +34,23 @@ def stroked(x: float, tenths: int, middle: float) -> float:
     return x if -1e-290 <= x - middle <= 1e-290 else middle + tenths / 10.0 * (x - middle)
 
 
-def found_at(channel: reference.Channel, newest: int, delays: list[int]) -> list[float] | None:
-    """Return the values that a vector needs, the newest first; None where one cannot be had."""
+def readable(channel: reference.Channel) -> tuple[list[int], list[bool]]:
+    """Return the segment of each sample, and which samples a vector may contain."""
     numbers = reference.segments(channel)
-    known = reference.usable(channel, numbers)
+    return numbers, reference.usable(channel, numbers)
+
+
+def found_at(
+    channel: reference.Channel,
+    newest: int,
+    delays: list[int],
+    segments: tuple[list[int], list[bool]],
+) -> list[float] | None:
+    """Return the values that a vector needs, the newest first; None where one cannot be had.
+
+    Segments are those of :func:`readable`, made once for all vectors of a channel.
+    """
+    numbers, known = segments
     values: list[float] = []
     for delay in delays:
         place = newest - delay
@@ -90,6 +103,7 @@ def probe(pool: reference.Pool) -> list[dict[str, Any]]:
             (f"speed {p}/{q}", [(2 * k * p * tau + q) // (2 * q) for k in range(m)], lambda x: x)
         )
     answer = []
+    segments = {id(member): readable(member) for member in pool.members}
     for number, (name, delays, change) in enumerate(asked, start=1):
         row: dict[str, Any] = {"change_no": number, "change_name": name, "vectors": None, "novel": None}
         answer.append(row)
@@ -97,7 +111,7 @@ def probe(pool: reference.Pool) -> list[dict[str, Any]]:
             continue
         row |= {"vectors": 0, "novel": 0}
         for block, member, newest in picked:
-            values = found_at(member, newest, delays)
+            values = found_at(member, newest, delays, segments[id(member)])
             if values is None:
                 continue
             codes = [reference.code(change(x), lo, hi, settings.bins) - 2 for x in values]
