@@ -36,7 +36,7 @@ LAYERS = [
     ["alarms.heights", "reading.ahead", "reading.look", "reading.words", "study.running"],
     ["reading.guess", "reading.preparing"],
     ["study.streamed"],
-    ["study.automatic", "study.census", "study.naming", "study.narrowing"],
+    ["study.automatic", "study.census", "study.naming", "study.narrowing", "study.steps"],
     ["study.streaming"],
     ["study"],
     ["alarms", "checking", "health", "selection"],
