@@ -99,6 +99,42 @@ def test_any_history_of_builds_equals_a_full_refresh(kind: str, seed: int) -> No
         harness.assert_same(builder.rows(BUCKETS), found, "a full refresh")
 
 
+def ran(rows: list[Any]) -> list[Any]:
+    """Rows with what the machine ran: shifts of seven; new from 40 on, and nothing from 55 on."""
+
+    def program(time: int) -> str | None:
+        return None if time >= 55 else "new" if 40 <= time < 47 else "ab"[time // 7 % 2]
+
+    return [(*row, program(row[2])) for row in rows]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_builds_with_programs_equal_the_reference(kind: str) -> None:
+    drawn = history(kind, 53, 12)
+    limits = {"bins": 4, "least_vectors": 2, "target_floor": 0.7, "overrides": []}
+    calibration = fixed(kind, random.Random(53))
+    parameters, rule = harness.made({**drawn.parameters, **limits}, calibration)
+    source = gam_db.Source("telemetry", program="program", time_kind="counter")
+    files = package(
+        source=source, parameters=parameters, calibration=rule, lookback=drawn.lookback
+    ).files()
+    with opened() as connection:
+        connection.execute("ALTER TABLE telemetry ADD COLUMN program VARCHAR")
+        builder = Builder(files, connection)
+        arrive(connection, ran(drawn.first))
+        builder.build()
+        for batch in drawn.batches:
+            if batch.rows:
+                arrive(connection, ran(batch.rows))
+            builder.build()
+        found = builder.rows(BUCKETS)
+        expected = frozen.buckets(ran(drawn.first), ran(drawn.final), parameters, rule)
+        harness.assert_same(expected, found, "buckets")
+        assert builder.rows("SELECT 1 FROM gam_program WHERE verdict = 'ready'")
+        builder.build(full_refresh=True)
+        harness.assert_same(builder.rows(BUCKETS), found, "a full refresh")
+
+
 #: Columns that are the stored form's alone: versions, monitors and runs.
 ONLY_STORED = {
     *("monitor", "version_no", "version_id", "m", "tau", "bins", "stride", "target_floor"),
