@@ -25,7 +25,7 @@ from gam_db.method.source import add_source
 from gam_db.settings.calibration import Calibration, subtract
 from gam_db.settings.parameters import ROBUST, Parameters, pattern_matches
 from gam_db.settings.source import Programs
-from gam_db.stored.draft import TAUGHT, Draft
+from gam_db.stored.draft import Draft
 from gam_db.stored.planning import Row, by, whole_pools
 from gam_db.stored.sources import described
 from gam_db.stored.state import State, kind_of, now
@@ -117,7 +117,8 @@ def calibrate(
     readings = {name_of(row): row["readings"] for row in found}
     at_once = state.session.rows_at_once()
     groups = list(whole_pools(due, readings, limit or at_once * study.taught_at_once))
-    steps.small |= study.method.probed()
+    # What calibration says of each channel goes into four tables.
+    steps.small |= {*study.method.probed(), "certified"}
     if not study.is_ordered and (len(groups) > 1 or not study.method.kind.is_counter):
         # Five steps read a group's rows. Unless the engine can leave out what they do not need (other
         # groups, or what follows calibration, which it cannot tell by timestamps), they are copied once.
@@ -318,13 +319,8 @@ def _learn(
     last["support"] = max(row["stored_support_id"] for row in numbering)
     with state.session.lent(table_of(numbering, _NUMBERING)) as loaded:
         running.placed["numbering"] = loaded
-        # The support first: what reads its cells reads channels in stored order, where they can be.
-        parts = ("support", *TAUGHT, "version")
-        queries = {
-            part: study.query(f"{part}_rows") for part in parts if f"{part}_rows" in study.steps.steps
-        }
         running.on_step("writing")
-        draft.add(channels, queries)
+        draft.add(channels, study)
         learnt = {row["channel_id"]: row for row in running.rows("bounds")}
         for row in running.rows("unscored"):
             learnt[row["channel_id"]] |= row

@@ -5,7 +5,7 @@ the limits, so that versions and limits are there together or not at all.
 """
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Self
 
 from sqlglot import exp
@@ -17,11 +17,21 @@ from gam_db.stored.alarms import limits
 from gam_db.stored.planning import Row
 from gam_db.stored.schema.migration_files import columns_of
 from gam_db.stored.state import State
+from gam_db.study import Study
 
 #: What is appended, in this order, before limits and versions; programs where a column says which ran.
 TAUGHT = (
     *("calibration", "bounds", "block", "ladder", "probe", "program", "support"),
     *("buffered", "band", "extent", "checksum"),
+)
+
+#: In which order it is made. The support first: what reads its cells reads channels in stored order, where
+#: they can be; and the sums over all of it last.
+_MADE = (
+    "support",
+    *(part for part in TAUGHT if part not in ("support", "checksum")),
+    "version",
+    "checksum",
 )
 
 
@@ -52,19 +62,24 @@ class Draft:
             for one in rows:
                 self.state.session.forget(one.args["from_"].this)
 
-    def add(self, channels: Sequence[Row], parts: Mapping[str, exp.Query]) -> None:
-        """Take what a group of channels was taught: rows of new channels, and a query for each table."""
+    def add(self, channels: Sequence[Row], study: Study) -> None:
+        """Take what a group of channels was taught: rows of new channels, and the steps of a study."""
+        parts = [part for part in _MADE if f"{part}_rows" in study.steps.steps]
+        placed = study.running.placed
         if self.state.session.transactions:
             self._channels += channels
-            for part, query in parts.items():
-                self._keep(part, query)
+            for part in parts:
+                placed[f"{part}_rows"] = self._keep(part, study.query(f"{part}_rows"))
+            for part in parts:
+                del placed[f"{part}_rows"]
             return
+        queries = {part: study.query(f"{part}_rows") for part in parts}
         with self.state.alone(self._keys):
             if channels:
                 self.state.append_rows("channel", channels)
-            for part in (part for part in TAUGHT if part in parts):
-                self.state.append(part, parts[part])
-        self._keep("version", parts["version"])
+            for part in (part for part in TAUGHT if part in queries):
+                self.state.append(part, queries[part])
+        self._keep("version", queries["version"])
 
     def publish(self, name: str, alarms: Alarms, parameters: Parameters) -> None:
         """Write what waits, and limits of a monitor for all versions without one, together."""
@@ -93,10 +108,11 @@ class Draft:
         tables = (self.state.tables.table("version"), *new)
         return exp.union(*(exp.select(*shown).from_(one.copy()) for one in tables), distinct=False)
 
-    def _keep(self, part: str, query: exp.Query) -> None:
+    def _keep(self, part: str, query: exp.Query) -> exp.Table:
         names = [exp.column(exp.to_identifier(name)) for name in query.named_selects]
         kept = self.state.session.keep(f"{part}_rows", query)
         self._kept[part].append(exp.select(*names).from_(kept))
+        return kept
 
     def _append(self, part: str) -> None:
         for rows in self._kept[part]:

@@ -17,10 +17,11 @@ from gam_db.clock import TimeKind
 from gam_db.columns import table_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import filled, place
+from gam_db.composing.plan import insertion
 from gam_db.engines.session import CONFLICT, Row, Session
 from gam_db.errors import ConfigurationError, ConflictError, EngineError, StateError, nearest
 from gam_db.stored.schema.migration_files import columns_of
-from gam_db.stored.schema.tables import StateTables, insertion
+from gam_db.stored.schema.tables import StateTables
 
 #: The slots of a file, and tables that stand for what it reads besides.
 Slots: TypeAlias = Mapping[str, template.Slot] | None
@@ -77,12 +78,10 @@ class State:
             names = [exp.column(exp.to_identifier(name)) for name in schema.names]
             self.append(table, exp.select(*names).from_(lent))
 
-    def delete_hidden(self, table: str, run_id: int, after: int, near: exp.Expr) -> None:
-        """Delete the rows of a table that a run has replaced; the slots are those of the file."""
-        target = self.tables.table(table)
+    def hidden(self, table: str, run_id: int, after: int, near: exp.Expr) -> exp.Query:
+        """Return the query of the rows of a table that a run has replaced; the slots are the file's."""
         slots: Slots = {"run_id": run_id, "after": after, "near": near}
-        superseded = self.query("stored/state/superseded", slots, {"appended": target})
-        self.session.delete(target, superseded.named_selects, superseded)
+        return self.query("stored/state/superseded", slots, {"appended": self.tables.table(table)})
 
     def monitors(self) -> list[dict[str, Any]]:
         """Return the monitors of this database."""

@@ -11,6 +11,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.composing.pipeline import Pipeline, Slots, Tables, filled, place
+from gam_db.composing.plan import Kind, Plan, insertion
 from gam_db.engines.session import Row, Session
 
 Listener = Callable[[str], None]
@@ -56,6 +57,50 @@ class Running:
 
     def __exit__(self, *_: object) -> None:
         self.forget()
+
+    def execute(
+        self,
+        plan: Plan,
+        queries: Mapping[str, exp.Query] | None = None,
+        target: Callable[[str], exp.Table] | None = None,
+    ) -> dict[str, list[Row]]:
+        """Execute the statements of a plan, but tables that are there already.
+
+        Args:
+            plan: what is executed.
+            queries: those of this execution alone, by name, over the tables there are and the plan's
+                named queries.
+            target: gives the tables that rows are appended to, or deleted from.
+
+        Returns:
+            The rows of each answer, by its name.
+
+        Raises:
+            UserError: a verify has a row; it is the plan's error.
+        """
+        self.steps, answers = plan.steps, dict[str, list[Row]]()
+        for name, kind, into, failure in plan.statements:
+            if kind is Kind.TABLE and name in self.placed:
+                continue
+            if (query := (queries or {}).get(name)) is None:
+                query = self.steps.query(name, self.placed)
+            else:
+                place(query := query.copy(), self.placed)
+            if kind is Kind.TABLE:
+                self.put(name, query)
+            elif kind is Kind.ANSWER:
+                answers[name] = self.session.rows(query)
+            elif kind is Kind.VERIFY:
+                if rows := self.session.rows(query):
+                    assert failure is not None
+                    raise failure(rows)
+            else:
+                assert target is not None
+                if kind is Kind.APPEND:
+                    self.session.execute(insertion(target(into), query))
+                else:
+                    self.session.delete(target(into), query.named_selects, query)
+        return answers
 
     def query(self, step: str) -> exp.Query:
         """Return the query of a step; the small steps before it are kept for the next one."""

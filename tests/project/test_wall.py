@@ -25,6 +25,7 @@ LAYERS = [
     ["errors"],
     ["address", "clock", "extras", "langevin", "composing.template"],
     ["composing.pipeline", "settings.local_time", "settings.setting"],
+    ["composing.plan"],
     ["settings.form", "units"],
     ["settings.calibration", "settings.parameters"],
     ["settings.patterns"],

@@ -17,7 +17,7 @@ from sqlglot import exp
 import gam_db
 import small_plant
 from gam_db.clock import LONG_AGO
-from gam_db.composing.pipeline import filled, place
+from gam_db.composing.pipeline import Pipeline, filled, place
 from gam_db.engines.base import deletion
 from gam_db.errors import ParameterError
 from gam_db.stored import scoring
@@ -26,6 +26,7 @@ from gam_db.stored.planning.reading import near, plan_rows, searched_plan_rows
 from gam_db.stored.planning.steps import plan_steps
 from gam_db.stored.pruning import prune
 from gam_db.stored.scoring.report import Wanted
+from gam_db.study.running import Running
 from small_plant import FIRST, LENGTH, LOOKBACK, monitor, readings, seen, source
 from state_names import called
 from test_views import scanned
@@ -46,7 +47,8 @@ def plant() -> Iterator[duckdb.DuckDBPyConnection]:
 def planned(connection: duckdb.DuckDBPyConnection, lookback: int, is_searched: bool) -> list[Row]:
     with monitor(connection) as mine:
         plan = searched_plan_rows if is_searched else plan_rows
-        rows = plan(mine.state, 1, lookback)
+        with Running(mine.session, Pipeline(), mine.tables.placed()) as running:
+            rows = plan(running, 1, lookback)
     return sorted(({**row, "oldest_bucket": 0} for row in rows), key=lambda row: str(row["asset"]))
 
 
@@ -55,9 +57,9 @@ def searches(monkeypatch: pytest.MonkeyPatch) -> list[int | None]:
     """The lookbacks of all plans that looked at the buckets."""
     found: list[int | None] = []
 
-    def noted(state: object, monitor_id: int, lookback: int | None, *more: int | None) -> list[Row]:
+    def noted(running: Running, monitor_id: int, lookback: int | None, *more: int | None) -> list[Row]:
         found.append(lookback)
-        return searched_plan_rows(state, monitor_id, lookback, *more)  # type: ignore[arg-type]
+        return searched_plan_rows(running, monitor_id, lookback, *more)
 
     monkeypatch.setattr(scoring, "searched_plan_rows", noted)
     monkeypatch.setattr("gam_db.stored.planning.reading.searched_plan_rows", noted)

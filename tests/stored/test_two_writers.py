@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from sqlglot import exp
 
 import engines
 import frozen
@@ -22,6 +23,7 @@ import gam_db
 import harness
 import scripts
 import stored_rows
+from gam_db.composing import plan
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.errors import ConflictError, UserError
@@ -294,16 +296,16 @@ def assert_one_stays(session: Session, first_to_look: str) -> None:
     plant.begin()
     for _ in range(2):
         plant.arrive(plant.grown(NEW))
-    compare, look = publishing._compare, publishing._look_again
-    compared: list[Any] = []
+    append, look = plan.insertion, publishing.look_again
+    committing: list[str] = []
     looks: dict[str, Callable[[], None]] = {}
 
-    def comparing(*asked: Any) -> None:
+    def appending(table: exp.Table, rows: exp.Query) -> exp.Insert:
         """Let the second one run once the first has compared for the last time."""
-        compare(*asked)
-        compared.append(asked)
-        if len(compared) == 2:
+        if table.name.endswith("state_run") and not committing:
+            committing.append(table.name)
             plant.monitor().score(full=True)
+        return append(table, rows)
 
     def looking(*asked: Any) -> None:
         if not looks:
@@ -329,8 +331,10 @@ def assert_one_stays(session: Session, first_to_look: str) -> None:
     outcomes: list[str] = []
     with pytest.MonkeyPatch.context() as patched, contextlib.suppress(ConflictError):
         patched.setattr(publishing, "_PATIENCE", 0.2)
-        patched.setattr(publishing, "_compare", comparing)
-        patched.setattr(publishing, "_look_again", looking)
+        patched.setattr("gam_db.study.running.insertion", appending)
+        patched.setattr("gam_db.stored.scoring.portion.look_again", looking)
+        # The second one looks when its run has ended: by the tables of that run.
+        patched.setattr("gam_db.study.running.Running.forget", lambda *_, **__: None)
         plant.monitor().score()
     # The larger one gives way where it still looks; where it has ended, its result stays.
     assert outcomes == ["larger" if first_to_look == "larger" else "smaller"]

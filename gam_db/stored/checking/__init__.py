@@ -19,6 +19,7 @@ import pyarrow as pa
 from gam_db import data
 from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.columns import COUNT, WORD, columns, counts, name_of, table_of
+from gam_db.composing.pipeline import Pipeline
 from gam_db.settings.source import AnySource
 from gam_db.stored.checking.again import Again
 from gam_db.stored.checking.consistency import inconsistencies
@@ -190,13 +191,15 @@ class _Check:
             if self.readings.get(name_of(row))
         }
         whole = whole_plan_rows(self.state, monitor_id, oldest)
-        settled = {row["version_id"]: row for row in plan_rows(self.state, monitor_id, self.lookback)}
+        with self._running(Pipeline()) as running:
+            settled = {row["version_id"]: row for row in plan_rows(running, monitor_id, self.lookback)}
+            searched = searched_plan_rows(running, monitor_id, None)
         ends = last_times(self.state, monitor_id)
         newest = max(
             (row["started"] for row in usable.values() if row["started"] is not None), default=None
         )
         planned = []
-        for row in self.reader.with_programs(searched_plan_rows(self.state, monitor_id, None)):
+        for row in self.reader.with_programs(searched):
             key = row["version_id"]
             if key not in active:
                 continue
@@ -321,7 +324,7 @@ class _Check:
                 what = "the last run that counted rows of calibration found another number"
                 self.note(key, "runs", what=what, differing=1)
 
-    def _running(self, steps: Any) -> Running:
+    def _running(self, steps: Pipeline) -> Running:
         return Running(self.session, steps, self.state.tables.placed(), self.on_step)
 
 

@@ -6,30 +6,36 @@ This module owns which steps these are, and in which order they are appended; it
 from sqlglot import exp
 
 from gam_db.composing import template
-from gam_db.composing.pipeline import Pipeline
+from gam_db.composing.pipeline import Pipeline, union_of
 from gam_db.method.adding import add
 
 #: What is appended where states are of no program; the rows of *run* are the commit.
 _PUBLISHED = ("bucket_rows", "novel_rows", "run_rows")
 
-#: From which bucket on a run writes, and what; and what stands for these where that is all it has made.
-WRITTEN = {"changed": "cohort", "written": "new_buckets"}
+#: From which bucket on a run writes, with its columns.
+_CHANGED = ("channel_id", "version_id", "first_bucket", "differs")
 
 
 def add_published(steps: Pipeline, has_programs: bool, is_compared: bool) -> None:
     """Add the rows that a run appends, over the steps that count.
 
     Where they are compared with what is stored, those before the first bucket that differs are not
-    written; else *changed* and *written* are what stands for :data:`WRITTEN`.
+    written; else all that a run has made is.
     """
     if has_programs:
         add(steps, "stored/scoring/unknown_programs")
-    if is_compared:
+    if not is_compared:
+        columns = [exp.column(name) for name in _CHANGED]
+        steps.add("changed", exp.select(*columns).from_("cohort"), "Changed: all that is made.")
+        steps.add("written", union_of(steps, ["new_buckets"]), "Written: all that is made.")
+    else:
         add(steps, "stored/scoring/changed", name="changed_buckets" if has_programs else None)
         if has_programs:
             add(steps, "stored/scoring/program_changed", name="changed")
         add(steps, "stored/scoring/written")
-        steps.small |= set(WRITTEN)
+        steps.small |= {"changed", "written"}
+    for name in ("new_counts", "scored"):
+        add(steps, f"stored/scoring/{name}")
     renamed = {"bucket_rows": "plain_bucket_rows"} if has_programs else {}
     for part in _PUBLISHED:
         add(steps, f"stored/scoring/{part}", name=renamed.get(part))

@@ -126,17 +126,17 @@ class Reader:
         return undated(self._session, self._source, self._relation, self.kind, among_all=False)
 
 
-def plan_rows(state: State, monitor_id: int, lookback: int) -> list[Row]:
-    """Return from where on each version must be read, as the last run that read anything recorded.
+def plan_rows(running: Running, monitor_id: int, lookback: int) -> list[Row]:
+    """Keep *plan*, from where on each version must be read, as its last run that read anything recorded.
 
     That is a run of late, or all of them are looked at. Where it allowed for rows less late than
     ``lookback``, buckets have to be looked at, and are.
     """
-    rows = _planned(state, plan_steps(monitor_id, lookback, recent_run()))
+    rows = _planned(running, plan_steps(monitor_id, lookback, recent_run()))
     if not all(row["restarts"] for row in rows):
-        rows = _planned(state, plan_steps(monitor_id, lookback))
+        rows = _planned(running, plan_steps(monitor_id, lookback))
     if any(row["read_until"] != LONG_AGO and not row["restarts"] for row in rows):
-        rows = searched_plan_rows(state, monitor_id, lookback)
+        rows = searched_plan_rows(running, monitor_id, lookback)
     return rows
 
 
@@ -146,14 +146,18 @@ def recent_run() -> int:
 
 
 def searched_plan_rows(
-    state: State, monitor_id: int, lookback: int | None, repair_from: int | None = None
+    running: Running, monitor_id: int, lookback: int | None, repair_from: int | None = None
 ) -> list[Row]:
-    """Return the same, by a look at all buckets; see :func:`.steps.searched_plan_steps`."""
-    return _planned(state, searched_plan_steps(monitor_id, lookback, repair_from))
+    """Keep the same, by a look at all buckets; see :func:`.steps.searched_plan_steps`."""
+    return _planned(running, searched_plan_steps(monitor_id, lookback, repair_from))
 
 
-def _planned(state: State, steps: Pipeline) -> list[Row]:
-    return state.session.rows(steps.query("plan", state.tables.placed()))
+def _planned(running: Running, steps: Pipeline) -> list[Row]:
+    running.steps = steps
+    if "plan" in running.placed:
+        running.drop("plan")
+    running.put("plan", steps.query("plan", running.placed))
+    return running.rows("plan")
 
 
 def last_times(state: State, monitor_id: int) -> dict[int, int]:
@@ -194,10 +198,14 @@ def make_vectors(running: Running, programs: Programs | None = None) -> None:
     running.keep("visited")
     if "repeated_instants" in running.steps.steps and running.rows("repeated_instants"):
         running.forget(but=before)
-        running.make("stored/scoring/repeats", {}, "timeline")
-        least = gathered("reading", programs)
-        running.make("stored/scoring/collapsed", {"gathered": least}, "identified")
+        collapse(running, programs)
         running.keep("visited")
+
+
+def collapse(running: Running, programs: Programs | None) -> None:
+    """Let the kept readings *identified* be collapsed by instant."""
+    running.make("stored/scoring/repeats", {}, "timeline")
+    running.make("stored/scoring/collapsed", {"gathered": gathered("reading", programs)}, "identified")
 
 
 def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
@@ -230,6 +238,14 @@ _COHORT = columns(
     (COUNT, "channel_id version_id support_id first_bucket first_scored read_from read_until"),
     (COUNT, "context_expected calibration_end oldest_bucket recounted settled planned_from novel_from"),
     (COUNT, "lookback last_read differs bins max_gap"),
+    (WORD, "asset channel"),
+    (SHARE, "lo hi"),
+)
+
+#: Columns of *plan* that *cohort* reads.
+PLAN = columns(
+    (COUNT, "channel_id version_id support_id bins max_gap calibration_end first_bucket first_scored"),
+    (COUNT, "read_from read_until context_expected oldest_bucket"),
     (WORD, "asset channel"),
     (SHARE, "lo hi"),
 )

@@ -196,6 +196,7 @@ def scoring_steps(
     kind: TimeKind,
     bits: Bits | None = None,
     compared: bool = False,
+    recounted: bool = True,
 ) -> Pipeline:
     """Return the steps from *identified* to the rows that are appended, of channels of one shape.
 
@@ -204,10 +205,11 @@ def scoring_steps(
     are looked up in them. Buckets are ``compared`` with what is stored of them, and those before the
     first that differs not written.
 
-    Given by the caller are the state tables, *identified*, *past_buckets*, *recount*, *stamp* (run_id,
+    Given by the caller are the state tables, *identified*, *past_buckets*, *recount* (where the rows of
+    calibration are ``recounted``), *stamp* (run_id,
     started, committed, deletes_hidden), and *cohort*: the channels, from where on each is read and
     scored, the number of its first bucket, and its lookback; to compare, *former_buckets* and
-    *former_novel*, else what stands for :data:`~.published.WRITTEN`.
+    *former_novel*.
     """
     # Settings in which the channels of a run may differ are columns.
     columns = ("bins", "radix", *["max_gap"] * (setting.max_gap is not None))
@@ -219,8 +221,10 @@ def scoring_steps(
     if trusting:
         marked: dict[str, template.Slot] = {"names": [exp.column("channel_id")]}
         add(steps, "census/repeated_instants", marked, tables={"marked": "visited"})
-    for name in ("past_counts", "new_counts", "settled"):
-        add(steps, f"stored/scoring/{name}")
+    add(steps, "stored/scoring/settled")
+    if not recounted:
+        add(steps, "stored/scoring/no_recount", name="recount")
+        steps.small -= {"recount"}
     add_published(steps, setting.has_programs, compared)
     return steps
 
@@ -287,7 +291,7 @@ def learning_steps(
     Given by the caller are the state tables, *identified*, *cohort*, which is *limits*, too, and
     *numbering*; the last steps are the rows of :data:`LEARNT`, and *recount*.
     """
-    steps = Pipeline(small=KEPT | SMALL_OF_SET | {"learnt"})
+    steps = Pipeline(small=KEPT | SMALL_OF_SET | {"learnt", "certified"})
     for name in ("channels", "calibration", "calibration_range", "recount"):
         add(steps, f"stored/scoring/{name}")
     rule = ROBUST if is_robust else MIN_MAX
@@ -366,6 +370,7 @@ def _add_stillness(steps: Pipeline, setting: Setting, kind: TimeKind) -> None:
     if setting.still_after is None:
         for name in ("stillness", "still_counts"):
             add(steps, "stored/scoring/no_stillness", name=name)
+        steps.small -= {"stillness"}
         return
     codes = f"{INCOMPLETE}moving_codes" if can_trust(setting, kind) else "moving_codes"
     slots, tables = {"long_ago": LONG_AGO}, {"moving_codes": codes}

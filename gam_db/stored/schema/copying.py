@@ -12,11 +12,12 @@ from pathlib import Path
 from sqlglot import exp
 
 from gam_db.composing import template
+from gam_db.composing.plan import insertion
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, LockedError, SourceError, unwritable
 from gam_db.stored.schema import migrations
-from gam_db.stored.schema.tables import TABLES, StateTables, insertion
+from gam_db.stored.schema.tables import TABLES, StateTables
 
 
 def copy(session: Session, tables: StateTables, path: Path) -> None:

@@ -18,9 +18,10 @@ from gam_db.clock import TimeKind
 from gam_db.columns import COUNT, SHARE, WORD
 from gam_db.composing import template
 from gam_db.composing.pipeline import filled, place
+from gam_db.composing.plan import insertion
 from gam_db.engines.base import Engine
 from gam_db.engines.storage import Definition
-from gam_db.stored.schema.tables import FOR_READERS, TABLES, VIEWS, StateTables, insertion
+from gam_db.stored.schema.tables import FOR_READERS, TABLES, VIEWS, StateTables
 from gam_db.version import __version__
 
 RECORD = ("number", "name", "checksum", "applied_at", "gam_version")

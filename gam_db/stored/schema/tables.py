@@ -122,9 +122,3 @@ class StateTables:
 @lru_cache(maxsize=64)
 def _placed(tables: StateTables) -> Mapping[str, exp.Table]:
     return {f"stored_{name}": tables.table(name) for name in (*TABLES, *VIEWS)}
-
-
-def insertion(table: exp.Table, rows: exp.Query) -> exp.Insert:
-    """Return the statement that appends rows to a table; columns go by name."""
-    names = [exp.to_identifier(name) for name in rows.named_selects]
-    return exp.Insert(this=exp.Schema(this=table, expressions=names), expression=rows)

@@ -1,12 +1,12 @@
-"""Scoring what is new: the restart rule at work, group by group (state.md).
+"""Scoring what is new: the restart rule at work (state.md).
 
-This module owns what a run reads and in which groups; :mod:`gam_db.stored.scoring.groups` scores one.
+This module owns what a run reads, and in which portions (:mod:`gam_db.stored.scoring.portion`).
 """
 
 from dataclasses import replace
 
 from gam_db.clock import LONG_AGO, shown_instant
-from gam_db.columns import name_of
+from gam_db.columns import name_of, table_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.errors import ParameterError, SourceError
@@ -15,17 +15,20 @@ from gam_db.reading import look
 from gam_db.reading.ahead import rows_ahead
 from gam_db.settings.source import AnySource
 from gam_db.stored.alarms.explaining import explain
-from gam_db.stored.checking.proving import verify, verify_daily
+from gam_db.stored.checking.proving import verify_daily
 from gam_db.stored.planning import Cohort, Row, planned, portions, resumed, rows_of, unread
 from gam_db.stored.planning.gone import staying_rows
-from gam_db.stored.planning.reading import Reader, cohort_of, last_times, plan_rows, searched_plan_rows
+from gam_db.stored.planning.reading import PLAN, Reader, last_times, plan_rows, searched_plan_rows
 from gam_db.stored.planning.steps import reading_steps
-from gam_db.stored.scoring.groups import Groups
-from gam_db.stored.scoring.publishing import snapshots
+from gam_db.stored.scoring.portion import Scoring
+from gam_db.stored.scoring.publishing import planned_runs
 from gam_db.stored.scoring.report import Report, Wanted
 from gam_db.stored.state import State, kind_of, now
 from gam_db.study.naming import counted
 from gam_db.study.running import Listener, Running, unheard
+
+#: Tables of a run that its portions read.
+_OF_RUN = ("plan", "names", "planned_runs")
 
 
 class Run:
@@ -49,7 +52,10 @@ class Run:
         self.monitor = state.monitor(name)
         self.reader = Reader(state.session, source, kind_of(self.monitor), name)
         self.started = now()
-        self.groups = Groups(state, self.reader, self.monitor, wanted, self.started, on_step)
+        self.rows: list[Row] = []
+        self.running = Running(state.session, Pipeline(), state.tables.placed(), on_step)
+        work = state, self.reader, self.monitor, wanted, on_step
+        self.scoring = Scoring(*work, self.started, is_thorough=wanted.everything)
         self.report = Report(clock=self.reader.clock)
 
     def go(self, dry_run: bool = False) -> Report:
@@ -59,7 +65,11 @@ class Run:
             UserError: the source cannot be used; groups of channels that were scored before stay scored.
             ConflictError: another process changed what is stored meanwhile; likewise.
         """
-        wanted = self.wanted
+        with self.running:
+            return self._go(dry_run)
+
+    def _go(self, dry_run: bool) -> Report:
+        wanted, running = self.wanted, self.running
         known = {name_of(row) for row in self._known()}
         if known and not any(wanted.chosen(*channel) for channel in known):
             raise ParameterError(
@@ -67,8 +77,8 @@ class Run:
                 "channel; * stands for any text, ? for one character."
             )
         if not dry_run:
-            self.groups.is_thorough |= verify_daily(self.state, self.monitor)
-        rows = self._plan()
+            self.scoring.is_thorough |= verify_daily(self.state, self.monitor)
+        self.rows = rows = self._plan()
         everything = wanted.everything or wanted.full or wanted.repair_from is not None
         latest, park_after = self.reader.clock.latest, wanted.park_after
         plan = planned(rows, wanted.lookback, park_after, self.started, latest, everything)
@@ -83,7 +93,6 @@ class Run:
             if cohort.everyone:
                 self.report.note_unknown(names, known)
             counts = {name_of(row): row["readings"] for row in names}
-            self.groups.latest |= {name_of(row): row["latest"] for row in names}
             if not wanted.confirmed:
                 cohort = self._keeping(cohort, names)
             if members := len(cohort.channels):
@@ -92,11 +101,11 @@ class Run:
                 self.report.ranges.append(ranged)
             if dry_run:
                 continue
-            self._verify(cohort)
+            self.scoring.tables = {name: running.placed[name] for name in _OF_RUN}
             limit = wanted.limit or self.session.rows_at_once()
             for group in portions(cohort.channels, counts, limit):
-                self.groups.score(group, cohort, rows_of(group, counts))
-        self.report.channels = self.groups.channels
+                self.scoring.score(group, cohort, rows_of(group, counts))
+        self.report.channels = self.scoring.channels
         self.report.parked = len(plan.parked) - sum(len(cohort.channels) for cohort in back)
         self.report.ahead = rows_ahead(self.session, self.reader.ahead(), latest)
         self.report.note_undated(self.reader.undated())
@@ -121,15 +130,17 @@ class Run:
     def _plan(self) -> list[Row]:
         monitor_id = self.monitor["monitor_id"]
         # Before the plan: what changes between the two is noticed then.
-        self.groups.planned = snapshots(self.state)
+        running = self.running
+        running.put("planned_runs", planned_runs().query("newest_runs", running.placed))
         lookback = None if self.wanted.full else self.wanted.lookback
         begin, until = self.wanted.repair_from, self.wanted.until
-        rows = [] if lookback is None else plan_rows(self.state, monitor_id, lookback)
+        rows = [] if lookback is None else plan_rows(running, monitor_id, lookback)
         if until is not None and any(row["first_scored"] > until for row in rows):
             # What lies after the end does not stay.
             begin = until + 1 if begin is None else min(begin, until + 1)
         if lookback is None or begin is not None:
-            rows = searched_plan_rows(self.state, monitor_id, lookback, begin)
+            rows = searched_plan_rows(running, monitor_id, lookback, begin)
+        self.scoring.planned = len(rows)
         allowed = {"lookback": self.wanted.lookback}
         known = self.reader.with_programs(rows)
         chosen = [{**row, **allowed} for row in known if self.wanted.chosen(*name_of(row))]
@@ -175,12 +186,20 @@ class Run:
         return self.state.rows("stored/state/known_channels", slots)
 
     def _look(self, cohort: Cohort) -> list[Row]:
+        """Keep *names*, what the source holds by name in the range of a cohort, and return its rows."""
         self.on_step("looking at the source")
-        steps = reading_steps(self.reader.readings(cohort.assets, cohort.earliest))
+        running = self.running
+        running.steps = reading_steps(self.reader.readings(cohort.assets, cohort.earliest))
         is_first = cohort.channels and all(row["read_until"] == LONG_AGO for row in cohort.channels)
+        if "names" in running.placed:
+            running.drop("names")
         # All of a source is read, which may be stored channel by channel.
-        found = counted(Running(self.session, steps)) if is_first and self.session.engine.bits else None
-        rows = self.session.rows(steps.query("names")) if found is None else found.to_pylist()
+        found = counted(running) if is_first and self.session.engine.bits else None
+        if found is None:
+            running.keep("names")
+        else:
+            running.load("names", found)
+        rows = running.rows("names")
         if not rows and self.reader.is_empty():
             raise SourceError(look.NO_ROW)
         return rows
@@ -188,8 +207,13 @@ class Run:
     def _keeping(self, cohort: Cohort, names: list[Row]) -> Cohort:
         """Let what is stored stay whose rows have gone from the source, all before its oldest."""
         other = self._staying(cohort, names)
-        channels = [other.get(row["version_id"], row) for row in cohort.channels]
+        if not other:
+            return cohort
         self.report.gone |= {name_of(row): row["read_from"] for row in other.values()}
+        self.rows = [other.get(row["version_id"], row) for row in self.rows]
+        self.running.load("plan", table_of(self.rows, PLAN))
+        self.scoring.planned = len(self.rows)
+        channels = [other.get(row["version_id"], row) for row in cohort.channels]
         return replace(cohort, channels=tuple(channels))
 
     def _staying(self, cohort: Cohort, names: list[Row]) -> dict[int, Row]:
@@ -212,11 +236,6 @@ class Run:
             f"from the source: of the channel {first['asset']} {first['channel']}{others} only what "
             f"comes after {begin} can be made again. Score from there, or confirm the loss (--confirm)."
         )
-
-    def _verify(self, cohort: Cohort) -> None:
-        """Refuse to score by versions that are no longer what calibration froze."""
-        with self.session.lent(cohort_of(cohort.channels, read_until=0, planned_from=0)) as wanted:
-            verify(self.state, wanted, cohort.channels)
 
 
 def _is_lost(row: Row, other: Row | None) -> bool:

@@ -8,114 +8,67 @@ id waits a moment for the other to do so; then one of them stays. Either way no 
 that it did not know.
 """
 
-import contextlib
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import NamedTuple, TypeAlias
 
 from sqlglot import exp
 
 from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline
 from gam_db.errors import ConflictError
+from gam_db.method.adding import add
 from gam_db.stored.planning import Row
 from gam_db.stored.planning.reading import listed
+from gam_db.stored.scoring.lists import CHANGED
 from gam_db.stored.state import State
-
-CHANGED = (
-    "Another process scored, calibrated or pruned the same channels while this run was at work, so its "
-    "result does not count; what the other one wrote does. Run it again."
-)
-
-GONE = (
-    "Buckets of the last window before the first new one are not there: another process pruned them "
-    "while this run was at work, or somebody deleted them. Run it again; if it stays so, score anew "
-    "(--full)."
-)
+from gam_db.study.running import Running
 
 #: Seconds that the smaller of two runs waits for the other one to withdraw, and between two looks.
 _PATIENCE, _PAUSE = 2.0, 0.05
 
 
-class Snapshot(NamedTuple):
-    """What is there of a version: its newest finished run (0: none), and how many rows its runs have."""
+def planned_runs(
+    among: exp.Expr | None = None, near: exp.Expr | None = None, rows_differ: exp.Expr | None = None
+) -> Pipeline:
+    """Return the steps *newest_runs* and *unplanned*.
 
-    newest_run: int
-    run_rows: int
-
-
-NOTHING = Snapshot(0, 0)
-
-#: Active versions with what is there of them.
-Snapshots: TypeAlias = Mapping[int, Snapshot]
-
-
-def snapshots(
-    state: State, among: exp.Expr | None = None, near: exp.Expr | None = None
-) -> dict[int, Snapshot]:
-    """Return what is there of the active versions, ``among`` which a condition on *version* chooses.
-
-    Near is a condition on *run* that holds for all runs that may matter.
+    Among is a condition on *version*; near is one on *run* that holds for all runs that may matter.
     """
+    steps = Pipeline()
     slots: dict[str, template.Slot] = {"among": among or exp.true(), "near": near or exp.true()}
-    rows = state.rows("stored/scoring/newest_runs", slots)
-    return {row["version_id"]: Snapshot(row["newest_run"], row["run_rows"]) for row in rows}
+    add(steps, "stored/scoring/newest_runs", slots)
+    add(steps, "stored/scoring/unplanned", {"rows_differ": rows_differ or exp.false()})
+    return steps
 
 
-@contextlib.contextmanager
-def publication(
-    state: State, monitor_id: int, group: Sequence[Row], planned: Snapshots, run_id: int
-) -> Iterator[Callable[[], None]]:
-    """Do all inside as one run that counts, or not at all.
+def unplanned(state: State, group: list[Row], planned: list[Row]) -> exp.Query:
+    """Return the query of versions of which something else is there than was planned from.
 
-    Yields:
-        What is to be called before the rows that commit the run are appended.
+    The rows that were planned from have planned_from.
+    """
+    versions = listed(exp.column("version_id", table="run"), (row["version_id"] for row in group))
+    if state.session.transactions:  # run ids grow from commit to commit: an index finds the newest ones
+        oldest = template.node_of(min(row["planned_from"] for row in planned))
+        near = exp.and_(versions, exp.column("run_id", table="run") >= oldest)
+        return planned_runs(_channels(group), near).query("unplanned")
+    rows = exp.column("run_rows", table="there").neq(exp.column("planned_rows", table="member"))
+    return planned_runs(_channels(group), versions, rows).query("unplanned")
+
+
+def look_again(running: Running, state: State, group: list[Row], run_id: int) -> None:
+    """Withdraw a run that is committed if another one is there that it did not know.
 
     Raises:
-        ConflictError: something else is there by now; nothing of this run counts.
+        ConflictError: there is one.
     """
-    with state.session.transaction():
-        state.lock(monitor_id)
-        _compare(state, group, planned)
-        yield lambda: None if state.session.transactions else _compare(state, group, planned)
-        if not state.session.transactions:
-            _look_again(state, group, planned, run_id)
-
-
-def _compare(state: State, group: Sequence[Row], planned: Snapshots) -> None:
-    """Refuse to go on where another snapshot was planned from."""
-    known = {row["version_id"]: planned.get(row["version_id"], NOTHING) for row in group}
-    oldest = min(snapshot.newest_run for snapshot in known.values())
-    near = _versions(group)
-    if state.session.transactions:  # run ids grow from commit to commit: an index finds the newest ones
-        near = exp.and_(near, exp.column("run_id", table="run") >= template.node_of(oldest))
-    found = snapshots(state, _channels(group), near)
-    for version_id, snapshot in known.items():
-        there = found.get(version_id)
-        if there is None or there.newest_run != snapshot.newest_run:
-            raise ConflictError(CHANGED)
-        if there.run_rows != snapshot.run_rows and not state.session.transactions:
-            raise ConflictError(CHANGED)
-
-
-def _look_again(state: State, group: Sequence[Row], planned: Snapshots, run_id: int) -> None:
-    """Withdraw a run if another one is there that it did not know."""
-    others = exp.and_(_versions(group), exp.column("run_id", table="run").neq(template.node_of(run_id)))
+    versions = listed(exp.column("version_id", table="run"), (row["version_id"] for row in group))
+    others = exp.and_(versions, exp.column("run_id", table="run").neq(template.node_of(run_id)))
+    query = planned_runs(_channels(group), others).query("unplanned", running.placed)
     deadline = time.monotonic() + _PATIENCE
-    while True:
-        found = snapshots(state, _channels(group), others)
-        unknown = [
-            found.get(row["version_id"], NOTHING).newest_run
-            for row in group
-            if row["version_id"] not in found
-            or found[row["version_id"]].newest_run != planned.get(row["version_id"], NOTHING).newest_run
-        ]
-        if not unknown:
-            return
-        if min(unknown) < run_id or time.monotonic() >= deadline:
-            break
+    while rows := state.session.rows(query):
+        if min(row["newest_run"] for row in rows) < run_id or time.monotonic() >= deadline:
+            withdraw(state, run_id)
+            raise ConflictError(CHANGED)
         time.sleep(_PAUSE)
-    withdraw(state, run_id)
-    raise ConflictError(CHANGED)
 
 
 def withdraw(state: State, run_id: int) -> None:
@@ -123,9 +76,5 @@ def withdraw(state: State, run_id: int) -> None:
     state.append("run", state.query("stored/state/withdrawal", {"run_id": run_id}))
 
 
-def _versions(group: Sequence[Row]) -> exp.Expr:
-    return listed(exp.column("version_id", table="run"), (row["version_id"] for row in group))
-
-
-def _channels(group: Sequence[Row]) -> exp.Expr:
+def _channels(group: list[Row]) -> exp.Expr:
     return listed(exp.column("channel_id", table="version"), (row["channel_id"] for row in group))

@@ -1,0 +1,187 @@
+"""Scoring channels of one shape: the lists of a run, executed over what the run has read of them.
+
+Rows are appended first and one row per version in ``gam_state_run`` last: that is the commit. Where an
+engine has transactions, all of it is one, and rows that are now hidden go in the same. It counts only if
+nobody else wrote meanwhile (:mod:`gam_db.stored.scoring.publishing`).
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from sqlglot import exp
+
+from gam_db.clock import FAR_AHEAD
+from gam_db.composing import template
+from gam_db.composing.pipeline import filled, place
+from gam_db.composing.plan import Plan
+from gam_db.method.bits import Bits
+from gam_db.stored.alarms.episodes import follow
+from gam_db.stored.alarms.judging import buckets_of, judge
+from gam_db.stored.checking.proving import verify
+from gam_db.stored.planning import Cohort, Row, assets_of, is_due
+from gam_db.stored.planning.published import former, former_slots
+from gam_db.stored.planning.reading import Reader, collapse, near
+from gam_db.stored.planning.steps import reading_steps, shared_by
+from gam_db.stored.scoring.lists import RepeatedError, Shape, counting, hidden_tables, publishing
+from gam_db.stored.scoring.publishing import look_again, unplanned, withdraw
+from gam_db.stored.scoring.report import Wanted
+from gam_db.stored.state import State, now
+from gam_db.study.running import Listener, Running
+
+#: Supports are kept as bits where they take no more of them than so many times the rows to be scored.
+BITS_OF_A_ROW = 512
+
+#: Tables that stay where the list is executed once more.
+_STAYING = ("cohort", "recount", "identified")
+
+#: What judgements are made of: what a run writes.
+_JUDGED = {"cohort": "changed", "new_buckets": "written"}
+
+
+@dataclass
+class Scoring:
+    """How the portions of one run are scored.
+
+    Attributes:
+        state, reader, monitor, wanted, on_step: of the run.
+        started: when it began, in microseconds.
+        tables: those of the run: *plan*, *names* and *planned_runs*.
+        planned: how many rows *plan* has.
+        is_thorough: whether all episodes are followed anew.
+        channels: what is told of each channel that was scored.
+    """
+
+    state: State
+    reader: Reader
+    monitor: Row
+    wanted: Wanted
+    on_step: Listener
+    started: int
+    tables: dict[str, exp.Table] = field(default_factory=dict)
+    planned: int = 0
+    is_thorough: bool = False
+    channels: list[Row] = field(default_factory=list)
+
+    def score(self, group: list[Row], cohort: Cohort, read: int) -> None:
+        """Score channels of one shape, all or a part of a cohort, of which so many rows are read."""
+        setting, due = shared_by(group), any(self._is_due(row) for row in group)
+        # Of what lies within the lookback hardly anything has changed; only that is written anew.
+        compared = not self.wanted.is_anew and any(row["restarts"] for row in group)
+        shape = Shape(setting, self.reader.kind, self._bits(group, read), compared, due)
+        placed = {**self.state.tables.placed(), **self.tables}
+        plan = counting(shape)
+        with Running(self.state.session, plan.steps, placed, self.on_step) as running:
+            # A part of a cohort is found by name, or each part would read the rows of all.
+            assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
+            queries = self._queries(running, group, shape, assets)
+            try:
+                scored = running.execute(plan, queries)["scored"]
+            except RepeatedError:
+                running.forget(but=_STAYING)
+                collapse(running, setting.programs)
+                scored = running.execute(plan, queries)["scored"]
+            lists = publishing(shape, self.state.session.transactions)
+            self._publish(running, group, scored, *lists)
+
+    def _bits(self, group: Sequence[Row], read: int) -> Bits | None:
+        """Return how the engine keeps supports as bits; None where they take much beside the rows."""
+        bits, setting = self.state.session.engine.bits, shared_by(group)
+        cells, supports = setting.radix**setting.m, len({row["support_id"] for row in group})
+        is_little = cells * supports <= BITS_OF_A_ROW * read
+        is_plain = is_little and not setting.has_programs
+        return bits if bits is not None and is_plain and bits.serve(cells, supports) else None
+
+    def _queries(
+        self, running: Running, group: list[Row], shape: Shape, assets: Sequence[str] | None
+    ) -> dict[str, exp.Query]:
+        """Keep the cohort, and return the queries that differ from run to run."""
+        buckets, condition = buckets_of(group[0]), near(group)
+        running.put("cohort", self._cohort(group, shape.recounted))
+        verify(self.state, running.placed["cohort"], group)
+        since = min(row["read_from"] for row in group)
+        rows = reading_steps(self.reader.readings(assets, since))
+        past: dict[str, template.Slot] = {"buckets": buckets, "near": near(group, buckets)}
+        queries = {
+            "identified": rows.query("identified", running.placed),
+            "past_buckets": filled("stored/scoring/past_buckets", past),
+            "past_missing": filled("stored/scoring/past_missing", {"buckets": buckets}),
+        }
+        if shape.recounted:
+            queries["recount"] = self._recount(running, assets)
+        programs = shape.setting.has_programs
+        for table, step in former(programs).items() if shape.compared else ():
+            slots = former_slots(table, condition, condition, programs)
+            queries[step] = filled(f"stored/scoring/{step}", slots)
+        return queries
+
+    def _cohort(self, group: Sequence[Row], recounted: bool) -> exp.Query:
+        """Return the query of the channels of a group, among those of the plan."""
+        wanted = self.wanted
+        chosen: exp.Expr = exp.true()
+        if len(group) < self.planned:
+            versions = [exp.Literal.number(row["version_id"]) for row in group]
+            chosen = exp.In(this=exp.column("version_id", table="frozen"), expressions=versions)
+        slots: dict[str, template.Slot] = {
+            "lookback": wanted.lookback,
+            "until": FAR_AHEAD if wanted.until is None else wanted.until,
+            "recounted": int(recounted),
+            "differs": int(wanted.is_anew),
+            "chosen": chosen,
+        }
+        query = filled("stored/scoring/cohort", slots)
+        place(query, self.tables)
+        return query
+
+    def _recount(self, running: Running, assets: Sequence[str] | None) -> exp.Query:
+        """Return the query that counts the rows of calibration anew."""
+        (edges,) = running.rows("calibration_range")
+        if edges["earliest"] is None:
+            return filled("stored/scoring/no_recount")
+        healthy = self.reader.readings(assets, edges["earliest"], edges["latest"])
+        return reading_steps(healthy, is_ranged=False).query("recount", running.placed)
+
+    def _is_due(self, row: Row) -> bool:
+        """Tell whether the rows of a channel's calibration are to be counted anew.
+
+        That records a look as well: so they are where the last one was while the clock stood ahead.
+        """
+        is_ahead = row["looked_at"] > self.started
+        return self.wanted.everything or is_ahead or is_due(row["counted_at"], self.started)
+
+    def _publish(
+        self, running: Running, group: list[Row], scored: list[Row], rows: Plan, commit: Plan
+    ) -> None:
+        """Append the rows, and commit them unless the state has changed meanwhile."""
+        self.on_step("writing")
+        state, transactions = self.state, self.state.session.transactions
+        run_id = state.next_run()
+        stamp = {"run_id": run_id, "started": self.started, "committed": now()}
+        deletes = {"deletes_hidden": int(transactions)}
+        running.put("stamp", filled("stored/scoring/stamp", stamp | deletes))
+        queries = {"unplanned": unplanned(state, group, scored)}
+        after = min(row["first_scored"] for row in group) - 1
+        for table in hidden_tables(shared_by(group).has_programs):
+            queries[f"hidden_{table}"] = state.hidden(table, run_id, after, near(group))
+        given = {name: running.placed.get(step, running.placed[name]) for name, step in _JUDGED.items()}
+        with state.session.transaction():
+            state.lock(self.monitor["monitor_id"])
+            running.execute(rows, queries, state.tables.table)
+            judged = judge(state, group, given | {"stamp": running.placed["stamp"]})
+            running.execute(commit, queries, state.tables.table)
+            if transactions:
+                follow(state, self.monitor["monitor_id"], group, judged)
+        if not transactions:
+            look_again(running, state, group, run_id)
+            self._follow(group, judged, run_id)
+        columns = [name for name in scored[0] if name != "planned_from"]
+        self.channels += [{name: row[name] for name in columns} for row in scored]
+
+    def _follow(self, group: Sequence[Row], judged: Mapping[int, int], run_id: int) -> None:
+        """Follow what is committed already; what a run was killed before is made up for once a day."""
+        try:
+            if self.is_thorough:
+                judged = dict.fromkeys(judged, 0)
+            follow(self.state, self.monitor["monitor_id"], group, judged)
+        except BaseException:
+            withdraw(self.state, run_id)
+            raise
