@@ -49,7 +49,7 @@ def add_counted(steps: Pipeline, has_instants: bool = True, bounds: str = "bound
     add_stacked(steps, "alarms/buffered", [{"g": g} for g in (NEAR, ORDERED, FAR)])
     add_stacked(steps, "alarms/bands", [{"g": g} for g in (NEAR, FAR)])
     add(steps, "alarms/own_cells")
-    add_stacked(steps, "alarms/chances", [_chance(blocks) for blocks in range(1, 2 * ORDERED + 2)])
+    add(steps, "alarms/chances", _chances(2 * ORDERED + 1))
     add(steps, "alarms/order_ratios", {"g": ORDERED})
     add(steps, "alarms/declared_lengths", name=None if has_instants else "lengths")
     if has_instants:
@@ -157,12 +157,15 @@ def root_of(column: str, table: str | None = None) -> exp.Expr:
     return template.fill("alarms/root", {"count": exp.column(column, table=table)})
 
 
-def _chance(visited_blocks: int) -> dict[str, template.Slot]:
+def _chances(most: int) -> dict[str, template.Slot]:
+    """Return the slots of *chances*: cells of so many blocks at most."""
     product: exp.Expr = exp.cast(exp.Literal.number(1), "DOUBLE")
-    for i in range(visited_blocks - 1):
-        factor = exp.paren(template.fill("alarms/chance_factor", {"i": i}))
-        product = exp.Mul(this=product, expression=factor)
-    return {"visited_blocks": visited_blocks, "g": ORDERED, "product": product}
+    products = exp.Case()
+    for blocks in range(1, most + 1):
+        products = products.when(exp.column("visited_blocks").eq(blocks), product)
+        factor = exp.paren(template.fill("alarms/chance_factor", {"i": blocks - 1}))
+        product = exp.Mul(this=product.copy(), expression=factor)
+    return {"g": ORDERED, "most": most, "product": products}
 
 
 def _learnt(g: int, families: Sequence[str], number: exp.Expr) -> exp.Query:

@@ -136,11 +136,12 @@ class Method:
         return any(start == end for allowed in pieces for start, end in allowed)
 
     def probed(self) -> set[str]:
-        """Return the steps of a row per calibration vector that are kept where a probe is asked for.
+        """Return the steps that are kept where a probe is asked for.
 
-        Cells are counted from them, and vectors picked, so that none is made twice.
+        Cells are counted from the calibration vectors, and vectors picked, so that none is made twice.
         """
-        return {self.named("learnt", number) for number in range(len(self.settings))}
+        steps = ("learnt", "changes")
+        return {self.named(step, number) for number in range(len(self.settings)) for step in steps}
 
     def small(self) -> set[str]:
         """Return the names of the steps that may be kept as tables."""

@@ -24,7 +24,9 @@ from gam_db.stored.monitor import Monitor
 from harness import Row
 from visible import BUCKETS, NOVEL, visible
 
-METHOD = harness.made({"m": 2, "tau": 2, "bins": 4, "window": 20, "stride": 5}, {"fraction": 0.4})
+METHOD = harness.made(
+    {"m": 2, "tau": 2, "bins": 4, "window": 20, "stride": 5, "range": "min_max"}, {"fraction": 0.4}
+)
 CONDITION = "value > 1 OR asset = 'b'"
 
 
@@ -52,8 +54,7 @@ def test_what_is_not_valid_is_missing_in_the_exact_form_and_in_scripts(engine: s
     found = gam_db.health_indicator(source, *METHOD, session).to_pylist()
     harness.assert_same(meant, found, "exact")
     comparisons.compared(engine, "exact", as_missing(rows), *METHOD)
-    method = scripts.of_one_query(engine, METHOD[0]), METHOD[1]
-    script = gam_db.render("exact", engine, source, *method)
+    script = gam_db.render("exact", engine, source, *METHOD)
     harness.assert_same(meant, scripts.fetched(session, script), "script")
     scripts.run(session, gam_db.render("view", engine, source, *METHOD, prefix))
     query = exp.select("*").from_(f"{prefix}health").order_by("asset", "channel", "time")

@@ -291,7 +291,7 @@ def learning_steps(
     Given by the caller are the state tables, *identified*, *cohort*, which is *limits*, too, and
     *numbering*; the last steps are the rows of :data:`LEARNT`, and *recount*.
     """
-    steps = Pipeline(small=KEPT | SMALL_OF_SET | {"learnt", "certified"})
+    steps = Pipeline(small=KEPT | SMALL_OF_SET | {"learnt", "certified", "changes"})
     for name in ("channels", "calibration", "calibration_range", "recount"):
         add(steps, f"stored/scoring/{name}")
     rule = ROBUST if is_robust else MIN_MAX
