@@ -67,6 +67,7 @@ ENGINE = Engine.named(
     types=Types("mysql"),
     opening=(_NAMES,),
     guard=guard,
+    reads_first=True,
     storage=Storage(
         comments="inside",
         view_comments=False,

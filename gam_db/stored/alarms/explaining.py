@@ -12,8 +12,8 @@ from sqlglot import exp
 from gam_db.columns import name_of
 from gam_db.composing import template
 from gam_db.stored.planning import Row, assets_of, portions
-from gam_db.stored.planning.reading import Reader, cohort_of, listed
-from gam_db.stored.planning.steps import explaining_steps, reading_steps, setting_of
+from gam_db.stored.planning.reading import Reader, cohort_of, identified, listed
+from gam_db.stored.planning.steps import explaining_steps, setting_of
 from gam_db.stored.state import State
 from gam_db.study.running import Running
 
@@ -81,8 +81,8 @@ def _count(state: State, reader: Reader, group: Sequence[Row]) -> None:
     earliest = min(row["read_from"] for row in group)
     with Running(state.session, steps, state.tables.placed()) as running:
         running.load("cohort", cohort_of(group, read_until=until, planned_from=0))
-        rows = reading_steps(reader.readings(assets_of(group), earliest, max(until)))
-        running.put("identified", rows.query("identified", running.placed))
+        rows = reader.readings(assets_of(group), earliest, max(until))
+        running.put("identified", identified(running, rows))
         found = running.rows("banded")
     made = []
     for channel in group:

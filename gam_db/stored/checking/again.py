@@ -20,12 +20,11 @@ from gam_db.method.programs import JUDGED
 from gam_db.stored.alarms.judging import buckets_of
 from gam_db.stored.planning import Row, assets_of
 from gam_db.stored.planning.published import former, former_slots
-from gam_db.stored.planning.reading import Reader, cohort_of, listed, make_vectors, near
+from gam_db.stored.planning.reading import Reader, cohort_of, identified, listed, make_vectors, near
 from gam_db.stored.planning.steps import (
     LEARNT,
     OF_SUPPORT,
     learning_steps,
-    reading_steps,
     scoring_steps,
     setting_of,
     shared_by,
@@ -269,8 +268,7 @@ class Again:
         return compared(running, part, f"{part}_rows", f"stored_{part}", among)
 
     def _read(self, running: Running, readings: exp.Query) -> None:
-        rows = reading_steps(readings)
-        running.put("identified", rows.query("identified", running.placed))
+        running.put("identified", identified(running, readings))
 
     def _running(self, steps: Pipeline) -> Running:
         return Running(self.session, steps, self.state.tables.placed(), self.on_step)

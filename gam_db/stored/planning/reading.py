@@ -22,7 +22,7 @@ from gam_db.reading.preparing import prepared
 from gam_db.reading.undated import Undated, undated
 from gam_db.settings.source import AnySource, Programs, parsed_condition, under
 from gam_db.stored.planning import Row
-from gam_db.stored.planning.steps import DAY, plan_steps, searched_plan_steps
+from gam_db.stored.planning.steps import DAY, plan_steps, reading_steps, searched_plan_steps
 from gam_db.stored.state import State, first_run_at, now
 from gam_db.study.running import Running
 
@@ -187,6 +187,14 @@ def listed(column: exp.Expr, found: Iterable[int]) -> exp.Expr:
         ends = [exp.Literal.number(key) for key in (keys[0], keys[-1])]
         return exp.Between(this=column, low=ends[0], high=ends[1])
     return exp.In(this=column, expressions=[exp.Literal.number(key) for key in keys])
+
+
+def identified(running: Running, rows: exp.Query) -> exp.Query:
+    """Return the query of the readings of a cohort, which is a table; rows are the step *readings*."""
+    steps = reading_steps(rows)
+    if running.session.engine.reads_first:
+        running.put("readings", rows)
+    return steps.query("identified", running.placed)
 
 
 def make_vectors(running: Running, programs: Programs | None = None) -> None:

@@ -20,7 +20,7 @@ from gam_db.stored.alarms.judging import buckets_of, judge
 from gam_db.stored.checking.proving import verify
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due
 from gam_db.stored.planning.published import former, former_slots
-from gam_db.stored.planning.reading import Reader, collapse, near
+from gam_db.stored.planning.reading import Reader, collapse, identified, near
 from gam_db.stored.planning.steps import reading_steps, shared_by
 from gam_db.stored.scoring.lists import RepeatedError, Shape, counting, hidden_tables, publishing
 from gam_db.stored.scoring.publishing import look_again, unplanned, withdraw
@@ -99,15 +99,15 @@ class Scoring:
         running.put("cohort", self._cohort(group, shape.recounted))
         verify(self.state, running.placed["cohort"], group)
         since = min(row["read_from"] for row in group)
-        rows = reading_steps(self.reader.readings(assets, since))
         past: dict[str, template.Slot] = {"buckets": buckets, "near": near(group, buckets)}
-        queries = {
-            "identified": rows.query("identified", running.placed),
+        queries: dict[str, exp.Query] = {}
+        if shape.recounted:  # of other readings than those that are scored
+            queries["recount"] = self._recount(running, assets)
+        queries |= {
+            "identified": identified(running, self.reader.readings(assets, since)),
             "past_buckets": filled("stored/scoring/past_buckets", past),
             "past_missing": filled("stored/scoring/past_missing", {"buckets": buckets}),
         }
-        if shape.recounted:
-            queries["recount"] = self._recount(running, assets)
         programs = shape.setting.has_programs
         for table, step in former(programs).items() if shape.compared else ():
             slots = former_slots(table, condition, condition, programs)
