@@ -5,7 +5,6 @@ knows neither what they compute nor how an engine runs them.
 """
 
 from collections.abc import Callable, Container, Iterable, Sequence
-from dataclasses import dataclass
 from enum import Enum
 from typing import Any, NamedTuple, TypeAlias
 
@@ -21,6 +20,7 @@ Failure: TypeAlias = Callable[[Sequence[dict[str, Any]]], UserError]
 class Kind(Enum):
     """What becomes of the rows of a statement."""
 
+    QUERY = "query"  # they are read by the caller's own query; nothing is executed
     TABLE = "table"  # a temporary table, which later statements read
     VERIFY = "verify"  # there must be none
     ANSWER = "answer"  # they go to the caller
@@ -36,16 +36,17 @@ class Statement(NamedTuple):
         kind: what becomes of them.
         target: of an append or a delete, the table of the state.
         failure: of a verify.
+        is_input: whether it is a table only for a later statement that reads it.
     """
 
     name: str
     kind: Kind = Kind.TABLE
     target: str = ""
     failure: Failure | None = None
+    is_input: bool = False
 
 
-@dataclass(frozen=True)
-class Plan:
+class Plan(NamedTuple):
     """Statements, in order.
 
     Attributes:
@@ -75,7 +76,7 @@ class Plan:
                 held = [name for name in steps.steps if name in tables or name in given]
                 for step in steps.needed([statement.name], held):
                     if step.name in steps.small and step.name != statement.name:
-                        ordered.append(Statement(step.name))
+                        ordered.append(Statement(step.name, is_input=True))
                         tables.add(step.name)
             if statement.kind is Kind.TABLE:
                 tables.add(statement.name)

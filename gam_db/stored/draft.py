@@ -25,8 +25,8 @@ TAUGHT = (
     *("buffered", "band", "extent", "checksum"),
 )
 
-#: In which order it is made. The support first: what reads its cells reads channels in stored order, where
-#: they can be; and the sums over all of it last.
+#: In which order it is made. The support first: what reads its cells reads channels in stored order,
+#: where they can be; and the sums over all of it last.
 _MADE = (
     "support",
     *(part for part in TAUGHT if part not in ("support", "checksum")),

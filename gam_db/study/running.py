@@ -11,7 +11,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.composing.pipeline import Pipeline, Slots, Tables, filled, place
-from gam_db.composing.plan import Kind, Plan, insertion
+from gam_db.composing.plan import Kind, Plan, Statement, insertion
 from gam_db.engines.session import Row, Session
 
 Listener = Callable[[str], None]
@@ -79,8 +79,9 @@ class Running:
             UserError: a verify has a row; it is the plan's error.
         """
         self.steps, answers = plan.steps, dict[str, list[Row]]()
-        for name, kind, into, failure in plan.statements:
-            if kind is Kind.TABLE and name in self.placed:
+        for name, kind, into, failure, is_input in plan.statements:
+            is_there = name in self.placed or (is_input and self._is_spared(name, plan))
+            if kind is Kind.QUERY or (kind is Kind.TABLE and is_there):
                 continue
             if (query := (queries or {}).get(name)) is None:
                 query = self.steps.query(name, self.placed)
@@ -102,6 +103,13 @@ class Running:
                     self.session.delete(target(into), query.named_selects, query)
         return answers
 
+    def _is_spared(self, name: str, plan: Plan) -> bool:
+        """Tell whether nobody reads an input any more, since a round before had no row."""
+        if not any(step in self._kept for step in self.steps.rounds):
+            return False
+        ends = [statement.name for statement in plan.statements if not statement.is_input]
+        return all(step.name != name for step in self.steps.needed(ends, self.placed.keys()))
+
     def query(self, step: str) -> exp.Query:
         """Return the query of a step; the small steps before it are kept for the next one."""
         self.prepare(step)
@@ -109,12 +117,7 @@ class Running:
 
     def prepare(self, step: str) -> None:
         """Keep the small steps before a step."""
-        for needed in self.steps.needed([step], self.placed.keys()):
-            if needed.name in self.steps.small and needed.name != step:
-                self.keep(needed.name)
-                if needed.name in self.steps.rounds:  # less is needed where it has no row
-                    self.prepare(step)
-                    return
+        self.execute(Plan.of(self.steps, [Statement(step, Kind.QUERY)], self.placed))
 
     def table(self, step: str) -> pa.Table:
         """Return the rows of a step."""
@@ -148,8 +151,7 @@ class Running:
 
     def keep(self, step: str) -> None:
         """Keep a step as a table, and the small ones that it needs."""
-        if step not in self.placed:
-            self.put(step, self.query(step))
+        self.execute(Plan.of(self.steps, [Statement(step)], self.placed))
 
     def put(self, step: str, query: exp.Query) -> None:
         """Keep the rows of a query as the table of a step."""
