@@ -11,10 +11,10 @@ from typing import Any, NamedTuple, TypeAlias
 from sqlglot import exp
 
 from gam_db.composing.pipeline import Pipeline
-from gam_db.errors import InternalError, UserError
+from gam_db.errors import GamError, InternalError
 
 #: Makes the error that the rows of a verify stand for.
-Failure: TypeAlias = Callable[[Sequence[dict[str, Any]]], UserError]
+Failure: TypeAlias = Callable[[Sequence[dict[str, Any]]], GamError]
 
 
 class Kind(Enum):

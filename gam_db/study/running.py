@@ -76,7 +76,7 @@ class Running:
             The rows of each answer, by its name.
 
         Raises:
-            UserError: a verify has a row; it is the plan's error.
+            GamError: a verify has a row; it is the plan's error.
         """
         self.steps, answers = plan.steps, dict[str, list[Row]]()
         for name, kind, into, failure, is_input in plan.statements:

@@ -21,6 +21,7 @@ FIRST: dict[str, tuple[str, ...]] = {
         "stored/test_idle_runs.py",
         "stored/test_stored_on_engines.py",
         "stored/test_two_writers.py",
+        "stored/test_what_is_read.py",
     ),
     "clickhouse": (
         "engines/test_clickhouse",
@@ -36,6 +37,7 @@ FIRST: dict[str, tuple[str, ...]] = {
         "reading/test_local_time.py::test_both_passes_of_the_autumn_hour_are_read",
         "reading/test_valid_when.py",
         "stored/test_stored_on_engines.py",
+        "stored/test_what_is_read.py",
     ),
     "mariadb": (
         "engines/test_mariadb.py",
@@ -44,6 +46,7 @@ FIRST: dict[str, tuple[str, ...]] = {
         "method/test_programs.py::test_cells_of_programs_by_hand",
         "method/test_spec.py::test_cases[",
         "stored/test_stored_on_engines.py",
+        "stored/test_what_is_read.py",
     ),
     "spark": (
         "engines/test_relatives.py",

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from gam_db.clock import TimeKind
 from gam_db.composing.plan import Kind, Plan, Statement
-from gam_db.errors import ConflictError, UserError
+from gam_db.errors import ConflictError, GamError, InternalError
 from gam_db.method.bits import Bits
 from gam_db.stored.planning.published import former, published
 from gam_db.stored.planning.steps import Setting, scoring_steps
@@ -30,19 +30,19 @@ GONE = (
 _BEFORE = frozenset(("plan", "names", "planned_runs"))
 
 
-class RepeatedError(UserError):
+class RepeatedError(InternalError):
     """An instant occurs twice: the list is executed once more, over collapsed readings."""
 
 
-def _is_changed(_: Sequence[dict[str, Any]]) -> UserError:
+def _is_changed(_: Sequence[dict[str, Any]]) -> GamError:
     return ConflictError(CHANGED)
 
 
-def _is_gone(_: Sequence[dict[str, Any]]) -> UserError:
+def _is_gone(_: Sequence[dict[str, Any]]) -> GamError:
     return ConflictError(GONE)
 
 
-def _repeats(_: Sequence[dict[str, Any]]) -> UserError:
+def _repeats(_: Sequence[dict[str, Any]]) -> GamError:
     return RepeatedError("An instant occurs twice.")
 
 
