@@ -344,6 +344,29 @@ def assert_one_stays(session: Session, first_to_look: str) -> None:
     plant.assert_as_one_full_run()
 
 
+def assert_a_run_planned_from_another_is_no_rival(session: Session) -> None:
+    """Let a second run be planned from one, and end, between the last row of this one and its look."""
+    plant = Plant(session)
+    plant.begin()
+    plant.arrive(plant.grown(NEW))
+    look = publishing.look_again
+    looks: list[int] = []
+
+    def looking(*asked: Any) -> None:
+        looks.append(asked[-1])
+        if len(looks) == 1:
+            plant.arrive(plant.grown(NEW))
+            plant.monitor(2 * NEW).score()
+        look(*asked)
+
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr("gam_db.stored.scoring.portion.look_again", looking)
+        plant.monitor(2 * NEW).score()
+    assert len(looks) == 2
+    assert run_ids(plant) == 2
+    plant.assert_as_one_full_run()
+
+
 def run_ids(plant: Plant) -> int:
     """Return how many runs have rows since the first one."""
     counted = "SELECT COUNT(DISTINCT run_id) - 1 AS runs FROM gam_state_run WHERE withdrawn IS NULL"

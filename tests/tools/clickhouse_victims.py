@@ -19,7 +19,6 @@ import victims
 from gam_db.engines.session import Session
 from gam_db.stored import pruning
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.state import State
 from harness import arrow
 from scripts import arrive
 from visible import BUCKETS, NOVEL, visible
@@ -47,14 +46,14 @@ def looked(monitor: Monitor) -> dict[str, Any]:
 
 def die_after(table: str) -> None:
     """Let this process die when rows were appended to a table of the state."""
-    append = State.append
+    execute = Session.execute
 
-    def appended(state: State, name: str, query: Any) -> None:
-        append(state, name, query)
-        if name == table:
+    def executed(session: Session, statement: exp.Expr) -> None:
+        execute(session, statement)
+        if isinstance(statement, exp.Insert) and statement.this.this.name.endswith(f"state_{table}"):
             os.kill(os.getpid(), signal.SIGKILL)
 
-    setattr(State, "append", appended)  # noqa: B010
+    setattr(Session, "execute", executed)  # noqa: B010
 
 
 def live(order: dict[str, Any], said: int) -> None:

@@ -2,10 +2,10 @@
 
 A run remembers the newest finished run of each version when it is planned, and compares in its
 publication. Where an engine has transactions that is one, and one writer of a monitor at a time is
-inside. Else the run compares before its last row and looks again after it: of two that knew nothing of
-one another at least one sees the other, and withdraws itself by a second row. The one with the smaller
-id waits a moment for the other to do so; then one of them stays. Either way no run stays beside another
-that it did not know.
+inside. Else the run compares before its last row and looks for rivals after it: of two that were planned
+from the same run at least one sees the other, and withdraws itself by a second row. The one with the
+smaller id waits a moment for the other to do so; then one of them stays. A run that was planned from a
+committed one knows it, and is no rival.
 """
 
 import time
@@ -55,17 +55,17 @@ def unplanned(state: State, group: list[Row], planned: list[Row]) -> exp.Query:
 
 
 def look_again(running: Running, state: State, group: list[Row], run_id: int) -> None:
-    """Withdraw a run that is committed if another one is there that it did not know.
+    """Withdraw a run that is committed if it has rivals.
 
     Raises:
-        ConflictError: there is one.
+        ConflictError: it has.
     """
     versions = listed(exp.column("version_id", table="run"), (row["version_id"] for row in group))
-    others = exp.and_(versions, exp.column("run_id", table="run").neq(template.node_of(run_id)))
-    query = planned_runs(_channels(group), others).query("unplanned", running.placed)
+    slots: dict[str, template.Slot] = {"run_id": run_id, "near": versions, "among": _channels(group)}
+    query = state.query("stored/scoring/rivals", slots, {"cohort": running.placed["cohort"]})
     deadline = time.monotonic() + _PATIENCE
     while rows := state.session.rows(query):
-        if min(row["newest_run"] for row in rows) < run_id or time.monotonic() >= deadline:
+        if min(row["rival"] for row in rows) < run_id or time.monotonic() >= deadline:
             withdraw(state, run_id)
             raise ConflictError(CHANGED)
         time.sleep(_PAUSE)
