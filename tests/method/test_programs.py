@@ -257,8 +257,8 @@ def test_wide_sources_say_one_program_of_all_their_columns(engine: str) -> None:
 def test_settings_are_chosen_over_all_programs(engine: str) -> None:
     """Delay, bins and window are those without the column; the certificate is by programs."""
     rows: list[ProgramRow] = [
-        ("m", "x", i, float(10 * abs(i % 44 - 22) + 7919 * i % 17), ["b", "a", None][i // 300 % 3])
-        for i in range(3000)
+        ("m", "x", i, float(10 * abs(i % 44 - 22) + 7919 * i % 17), ["b", "a", None][i // 150 % 3])
+        for i in range(1500)
     ]
     method = harness.made({"tau": "auto", "bins": "auto", "window": "auto"}, {"fraction": 0.6})
     found = found_on(engine, rows, method)

@@ -104,21 +104,27 @@ def _score(
     assert lo is not None
     assert hi is not None
 
+    codes: dict[float, int] = {}  # each sample is in several vectors
+
     def cell(values: list[float]) -> tuple[int, ...]:
-        return tuple(reference.code(x, lo, hi, bins) for x in values)
+        for x in values:
+            if x not in codes:
+                codes[x] = reference.code(x, lo, hi, bins)
+        return tuple([codes[x] for x in values])
 
     held = [[member.values[at] or 0.0 for at in vector] for member, vector in vectors]
+    cells = [cell(values) for values in held]
     visited: dict[tuple[int, ...], set[int]] = {}
-    for values, block in zip(held, blocks, strict=True):
-        visited.setdefault(cell(values), set()).add(block)
+    for place, block in zip(cells, blocks, strict=True):
+        visited.setdefault(place, set()).add(block)
     parts = blocks
     if 1 < sum(any(member.healthy) for member in members) < len(members):
         parts = [members.index(member) for member, _ in vectors]
     seen: dict[tuple[int, ...], set[int]] = {}
-    for values, part in zip(held, parts, strict=True):
-        seen.setdefault(cell(values), set()).add(part)
+    for place, part in zip(cells, parts, strict=True):
+        seen.setdefault(place, set()).add(part)
     sizes = Counter(parts)
-    alone = Counter(b for v, b in zip(held, parts, strict=True) if len(seen[cell(v)]) == 1)
+    alone = Counter(b for place, b in zip(cells, parts, strict=True) if len(seen[place]) == 1)
     shares = [alone[part] / size for part, size in sizes.items()]
     # Sums of whole units, as in the certificate: then the mean is the same on every machine.
     units = float(2**62 // len(shares))
