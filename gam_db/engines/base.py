@@ -166,6 +166,7 @@ class Engine:
     #: The body of the delay vectors that costs least (:mod:`gam_db.method.delays`); None for windows.
     delays: str | None = None
     holds_delays: bool = False  # whether that body has all of a source in memory at once
+    delays_by_column: bool = False  # whether LAG takes a delay that differs by row
     reads_first: bool = False  # whether it joins columns by hash, but no expressions: each with each
     by_sets: bool = False  # whether a row is looked up in a set (IN) at less cost than it is joined
     #: Asks how many rows a set may have for that (one row, *most*); None for any number.

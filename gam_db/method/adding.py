@@ -81,6 +81,8 @@ class OfSet:
             mine["settings"] = [
                 exp.alias_(exp.column(name, table="scale"), name) for name in self.method.columns
             ]
+        if "differing" in names:
+            mine["differing"] = [exp.column("buckets")] * ("buckets" in self.method.columns)
         return {**mine, **following(self.setting, names, self.method.columns), **given}
 
 

@@ -175,7 +175,7 @@ def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
 def add_trusted_novelty(one: OfSet, bits: Bits | None, by_sets: bool = False) -> None:
     """Add Eq. 4 of channels without missing samples, right over their vectors, with their marks."""
     doubled = exp.alias_(exp.column("doubled", table="vector"), "doubled")
-    add_novelty(one, [number_of(one.setting), doubled], bits, COMPLETE, "vectors", by_sets)
+    add_novelty(one, [number_of(one.setting.span), doubled], bits, COMPLETE, "vectors", by_sets)
 
 
 def kept(method: Method, ways: Ways) -> set[str]:

@@ -11,7 +11,7 @@ from gam_db.method.bits import Bits
 from gam_db.method.calibration import add_marked_codes
 from gam_db.method.delays import COMPLETE, INCOMPLETE
 from gam_db.method.programs import JUDGED, coded
-from gam_db.method.vectors import add_vectors, compared, varying
+from gam_db.method.vectors import add_vectors, compared, span_of, varying
 from gam_db.settings.parameters import LARGEST_KEY, Parameters
 
 
@@ -97,11 +97,13 @@ def _add_counted(
     """Add Eq. 4 of the vectors of a prefix that are counted, and number them."""
     renamed = {name: f"{prefix}{name}" for name in ("vectors", "novelty")}
     travelling = [_carried(name) for name in carried]
-    said: list[exp.Expr] = [exp.alias_(straddling, "straddling"), *travelling]
+    said: list[exp.Expr] = [exp.alias_(straddling, "straddling"), *travelling, *_stride(one, "scale")]
     slots: dict[str, template.Slot] = {"carried": said, "counted": counted}
     one.add("score/monitored", slots, f"{prefix}monitored", renamed)
-    add_novelty(one, [_carried("straddling"), *travelling], bits, prefix, by_sets=by_sets)
-    named: dict[str, template.Slot] = {"carried": [exp.column(name) for name in carried]}
+    travelling = [_carried("straddling"), *travelling, *_stride(one, "vector")]
+    add_novelty(one, travelling, bits, prefix, by_sets=by_sets)
+    told = [*(exp.column(name) for name in carried), *_stride(one)]
+    named: dict[str, template.Slot] = {"carried": told}
     one.add("health/numbered", named, f"{prefix}numbered", renamed)
 
 
@@ -171,6 +173,7 @@ def add_placed(
         "position",
         *(ends or {}),
         *marks,
+        *(column.name for column in _stride(one)),
     )
     one.steps.add(
         one.named("placed"),
@@ -178,7 +181,10 @@ def add_placed(
         "Placed: every scored vector with its number.",
     )
     for name in dict.fromkeys(("visited", counted)):
-        one.add("health/visited", visited_slots(one.setting, ends, trusting, name == "visited"), name)
+        slots = visited_slots(one.setting, ends, trusting, name == "visited")
+        if stride := _stride(one):
+            slots["stride"] = stride[0]
+        one.add("health/visited", slots, name)
     one.add("health/buckets", tables={"visited": counted})
     one.add("health/novel_cells")
 
@@ -221,15 +227,23 @@ def _add_complete_scoring(one: OfSet, marks: Sequence[str], bits: Bits | None) -
     prefix = COMPLETE
     _add_vectors_from_run_up(one, prefix, marks)
     travelling = [_carried(mark) for mark in marks]
-    carried = [number_of(one.setting), *travelling]
+    carried = [number_of(span_of(one, "scale")), *travelling, *_stride(one, "scale")]
     slots: dict[str, template.Slot] = {"carried": carried, "counted": exp.true()}
     one.add("score/monitored", slots, f"{prefix}monitored", {"vectors": f"{prefix}vectors"})
-    add_novelty(one, [_carried("number"), *travelling], bits, prefix)
+    add_novelty(one, [_carried("number"), *travelling, *_stride(one, "vector")], bits, prefix)
 
 
-def number_of(setting: Parameters) -> exp.Expr:
-    """Return the column of a vector's number where no sample is missing."""
-    return exp.alias_(template.fill("score/number", {"span": setting.span}), "number")
+def number_of(span: int | exp.Expr) -> exp.Expr:
+    """Return the column of a vector's number where no sample is missing, of a span in samples."""
+    return exp.alias_(template.fill("score/number", {"span": span}), "number")
+
+
+def _stride(one: OfSet, table: str | None = None) -> list[exp.Expr]:
+    """Return the column of the vectors of a bucket, of a table, where channels differ in them."""
+    if "stride" not in one.method.columns:
+        return []
+    column = exp.column("stride", table=table)
+    return [column if table is None else exp.alias_(column, "stride")]
 
 
 def _add_vectors_from_run_up(

@@ -14,7 +14,7 @@ def following(
 ) -> dict[str, template.Slot]:
     """Return those of some slots that follow from the parameters, or read them as ``columns``."""
     reading = _READS if "bins" in columns else {}
-    follows = {**_FOLLOWS, **reading}
+    follows = {**_FOLLOWS, **reading, **(_DIFFERING if "buckets" in columns else {})}
     return {name: follows[name](setting) for name in names if name in follows}
 
 
@@ -107,6 +107,12 @@ _READS: Mapping[str, Callable[[Parameters], template.Slot]] = {
     "code": lambda setting: code_of(setting, exp.column("bins")),
     "cell_key": lambda setting: cell_key(setting, radix=exp.column("radix")),
     "outside": lambda setting: outside(setting, exp.column("radix") - 1),
+}
+
+#: Likewise the buckets of a window.
+_DIFFERING: Mapping[str, Callable[[Parameters], template.Slot]] = {
+    "buckets": lambda _: exp.column("buckets"),
+    "window": lambda _: exp.null(),
 }
 
 _FOLLOWS: Mapping[str, Callable[[Parameters], template.Slot]] = {

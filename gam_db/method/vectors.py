@@ -46,50 +46,73 @@ def add_vectors(
     """
     setting = one.setting
     is_marked = "calibration_vector" in asked
-    radix = ["radix"] * ("radix" in one.method.columns)
-    inner = [*radix, *(column.name for column in numbers(one) if has_keys)]
+    delays, span = delays_of(one), span_of(one)
+    read = [name for name in ("radix", "tau") if name in one.method.columns]
+    inner = [*read, *(column.name for column in numbers(one) if has_keys)]
     codes, over, whole = add_last_codes(one, prefix, [*carried, *inner, *["calibrating"] * is_marked])
     delayed: list[exp.Expr] = [exp.column(name) for name in carried]
     said = [*delayed, *told]
     delayed += [exp.column(name) for name in inner]
     if is_marked:
-        over["oldest_time"] = _before("time", setting.span)
+        over["oldest_time"] = _before("time", span)
         over["last_uncalibrated"] = _newest(exp.column("calibrating").eq(0), setting.span)
         taught = _flag(template.fill("embedding/in_calibration"))
         said.append(exp.alias_(taught, "calibration_vector"))
     if "straddling" in asked:
         touched = [exp.column(f"calibrating_{k}") for k in range(setting.m)]
-        over |= {of.name: _before("calibrating", k * setting.tau) for k, of in enumerate(touched) if k}
+        over |= {of.name: _before("calibrating", delays[k]) for k, of in enumerate(touched) if k}
         delayed.append(exp.alias_(exp.column("calibrating"), touched[0].name))
         touching = exp.or_(
             *(template.fill("embedding/straddling", {"calibrating": of}) for of in touched)
         )
         said.append(exp.alias_(_flag(touching), "straddling"))
     if "oldest_time" in asked:
-        over["oldest_time"] = _before("time", setting.span)
+        over["oldest_time"] = _before("time", span)
         said.append(exp.column("oldest_time"))
     if "still_so_far" in asked:
         over["still_so_far"] = template.fill("embedding/still_so_far")
         said.append(exp.column("still_so_far"))
     if "doubled" in asked:
         # Where the next vector begins with the sample before this one, its time is known already.
-        is_next = setting.span == 2 and setting.still_after is None
+        is_next = span == 2 and setting.still_after is None
         previous = exp.column("context_time" if is_next else "previous_time")
         if not is_next:
             over[previous.name] = _before("time", 1)
         doubled = template.fill("embedding/doubled", {"previous_time": previous})
         said.append(exp.alias_(_flag(doubled), "doubled"))
         whole = exp.or_(whole, doubled)
-    coordinates = {f"code_{k}": _before("code", k * setting.tau) for k in range(1, setting.m)}
+    coordinates = {f"code_{k}": _before("code", delays[k]) for k in range(1, setting.m)}
     slots: dict[str, template.Slot] = {
         "delayed": [*_named(coordinates), *delayed, *_named(over)],
-        "context": _context(setting),
+        "context": _context(setting, span),
         "carried": said,
         "whole": whole,
         **(keyed(one) if has_keys else {}),
         **(known or {}),
     }
     one.add("embedding/vectors", slots, f"{prefix}vectors", {"codes": codes})
+
+
+def delays_of(one: OfSet) -> list[int | exp.Expr]:
+    """Return the delays of the coordinates of a vector, in samples; of a column where tau is one."""
+    setting = one.setting
+    if "tau" not in one.method.columns:
+        return [k * setting.tau for k in range(setting.m)]
+    tau = exp.column("tau")
+    delays: list[int | exp.Expr] = [0, tau]
+    for k in range(2, setting.m):
+        delays.append(exp.Mul(this=exp.Literal.number(k), expression=tau.copy()))
+    return delays[: setting.m]
+
+
+def span_of(one: OfSet, table: str | None = None) -> int | exp.Expr:
+    """Return (m - 1) tau, likewise; the column is that of a table."""
+    span = delays_of(one)[-1]
+    if isinstance(span, exp.Expr):
+        span = span.copy()
+        for column in span.find_all(exp.Column):
+            column.set("table", table and exp.to_identifier(table))
+    return span
 
 
 def compared(setting: Parameters) -> list[exp.Expr]:
@@ -99,7 +122,8 @@ def compared(setting: Parameters) -> list[exp.Expr]:
 
 def varying(one: OfSet) -> list[exp.Expr]:
     """Return what codes carry besides: settings in which channels differ, all but bins, and programs."""
-    return [*(exp.column(name) for name in one.method.columns if name != "bins"), *numbers(one)]
+    read = (name for name in one.method.columns if name in ("radix", "max_gap", "tau"))
+    return [*map(exp.column, read), *numbers(one)]
 
 
 def add_earlier(one: OfSet, prefix: str, samples: str, delays: Sequence[int]) -> None:
@@ -221,7 +245,7 @@ def stream_slots(
         columns.append(exp.column("context_time"))
     whole = template.fill("embedding/whole", {"span": setting.span})
     if stream.gap is not None:
-        told_by, whole = _in_segment(setting, rows=1)
+        told_by, whole = _in_segment(setting, setting.span, rows=1)
         over |= told_by
     if delays:
         value = template.fill("streams/known_value")
@@ -259,9 +283,9 @@ def is_outside(setting: Parameters) -> exp.Expr:
     return _flag(outside(setting))
 
 
-def _context(setting: Parameters) -> exp.Expr:
-    """Return the time from where on the next vector is decided."""
-    delay = max(setting.reach - 1, 0)
+def _context(setting: Parameters, span: int | exp.Expr) -> exp.Expr:
+    """Return the time from where on the next vector is decided, of a span in samples."""
+    delay = _reach(setting, span)
     if setting.still_after is None:
         return _before("time", delay)
     return template.fill("embedding/context", {"delay": delay, "long_ago": LONG_AGO})
@@ -272,10 +296,20 @@ def _flag(condition: exp.Expr) -> exp.Expr:
     return template.case([(condition.copy(), 1)], 0)
 
 
-def _before(column: str, delay: int, rows: int | None = None) -> exp.Expr:
+def _before(column: str, delay: int | exp.Expr, rows: int | None = None) -> exp.Expr:
     """Return the value of a column that many samples before: so many ``rows`` as stored for each."""
-    path = "embedding/delayed" if rows is None else "streams/delayed"
-    return template.fill(path, {"column": exp.column(column), "delay": delay * (rows or 1)})
+    if rows is None:
+        return template.fill("embedding/delayed", {"column": exp.column(column), "delay": delay})
+    assert isinstance(delay, int)
+    return template.fill("streams/delayed", {"column": exp.column(column), "delay": delay * rows})
+
+
+def _reach(setting: Parameters, span: int | exp.Expr) -> int | exp.Expr:
+    """Return how many samples before a vector's newest one the next vector is decided, at least none."""
+    after = setting.reach - setting.span - 1  # where samples stand still, more than those of the vector
+    if isinstance(span, int):
+        return max(span + after, 0)
+    return span + after  # a vector of several coordinates reaches one sample back at least
 
 
 def add_last_codes(
@@ -288,12 +322,13 @@ def add_last_codes(
         vector are in one segment, and the condition that they are, and as many as it takes.
     """
     setting, codes = one.setting, f"{prefix}codes"
-    told_by, whole = dict[str, exp.Expr](), template.fill("embedding/whole", {"span": setting.span})
+    span = span_of(one)
+    told_by, whole = dict[str, exp.Expr](), template.fill("embedding/whole", {"span": span})
     columns: list[exp.Expr] = [exp.column(name) for name in carried]
     breaking, gap = None, one.method.gaps[one.number]
     if gap is not None:
         breaking = _breaking(exp.column("max_gap") if "max_gap" in one.method.columns else gap)
-        told_by, whole = _in_segment(setting)
+        told_by, whole = _in_segment(setting, span)
     if setting.still_after is not None:
         before, codes = codes, f"{prefix}moving_codes"
         own = movement(setting.still_after, [exp.column("channel_id"), *columns], breaking)
@@ -311,13 +346,19 @@ def _breaking(gap: int | exp.Expr, rows: int | None = None) -> exp.Expr:
     return template.fill("embedding/breaking", slots)
 
 
-def _in_segment(setting: Parameters, rows: int | None = None) -> tuple[dict[str, exp.Expr], exp.Expr]:
-    """Return what tells whether all samples of a vector are in one segment, and the condition."""
+def _in_segment(
+    setting: Parameters, span: int | exp.Expr, rows: int | None = None
+) -> tuple[dict[str, exp.Expr], exp.Expr]:
+    """Return what tells whether all samples of a vector are in one segment, and the condition.
+
+    The newest sample that begins one is looked for as far back as the largest span reaches: one before
+    the vector decides nothing.
+    """
     if not setting.span:
         return {}, template.fill("embedding/whole", {"span": 0})
     newest = _newest(exp.column("breaking").eq(1), setting.span - 1, rows)
-    over = {"oldest_time": _before("time", setting.span, rows), "segment_from": newest}
-    return over, template.fill("embedding/in_segment", {"span": setting.span})
+    over = {"oldest_time": _before("time", span, rows), "segment_from": newest}
+    return over, template.fill("embedding/in_segment", {"span": span})
 
 
 def _newest(is_such: exp.Expr, before: int, rows: int | None = None) -> exp.Expr:

@@ -3,6 +3,7 @@
 -- A row:  one bucket; novel_in_window is NULL until W vectors were scored.
 -- Slots:  :buckets  W / stride, the buckets of a window
 --         :window   W, in vectors
+--         :differing  the column buckets where channels differ in it; none where all share them
 SELECT
   channel_id,
   bucket_no,
@@ -24,6 +25,7 @@ FROM (
     novel,
     out_of_range,
     novel_so_far,
+    :differing,
     LAG(novel_so_far, :buckets) OVER (PARTITION BY channel_id ORDER BY bucket_no) AS novel_before
   FROM (
     SELECT
@@ -33,6 +35,7 @@ FROM (
       last_time,
       novel,
       out_of_range,
+      :differing,
       CAST(
         SUM(novel) OVER (
           PARTITION BY channel_id

@@ -45,6 +45,7 @@ def counted_as_doubles(tree: exp.Expr) -> exp.Expr:
 
 ENGINE = Engine.named(
     "duckdb",
+    delays_by_column=True,
     types=Types("duckdb", (("TIMESTAMPTZ_NS", "TIMESTAMPTZ(9)"),)),
     texts=Texts(number_of, instant_of_text, count_of_text),
     zoned=is_zoned,

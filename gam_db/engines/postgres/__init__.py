@@ -112,6 +112,7 @@ PATH = "pg_catalog, pg_temp"
 
 ENGINE = Engine.named(
     "postgres",
+    delays_by_column=True,
     types=Types("postgres", (("citext", "text"),)),
     storage=Storage(column=_by_bytes, index=True),
     opening=(exp.Command(this="SET", expression=f"search_path TO {PATH}"),),

@@ -97,6 +97,7 @@ class Affinities(Types):
 
 ENGINE = Engine.named(
     "sqlite",
+    delays_by_column=True,
     types=Affinities("sqlite"),
     heeds=frozenset({"null"}),
     range_of=range_of,

@@ -141,7 +141,7 @@ def _since(row: Row, live: Mapping[int, list[Row]], first: int) -> int:
 
 def _from(rows: Sequence[Row], judgement: str) -> exp.Expr:
     """Return a condition on *bucket* that holds for the judgements from a column of rows on."""
-    return near([{**row, "first_bucket": row[judgement] * buckets_of(rows[0])} for row in rows])
+    return near([{**row, "first_bucket": row[judgement] * buckets_of(row)} for row in rows])
 
 
 def _match(log: Log, found: list[Row], live: list[Row], judged: Mapping[str, Any]) -> None:

@@ -26,27 +26,30 @@ def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) ->
     Given are its tables *cohort*, *stamp* and *new_buckets*. Returned is the first judgement written
     anew, of each version that has, or had, a limit.
     """
-    buckets = buckets_of(group[0])
-    placed = {**state.tables.placed(), **given}
-    rows = state.rows("stored/alarms/judged_until", {"near": near(group, buckets)}, given)
-    lost = [row for row in rows if row["first_judgement"] == 0 and row["first_bucket"] >= buckets]
+    placed, most = {**state.tables.placed(), **given}, max(map(buckets_of, group))
+    rows = state.rows("stored/alarms/judged_until", {"near": near(group, most)}, given)
+    length = {row["version_id"]: buckets_of(row) for row in group}
+    lost = [
+        row
+        for row in rows
+        if row["first_judgement"] == 0 and row["first_bucket"] >= length[row["version_id"]]
+    ]
     if lost:  # nothing was judged of late, or ever
         versions = {row["version_id"] for row in lost}
         whole = near([{**row, "first_bucket": 0} for row in lost])
         again = state.rows("stored/alarms/judged_until", {"near": whole}, given)
         rows = [row for row in rows if row["version_id"] not in versions]
         rows += [row for row in again if row["version_id"] in versions]
-    if not rows:
-        return {}
-    first = min(row["first_judgement"] for row in rows)
-
-    def since(judgement: int) -> exp.Expr:
-        return near([{**row, "first_bucket": judgement * buckets} for row in rows])
-
-    steps = judging_steps(buckets, since(first), since(first - BEFORE))
-    with Running(state.session, steps, placed) as running:
-        running.load("judged_until", table_of(rows, UNTIL))
-        state.append("judgement", running.query("judgement_rows"))
+    for buckets in sorted({length[row["version_id"]] for row in rows}):
+        alike = [row for row in rows if length[row["version_id"]] == buckets]
+        first = min(row["first_judgement"] for row in alike)
+        since, since_before = (
+            near([{**row, "first_bucket": judgement * buckets} for row in alike])
+            for judgement in (first, first - BEFORE)
+        )
+        with Running(state.session, judging_steps(buckets, since, since_before), placed) as running:
+            running.load("judged_until", table_of(alike, UNTIL))
+            state.append("judgement", running.query("judgement_rows"))
     return {row["version_id"]: row["first_judgement"] for row in rows}
 
 

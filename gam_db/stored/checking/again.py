@@ -250,8 +250,7 @@ class Again:
     def _count(self, running: Running, group: Sequence[Row]) -> dict[int, int]:
         """Make the buckets of some channels, and return the last one of each."""
         make_vectors(running, setting_of(group[0]).programs)
-        buckets = buckets_of(group[0])
-        past: dict[str, template.Slot] = {"buckets": buckets, "near": near(group, buckets)}
+        past: dict[str, template.Slot] = {"near": near(group, buckets_of(group[0]))}
         running.make("stored/scoring/past_buckets", past)
         running.keep("new_buckets")
         made = self.session.rows(_last_made(running))

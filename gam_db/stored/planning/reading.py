@@ -226,7 +226,9 @@ def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
         said = {
             name: value[number] if isinstance(value, list) else value for name, value in columns.items()
         }
-        usual = {"recounted": 0, "settled": 0, "novel_from": 0, "differs": 0}
+        length, stride = row.get("window_length"), row.get("stride")
+        buckets = None if length is None or stride is None else length // stride
+        usual = {"buckets": buckets, "recounted": 0, "settled": 0, "novel_from": 0, "differs": 0}
         last_read = row.get("read_until", LONG_AGO)
         made.append(
             {
@@ -245,15 +247,15 @@ def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
 _COHORT = columns(
     (COUNT, "channel_id version_id support_id first_bucket first_scored read_from read_until"),
     (COUNT, "context_expected calibration_end oldest_bucket recounted settled planned_from novel_from"),
-    (COUNT, "lookback last_read differs bins max_gap"),
+    (COUNT, "lookback last_read differs bins max_gap tau stride buckets"),
     (WORD, "asset channel"),
     (SHARE, "lo hi"),
 )
 
 #: Columns of *plan* that *cohort* reads.
 PLAN = columns(
-    (COUNT, "channel_id version_id support_id bins max_gap calibration_end first_bucket first_scored"),
-    (COUNT, "read_from read_until context_expected oldest_bucket"),
+    (COUNT, "channel_id version_id support_id tau bins window_length stride max_gap calibration_end"),
+    (COUNT, "first_bucket first_scored read_from read_until context_expected oldest_bucket"),
     (WORD, "asset channel"),
     (SHARE, "lo hi"),
 )

@@ -39,6 +39,7 @@ from gam_db.method.scoring import (
     add_numbered,
     add_support_bits,
 )
+from gam_db.method.vectors import span_of
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import MIN_MAX, ROBUST, Parameters
 from gam_db.settings.source import Programs
@@ -81,6 +82,8 @@ class Setting(NamedTuple):
         has_start: whether the version is scored from a given instant on.
         still_after: samples; None for never.
         programs: the column that says which program runs, where states are healthy for one.
+        by_column: whether channels differ in tau, window and stride, which are columns then; these are
+            the largest.
     """
 
     m: int
@@ -92,6 +95,7 @@ class Setting(NamedTuple):
     has_start: bool
     still_after: int | None = None
     programs: Programs | None = None
+    by_column: bool = False
 
     @property
     def has_programs(self) -> bool:
@@ -104,24 +108,36 @@ class Setting(NamedTuple):
         return self.bins + 3
 
 
+#: Fields of a setting that are no columns of a version.
+_NO_FIGURES = ("has_start", "programs", "by_column")
+
+
 def setting_of(version: Mapping[str, Any]) -> Setting:
     """Return the setting of a row of the plan."""
-    figures = {name: version[name] for name in Setting._fields if name not in ("has_start", "programs")}
+    figures = {name: version[name] for name in Setting._fields if name not in _NO_FIGURES}
     begins = version["score_from"] is not None
     return Setting(**figures, has_start=begins, programs=version.get("programs"))
 
 
-def shape_of(version: Mapping[str, Any]) -> Setting:
-    """Return what stands in the text of a run: the setting without what is read as a column."""
+def shape_of(version: Mapping[str, Any], by_column: bool = False) -> Setting:
+    """Return what stands in the text of a run: the setting without what is read as a column.
+
+    Where an engine takes delays ``by_column``, it reads tau, window and stride so, too.
+    """
     setting = setting_of(version)
+    if by_column:
+        setting = setting._replace(tau=1, window_length=1, stride=1, by_column=True)
     # With how many programs a key fits into 64 bits follows from the bins.
     bins = setting.bins if setting.has_programs else 0
     return setting._replace(bins=bins, max_gap=None if version["max_gap"] is None else 1)
 
 
-def shared_by(group: Sequence[Mapping[str, Any]]) -> Setting:
-    """Return the setting of channels of one shape, with the most bins of any."""
-    return shape_of(group[0])._replace(bins=max(row["bins"] for row in group))
+def shared_by(group: Sequence[Mapping[str, Any]], by_column: bool = False) -> Setting:
+    """Return the setting of channels of one shape, with the most bins of any, and the largest delay."""
+    most = {"bins": max(row["bins"] for row in group)}
+    if by_column and group[0]["max_gap"] is not None:  # how far back segments are looked for
+        most["tau"] = max(row["tau"] for row in group)
+    return shape_of(group[0], by_column)._replace(**most)
 
 
 def plan_steps(monitor_id: int, lookback: int, since: int = 0) -> Pipeline:
@@ -213,6 +229,7 @@ def scoring_steps(
     """
     # Settings in which the channels of a run may differ are columns.
     columns = ("bins", "radix", *["max_gap"] * (setting.max_gap is not None))
+    columns += ("tau", "stride", "buckets") * setting.by_column
     steps = _frozen(columns)
     # Where calibration is scored, too, the steps look first: no vector carries a mark.
     trusting = can_trust(setting, kind)
@@ -254,14 +271,13 @@ def add_counting(
     _add_new_buckets(of_set, trusting, bits)
     buckets = "new_buckets"
     if has_past:
-        length = setting.window_length // setting.stride
-        past: dict[str, template.Slot] = {"buckets": length, "near": exp.true()}
-        add(steps, "stored/scoring/past_buckets", past)
-        columns = ("channel_id", "bucket_no", "first_time", "last_time", "novel", "out_of_range")
+        add(steps, "stored/scoring/past_buckets", {"near": exp.true()})
+        kept = ("channel_id", "bucket_no", "first_time", "last_time", "novel", "out_of_range")
+        read = (*kept, *["buckets"] * setting.by_column)
         buckets = "running_buckets"
         steps.add(
             buckets,
-            union_of(steps, ["past_buckets", "new_buckets"], columns),
+            union_of(steps, ["past_buckets", "new_buckets"], read),
             "Running buckets: those of this run after the last window of those that stay.",
         )
     of_set.add("health/bucket_counts", tables={"buckets": buckets})
@@ -353,7 +369,8 @@ def _add_samples(
 def _add_new_buckets(of_set: OfSet, trusting: bool = False, bits: Bits | None = None) -> None:
     steps, setting = of_set.steps, of_set.setting
     add(steps, "stored/scoring/seen")
-    add(steps, "stored/scoring/run_up", {"span": setting.span, **_read_as(of_set.method.columns)})
+    span = span_of(of_set, "member")
+    add(steps, "stored/scoring/run_up", {"span": span, **_read_as(of_set.method.columns)})
     ends = dict(ENDS)
     is_told = setting.still_after is not None
     if not of_set.method.is_parted:
@@ -383,7 +400,8 @@ def _read_as(columns: Sequence[str]) -> dict[str, template.Slot]:
     read = {
         "bins": exp.cast(exp.column("bins", table="member"), "INT"),
         "radix": template.fill("embedding/radix"),
-        "max_gap": exp.column("max_gap", table="member"),
+        "tau": exp.cast(exp.column("tau", table="member"), "INT"),
+        **{name: exp.column(name, table="member") for name in ("max_gap", "stride", "buckets")},
     }
     return {"settings": [exp.alias_(read[name], name) for name in columns]}
 
@@ -403,7 +421,9 @@ def method_of(
     if gap is not None and not kind.is_counter:
         gap = dt.timedelta(microseconds=gap)
     figures = setting._asdict() | {"max_gap": gap, "window": setting.window_length}
-    del figures["window_length"], figures["has_start"], figures["programs"]
+    del figures["window_length"]
+    for name in _NO_FIGURES:
+        del figures[name]
     start = None
     if setting.has_start:
         start = 0 if kind.is_counter else dt.date(1970, 1, 1)

@@ -103,7 +103,7 @@ class Run:
                 continue
             self.scoring.tables = {name: running.placed[name] for name in _OF_RUN}
             limit = wanted.limit or self.session.rows_at_once()
-            for group in portions(cohort.channels, counts, limit):
+            for group in portions(cohort.channels, counts, limit, self.scoring.shape):
                 self.scoring.score(group, cohort, rows_of(group, counts))
         self.report.channels = self.scoring.channels
         self.report.parked = len(plan.parked) - sum(len(cohort.channels) for cohort in back)

@@ -21,7 +21,7 @@ from gam_db.stored.checking.proving import verify
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due
 from gam_db.stored.planning.published import former, former_slots
 from gam_db.stored.planning.reading import Reader, collapse, identified, near
-from gam_db.stored.planning.steps import reading_steps, shared_by
+from gam_db.stored.planning.steps import Setting, reading_steps, shape_of, shared_by
 from gam_db.stored.scoring.lists import RepeatedError, Shape, counting, hidden_tables, publishing
 from gam_db.stored.scoring.publishing import look_again, unplanned, withdraw
 from gam_db.stored.scoring.report import Wanted
@@ -64,7 +64,8 @@ class Scoring:
 
     def score(self, group: list[Row], cohort: Cohort, read: int) -> None:
         """Score channels of one shape, all or a part of a cohort, of which so many rows are read."""
-        setting, due = shared_by(group), any(self._is_due(row) for row in group)
+        by_column = self.takes_columns(group[0])
+        setting, due = shared_by(group, by_column), any(self._is_due(row) for row in group)
         # Of what lies within the lookback hardly anything has changed; only that is written anew.
         compared = not self.wanted.is_anew and any(row["restarts"] for row in group)
         shape = Shape(setting, self.reader.kind, self._bits(group, read), compared, due)
@@ -83,6 +84,14 @@ class Scoring:
             lists = publishing(shape, self.state.session.transactions)
             self._publish(running, group, scored, *lists)
 
+    def takes_columns(self, row: Row) -> bool:
+        """Tell whether tau, window and stride of a channel are read as columns."""
+        return self.state.session.engine.delays_by_column and row["programs"] is None
+
+    def shape(self, row: Row) -> Setting:
+        """Return what channels must share to be scored together."""
+        return shape_of(row, self.takes_columns(row))
+
     def _bits(self, group: Sequence[Row], read: int) -> Bits | None:
         """Return how the engine keeps supports as bits; None where they take much beside the rows."""
         bits, setting = self.state.session.engine.bits, shared_by(group)
@@ -95,18 +104,17 @@ class Scoring:
         self, running: Running, group: list[Row], shape: Shape, assets: Sequence[str] | None
     ) -> dict[str, exp.Query]:
         """Keep the cohort, and return the queries that differ from run to run."""
-        buckets, condition = buckets_of(group[0]), near(group)
+        buckets, condition = max(map(buckets_of, group)), near(group)
         running.put("cohort", self._cohort(group, shape.recounted))
         verify(self.state, running.placed["cohort"], group)
         since = min(row["read_from"] for row in group)
-        past: dict[str, template.Slot] = {"buckets": buckets, "near": near(group, buckets)}
         queries: dict[str, exp.Query] = {}
         if shape.recounted:  # of other readings than those that are scored
             queries["recount"] = self._recount(running, assets)
         queries |= {
             "identified": identified(running, self.reader.readings(assets, since)),
-            "past_buckets": filled("stored/scoring/past_buckets", past),
-            "past_missing": filled("stored/scoring/past_missing", {"buckets": buckets}),
+            "past_buckets": filled("stored/scoring/past_buckets", {"near": near(group, buckets)}),
+            "past_missing": filled("stored/scoring/past_missing"),
         }
         programs = shape.setting.has_programs
         for table, step in former(programs).items() if shape.compared else ():

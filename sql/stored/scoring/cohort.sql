@@ -14,7 +14,12 @@ SELECT
   frozen.support_id AS support_id,
   frozen.asset AS asset,
   frozen.channel AS channel,
+  frozen.tau AS tau,
   frozen.bins AS bins,
+  frozen.stride AS stride,
+  CAST(
+    FLOOR((CAST(frozen.window_length AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(frozen.stride AS DOUBLE)) AS BIGINT
+  ) AS buckets,
   frozen.max_gap AS max_gap,
   frozen.lo AS lo,
   frozen.hi AS hi,

@@ -4,6 +4,7 @@
 SELECT
   full_bucket.channel_id AS channel_id,
   member.version_id AS version_id,
+  CAST(member.buckets AS INTEGER) AS buckets,
   full_bucket.bucket_no + member.first_bucket AS bucket_no,
   full_bucket.first_time AS first_time,
   full_bucket.last_time AS last_time,

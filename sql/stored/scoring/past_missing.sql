@@ -1,7 +1,6 @@
 -- Past missing: channels of which buckets of the last window before a run's first one are not there.
 -- Reads:  cohort, past_buckets
 -- A row:  one such channel.
--- Slots:  :buckets  W / stride, the buckets of a window
 SELECT member.channel_id AS channel_id
 FROM cohort AS member
 LEFT JOIN (
@@ -10,4 +9,4 @@ LEFT JOIN (
   GROUP BY channel_id
 ) AS past ON past.channel_id = member.channel_id
 WHERE CASE WHEN past.hit = 1 THEN past.past_buckets ELSE 0 END
-  <> CASE WHEN member.first_bucket < :buckets THEN member.first_bucket ELSE :buckets END
+  <> CASE WHEN member.first_bucket < member.buckets THEN member.first_bucket ELSE member.buckets END
