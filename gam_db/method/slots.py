@@ -112,7 +112,7 @@ _READS: Mapping[str, Callable[[Parameters], template.Slot]] = {
 #: Likewise the buckets of a window.
 _DIFFERING: Mapping[str, Callable[[Parameters], template.Slot]] = {
     "buckets": lambda _: exp.column("buckets"),
-    "window": lambda _: exp.null(),
+    "window": lambda _: exp.cast(exp.null(), "BIGINT"),
 }
 
 _FOLLOWS: Mapping[str, Callable[[Parameters], template.Slot]] = {

@@ -101,7 +101,8 @@ def delays_of(one: OfSet) -> list[int | exp.Expr]:
     tau = exp.column("tau")
     delays: list[int | exp.Expr] = [0, tau]
     for k in range(2, setting.m):
-        delays.append(exp.Mul(this=exp.Literal.number(k), expression=tau.copy()))
+        times = exp.Mul(this=exp.Literal.number(k), expression=exp.cast(tau.copy(), "BIGINT"))
+        delays.append(exp.cast(times, "INT"))
     return delays[: setting.m]
 
 

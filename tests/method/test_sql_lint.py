@@ -699,6 +699,7 @@ def watch_once() -> None:
                 monitor.report(Path(folder) / "page.html")
             monitor.prune()
         withdraw(monitor.state, 0)
+        template.load("stored/scoring/rivals")  # where there are no transactions
         running = arrow([(*row, "ab"[row[2] // 2 % 2]) for row in rows])
         named = gam_db.Source(running, program="program")
         parameters = gam_db.Parameters(m=2, bins=2, window=4, target_floor=0.6)

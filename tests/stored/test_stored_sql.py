@@ -30,6 +30,7 @@ SETTINGS = [
     Setting(3, 1, 100, 5000, 100, None, False),
     Setting(1, 2, 2**31, 7, 7, 3, False),
     Setting(4, 5, 50_000, 300, 10, None, True),
+    Setting(3, 1, 100, 1, 1, 3, False, by_column=True),
 ]
 
 

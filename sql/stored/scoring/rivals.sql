@@ -19,7 +19,7 @@ LEFT JOIN (
   SELECT run.version_id AS version_id, run.run_id AS run_id, 1 AS hit
   FROM stored_finished_run AS run
   WHERE :near
-) AS before ON before.version_id = member.version_id AND before.run_id = member.planned_from
+) AS former ON former.version_id = member.version_id AND former.run_id = member.planned_from
 LEFT JOIN (
   SELECT version.channel_id AS channel_id, MAX(version.version_id) AS version_id, 1 AS hit
   FROM stored_version AS version
@@ -27,7 +27,7 @@ LEFT JOIN (
   GROUP BY version.channel_id
 ) AS newest ON newest.channel_id = member.channel_id
 WHERE other.hit = 1
-  OR (member.planned_from > 0 AND CASE WHEN before.hit = 1 THEN 0 ELSE 1 END = 1)
+  OR (member.planned_from > 0 AND CASE WHEN former.hit = 1 THEN 0 ELSE 1 END = 1)
   OR CASE
     WHEN newest.hit = 1 THEN CASE WHEN newest.version_id <> member.version_id THEN 1 ELSE 0 END
     ELSE 1
