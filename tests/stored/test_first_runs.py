@@ -189,6 +189,31 @@ def test_channels_of_different_grids_are_scored_by_one_query(
     assert made.check_state().num_rows == 0
 
 
+@pytest.mark.parametrize("gap", [None, 5])
+def test_channels_of_different_delays_and_windows_are_scored_by_one_list(
+    connection: duckdb.DuckDBPyConnection, gap: int | None
+) -> None:
+    """Delay, window and stride are columns of the cohort, where segments end, too; so is what judges."""
+    overrides = [
+        {"asset": "b", "tau": 5, "window": 12, "stride": 3},
+        {"asset": "c", "tau": 1, "window": 20, "stride": 20, "bins": 7},
+    ]
+    method = METHODS["delays"] | {"overrides": overrides, "max_gap": gap}
+    heard: list[str] = []
+    rows = uneven(by_channel())
+    first = [row for row in rows if row[2] < 300]
+    source(connection, first)
+    made = monitor(connection, method)
+    made.migrate()
+    made.calibrate()
+    made.score(on_step=heard.append)
+    assert heard.count("visited") == 1
+    put(connection, [row for row in rows if row[2] >= 300])
+    made.score()
+    compare(connection, rows, method, first)
+    assert made.check_state().num_rows == 0
+
+
 #: Grids of the same channels that differ from one another.
 DIFFERENT: dict[str, Any] = {
     **METHODS["delays"],

@@ -25,6 +25,7 @@ from gam_db.stored.planning.steps import (
     LEARNT,
     OF_SUPPORT,
     learning_steps,
+    past_slots,
     scoring_steps,
     setting_of,
     shared_by,
@@ -250,8 +251,8 @@ class Again:
     def _count(self, running: Running, group: Sequence[Row]) -> dict[int, int]:
         """Make the buckets of some channels, and return the last one of each."""
         make_vectors(running, setting_of(group[0]).programs)
-        past: dict[str, template.Slot] = {"near": near(group, buckets_of(group[0]))}
-        running.make("stored/scoring/past_buckets", past)
+        past = near(group, buckets_of(group[0]))
+        running.make("stored/scoring/past_buckets", past_slots(setting_of(group[0]), past))
         running.keep("new_buckets")
         made = self.session.rows(_last_made(running))
         return {row["channel_id"]: row["last_bucket"] for row in made}

@@ -271,7 +271,7 @@ def add_counting(
     _add_new_buckets(of_set, trusting, bits)
     buckets = "new_buckets"
     if has_past:
-        add(steps, "stored/scoring/past_buckets", {"near": exp.true()})
+        add(steps, "stored/scoring/past_buckets", past_slots(setting, exp.true()))
         kept = ("channel_id", "bucket_no", "first_time", "last_time", "novel", "out_of_range")
         read = (*kept, *["buckets"] * setting.by_column)
         buckets = "running_buckets"
@@ -379,7 +379,25 @@ def _add_new_buckets(of_set: OfSet, trusting: bool = False, bits: Bits | None = 
         ends["still_so_far"] = "end_still"
     add_buckets(of_set, ends, trusting, bits)
     add(steps, "stored/scoring/bucket_ends")
-    add(steps, "stored/scoring/new_buckets")
+    add(
+        steps,
+        "stored/scoring/new_buckets",
+        {"differing": _differing("buckets" in of_set.method.columns)},
+    )
+
+
+def past_slots(setting: Setting, near: exp.Expr) -> dict[str, template.Slot]:
+    """Return the slots of past_buckets.sql; the condition on *bucket* holds for all of them."""
+    buckets: int | exp.Expr = setting.window_length // setting.stride
+    if setting.by_column:
+        buckets = exp.column("buckets", table="member")
+    return {"buckets": buckets, "differing": _differing(setting.by_column), "near": near}
+
+
+def _differing(by_column: bool) -> list[exp.Expr]:
+    """Return the buckets of a window as a column, where channels differ in them."""
+    buckets = exp.cast(exp.column("buckets", table="member"), "INT")
+    return [exp.alias_(buckets, "buckets")] * by_column
 
 
 def _add_stillness(steps: Pipeline, setting: Setting, kind: TimeKind) -> None:

@@ -21,7 +21,7 @@ from gam_db.stored.checking.proving import verify
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due
 from gam_db.stored.planning.published import former, former_slots
 from gam_db.stored.planning.reading import Reader, collapse, identified, near
-from gam_db.stored.planning.steps import Setting, reading_steps, shape_of, shared_by
+from gam_db.stored.planning.steps import Setting, past_slots, reading_steps, shape_of, shared_by
 from gam_db.stored.scoring.lists import RepeatedError, Shape, counting, hidden_tables, publishing
 from gam_db.stored.scoring.publishing import look_again, unplanned, withdraw
 from gam_db.stored.scoring.report import Wanted
@@ -113,7 +113,9 @@ class Scoring:
             queries["recount"] = self._recount(running, assets)
         queries |= {
             "identified": identified(running, self.reader.readings(assets, since)),
-            "past_buckets": filled("stored/scoring/past_buckets", {"near": near(group, buckets)}),
+            "past_buckets": filled(
+                "stored/scoring/past_buckets", past_slots(shape.setting, near(group, buckets))
+            ),
             "past_missing": filled("stored/scoring/past_missing"),
         }
         programs = shape.setting.has_programs

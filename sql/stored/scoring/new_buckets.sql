@@ -1,10 +1,11 @@
 -- New buckets: the full buckets of this run, numbered on from those that stay.
 -- Reads:  buckets, bucket_ends, cohort, seen
 -- A row:  one bucket; samples counts those after the end of the bucket before.
+-- Slots:  :differing  the column buckets where channels differ in it; none where all share it
 SELECT
   full_bucket.channel_id AS channel_id,
   member.version_id AS version_id,
-  CAST(member.buckets AS INTEGER) AS buckets,
+  :differing,
   full_bucket.bucket_no + member.first_bucket AS bucket_no,
   full_bucket.first_time AS first_time,
   full_bucket.last_time AS last_time,

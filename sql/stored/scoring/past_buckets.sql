@@ -1,10 +1,12 @@
 -- Past buckets: the last window of buckets that stay, for the running counts of those that follow.
 -- Reads:  stored_visible_bucket, cohort
 -- A row:  one bucket.
--- Slots:  :near  a condition on bucket that holds for all of them
+-- Slots:  :buckets    W / stride, the buckets of a window
+--         :differing  the column buckets where channels differ in it; none where all share it
+--         :near       a condition on bucket that holds for all of them
 SELECT
   member.channel_id AS channel_id,
-  CAST(member.buckets AS INTEGER) AS buckets,
+  :differing,
   bucket.bucket_no AS bucket_no,
   bucket.first_time AS first_time,
   bucket.last_time AS last_time,
@@ -13,5 +15,5 @@ SELECT
 FROM stored_visible_bucket AS bucket
 JOIN cohort AS member ON member.version_id = bucket.version_id
 WHERE bucket.bucket_no < member.first_bucket
-  AND bucket.bucket_no >= member.first_bucket - member.buckets
+  AND bucket.bucket_no >= member.first_bucket - :buckets
   AND :near
