@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from sqlglot import exp
 
 from gam_db.clock import FAR_AHEAD
+from gam_db.columns import name_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import filled, place
 from gam_db.composing.plan import Plan
@@ -184,7 +185,8 @@ class Scoring:
             look_again(running, state, group, run_id)
             self._follow(group, judged, run_id)
         columns = [name for name in scored[0] if name != "planned_from"]
-        self.channels += [{name: row[name] for name in columns} for row in scored]
+        by_name = sorted(scored, key=name_of)
+        self.channels += [{name: row[name] for name in columns} for row in by_name]
 
     def _follow(self, group: Sequence[Row], judged: Mapping[int, int], run_id: int) -> None:
         """Follow what is committed already; what a run was killed before is made up for once a day."""
