@@ -310,7 +310,10 @@ def test_an_incremental_run_reads_its_range_only(session: Session) -> None:
     read_of, there = granules(session, sqlglot.parse_one(literal))
     assert (read_of, there) == (1, 312)
     group = [{"version_id": 5, "first_bucket": 9950}]
-    asked = filled("stored/scoring/past_buckets", {"buckets": 50, "near": reading.near(group, 50)})
+    asked = filled(
+        "stored/scoring/past_buckets",
+        {"buckets": 50, "differing": [], "near": reading.near(group, 50)},
+    )
     cohort = pa.table({"channel_id": [5], "version_id": [5], "first_bucket": [9950]})
     with session.lent(cohort) as lent:
         place(asked, {**monitor.state.tables.placed(), "cohort": lent})

@@ -244,7 +244,9 @@ def test_a_run_reads_its_range_only(spark: Session, tmp_path: Path) -> None:
     spark.driver.fetch("SET spark.sql.sources.bucketing.autoBucketedScan.enabled=true")
     assert "SelectedBucketsCount: 1 out of 4" in plan
     group = [{"version_id": 3, "first_bucket": 900}]
-    past = filled("stored/scoring/past_buckets", {"buckets": 50, "near": near(group, 50)})
+    past = filled(
+        "stored/scoring/past_buckets", {"buckets": 50, "differing": [], "near": near(group, 50)}
+    )
     cohort = pa.table({"channel_id": [3], "version_id": [3], "first_bucket": [900]})
     with spark.lent(cohort) as lent:
         place(past, {**tables.placed(), "cohort": lent})

@@ -233,7 +233,9 @@ def test_the_past_window_is_found_by_literals(plant: duckdb.DuckDBPyConnection) 
     nothing = "NULL, NULL, 0, 0, 0, 0, 0, 0, 0, NULL, NULL, NULL, NULL"
     plant.execute(f"INSERT INTO gam_state_run SELECT 7, 1, 0, 0, 0, 0, 0, {nothing}")
     group = [{"version_id": 1, "first_bucket": 199_000}]
-    query = filled("stored/scoring/past_buckets", {"buckets": 4, "near": near(group, 4)})
+    query = filled(
+        "stored/scoring/past_buckets", {"buckets": 4, "differing": [], "near": near(group, 4)}
+    )
     with monitor(plant) as mine:
         place(query, mine.state.tables.placed())
         plant.execute(
@@ -289,7 +291,9 @@ def test_sqlite_finds_what_is_stored_by_its_key() -> None:
         mine = gam_db.Monitor(session, gam_db.Source("telemetry"))
         mine.migrate()
         stored = mine.state.tables.placed()
-        past = filled("stored/scoring/past_buckets", {"buckets": 50, "near": near(group, 50)})
+        past = filled(
+            "stored/scoring/past_buckets", {"buckets": 50, "differing": [], "near": near(group, 50)}
+        )
         bucket = stored["stored_bucket"]
         hidden = filled("stored/state/superseded", {"run_id": 7, "after": 4, "near": near(group)})
         place(hidden, {**stored, "appended": bucket})
