@@ -7,14 +7,18 @@ import duckdb
 import pytest
 from sqlglot import exp
 
+import frozen
+import gam_db
+import harness
 from as_stored import METHODS, RUNS, compare, monitor, scored, twice_calibrated
 from gam_db.engines.duckdb.driver import DuckDriver
 from gam_db.engines.duckdb.session import DuckSession
+from gam_db.stored.monitor import Monitor
 from gam_db.study import naming
 from gam_db.study.running import TAUGHT
 from small_plant import source
 from strategies import Row
-from visible import put, rows_of
+from visible import BUCKETS, NOVEL, put, rows_of
 
 pytestmark = pytest.mark.thorough
 
@@ -212,6 +216,24 @@ def test_channels_of_different_delays_and_windows_are_scored_by_one_list(
     made.score()
     compare(connection, rows, method, first)
     assert made.check_state().num_rows == 0
+
+
+def test_as_far_back_as_the_largest_delay_calibration_is_looked_for(
+    connection: duckdb.DuckDBPyConnection,
+) -> None:
+    """From a start on, vectors of calibration are not scored; those that reach over a hole in it are."""
+    rules = {"intervals": [(0, 150)], "exclude": [(70, 80), (101, 103)], "score_from": 40}
+    overrides = [{"asset": "b", "tau": 5, "window": 12, "stride": 3}, {"asset": "c", "tau": 9}]
+    asked = harness.made(METHODS["delays"] | {"overrides": overrides}, rules)
+    rows = by_channel()
+    source(connection, rows)
+    made = Monitor(connection, gam_db.Source("telemetry"), *asked, lookback=12)
+    made.migrate()
+    made.calibrate()
+    made.score()
+    expected = frozen.buckets(rows, rows, *asked), frozen.novel_cells(rows, rows, *asked)
+    harness.assert_same(expected[0], rows_of(connection, BUCKETS), "buckets")
+    harness.assert_same(expected[1], rows_of(connection, NOVEL), "novel cells")
 
 
 #: Grids of the same channels that differ from one another.

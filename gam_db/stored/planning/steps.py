@@ -82,8 +82,8 @@ class Setting(NamedTuple):
         has_start: whether the version is scored from a given instant on.
         still_after: samples; None for never.
         programs: the column that says which program runs, where states are healthy for one.
-        by_column: whether channels differ in tau, window and stride, which are columns then; these are
-            the largest.
+        by_column: whether channels differ in tau, window and stride, which are columns then; tau is the
+            largest, the others say nothing.
     """
 
     m: int
@@ -135,7 +135,7 @@ def shape_of(version: Mapping[str, Any], by_column: bool = False) -> Setting:
 def shared_by(group: Sequence[Mapping[str, Any]], by_column: bool = False) -> Setting:
     """Return the setting of channels of one shape, with the most bins of any, and the largest delay."""
     most = {"bins": max(row["bins"] for row in group)}
-    if by_column and group[0]["max_gap"] is not None:  # how far back segments are looked for
+    if by_column:  # as far back segments and samples outside calibration are looked for
         most["tau"] = max(row["tau"] for row in group)
     return shape_of(group[0], by_column)._replace(**most)
 
