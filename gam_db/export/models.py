@@ -37,7 +37,8 @@ from gam_db.method.source import add_rules
 from gam_db.reading.ahead import latest_live
 from gam_db.settings.source import AnySource, under
 from gam_db.stored.calibrating import method_hash
-from gam_db.stored.planning.steps import DAY, KEPT, Setting, add_counting
+from gam_db.stored.planning.setting import Setting
+from gam_db.stored.planning.steps import DAY, KEPT, add_counting
 from gam_db.stored.sources import described
 
 #: What dbt runs on, by engine; see the file.

@@ -102,8 +102,8 @@ def _add_counted(
     one.add("score/monitored", slots, f"{prefix}monitored", renamed)
     travelling = [_carried("straddling"), *travelling, *_stride(one, "vector")]
     add_novelty(one, travelling, bits, prefix, by_sets=by_sets)
-    told = [*(exp.column(name) for name in carried), *_stride(one)]
-    named: dict[str, template.Slot] = {"carried": told}
+    columns = [*(exp.column(name) for name in carried), *_stride(one)]
+    named: dict[str, template.Slot] = {"carried": columns}
     one.add("health/numbered", named, f"{prefix}numbered", renamed)
 
 

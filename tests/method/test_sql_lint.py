@@ -42,7 +42,8 @@ from gam_db.settings.parameters import RUNGS
 from gam_db.settings.source import Programs, Source, WideSource, readings
 from gam_db.stored.alarms import told as alarms
 from gam_db.stored.monitor import Monitor
-from gam_db.stored.planning.steps import Setting, scoring_steps
+from gam_db.stored.planning.setting import Setting
+from gam_db.stored.planning.steps import scoring_steps
 from gam_db.stored.schema.migration_files import definitions
 from gam_db.stored.schema.migrations import rendered
 from gam_db.stored.schema.tables import StateTables

@@ -12,8 +12,8 @@ from gam_db.settings.source import Source, readings
 from gam_db.stored.checking.proving import matching_steps
 from gam_db.stored.checking.soundness import soundness_steps
 from gam_db.stored.planning.reading import cohort_of
+from gam_db.stored.planning.setting import Setting
 from gam_db.stored.planning.steps import (
-    Setting,
     learning_steps,
     plan_steps,
     reading_steps,

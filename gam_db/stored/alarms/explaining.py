@@ -13,7 +13,8 @@ from gam_db.columns import name_of
 from gam_db.composing import template
 from gam_db.stored.planning import Row, assets_of, portions
 from gam_db.stored.planning.reading import Reader, cohort_of, identified, listed
-from gam_db.stored.planning.steps import explaining_steps, setting_of
+from gam_db.stored.planning.setting import setting_of
+from gam_db.stored.planning.steps import explaining_steps
 from gam_db.stored.state import State
 from gam_db.study.running import Running
 

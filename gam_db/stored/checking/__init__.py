@@ -28,7 +28,8 @@ from gam_db.stored.checking.soundness import soundness_steps
 from gam_db.stored.planning import Row, by, portions, whole_pools
 from gam_db.stored.planning.gone import whole_plan_rows
 from gam_db.stored.planning.reading import Reader, last_times, plan_rows, searched_plan_rows
-from gam_db.stored.planning.steps import reading_steps, setting_of
+from gam_db.stored.planning.setting import setting_of
+from gam_db.stored.planning.steps import reading_steps
 from gam_db.stored.state import State, kind_of, now
 from gam_db.study.running import Listener, Running, unheard
 

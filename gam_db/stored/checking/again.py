@@ -21,15 +21,8 @@ from gam_db.stored.alarms.judging import buckets_of
 from gam_db.stored.planning import Row, assets_of
 from gam_db.stored.planning.published import former, former_slots
 from gam_db.stored.planning.reading import Reader, cohort_of, identified, listed, make_vectors, near
-from gam_db.stored.planning.steps import (
-    LEARNT,
-    OF_SUPPORT,
-    learning_steps,
-    past_slots,
-    scoring_steps,
-    setting_of,
-    shared_by,
-)
+from gam_db.stored.planning.setting import setting_of, shared_by
+from gam_db.stored.planning.steps import LEARNT, OF_SUPPORT, learning_steps, past_slots, scoring_steps
 from gam_db.stored.schema.migration_files import columns_of
 from gam_db.stored.state import State
 from gam_db.study.running import Listener, Running

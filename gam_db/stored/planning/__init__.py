@@ -14,7 +14,8 @@ from typing import Any
 
 from gam_db.clock import LONG_AGO
 from gam_db.columns import name_of
-from gam_db.stored.planning.steps import DAY, Setting, shape_of
+from gam_db.stored.planning.setting import Setting, shape_of
+from gam_db.stored.planning.steps import DAY
 
 Row = dict[str, Any]
 

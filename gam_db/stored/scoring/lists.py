@@ -13,7 +13,8 @@ from gam_db.composing.plan import Kind, Plan, Statement
 from gam_db.errors import ConflictError, GamError, InternalError
 from gam_db.method.bits import Bits
 from gam_db.stored.planning.published import former, published
-from gam_db.stored.planning.steps import Setting, scoring_steps
+from gam_db.stored.planning.setting import Setting
+from gam_db.stored.planning.steps import scoring_steps
 
 CHANGED = (
     "Another process scored, calibrated or pruned the same channels while this run was at work, so its "
@@ -26,7 +27,7 @@ GONE = (
     "(--full)."
 )
 
-#: Tables that the run has before the list begins, and that it puts beside it.
+#: Tables of the whole run, which its lists read.
 _BEFORE = frozenset(("plan", "names", "planned_runs"))
 
 

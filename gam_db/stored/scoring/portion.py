@@ -22,7 +22,8 @@ from gam_db.stored.checking.proving import verify
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due
 from gam_db.stored.planning.published import former, former_slots
 from gam_db.stored.planning.reading import Reader, collapse, identified, near
-from gam_db.stored.planning.steps import Setting, past_slots, reading_steps, shape_of, shared_by
+from gam_db.stored.planning.setting import Setting, shape_of, shared_by
+from gam_db.stored.planning.steps import past_slots, reading_steps
 from gam_db.stored.scoring.lists import RepeatedError, Shape, counting, hidden_tables, publishing
 from gam_db.stored.scoring.publishing import look_again, unplanned, withdraw
 from gam_db.stored.scoring.report import Wanted
