@@ -4,7 +4,8 @@ This module owns the conditions on the source's own columns, and the table that 
 which channels are read from where on.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
+from functools import partial
 from typing import Any
 
 import pyarrow as pa
@@ -14,6 +15,7 @@ from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.columns import COUNT, SHARE, WORD, columns, table_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
+from gam_db.composing.plan import Kind, Plan, Statement
 from gam_db.engines.session import Session
 from gam_db.errors import wrong
 from gam_db.method.programs import gathered
@@ -24,7 +26,7 @@ from gam_db.settings.source import AnySource, Programs, parsed_condition, under
 from gam_db.stored.planning import Row
 from gam_db.stored.planning.steps import DAY, plan_steps, reading_steps, searched_plan_steps
 from gam_db.stored.state import State, first_run_at, now
-from gam_db.study.running import Running
+from gam_db.study.running import RepeatedError, Running, once_more
 
 #: Keys that a condition lists; of more it says in which range they are.
 _LISTED = 1000
@@ -202,16 +204,23 @@ def make_vectors(running: Running, programs: Programs | None = None) -> None:
 
     Where an instant occurs twice, the steps run once more over readings that are collapsed by instant.
     """
-    before = running.kept()
-    running.keep("visited")
-    if "repeated_instants" in running.steps.steps and running.rows("repeated_instants"):
-        running.forget(but=before)
-        collapse(running, programs)
-        running.keep("visited")
+    plan = Plan.of(running.steps, vector_statements(running.steps), running.placed)
+    again = partial(collapse, running, programs, running.kept())
+    once_more(partial(running.execute, plan), again)
 
 
-def collapse(running: Running, programs: Programs | None) -> None:
-    """Let the kept readings *identified* be collapsed by instant."""
+def vector_statements(steps: Pipeline) -> list[Statement]:
+    """Return the statements that make the scored vectors, and verify that no instant occurs twice."""
+    if "repeated_instants" not in steps.steps:
+        return [Statement("visited")]
+    error = RepeatedError("An instant occurs twice.")
+    verify = Statement("repeated_instants", Kind.VERIFY, failure=lambda _: error)
+    return [Statement("visited"), verify]
+
+
+def collapse(running: Running, programs: Programs | None, staying: Collection[str]) -> None:
+    """Let the readings *identified* be collapsed by instant; of what is kept some tables stay."""
+    running.forget(but=staying)
     running.make("stored/scoring/repeats", {}, "timeline")
     running.make("stored/scoring/collapsed", {"gathered": gathered("reading", programs)}, "identified")
 

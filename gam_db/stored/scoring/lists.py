@@ -10,9 +10,10 @@ from typing import Any, NamedTuple
 
 from gam_db.clock import TimeKind
 from gam_db.composing.plan import Kind, Plan, Statement
-from gam_db.errors import ConflictError, GamError, InternalError
+from gam_db.errors import ConflictError, GamError
 from gam_db.method.bits import Bits
 from gam_db.stored.planning.published import former, published
+from gam_db.stored.planning.reading import vector_statements
 from gam_db.stored.planning.setting import Setting
 from gam_db.stored.planning.steps import scoring_steps
 
@@ -31,20 +32,12 @@ GONE = (
 _BEFORE = frozenset(("plan", "names", "planned_runs"))
 
 
-class RepeatedError(InternalError):
-    """An instant occurs twice: the list is executed once more, over collapsed readings."""
-
-
 def _is_changed(_: Sequence[dict[str, Any]]) -> GamError:
     return ConflictError(CHANGED)
 
 
 def _is_gone(_: Sequence[dict[str, Any]]) -> GamError:
     return ConflictError(GONE)
-
-
-def _repeats(_: Sequence[dict[str, Any]]) -> GamError:
-    return RepeatedError("An instant occurs twice.")
 
 
 class Shape(NamedTuple):
@@ -74,11 +67,10 @@ def counting(shape: Shape) -> Plan:
     :func:`gam_db.stored.planning.steps.scoring_steps`.
     """
     steps, programs = scoring_steps(*shape), shape.setting.has_programs
-    tables = ("cohort", *["recount"] * shape.recounted, "identified", "visited")
-    statements = [Statement(name) for name in tables]
-    if "repeated_instants" in steps.steps:
-        statements.append(Statement("repeated_instants", Kind.VERIFY, failure=_repeats))
-    statements += [
+    tables = ("cohort", *["recount"] * shape.recounted, "identified")
+    statements = [
+        *map(Statement, tables),
+        *vector_statements(steps),
         Statement("past_buckets"),
         Statement("past_missing", Kind.VERIFY, failure=_is_gone),
         Statement("new_buckets"),
