@@ -191,6 +191,14 @@ def listed(column: exp.Expr, found: Iterable[int]) -> exp.Expr:
     return exp.In(this=column, expressions=[exp.Literal.number(key) for key in keys])
 
 
+def among(rows: Sequence[Row], planned: int) -> exp.Expr:
+    """Return the condition on *frozen* that it is one of some rows of the plan, which has so many."""
+    if len(rows) in (0, planned):
+        return exp.true()
+    versions = [exp.Literal.number(row["version_id"]) for row in rows]
+    return exp.In(this=exp.column("version_id", table="frozen"), expressions=versions)
+
+
 def identified(running: Running, rows: exp.Query) -> exp.Query:
     """Return the query of the readings of a cohort, which is a table; rows are the step *readings*."""
     steps = reading_steps(rows)

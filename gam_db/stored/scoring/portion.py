@@ -22,7 +22,7 @@ from gam_db.stored.alarms.judging import buckets_of, judge
 from gam_db.stored.checking.proving import verify
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due
 from gam_db.stored.planning.published import former, former_slots
-from gam_db.stored.planning.reading import Reader, collapse, identified, near
+from gam_db.stored.planning.reading import Reader, among, collapse, identified, near
 from gam_db.stored.planning.setting import Setting, shape_of, shared_by
 from gam_db.stored.planning.steps import past_slots, reading_steps
 from gam_db.stored.scoring.lists import Shape, counting, hidden_tables, publishing
@@ -126,16 +126,12 @@ class Scoring:
     def _cohort(self, group: Sequence[Row], recounted: bool) -> exp.Query:
         """Return the query of the channels of a group, among those of the plan."""
         wanted = self.wanted
-        chosen: exp.Expr = exp.true()
-        if len(group) < self.planned:
-            versions = [exp.Literal.number(row["version_id"]) for row in group]
-            chosen = exp.In(this=exp.column("version_id", table="frozen"), expressions=versions)
         slots: dict[str, template.Slot] = {
             "lookback": wanted.lookback,
             "until": FAR_AHEAD if wanted.until is None else wanted.until,
             "recounted": int(recounted),
             "differs": int(wanted.is_anew),
-            "chosen": chosen,
+            "chosen": among(group, self.planned),
         }
         query = filled("stored/scoring/cohort", slots)
         place(query, self.tables)
