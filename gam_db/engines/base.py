@@ -16,7 +16,6 @@ from sqlglot.errors import ErrorLevel, UnsupportedError
 from gam_db import data
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.composing import template
-from gam_db.composing.lately import Lately
 from gam_db.engines.storage import APART, Storage
 from gam_db.engines.types import USUAL, Types
 from gam_db.errors import EngineError
@@ -35,8 +34,9 @@ _SAID = data.table("gam_db.engines", "engines.toml")
 #: Begins what a statement says that met a value which is not whole.
 REFUSES = "gam-db: "
 
-#: Engine, its home and hash of a tree -> its text.
-_WRITTEN: Lately[str] = Lately(3000)
+#: Texts of late by engine, its home and the hash of the tree, and how many there are at most.
+_TEXTS: dict[tuple[str, str | None, int], str] = {}
+_MOST_TEXTS = 3000
 
 
 def temporary(made: exp.Expr, query: exp.Query | None = None, *storage: exp.Expr) -> exp.Create:
@@ -298,9 +298,13 @@ class Engine:
         """
         if pretty:  # for people, who get the comments, too; equal trees may differ in them
             return self._written(tree, pretty)
-        # Trees are equal where their hashes are, by sqlglot's own rule.
+        # Trees are equal where their hashes are, by sqlglot's own rule; to hold the trees takes memory.
         key = self.name, self.home, hash(tree)
-        return _WRITTEN.get(key, lambda: self._written(tree, pretty))
+        if (text := _TEXTS.get(key)) is None:
+            if len(_TEXTS) >= _MOST_TEXTS:
+                _TEXTS.clear()
+            text = _TEXTS[key] = self._written(tree, pretty)
+        return text
 
     def beginning(self) -> str:
         """Return what a script begins with; empty where that is nothing."""

@@ -336,7 +336,7 @@ class Study:
         if "readings" in self.running.placed:  # of a text file, which is not to be parsed again
             within = engine.in_range(TimeKind.COUNTER, exp.column("time"), earliest, latest)
             return union_of(self.steps, ["readings"]).where(*within, copy=False)
-        return ranged(source, relation, engine, method.kind, earliest, latest, until).copy()
+        return ranged(source, relation, engine, method.kind, earliest, latest, until)
 
 
 @contextlib.contextmanager
