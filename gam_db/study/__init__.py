@@ -36,9 +36,10 @@ from gam_db.settings.source import AnySource, is_file, paths_of
 from gam_db.study import census
 from gam_db.study.automatic import Siblings, choose
 from gam_db.study.census import Census
+from gam_db.study.naming import seems_ordered
 from gam_db.study.running import TAUGHT, Listener, Running, once_more, unheard
 from gam_db.study.steps import filled, opened, ranged
-from gam_db.study.streaming import Streams, seems_ordered
+from gam_db.study.streaming import Streams
 
 
 class Study:

@@ -34,44 +34,8 @@ PROBING, ENDING, RUN_UP = ("probed",), ("stillness",), ("run_up",)
 Make = Callable[[Own], exp.Query]
 
 
-def seems_ordered(method: Method, running: Running, scores: bool) -> bool:
-    """Tell whether channels seem to be stored one after another.
-
-    If so, *names* is there. Where the vectors will not prove the order of all rows, it is proven.
-    """
-    bits = running.session.engine.bits
-    if bits is None or not _is_plain(method, bits):
-        return False
-    running.prepare("names")
-    is_proven = not _vectors_prove(method, scores)
-    names = naming.counted(running, is_proven)
-    if names is None:
-        return False
-    running.load("names", names)
-    return not is_proven or all(names["in_order"].to_pylist())
-
-
-def _vectors_prove(method: Method, scores: bool) -> bool:
-    """Tell whether it is known that the study ``scores``, and no row is before calibration."""
-    return scores and all(rule.fraction is not None for rule in method.rules)
-
-
-def _is_plain(method: Method, bits: Bits) -> bool:
-    """Tell whether calibration is one interval, and no sample before it matters: what streams serve."""
-    whole = ((LONG_AGO, FAR_AHEAD),)
-    has_bits = all(bits.serve(setting.radix**setting.m) for setting in method.settings)
-    # What stands still where calibration begins is told by the samples before it.
-    may_begin_late = all(setting.still_after is None for setting in method.settings)
-    are_one = (
-        tuple(rule.allowed) == whole
-        or (may_begin_late and rule.fraction is None and len(rule.allowed) <= 1)
-        for rule in method.rules
-    )
-    return has_bits and method.is_parted and all(are_one)
-
-
 class Streams:
-    """The streams of a study whose source :func:`seems_ordered`.
+    """The streams of a study whose source :func:`gam_db.study.naming.seems_ordered`.
 
     Args:
         method, running: of the study.
@@ -88,7 +52,7 @@ class Streams:
             Stream(lacks or setting.still_after is not None, gap)
             for setting, gap in zip(method.settings, method.gaps, strict=True)
         ]
-        self.is_proven = not _vectors_prove(method, scores)
+        self.is_proven = not naming.vectors_prove(method, scores)
         self._sorting: dict[str, Step] = {}
         self._done: set[tuple[str, ...]] = set()
         self._reached: dict[int, dict[str, int]] = {}
