@@ -6,7 +6,7 @@ This module owns how steps refer to one another. It knows neither what they comp
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
-from typing import Any, NamedTuple, TypeAlias, cast
+from typing import Any, TypeAlias, cast
 
 from sqlglot import exp
 
@@ -60,12 +60,8 @@ class Step:
         return self.made.query
 
 
-class Entry(NamedTuple):
-    """A step of a query: its name, what it is made of, and whether it is small."""
-
-    name: str
-    made: Made
-    is_small: bool
+#: A step of a query: its name, what it is made of, and whether it is small.
+Entry: TypeAlias = tuple[str, Made, bool]
 
 
 @dataclass
@@ -166,8 +162,8 @@ class Pipeline:
         """
         placed, of = placed or {}, self.steps[target].made
         steps = [step for step in self.needed([target], placed) if step.name != target]
-        entries = tuple(Entry(step.name, step.made, step.name in self.small) for step in steps)
-        read = {target}.union(of.tables, *(entry.made.tables for entry in entries)) & placed.keys()
+        entries = tuple((step.name, step.made, step.name in self.small) for step in steps)
+        read = {target}.union(of.tables, *(made.tables for _, made, _ in entries)) & placed.keys()
         asked = target, of, entries, tuple((name, placed[name]) for name in sorted(read))
         return _composed(*asked, True) if commented else _composed_once(*asked)
 
@@ -186,22 +182,22 @@ def _composed(
         place(query, placed)
         return query
     query = of.query.copy()
-    placed |= {entry.name: _entry(entry.name) for entry in inputs}
+    placed |= {name: _entry(name) for name, _, _ in inputs}
     place(query, placed)
     if not inputs:
         return query
     if isinstance(query, exp.SetOperation):
         query = _selected_from(query)
     listed = []
-    for entry in inputs:
-        body = entry.made.query.copy()
+    for name, made, is_small in inputs:
+        body = made.query.copy()
         place(body, placed)
-        part = exp.CTE(this=body, alias=exp.TableAlias(this=_entry(entry.name).this))
-        if not entry.is_small:
-            part.set("materialized", False)
-        if commented and entry.made.comment:
-            body.comments = [f" {entry.made.comment} "]
-        listed.append(part)
+        entry = exp.CTE(this=body, alias=exp.TableAlias(this=_entry(name).this))
+        if not is_small:
+            entry.set("materialized", False)
+        if commented and made.comment:
+            body.comments = [f" {made.comment} "]
+        listed.append(entry)
     query.set("with_", exp.With(expressions=listed))
     return query
 

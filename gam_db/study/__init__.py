@@ -202,17 +202,17 @@ class Study:
 
     def table(self, step: str) -> pa.Table:
         """Return the rows of a step; the small steps before it are kept for the next call."""
-        self._prepare(step)
+        self.prepare(step)
         return self.running.table(step)
 
     def rows(self, step: str) -> list[Row]:
         """Return the same, each row by the names of its columns."""
-        self._prepare(step)
+        self.prepare(step)
         return self.running.rows(step)
 
     def query(self, step: str) -> exp.Query:
         """Return the query of a step, likewise; it must not be changed."""
-        self._prepare(step)
+        self.prepare(step)
         return self.running.query(step)
 
     def load(self, step: str, rows: pa.Table) -> None:
@@ -223,7 +223,7 @@ class Study:
 
     def write(self, step: str, path: Path, table: str) -> None:
         """Write the rows of a step as Parquet, or as a table of a DuckDB file."""
-        self._prepare(step)
+        self.prepare(step)
         self.running.write(step, path, table)
 
     def instant_of(self, time: exp.Expr) -> exp.Expr:
@@ -287,7 +287,7 @@ class Study:
         if isinstance(self._form, Streams):
             self._form.begin_anew()
 
-    def _prepare(self, step: str) -> None:
+    def prepare(self, step: str) -> None:
         """Let the form prove what a step needs."""
         self._check_programs()
         once_more(partial(self._prove, step), self._collapse)

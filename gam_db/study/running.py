@@ -203,6 +203,11 @@ class Running:
         for name in [name for name, of in self.placed.items() if of is table]:
             del self.placed[name]
 
+    def release(self, step: str) -> exp.Table:
+        """Return the table of a step, which the caller drops; asked for again, the step is made anew."""
+        del self.placed[step]
+        return self._kept.pop(step)
+
     def kept(self, but: Container[str] = ()) -> list[str]:
         """Return the steps that are kept, but some."""
         return [step for step in self._kept if step not in but]

@@ -4,7 +4,7 @@ This module owns the conditions on the source's own columns, and the table that 
 which channels are read from where on.
 """
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -30,6 +30,9 @@ from gam_db.study.running import RepeatedError, Running, once_more
 
 #: Keys that a condition lists; of more it says in which range they are.
 _LISTED = 1000
+
+#: Tables that stay where a list is executed once more.
+_STAYING = ("cohort", "recount", "identified")
 
 #: How far back lie the runs that are looked at first, in microseconds: there are more with the years.
 RECENT = 31 * DAY
@@ -207,30 +210,32 @@ def identified(running: Running, rows: exp.Query) -> exp.Query:
     return steps.query("identified", running.placed)
 
 
-def make_vectors(running: Running, programs: Programs | None = None) -> None:
-    """Keep *visited*, the scored vectors in groups, of the steps of a run.
-
-    Where an instant occurs twice, the steps run once more over readings that are collapsed by instant.
-    """
-    plan = Plan.of(running.steps, vector_statements(running.steps), running.placed)
-    again = partial(collapse, running, programs, running.kept())
-    once_more(partial(running.execute, plan), again)
-
-
 def vector_statements(steps: Pipeline) -> list[Statement]:
     """Return the statements that make the scored vectors, and verify that no instant occurs twice."""
     if "repeated_instants" not in steps.steps:
         return [Statement("visited")]
     error = RepeatedError("An instant occurs twice.")
-    verify = Statement("repeated_instants", Kind.VERIFY, failure=lambda _: error)
-    return [Statement("visited"), verify]
+    return [Statement("visited"), Statement("repeated_instants", Kind.VERIFY, failure=lambda _: error)]
 
 
-def collapse(running: Running, programs: Programs | None, staying: Collection[str]) -> None:
-    """Let the readings *identified* be collapsed by instant; of what is kept some tables stay."""
-    running.forget(but=staying)
-    running.make("stored/scoring/repeats", {}, "timeline")
-    running.make("stored/scoring/collapsed", {"gathered": gathered("reading", programs)}, "identified")
+def make_vectors(running: Running, programs: Programs | None) -> None:
+    """Keep *visited*, the scored vectors in groups, of the steps of a run."""
+    plan = Plan.of(running.steps, vector_statements(running.steps), running.placed)
+    execute(running, plan, {}, programs)
+
+
+def execute(
+    running: Running, plan: Plan, queries: Mapping[str, exp.Query], programs: Programs | None
+) -> dict[str, list[Row]]:
+    """Execute a list with such statements; where an instant occurs twice, *identified* is collapsed."""
+
+    def collapse() -> None:
+        running.forget(but=_STAYING)
+        running.make("stored/scoring/repeats", {}, "timeline")
+        slots: dict[str, template.Slot] = {"gathered": gathered("reading", programs)}
+        running.make("stored/scoring/collapsed", slots, "identified")
+
+    return once_more(partial(running.execute, plan, queries), collapse)
 
 
 def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:

@@ -5,7 +5,7 @@ This module owns what a run reads, and in which portions (:mod:`gam_db.stored.sc
 
 from dataclasses import replace
 
-from gam_db.clock import LONG_AGO, shown_instant
+from gam_db.clock import FAR_AHEAD, LONG_AGO, shown_instant
 from gam_db.columns import name_of, table_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
@@ -159,11 +159,11 @@ class Run:
 
     def _with_cohorts(self, rows: list[Row]) -> list[Row]:
         """Return rows of *plan* with the columns of ``cohorts.sql``."""
-        wanted = self.wanted
+        wanted, after = self.wanted, self.wanted.park_after
         slots: dict[str, template.Slot] = {
             "chosen": among(rows, self.scoring.planned),
             "lookback": wanted.lookback,
-            "silence": wanted.silence,
+            "silence": None if after is None else min(wanted.lookback + after, FAR_AHEAD),
             "latest": self.reader.clock.latest,
             "started": self.started,
             "day": DAY,

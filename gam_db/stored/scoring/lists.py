@@ -4,13 +4,12 @@ This module owns which statements a run of one shape executes, and in which orde
 what differs from run to run comes as tables, or as the queries of one execution.
 """
 
-from collections.abc import Sequence
 from functools import cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from gam_db.clock import TimeKind
 from gam_db.composing.plan import Kind, Plan, Statement
-from gam_db.errors import ConflictError, GamError
+from gam_db.errors import ConflictError
 from gam_db.method.bits import Bits
 from gam_db.stored.planning.published import former, published
 from gam_db.stored.planning.reading import vector_statements
@@ -30,14 +29,6 @@ GONE = (
 
 #: Tables of the whole run, which its lists read.
 _BEFORE = frozenset(("plan", "names", "planned_runs"))
-
-
-def _is_changed(_: Sequence[dict[str, Any]]) -> GamError:
-    return ConflictError(CHANGED)
-
-
-def _is_gone(_: Sequence[dict[str, Any]]) -> GamError:
-    return ConflictError(GONE)
 
 
 class Shape(NamedTuple):
@@ -72,7 +63,7 @@ def counting(shape: Shape) -> Plan:
         *map(Statement, tables),
         *vector_statements(steps),
         Statement("past_buckets"),
-        Statement("past_missing", Kind.VERIFY, failure=_is_gone),
+        Statement("past_missing", Kind.VERIFY, failure=lambda _: ConflictError(GONE)),
         Statement("new_buckets"),
         *(Statement(name) for name in former(programs).values() if shape.compared),
         Statement("scored", Kind.ANSWER),
@@ -94,7 +85,7 @@ def publishing(shape: Shape, transactions: bool) -> tuple[Plan, Plan]:
     """
     steps, programs = counting(shape).steps, shape.setting.has_programs
     *parts, last = published(programs)
-    verify = Statement("unplanned", Kind.VERIFY, failure=_is_changed)
+    verify = Statement("unplanned", Kind.VERIFY, failure=lambda _: ConflictError(CHANGED))
     appends = [Statement(part, Kind.APPEND, part.removesuffix("_rows")) for part in parts]
     commit = [Statement(last, Kind.APPEND, last.removesuffix("_rows"))]
     if transactions:

@@ -7,7 +7,6 @@ nobody else wrote meanwhile (:mod:`gam_db.stored.scoring.publishing`).
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import partial
 
 from sqlglot import exp
 
@@ -22,20 +21,17 @@ from gam_db.stored.alarms.judging import buckets_of, judge
 from gam_db.stored.checking.proving import verify
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due
 from gam_db.stored.planning.published import former, former_slots
-from gam_db.stored.planning.reading import Reader, among, collapse, identified, near
+from gam_db.stored.planning.reading import Reader, among, execute, identified, near
 from gam_db.stored.planning.setting import Setting, shape_of, shared_by
 from gam_db.stored.planning.steps import past_slots, reading_steps
 from gam_db.stored.scoring.lists import Shape, counting, hidden_tables, publishing
 from gam_db.stored.scoring.publishing import look_again, unplanned, withdraw
 from gam_db.stored.scoring.report import Wanted
 from gam_db.stored.state import State, now
-from gam_db.study.running import Listener, Running, once_more
+from gam_db.study.running import Listener, Running
 
 #: Supports are kept as bits where they take no more of them than so many times the rows to be scored.
 BITS_OF_A_ROW = 512
-
-#: Tables that stay where the list is executed once more.
-_STAYING = ("cohort", "recount", "identified")
 
 #: What judgements are made of: what a run writes.
 _JUDGED = {"cohort": "changed", "new_buckets": "written"}
@@ -78,8 +74,7 @@ class Scoring:
             # A part of a cohort is found by name, or each part would read the rows of all.
             assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
             queries = self._queries(running, group, shape, assets)
-            again = partial(collapse, running, setting.programs, _STAYING)
-            scored = once_more(partial(running.execute, plan, queries), again)["scored"]
+            scored = execute(running, plan, queries, setting.programs)["scored"]
             lists = publishing(shape, self.state.session.transactions)
             self._publish(running, group, scored, *lists)
 

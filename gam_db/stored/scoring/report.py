@@ -3,7 +3,6 @@
 from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass, field
 
-from gam_db.clock import FAR_AHEAD
 from gam_db.columns import name_of
 from gam_db.composing import template
 from gam_db.reading.ahead import Clock
@@ -42,11 +41,6 @@ class Wanted:
     def is_anew(self) -> bool:
         """Tell whether buckets are to be written anew even where nothing seems to have changed."""
         return self.full or self.repair_from is not None
-
-    @property
-    def silence(self) -> int | None:
-        """How far behind the newest data a channel is parked; None for never."""
-        return None if self.park_after is None else min(self.lookback + self.park_after, FAR_AHEAD)
 
 
 @dataclass
