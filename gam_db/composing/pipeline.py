@@ -160,43 +160,43 @@ class Pipeline:
             The tree; asked again in the same circumstances, the same one, so it must not be changed. One
             with comments is the caller's own.
         """
-        placed, of = placed or {}, self.steps[target].made
+        placed, last = placed or {}, self.steps[target].made
         steps = [step for step in self.needed([target], placed) if step.name != target]
-        entries = tuple((step.name, step.made, step.name in self.small) for step in steps)
-        read = {target}.union(of.tables, *(made.tables for _, made, _ in entries)) & placed.keys()
-        asked = target, of, entries, tuple((name, placed[name]) for name in sorted(read))
-        return _composed(*asked, True) if commented else _composed_once(*asked)
+        inputs = tuple((step.name, step.made, step.name in self.small) for step in steps)
+        read = {target}.union(last.tables, *(step.made.tables for step in steps)) & placed.keys()
+        parts = target, last, inputs, tuple((name, placed[name]) for name in sorted(read))
+        return _composed(*parts, True) if commented else _composed_once(*parts)
 
 
 def _composed(
     target: str,
-    of: Made,
+    last: Made,
     inputs: Sequence[Entry],
     places: Sequence[tuple[str, exp.Table]],
     commented: bool = False,
 ) -> exp.Query:
     """Return one query for a step; places are the steps that it reads and that are tables already."""
-    placed = dict(places)
-    if target in placed:
-        query: exp.Query = _columns_of(target, of.query.named_selects)
-        place(query, placed)
+    tables = dict(places)
+    if target in tables:
+        query: exp.Query = _columns_of(target, last.query.named_selects)
+        place(query, tables)
         return query
-    query = of.query.copy()
-    placed |= {name: _entry(name) for name, _, _ in inputs}
-    place(query, placed)
+    query = last.query.copy()
+    tables |= {name: _entry(name) for name, _, _ in inputs}
+    place(query, tables)
     if not inputs:
         return query
     if isinstance(query, exp.SetOperation):
         query = _selected_from(query)
     listed = []
-    for name, made, is_small in inputs:
-        body = made.query.copy()
-        place(body, placed)
+    for name, step, is_small in inputs:
+        body = step.query.copy()
+        place(body, tables)
         entry = exp.CTE(this=body, alias=exp.TableAlias(this=_entry(name).this))
         if not is_small:
             entry.set("materialized", False)
-        if commented and made.comment:
-            body.comments = [f" {made.comment} "]
+        if commented and step.comment:
+            body.comments = [f" {step.comment} "]
         listed.append(entry)
     query.set("with_", exp.With(expressions=listed))
     return query

@@ -191,7 +191,7 @@ class Study:
     @property
     def form(self) -> str:
         """What the steps were made by, as far as they were: ``streams``, ``census`` or ``windows``."""
-        if isinstance(self._form, Streams) and self._form.has_given:
+        if isinstance(self._form, Streams) and self._form.has_begun:
             return "streams"
         return "census" if isinstance(self._form, Census) and self._form.is_proven else "windows"
 

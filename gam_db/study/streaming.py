@@ -59,7 +59,7 @@ class Streams:
         self._taught: dict[int, tuple[Stream, list[Own]]] = {}
 
     @property
-    def has_given(self) -> bool:
+    def has_begun(self) -> bool:
         """Tell whether a step was given."""
         return bool(self._done)
 

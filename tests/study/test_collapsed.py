@@ -289,7 +289,7 @@ def test_random_sources_give_the_integers_of_the_reference(data: st.DataObject) 
         answers(engine, table, harness.made(parameters, calibration), asked, order)
 
 
-def test_there_is_one_fall_back() -> None:
+def test_there_is_a_single_fall_back() -> None:
     """Of studies, runs and checks: all else is chosen before the work."""
     package = Path(gam_db.__file__).parent
     catching = [

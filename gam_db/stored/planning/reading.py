@@ -214,8 +214,12 @@ def vector_statements(steps: Pipeline) -> list[Statement]:
     """Return the statements that make the scored vectors, and verify that no instant occurs twice."""
     if "repeated_instants" not in steps.steps:
         return [Statement("visited")]
-    error = RepeatedError("An instant occurs twice.")
-    return [Statement("visited"), Statement("repeated_instants", Kind.VERIFY, failure=lambda _: error)]
+    verify = Statement("repeated_instants", Kind.VERIFY, failure=_repeats)
+    return [Statement("visited"), verify]
+
+
+def _repeats(_: Sequence[Row]) -> RepeatedError:
+    return RepeatedError("An instant occurs twice.")
 
 
 def make_vectors(running: Running, programs: Programs | None) -> None:
