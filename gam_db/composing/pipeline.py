@@ -207,9 +207,11 @@ _composed_once = lru_cache(maxsize=256)(_composed)
 
 
 @lru_cache(maxsize=4000)
-def _filled(path: str, slots: "_Hashable", inputs: tuple[tuple[str, str], ...]) -> Made:
+def _filled(
+    path: str, slots: tuple[tuple[str, Any, str], ...], inputs: tuple[tuple[str, str], ...]
+) -> Made:
     """Return a step that is a file of ``sql/``, with the steps that it reads by their names in it."""
-    query = filled(path, {name: value for name, _, value in slots})
+    query = filled(path, {name: value for name, value, _ in slots})
     return _made(query, template.load(path).comment, dict(inputs))
 
 
@@ -267,18 +269,10 @@ def read_as(query: exp.Expr, inputs: Mapping[str, str]) -> None:
             table.set("this", exp.to_identifier(step))
 
 
-#: Slots, by name: how a number is written, and the value.
-_Hashable: TypeAlias = tuple[tuple[str, str, Any], ...]
-
-
-def _hashable(slots: Mapping[str, template.Slot]) -> _Hashable:
-    """Return what is equal where the same is filled in: 1 is not 1.0, and 0.0 not -0.0."""
-    return tuple(
-        (name, repr(value), value)
-        if value is None or isinstance(value, (int, float))
-        else (name, "", value if isinstance(value, exp.Expr) else tuple(value))
-        for name, value in sorted(slots.items())
-    )
+def _hashable(slots: Mapping[str, template.Slot]) -> tuple[tuple[str, Any, str], ...]:
+    """Return slots with how numbers are written: 1 is not 1.0, and 0.0 not -0.0."""
+    plain = sorted((name, tuple(of) if isinstance(of, Sequence) else of) for name, of in slots.items())
+    return tuple((name, of, "" if isinstance(of, (exp.Expr, tuple)) else repr(of)) for name, of in plain)
 
 
 def _entry(step: str) -> exp.Table:

@@ -79,7 +79,7 @@ class Draft:
         else:
             appends = {part: Kind.APPEND for part in TAUGHT if part in parts}
             with self.state.alone(self._keys):
-                self._append_channels(channels)
+                self.state.append_rows("channel", channels)
                 running.execute(_plan(study, appends), target=self.state.tables.table)
         for part in waiting:
             names = study.steps.steps[f"{part}_rows"].query.named_selects
@@ -92,7 +92,7 @@ class Draft:
             limits.make(self.state, name, alarms, parameters)
             return
         with self.state.alone(self._keys), Running(self.state.session, Pipeline()) as running:
-            self._append_channels(self._channels)
+            self.state.append_rows("channel", self._channels)
             self._append(running, TAUGHT)
             running.put("versions", self._versions())
             limits.make(self.state, name, alarms, parameters, versions=running.placed["versions"])
@@ -110,15 +110,10 @@ class Draft:
         tables = (self.state.tables.table("version"), *new)
         return exp.union(*(exp.select(*shown).from_(one.copy()) for one in tables), distinct=False)
 
-    def _append_channels(self, channels: Sequence[Row]) -> None:
-        if channels:
-            self.state.append_rows("channel", channels)
-
     def _append(self, running: Running, parts: Iterable[str]) -> None:
-        waiting = [(part, rows) for part in parts for rows in self._kept[part]]
-        queries = {f"{part}_{number}": rows for number, (part, rows) in enumerate(waiting)}
-        appends = zip(queries, waiting, strict=True)
-        statements = [Statement(name, Kind.APPEND, part) for name, (part, _) in appends]
+        waiting = {(part, n): rows for part in parts for n, rows in enumerate(self._kept[part])}
+        statements = [Statement(f"{part}_{n}", Kind.APPEND, part) for part, n in waiting]
+        queries = {f"{part}_{n}": rows for (part, n), rows in waiting.items()}
         running.execute(Plan.of(running.steps, statements), queries, self.state.tables.table)
 
 

@@ -18,7 +18,7 @@ from gam_db.engines.session import Row
 from gam_db.method import Method
 from gam_db.method.census import EDGES, SCORED, TAUGHT, UNCUT, Slicing, serves, slices_for
 from gam_db.method.delays import IN_ORDER, PROOFS, Ways
-from gam_db.study.running import Between, RepeatedError, Running
+from gam_db.study.running import TWICE, Between, RepeatedError, Running
 
 __all__ = ["Census", "are_odd", "begun", "serves"]
 
@@ -145,7 +145,7 @@ class Census:
         running, ways = self.running, self._ways
         step = IN_ORDER.get(ways.delays or "")
         if step is not None and self._repeats_in_order(step):
-            raise RepeatedError("An instant occurs twice.")
+            raise RepeatedError(TWICE)
         self._bound_edges()
         limits = [{**row, "unscored_end": row["first_scored"] - 1} for row in self._kept_rows("limits")]
         self._bound(TAUGHT, limits, "calibration_from", "unscored_end")
@@ -166,7 +166,7 @@ class Census:
             )
             self._bound(scored, self._kept_rows(run_up), "read_from")
             if self._is_marked([final]):
-                raise RepeatedError("An instant occurs twice.")
+                raise RepeatedError(TWICE)
 
     def _repeats_in_order(self, step: str) -> bool:
         """Tell whether samples that are kept in order show it, before there are vectors."""

@@ -27,6 +27,8 @@ TAUGHT = 2
 
 T = TypeVar("T")
 
+TWICE = "An instant occurs twice."
+
 
 class RepeatedError(InternalError):
     """Statements expected each instant once, and their rows do not prove it."""

@@ -26,7 +26,7 @@ from gam_db.settings.source import AnySource, Programs, parsed_condition, under
 from gam_db.stored.planning import Row
 from gam_db.stored.planning.steps import DAY, plan_steps, reading_steps, searched_plan_steps
 from gam_db.stored.state import State, first_run_at, now
-from gam_db.study.running import RepeatedError, Running, once_more
+from gam_db.study.running import TWICE, RepeatedError, Running, once_more
 
 #: Keys that a condition lists; of more it says in which range they are.
 _LISTED = 1000
@@ -214,12 +214,8 @@ def vector_statements(steps: Pipeline) -> list[Statement]:
     """Return the statements that make the scored vectors, and verify that no instant occurs twice."""
     if "repeated_instants" not in steps.steps:
         return [Statement("visited")]
-    verify = Statement("repeated_instants", Kind.VERIFY, failure=_repeats)
+    verify = Statement("repeated_instants", Kind.VERIFY, failure=lambda _: RepeatedError(TWICE))
     return [Statement("visited"), verify]
-
-
-def _repeats(_: Sequence[Row]) -> RepeatedError:
-    return RepeatedError("An instant occurs twice.")
 
 
 def make_vectors(running: Running, programs: Programs | None) -> None:
